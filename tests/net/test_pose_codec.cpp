@@ -1,0 +1,227 @@
+#include "net/pose_codec.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+using namespace net;
+
+namespace {
+
+using Packet = std::vector<std::uint8_t>;
+
+std::vector<BodyPose> random_bodies(std::size_t count, float extent, std::uint32_t seed) {
+	std::mt19937 random(seed);
+	std::uniform_real_distribution<float> place(-extent, extent);
+	std::normal_distribution<float> normal;
+	std::vector<BodyPose> bodies(count);
+	for (std::size_t i = 0; i < count; ++i) {
+		bodies[i].id = std::uint32_t(i);
+		bodies[i].pose.translation = glm::vec3(place(random), place(random), place(random));
+		bodies[i].pose.rotation = glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
+	}
+	return bodies;
+}
+
+double distance(const glm::vec3 &a, const glm::vec3 &b) {
+	return std::sqrt(std::pow(double(a.x) - b.x, 2) + std::pow(double(a.y) - b.y, 2) + std::pow(double(a.z) - b.z, 2));
+}
+
+std::string encode_error(const std::vector<BodyPose> &bodies, const Tolerance &tolerance = {}) {
+	Packet packet(3, 1);
+	const CodecStatus status = encode(bodies.data(), bodies.size(), tolerance, packet);
+	CHECK(packet.empty() == (status.error != nullptr));
+	return status.error ? status.error : "";
+}
+
+std::string decode_error(const Packet &packet) {
+	std::vector<BodyPose> bodies(1);
+	const CodecStatus status = decode(packet.data(), packet.size(), bodies);
+	if (status.error) {
+		CHECK(bodies.empty());
+	}
+	return status.error ? status.error : "";
+}
+
+} // namespace
+
+TEST_CASE("pose codec: poses arrive within the tolerance, ids exactly") {
+	for (const float position : { 0.0005f, 0.002f, 0.05f }) {
+		const Tolerance tolerance{ position, 0.25f };
+		const std::vector<BodyPose> sent = random_bodies(500, 20, 3);
+		Packet packet;
+		REQUIRE(encode(sent.data(), sent.size(), tolerance, packet).error == nullptr);
+		std::vector<BodyPose> received;
+		REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+		REQUIRE(received.size() == sent.size());
+		for (std::size_t i = 0; i < sent.size(); ++i) {
+			CHECK(received[i].id == sent[i].id);
+			CHECK(distance(received[i].pose.translation, sent[i].pose.translation) <= double(position) + 4e-6);
+			CHECK(std::abs(glm::dot(received[i].pose.rotation, sent[i].pose.rotation)) > std::cos(0.125 * 3.1415927 / 180) - 1e-6);
+			CHECK(received[i].pose.scale == 1.0f);
+		}
+	}
+}
+
+TEST_CASE("pose codec: about nine bytes a pose at the default tolerance, as the header says") {
+	const std::vector<BodyPose> bodies = random_bodies(100, 20, 5);
+	Packet packet;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	// 3 * 15 position bits, 2 + 3 * 12 rotor bits, 1 id bit, 1 scale bit = 85 bits; 21 header bytes at most.
+	CHECK(packet.size() <= 100 * 85 / 8 + 22);
+	CHECK(packet.size() >= 100 * 80 / 8);
+}
+
+TEST_CASE("pose codec: ids in any order, with gaps, at the limit") {
+	std::vector<BodyPose> bodies(6);
+	const std::uint32_t ids[6] = { 7, 8, 0, 2147483647u, 5, 5 };
+	for (int i = 0; i < 6; ++i) {
+		bodies[i].id = ids[i];
+	}
+	Packet packet;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	std::vector<BodyPose> received;
+	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+	REQUIRE(received.size() == 6);
+	for (int i = 0; i < 6; ++i) {
+		CHECK(received[i].id == ids[i]);
+	}
+}
+
+TEST_CASE("pose codec: scale travels, and costs one bit where it is 1") {
+	std::vector<BodyPose> bodies = random_bodies(64, 5, 9);
+	Packet plain;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, plain).error == nullptr);
+	for (std::size_t i = 0; i < bodies.size(); ++i) {
+		bodies[i].pose.scale = 0.01f * std::pow(1.15f, float(i));
+	}
+	Packet scaled;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, scaled).error == nullptr);
+	CHECK(scaled.size() == plain.size() + 64 * SCALE_BITS / 8);
+	std::vector<BodyPose> received;
+	REQUIRE(decode(scaled.data(), scaled.size(), received).error == nullptr);
+	for (std::size_t i = 0; i < bodies.size(); ++i) {
+		CHECK(received[i].pose.scale == doctest::Approx(bodies[i].pose.scale).epsilon(1e-4));
+	}
+}
+
+TEST_CASE("pose codec: 10 km away only float32 itself limits the position") {
+	std::vector<BodyPose> bodies = random_bodies(50, 1, 13);
+	for (BodyPose &body : bodies) {
+		body.pose.translation += glm::vec3(10000, -10000, 10000);
+	}
+	Packet packet;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	CHECK(packet.size() < 50 * 9 + 40); // the offsets are as short as near the origin
+	std::vector<BodyPose> received;
+	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+	for (std::size_t i = 0; i < bodies.size(); ++i) {
+		CHECK(distance(received[i].pose.translation, bodies[i].pose.translation) < 0.002 + 0.001);
+	}
+}
+
+TEST_CASE("pose codec: an empty packet is a packet") {
+	Packet packet;
+	REQUIRE(encode(nullptr, 0, Tolerance{}, packet).error == nullptr);
+	std::vector<BodyPose> received(4);
+	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+	CHECK(received.empty());
+}
+
+TEST_CASE("pose codec: no memory is taken once buffers have grown") {
+	const std::vector<BodyPose> bodies = random_bodies(200, 10, 17);
+	Packet packet;
+	std::vector<BodyPose> received;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+	const std::uint8_t *const bytes = packet.data();
+	const BodyPose *const poses = received.data();
+	for (int i = 0; i < 10; ++i) {
+		REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+		REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
+	}
+	CHECK(packet.data() == bytes);
+	CHECK(received.data() == poses);
+}
+
+TEST_CASE("pose codec: what cannot be sent is refused by name") {
+	std::vector<BodyPose> bodies = random_bodies(3, 1, 19);
+	const std::vector<BodyPose> good = bodies;
+	CHECK(encode_error(good) == "");
+
+	bodies[1].pose.translation.y = NAN;
+	CHECK(encode_error(bodies) == "pose is not finite");
+	bodies = good;
+	bodies[2].pose.translation.x = 1e30f;
+	CHECK(encode_error(bodies) == "position is too far from the origin for this position_tolerance");
+	bodies = good;
+	bodies[0].pose.rotation = glm::quat(0, 0, 0, 0);
+	CHECK(encode_error(bodies) == "rotation is not a unit quaternion");
+	bodies = good;
+	bodies[0].pose.scale = -1;
+	CHECK(encode_error(bodies) == "scale must lie between 1/65000 and 65000");
+	bodies = good;
+	bodies[0].id = ID_LIMIT;
+	CHECK(encode_error(bodies) == "id is negative or above 2147483647");
+	for (const float bad : { 0.0f, -1.0f, NAN, INFINITY }) {
+		CHECK(encode_error(good, Tolerance{ bad, 1 }) == "position_tolerance must be positive and finite");
+		CHECK(encode_error(good, Tolerance{ 1, bad }) == "rotation_tolerance must be finite and at least 0.000017 degrees");
+	}
+
+	Packet packet;
+	bodies = good;
+	bodies[2].pose.scale = NAN;
+	CHECK(encode(bodies.data(), bodies.size(), Tolerance{}, packet).index == 2);
+}
+
+TEST_CASE("pose codec: every truncation and every longer packet is refused") {
+	const std::vector<BodyPose> bodies = random_bodies(12, 4, 23);
+	Packet packet;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	for (std::size_t size = 0; size < packet.size(); ++size) {
+		CAPTURE(size);
+		CHECK(decode_error(Packet(packet.begin(), packet.begin() + std::ptrdiff_t(size))) != "");
+	}
+	packet.push_back(0);
+	CHECK(decode_error(packet) == "packet has bytes after its last body");
+	packet[0] = FORMAT_VERSION + 1;
+	CHECK(decode_error(packet) == "packet has another format version");
+}
+
+TEST_CASE("pose codec: random and mutated packets never give a pose that is not finite") {
+	std::mt19937 random(29);
+	const std::vector<BodyPose> bodies = random_bodies(20, 4, 31);
+	Packet packet;
+	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
+	std::vector<BodyPose> received;
+	int refused = 0;
+	for (int i = 0; i < 50000; ++i) {
+		Packet hostile = packet;
+		if (i % 2 == 0) {
+			hostile.resize(random() % 200);
+			for (std::uint8_t &byte : hostile) {
+				byte = std::uint8_t(random());
+			}
+			if (!hostile.empty()) {
+				hostile[0] = FORMAT_VERSION;
+			}
+		} else {
+			for (int flips = 0; flips < 3; ++flips) {
+				hostile[random() % hostile.size()] ^= std::uint8_t(1u << (random() % 8));
+			}
+		}
+		const CodecStatus status = decode(hostile.data(), hostile.size(), received);
+		refused += status.error != nullptr;
+		CHECK(received.size() <= hostile.size() * 8);
+		for (const BodyPose &body : received) {
+			const bool finite = std::isfinite(body.pose.translation.x) && std::isfinite(body.pose.translation.y) && std::isfinite(body.pose.translation.z) &&
+					std::isfinite(body.pose.rotation.w) && std::isfinite(body.pose.scale);
+			CHECK(finite);
+			CHECK(glm::length(body.pose.rotation) == doctest::Approx(1).epsilon(1e-5));
+		}
+	}
+	CHECK(refused > 25000);
+}
