@@ -1,0 +1,61 @@
+"""The addon's folder as users get it: copied into a project, or packed."""
+
+import configparser
+import os
+import shutil
+import zipfile
+
+import requirements
+
+FOLDER = "godot_project/addons/ga_godot"
+
+
+def files():
+    """Every file of the addon, relative to its folder; what the editor writes beside them is left out."""
+    found = []
+    for folder, _, names in os.walk(FOLDER):
+        for name in names:
+            if not name.endswith((".import", ".tmp", "~")):
+                found.append(os.path.relpath(os.path.join(folder, name), FOLDER))
+    return sorted(found)
+
+
+def install(env, built):
+    """Node of `scons install project=DIR`: replaces DIR/addons/ga_godot."""
+
+    def copy(target, source, env):
+        project = env["project"]
+        if not project:
+            requirements.fail("say where to: scons install project=DIR, DIR being the folder of a project.godot")
+        if not os.path.isfile(os.path.join(project, "project.godot")):
+            requirements.fail("{} holds no project.godot, so it is no Godot project".format(project))
+        destination = os.path.join(project, "addons", "ga_godot")
+        if os.path.exists(destination) and os.path.samefile(destination, FOLDER):
+            requirements.fail("{} is this checkout's own project; the addon is there already".format(project))
+        shutil.rmtree(destination, ignore_errors=True)
+        for name in files():
+            path = os.path.join(destination, name)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            shutil.copy2(os.path.join(FOLDER, name), path)
+        print("scons: installed into {}".format(destination))
+
+    node = env.Command("install_into_project", built, env.Action(copy, None))
+    env.AlwaysBuild(node)
+    return node
+
+
+def package(env, built):
+    """Node of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it."""
+    config = configparser.ConfigParser()
+    config.read("plugin.cfg")
+    version = config["plugin"]["version"].strip('"')
+
+    def pack(target, source, env):
+        with zipfile.ZipFile(str(target[0]), "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in files():
+                archive.write(os.path.join(FOLDER, name), "addons/ga_godot/" + name)
+            archive.write("LICENSE", "addons/ga_godot/LICENSE")
+
+    node = env.Command("dist/ga_godot-{}.zip".format(version), built, env.Action(pack, "Packing $TARGET"))
+    env.AlwaysBuild(node)
+    return node

@@ -1,0 +1,81 @@
+"""What a build needs from the machine; each missing thing ends the build with one line that says how to get it."""
+
+import fcntl
+import os
+import platform
+import subprocess
+import sys
+
+HEADERS = {
+    "glm": ("glm/glm.hpp", "GLM", "libglm-dev"),
+    "doctest": ("doctest/doctest.h", "doctest", "doctest-dev"),
+    "benchmark": ("benchmark/benchmark.h", "Google Benchmark", "libbenchmark-dev"),
+}
+OLDEST_GCC = 9
+_lock = None
+
+
+def fail(message):
+    """Ends the build with one line and exit code 2."""
+    sys.stderr.write("scons: error: " + message + "\n")
+    sys.stderr.flush()
+    sys.exit(2)
+
+
+def hold_build_lock(path):
+    """Lets builds in one checkout wait for each other; SCons keeps one database for all of them."""
+    global _lock
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    _lock = open(path, "w")
+    try:
+        fcntl.flock(_lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        print("scons: another build runs in this checkout, waiting for it ...", flush=True)
+        fcntl.flock(_lock, fcntl.LOCK_EX)
+
+
+def host():
+    """Platform and architecture of this machine in Godot's words."""
+    system = platform.system().lower()
+    machine = platform.machine().lower()
+    return (
+        {"darwin": "macos"}.get(system, system),
+        {"amd64": "x86_64", "aarch64": "arm64"}.get(machine, machine),
+    )
+
+
+def check_options(env, options, host_platform, host_arch):
+    """Refuses options that this version does not know or cannot serve."""
+    unknown = options.UnknownVariables()
+    if unknown:
+        fail("unknown option {}; `scons -h` lists the options".format(", ".join(sorted(unknown))))
+    if env["platform"] != "linux" or host_platform != "linux":
+        fail("platform {} is not supported yet; this version builds on and for linux".format(env["platform"]))
+    if env["arch"] != host_arch:
+        fail("arch {} cannot be built on this machine ({}); build it on such a machine".format(env["arch"], host_arch))
+    if env["sanitize"] in ("none", "no"):
+        env["sanitize"] = ""
+    if env["sanitize"] not in ("", "address", "undefined"):
+        fail("sanitize={} is unknown; use sanitize=address or sanitize=undefined".format(env["sanitize"]))
+
+
+def check_compiler(env, doctest, benchmark):
+    """One run of the preprocessor finds the compiler, its version and the headers that are needed."""
+    needed = ["glm"] + ["doctest"] * doctest + ["benchmark"] * benchmark
+    probe = "gcc_version __GNUC__\n#ifdef __clang__\nis_clang\n#endif\n"
+    for key in needed:
+        probe += "#if __has_include(<{}>)\nhas_{}\n#endif\n".format(HEADERS[key][0], key)
+    command = env["CXX"].split() + ["-std=c++17", "-E", "-P", "-x", "c++", "-"]
+    try:
+        done = subprocess.run(command, input=probe, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+    except OSError:
+        fail("no C++ compiler ({}): install g++ (Debian: apt-get install g++) or set CXX".format(env["CXX"]))
+    if done.returncode != 0:
+        fail("{} does not work as a C++17 compiler; install g++ {} or newer".format(env["CXX"], OLDEST_GCC))
+    words = done.stdout.split()
+    if "is_clang" not in words and int(words[words.index("gcc_version") + 1]) < OLDEST_GCC:
+        fail("{} is too old; install g++ {} or newer".format(env["CXX"], OLDEST_GCC))
+    for key in needed:
+        if "has_" + key not in words:
+            header, name, package = HEADERS[key]
+            fail("{} ({}) not found: install it (Debian: apt-get install {})".format(name, header, package))

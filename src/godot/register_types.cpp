@@ -1,0 +1,31 @@
+#include "godot/editor_help.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/godot.hpp>
+
+namespace ga_godot {
+
+static void initialize(godot::ModuleInitializationLevel p_level) {
+	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+	} else if (p_level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		load_editor_help();
+	}
+}
+
+static void terminate(godot::ModuleInitializationLevel p_level) {
+	(void)p_level;
+}
+
+} // namespace ga_godot
+
+extern "C" {
+
+/// The entry point that ga_godot.gdextension names.
+__attribute__((visibility("default"))) GDExtensionBool ga_godot_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+	godot::GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+	init.register_initializer(ga_godot::initialize);
+	init.register_terminator(ga_godot::terminate);
+	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);
+	return init.init();
+}
+}
