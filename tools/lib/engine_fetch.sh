@@ -1,0 +1,211 @@
+# shellcheck shell=sh
+# Fetches Godot into the cache from the distribution's newer suites: downloaded
+# and verified by apt, unpacked beside the system with the libraries it needs
+# and its own loader, so nothing of the system is touched and no root is needed.
+
+# What is unpacked with the engine: GL and Vulkan drivers, and the tool that
+# points the executable at its own loader and libraries.
+engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 libvulkan1 mesa-vulkan-drivers patchelf'
+
+ensure_engine() {
+    if find_engine; then
+        return
+    fi
+    if ! has_apt; then
+        fail "Godot $engine_minimum or newer is missing: setup can fetch it on Debian only; on $(os_name) install it and put it on PATH or give its path by GODOT="
+    fi
+    open_cache
+    if find_engine; then
+        return # another setup fetched it while this one waited
+    fi
+    choose_suites
+    find_site
+    for suite in $suites; do
+        if describe_source && resolve_engine; then
+            fetch_engine
+            return
+        fi
+    done
+    if grep -q 'signatures\? \(were invalid\|couldn.t be verified\)\|NO_PUBKEY' "$work/log"; then
+        fail_step "the signatures of the package suites ($suites) cannot be verified" "update this system's archive keyring, or install Godot $engine_minimum yourself and give its path by GODOT="
+    fi
+    if [ -z "$suite_answered" ]; then
+        fail_step "Godot $engine_minimum is missing and the package site does not answer" "connect to the network and run the same command again, or give the path of an engine by GODOT="
+    fi
+    fail_step "no Godot $engine_minimum or newer can be had from this system's package site (looked in: $suites)" "install it yourself and give its path by GODOT="
+}
+
+# The suites that may carry the engine, and who signs them.
+choose_suites() {
+    case " $(os_field ID) $(os_field ID_LIKE) " in
+        *' ubuntu '*)
+            origin=Ubuntu
+            suites=devel
+            components='main universe'
+            ;;
+        *)
+            origin=Debian
+            suites='forky sid'
+            components=main
+            ;;
+    esac
+    suite_answered=
+    keyring=
+    for keyring_file in /usr/share/keyrings/"$(echo $origin | tr DU du)"-archive-keyring.*; do
+        if [ -r "$keyring_file" ]; then
+            keyring="signed-by=$keyring_file"
+            break
+        fi
+    done
+}
+
+# Sets site to where this system gets its packages from. apt knows it only once
+# it has read the lists; on a machine where it never has, it reads them into a
+# folder of ours.
+find_site() {
+    site=$(list_sites | head -n 1)
+    if [ -n "$site" ]; then
+        return
+    fi
+    write_apt_settings "$(apt_folder Etc)/sources.list" "$(apt_folder Etc)/sources.list.d"
+    step "reading the package lists" own_apt_get update ||
+        fail_step "Godot $engine_minimum is missing and the package lists cannot be read" "connect to the network and run the same command again, or give the path of an engine by GODOT="
+    site=$(list_sites -c "$work/apt.conf" | head -n 1)
+    if [ -z "$site" ]; then
+        fail_step "no package source of $origin is set up on this system" "add one to apt's sources, or give the path of an engine ($engine_minimum or newer) by GODOT="
+    fi
+}
+
+list_sites() {
+    # shellcheck disable=SC2016
+    apt-get "$@" indextargets --format '$(SITE)' 'Created-By: Packages' "Origin: $origin" "Label: $origin" 2>>"$work/log"
+}
+
+apt_folder() {
+    apt-config shell folder "Dir::$1/d" | sed "s/^folder='\(.*\)'\$/\1/"
+}
+
+# write_apt_settings LIST PARTS: settings by which apt-get works in $work alone,
+# with these sources, and knows of no installed package. The system's hooks are
+# cleared: they look after the system's own lists.
+write_apt_settings() {
+    mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
+    : >"$work/apt/status"
+    cat >"$work/apt.conf" <<END
+Dir::State "$work/apt";
+Dir::State::Lists "$work/apt/lists";
+Dir::State::status "$work/apt/status";
+Dir::Cache "$work/apt/cache";
+Dir::Etc::SourceList "$1";
+Dir::Etc::SourceParts "$2";
+Dir::Etc::Preferences "/dev/null";
+Dir::Etc::PreferencesParts "/dev/null";
+APT::Sandbox::User "$(id -un)";
+APT::Install-Recommends "false";
+Acquire::Languages "none";
+Acquire::Retries "3";
+#clear APT::Update::Pre-Invoke;
+#clear APT::Update::Post-Invoke;
+#clear APT::Update::Post-Invoke-Success;
+END
+}
+
+own_apt_get() {
+    exec apt-get -c "$work/apt.conf" -q "$@"
+}
+
+# Reads the suite's list of packages.
+describe_source() {
+    rm -rf "$work/apt"
+    write_apt_settings "$work/sources.list" /dev/null
+    echo "deb [arch=$(dpkg --print-architecture) target=Packages $keyring] $site $suite $components" >"$work/sources.list"
+    if step "reading the package list of $suite" own_apt_get update -o APT::Update::Error-Mode=any; then
+        suite_answered=yes
+    else
+        return 1
+    fi
+}
+
+# True if the suite has an engine that is new enough and all it depends on.
+# Sets download_megabytes.
+resolve_engine() {
+    is_good_version "$(apt-cache -c "$work/apt.conf" policy godot | sed -n 's/^ *Candidate: *\([0-9]*:\)\?//p')" || return 1
+    # shellcheck disable=SC2086
+    (own_apt_get install --print-uris -y $engine_packages) >"$work/uris" 2>>"$work/log" || return 1
+    download_megabytes=$(awk '/^.(http|https|file|copy|mirror|cdrom|ftp)/ { bytes += $3 } END { print int(bytes / 1048576) + 1 }' "$work/uris")
+}
+
+fetch_engine() {
+    need_space $((download_megabytes * 5)) "the engine"
+    percent_of_step=show_download
+    # shellcheck disable=SC2086
+    step "downloading Godot and its libraries from $suite ($download_megabytes MB)" \
+        own_apt_get install -y --download-only $engine_packages ||
+        fail_step "the download of Godot broke off" "check the network and run the same command again"
+    percent_of_step=show_unpacked
+    step "unpacking Godot" unpack_engine ||
+        fail_step "Godot could not be unpacked" "run the same command again"
+    percent_of_step=
+    relocate_engine >>"$work/log" 2>&1 ||
+        fail_step "Godot could not be set up in $engine_folder" "run the same command again, or give the path of an engine by GODOT="
+    install_engine
+}
+
+show_download() {
+    downloaded=$(du -sm "$work/apt/cache/archives" 2>/dev/null | cut -f 1)
+    echo "$((${downloaded:-0} * 100 / download_megabytes))%"
+}
+
+show_unpacked() {
+    set -- "$work"/apt/cache/archives/*.deb
+    unpacked=$(wc -l <"$work/unpacked" 2>/dev/null)
+    echo "$((${unpacked:-0} * 100 / $#))%"
+}
+
+unpack_engine() {
+    for archive in "$work"/apt/cache/archives/*.deb; do
+        dpkg -x "$archive" "$work/engine" || return 1
+        echo "$archive" >>"$work/unpacked"
+    done
+    rm -rf "$work/apt" "$work/engine/usr/share/doc" "$work/engine/usr/share/locale"
+}
+
+# Makes the executable use its own loader and libraries, which will be in
+# engine_folder; a few libraries name folders of their own and would look past
+# them. The unpacked patchelf runs by the unpacked loader, for the same reason.
+relocate_engine() {
+    for loader in "$work"/engine/usr/lib/*/ld-linux*.so.*; do
+        libraries=$(dirname "$loader")
+    done
+    final_libraries=$engine_folder/usr/lib/$(basename "$libraries")
+    patch_elf --set-interpreter "$final_libraries/$(basename "$loader")" --force-rpath \
+        --set-rpath "$final_libraries:$final_libraries/pulseaudio" "$work/engine/usr/bin/godot" || return 1
+    for library in "$libraries"/libpulse*.so* "$libraries"/pulseaudio/*.so "$libraries"/libLLVM*.so*; do
+        if [ -f "$library" ] && [ ! -L "$library" ]; then
+            patch_elf --remove-rpath "$library" || return 1
+        fi
+    done
+    for driver in "$work"/engine/usr/share/vulkan/icd.d/*.json; do
+        sed -i "s|\"library_path\": *\"\([^\"]*/\)\?|\"library_path\": \"$final_libraries/|" "$driver" || return 1
+    done
+}
+
+patch_elf() {
+    "$loader" --library-path "$libraries" "$work/engine/usr/bin/patchelf" "$@"
+}
+
+# Puts the finished folder in its place by renaming; an old one stays until then.
+install_engine() {
+    if [ -e "$engine_folder" ]; then
+        mv "$engine_folder" "$work/replaced" || fail "cannot replace $engine_folder: remove it and run the same command again"
+    fi
+    mv "$work/engine" "$engine_folder" || fail "cannot write $engine_folder: check who owns $cache"
+    engine_path=$engine_cached
+    engine_found=$(engine_version "$engine_path")
+    if ! is_good_version "$engine_found"; then
+        "$engine_path" --version >>"$work/log" 2>&1
+        rm -rf "$engine_folder"
+        fail_step "the fetched Godot does not start on this machine" "install Godot $engine_minimum or newer yourself and give its path by GODOT="
+    fi
+    say "Godot $engine_found is in $engine_folder"
+}

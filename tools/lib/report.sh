@@ -1,0 +1,92 @@
+# shellcheck shell=sh
+# How setup speaks: one line for what it does, one line for why it cannot, all
+# on stderr, because stdout belongs to the answers of `setup --print`.
+#
+# The caller sets `cache` (see cache.sh). `work` is the folder of this run; it
+# is removed whatever happens, so an interrupted run leaves nothing behind.
+
+work=
+child=
+clear_line=
+
+say() {
+    printf '%ssetup: %s\n' "$clear_line" "$*" >&2
+}
+
+fail() {
+    say "$*"
+    exit 1
+}
+
+# Ends the command of a running step and removes the folder of this run.
+end_of_run() {
+    if [ -n "$child" ]; then
+        kill "$child" 2>/dev/null
+        wait "$child" 2>/dev/null
+    fi
+    if [ -n "$work" ]; then
+        rm -rf "$work"
+    fi
+}
+
+trap end_of_run EXIT
+trap 'exit 129' HUP
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+# step MESSAGE COMMAND...: runs the command with its output in $work/log and
+# shows that it is going on: a moving sign and the seconds in a terminal, a line
+# now and then elsewhere. Where `percent_of_step` names a function, what it
+# prints is shown too.
+step() {
+    step_message=$1
+    shift
+    step_started=$(date +%s)
+    step_reported=0
+    # shellcheck disable=SC1003
+    step_signs='|/-\'
+    # 9 is the lock of the cache: a child that outlives us must not hold it.
+    "$@" >>"$work/log" 2>&1 </dev/null 9>&- &
+    child=$!
+    if [ ! -t 2 ]; then
+        say "$step_message ..."
+    fi
+    while kill -0 "$child" 2>/dev/null; do
+        show_step
+        sleep 0.2
+    done
+    wait "$child"
+    step_status=$?
+    child=
+    if [ -t 2 ]; then
+        say "$step_message: $(($(date +%s) - step_started)) s"
+        clear_line=
+    fi
+    return "$step_status"
+}
+
+show_step() {
+    step_seconds=$(($(date +%s) - step_started))
+    if [ -t 2 ]; then
+        step_sign=${step_signs%"${step_signs#?}"}
+        step_signs=${step_signs#?}$step_sign
+        printf '\r\033[Ksetup: %s %s %s s %s' "$step_sign" "$step_message" "$step_seconds" \
+            "$(${percent_of_step:-:})" >&2
+        clear_line=$(printf '\r\033[K')
+    elif [ $((step_seconds - step_reported)) -ge 10 ]; then
+        step_reported=$step_seconds
+        say "$step_message ... $step_seconds s $(${percent_of_step:-:})"
+    fi
+}
+
+# fail_step WHAT HOW: the one line for a step that failed. A full disk is named
+# as such whatever the step was; the whole output stays in the cache's log.
+fail_step() {
+    if grep -qi 'no space left on device\|enough free space' "$work/log" 2>/dev/null; then
+        fail "$1: the disk is full; free some space and run the same command again"
+    fi
+    if cp "$work/log" "$cache/setup.log" 2>/dev/null; then
+        fail "$1: $2 (details: $cache/setup.log)"
+    fi
+    fail "$1: $2"
+}
