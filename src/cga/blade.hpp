@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+// The 32 basis blades of Cl(4,1), computed at compile time from two facts: e1, e2, e3, e4 square to +1 and e5 to -1,
+// and blades are ordered by grade, then lexicographically: 1, e1 .. e5, e12, e13 .. e45, e123 .. e12345.
+//
+// A blade is a bitmap (bit k - 1 stands for e_k) or an index in that order; products are simple on bitmaps.
+
+namespace cga {
+
+inline constexpr int DIMENSION = 5;
+inline constexpr int BLADE_COUNT = 1 << DIMENSION;
+
+// The bits of vectors that square to -1.
+inline constexpr unsigned NEGATIVE_VECTORS = 0b10000;
+
+[[nodiscard]] constexpr int grade_of_bitmap(unsigned bitmap) {
+	int grade = 0;
+	for (; bitmap != 0; bitmap &= bitmap - 1) {
+		++grade;
+	}
+	return grade;
+}
+
+// The sign of the geometric product of two basis blades; the product's bitmap is left ^ right.
+[[nodiscard]] constexpr int product_sign(unsigned left, unsigned right) {
+	// Each vector of `right` passes every later vector of `left` on its way to its place.
+	int swaps = 0;
+	for (unsigned passed = left >> 1; passed != 0; passed >>= 1) {
+		swaps += grade_of_bitmap(passed & right);
+	}
+	// Vectors in both square away.
+	swaps += grade_of_bitmap(left & right & NEGATIVE_VECTORS);
+	return (swaps & 1) == 0 ? 1 : -1;
+}
+
+namespace detail {
+
+// e1 as the highest bit: larger numbers come first among blades of one grade.
+[[nodiscard]] constexpr unsigned mirrored(unsigned bitmap) {
+	unsigned result = 0;
+	for (int bit = 0; bit < DIMENSION; ++bit) {
+		result = (result << 1) | ((bitmap >> bit) & 1u);
+	}
+	return result;
+}
+
+[[nodiscard]] constexpr std::array<uint8_t, BLADE_COUNT> ordered_bitmaps() {
+	std::array<uint8_t, BLADE_COUNT> bitmaps{};
+	size_t count = 0;
+	for (int grade = 0; grade <= DIMENSION; ++grade) {
+		for (unsigned mirror = BLADE_COUNT; mirror-- > 0;) {
+			if (grade_of_bitmap(mirror) == grade) {
+				bitmaps[count++] = uint8_t(mirrored(mirror));
+			}
+		}
+	}
+	return bitmaps;
+}
+
+[[nodiscard]] constexpr std::array<uint8_t, BLADE_COUNT> inverted(const std::array<uint8_t, BLADE_COUNT> &permutation) {
+	std::array<uint8_t, BLADE_COUNT> inverse{};
+	for (size_t index = 0; index < BLADE_COUNT; ++index) {
+		inverse[permutation[index]] = uint8_t(index);
+	}
+	return inverse;
+}
+
+} // namespace detail
+
+// Index to bitmap and back.
+inline constexpr std::array<uint8_t, BLADE_COUNT> BLADE_BITMAPS = detail::ordered_bitmaps();
+inline constexpr std::array<uint8_t, BLADE_COUNT> BLADE_INDICES = detail::inverted(BLADE_BITMAPS);
+
+// The grade of the blade at an index.
+[[nodiscard]] constexpr int blade_grade(int index) {
+	return grade_of_bitmap(BLADE_BITMAPS[size_t(index)]);
+}
+
+// "1", "e1", "e12", ... "e12345".
+struct BladeName {
+	char text[DIMENSION + 2] = {};
+	size_t length = 0;
+
+	[[nodiscard]] constexpr std::string_view view() const { return { text, length }; }
+};
+
+[[nodiscard]] constexpr BladeName blade_name(int index) {
+	BladeName name;
+	if (index == 0) {
+		name.text[name.length++] = '1';
+		return name;
+	}
+	name.text[name.length++] = 'e';
+	for (int vector = 0; vector < DIMENSION; ++vector) {
+		if (((BLADE_BITMAPS[size_t(index)] >> vector) & 1) != 0) {
+			name.text[name.length++] = char('1' + vector);
+		}
+	}
+	return name;
+}
+
+// A basis blade with a sign, as a name may give it: e21 is -e12.
+struct SignedBlade {
+	int index = 0;
+	int sign = 1;
+};
+
+// "1", or "e" with different digits 1 to 5 in any order. Empty for other names.
+[[nodiscard]] constexpr std::optional<SignedBlade> parse_blade(std::string_view name) {
+	if (name == "1") {
+		return SignedBlade{};
+	}
+	if (name.size() < 2 || name.size() > size_t(DIMENSION) + 1 || name[0] != 'e') {
+		return std::nullopt;
+	}
+	unsigned bitmap = 0;
+	int sign = 1;
+	for (const char digit : name.substr(1)) {
+		const unsigned vector = digit >= '1' && digit < '1' + DIMENSION ? 1u << (digit - '1') : 0u;
+		if (vector == 0 || (bitmap & vector) != 0) {
+			return std::nullopt;
+		}
+		sign *= product_sign(bitmap, vector);
+		bitmap |= vector;
+	}
+	return SignedBlade{ BLADE_INDICES[bitmap], sign };
+}
+
+// The index of a name that is known when the program is compiled; a wrong one does not compile there.
+[[nodiscard]] constexpr int blade_index(std::string_view name) {
+	return parse_blade(name).value().index;
+}
+
+} // namespace cga

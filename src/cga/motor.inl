@@ -1,0 +1,147 @@
+#pragma once
+
+namespace cga {
+
+namespace detail {
+
+template <class T>
+[[nodiscard]] inline Quaternion<T> pure(const Vector3<T> &vector) noexcept {
+	return { T(0), vector.x, vector.y, vector.z };
+}
+
+template <class T>
+[[nodiscard]] inline Vector3<T> vector_part(const Quaternion<T> &quaternion) noexcept {
+	return { quaternion.x, quaternion.y, quaternion.z };
+}
+
+} // namespace detail
+
+template <class T>
+Motor<T> Motor<T>::translator(const Vector3<T> &offset) noexcept {
+	Motor motor;
+	motor.v = detail::pure(offset * T(-0.5));
+	return motor;
+}
+
+template <class T>
+Motor<T> Motor<T>::rotor(const Quaternion<T> &rotation) noexcept {
+	Motor motor;
+	motor.a = rotation;
+	motor.b = rotation;
+	return motor;
+}
+
+// a = cosh(g/2) - sinh(g/2) = 1 / sqrt(s)
+// b = cosh(g/2) + sinh(g/2) = sqrt(s)
+template <class T>
+Motor<T> Motor<T>::dilator(T scale) noexcept {
+	const T root = std::sqrt(scale);
+	Motor motor;
+	motor.a.w = T(1) / root;
+	motor.b.w = root;
+	return motor;
+}
+
+// a = q / sqrt(s)
+// b = q sqrt(s)
+// v = -(1/2) t a
+template <class T>
+Motor<T> Motor<T>::from_pose(const Pose<T> &pose) noexcept {
+	const T root = std::sqrt(pose.scale);
+	Motor motor;
+	motor.a = pose.rotation / root;
+	motor.b = pose.rotation * root;
+	motor.v = detail::pure(pose.translation * T(-0.5)) * motor.a;
+	return motor;
+}
+
+// q = a / |a|
+// s = |b| / |a|
+// t = -2 v conj(a) / |a|^2, blade by blade, with n2 = |A|^2:
+//   t1 = -2 (V_1 A_0 + V_2 A_12 + V_3 A_13 + V_123 A_23) / n2
+//   t2 = -2 (V_2 A_0 - V_1 A_12 + V_3 A_23 - V_123 A_13) / n2
+//   t3 = -2 (V_3 A_0 - V_1 A_13 - V_2 A_23 + V_123 A_12) / n2
+// The scalar part of v conj(a), zero in a motor, is left out: that is what makes the blend of two motors a pose.
+template <class T>
+std::optional<Pose<T>> Motor<T>::to_pose() const noexcept {
+	const T length = std::sqrt(glm::dot(a, a));
+	const T scaled_length = std::sqrt(glm::dot(b, b));
+	if (length == T(0) || scaled_length == T(0)) {
+		return std::nullopt;
+	}
+	const Quaternion<T> rotation = a / length;
+	const Vector3<T> translation = detail::vector_part((v / length) * glm::conjugate(rotation)) * T(-2);
+	return Pose<T>{ translation, rotation, scaled_length / length };
+}
+
+// Grades 2 and 3 change sign: m_45, m_12, m_14 do, m_1245 and m_1234 do not, which swaps A and B.
+template <class T>
+Motor<T> Motor<T>::reverse() const noexcept {
+	Motor motor;
+	motor.a = glm::conjugate(b);
+	motor.b = glm::conjugate(a);
+	motor.v = glm::conjugate(v);
+	return motor;
+}
+
+// M M~ = (a conj(b), b conj(a), v conj(b) + b conj(v)) in this form: a . b and, for a motor, nothing else.
+template <class T>
+T Motor<T>::norm_squared() const noexcept {
+	return glm::dot(a, b);
+}
+
+template <class T>
+std::optional<Motor<T>> Motor<T>::inverse() const noexcept {
+	const T weight = norm_squared();
+	if (weight == T(0)) {
+		return std::nullopt;
+	}
+	Motor motor = reverse();
+	motor.a = motor.a / weight;
+	motor.b = motor.b / weight;
+	motor.v = motor.v / weight;
+	return motor;
+}
+
+// An even X has X X~ = h + k of grades 0 and 4; with n = sqrt(h^2 - k^2),
+//   X' = (n + h - k) X / (n sqrt(2 (n + h))), from the left.
+// Here a conj(b) = h + u, with u the vector part, v conj(b) + b conj(v) = 2 v . b, and n = |a| |b|:
+//   n + h - k = (n + b conj(a), n + a conj(b), -2 v . b)
+template <class T>
+std::optional<Motor<T>> Motor<T>::normalized() const noexcept {
+	const T n = std::sqrt(glm::dot(a, a)) * std::sqrt(glm::dot(b, b));
+	const T divisor = n * std::sqrt(T(2) * (n + norm_squared()));
+	if (!(divisor > T(0))) {
+		return std::nullopt;
+	}
+	Motor left;
+	left.a = b * glm::conjugate(a);
+	left.a.w += n;
+	left.b = a * glm::conjugate(b);
+	left.b.w += n;
+	left.v = { T(-2) * glm::dot(v, b), T(0), T(0), T(0) };
+	Motor motor = compose(left, *this);
+	motor.a = motor.a / divisor;
+	motor.b = motor.b / divisor;
+	motor.v = motor.v / divisor;
+	return motor;
+}
+
+// t + s q x q* = (b x - 2 v) conj(a) / |a|^2
+template <class T>
+Vector3<T> Motor<T>::transform_point(const Vector3<T> &point) const noexcept {
+	const Quaternion<T> image = b * detail::pure(point) - v * T(2);
+	return detail::vector_part(image * glm::conjugate(a)) / glm::dot(a, a);
+}
+
+// M1 M2 = (a1 a2, b1 b2, b1 v2 + v1 a2): 64 multiplications instead of 1,024.
+template <class T>
+Motor<T> compose(const Motor<T> &first, const Motor<T> &second) noexcept {
+	Motor<T> product;
+	product.a = first.a * second.a;
+	product.b = first.b * second.b;
+	product.v = first.b * second.v + first.v * second.a;
+	return product;
+}
+
+} // namespace cga

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "cga/interpolate.hpp"
+#include "cga/pose.hpp"
+
+#include <cstddef>
+
+namespace cga {
+
+// The pairs of poses of 8 bodies, laid out for the batch kernels: one row of 8 floats for each quantity (AoSoA).
+//
+// Of each body the block keeps the pose it comes from and its motion relative to that pose: `turn` = q_to q_from*,
+// with the hemisphere fixed (w >= 0) when the pose is set, and `shift` = t_to - t_from. The kernels add small
+// motions to large positions, so that they are as precise 10 km away as at the origin. What the screw path needs
+// of logarithms is computed when a pose is set, not in each frame.
+struct alignas(64) PoseBlock {
+	static constexpr int LANES = 8;
+	using Row = float[LANES];
+
+	// All modes.
+	Row from_rotation[4]; // w, x, y, z
+	Row from_translation[3];
+	Row from_scale;
+	Row turn[4]; // w, x, y, z; w >= 0
+	Row shift[3];
+	Row scale_change; // s_to - s_from
+
+	// SCREW and SEPARATE; names as in screw_coefficients.hpp.
+	Row half_angle;
+	Row inverse_sine;
+	Row log_scale;
+	Row across_real;
+	Row across_imaginary;
+	Row across_weight;
+	Row along;
+	Row along_weight;
+
+	// What was set, to the bit; not read by the kernels.
+	Row to_rotation[4];
+	Row to_translation[3];
+	Row to_scale;
+
+	// All bodies at the identity.
+	PoseBlock() noexcept;
+
+	// `lane` 0..7. Rotations are normalised; scales are positive by contract (interpolate.hpp says what else does).
+	void set(int lane, const Pose<float> &from, const Pose<float> &to) noexcept;
+	void set_from(int lane, const Pose<float> &from) noexcept;
+	void set_to(int lane, const Pose<float> &to) noexcept;
+	[[nodiscard]] Pose<float> get_from(int lane) const noexcept;
+	[[nodiscard]] Pose<float> get_to(int lane) const noexcept;
+};
+
+// Blocks for `body_count` bodies.
+[[nodiscard]] constexpr size_t block_count(size_t body_count) noexcept {
+	return (body_count + PoseBlock::LANES - 1) / PoseBlock::LANES;
+}
+
+inline constexpr size_t ROW_FLOATS = 12;
+
+// Interpolates the first `body_count` bodies of `blocks` and writes 12 floats for each to `rows`, in the layout of
+// a MultiMesh's 3D transforms: basis row 0 (x, y, z), origin x, basis row 1, origin y, basis row 2, origin z, scale
+// included. `weights` holds one weight a body; if it is null, `weight` is every body's. Weights mean what they mean
+// in interpolate(), which this agrees with to 1e-5. Allocates nothing; different ranges may run on different threads.
+// The result does not depend on the instruction set that is found at run time, to the bit.
+void interpolate_blocks(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
+
+// A pose as 12 floats of that layout, and back. The basis of a row is a rotation times a positive scale.
+void pose_to_row(const Pose<float> &pose, float *row) noexcept;
+[[nodiscard]] Pose<float> pose_from_row(const float *row) noexcept;
+
+} // namespace cga
