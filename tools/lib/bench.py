@@ -15,7 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import checkout
+
 SUITES = ("kernels",)
 # Of these the table gives the ratio to ga_godot at the same place.
 OURS = "ga_godot"
@@ -35,7 +36,7 @@ def machine():
 def run_quietly(command, what):
     """Runs a command; on failure shows what it printed and ends the program."""
     print(f"{what} ...", file=sys.stderr, flush=True)
-    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    done = subprocess.run(command, cwd=checkout.ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{done.stdout}\n{what}: failed with exit code {done.returncode}")
 
@@ -63,7 +64,7 @@ def kernel_rows_engine(engine):
     """Rows of the same blends called from GDScript."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "engine.json")
-        run_quietly(engine + ["--headless", "--path", os.path.join(ROOT, "godot_project"), "--script",
+        run_quietly(engine + ["--headless", "--path", checkout.PROJECT, "--script",
                               "res://tests/bench/kernels.gd", "--", f"--json={path}"],
                     "MotorPool against Transform3D.interpolate_with in the engine (about a minute)")
         with open(path, encoding="utf-8") as file:
@@ -91,8 +92,8 @@ def parse_arguments(arguments):
     parser.add_argument("suite", choices=SUITES + ("all",), help="what to measure")
     parser.add_argument("--json", metavar="FILE", help="also write the rows as JSON")
     parser.add_argument("--repetitions", type=int, default=5, help="repeats behind each median of the C++ rows (default 5)")
-    parser.add_argument("--engine", default=os.path.join(ROOT, "tools", "godot"), help=argparse.SUPPRESS)
-    parser.add_argument("--binary", default=os.path.join(ROOT, "build", "bench", "kernels_bench"), help=argparse.SUPPRESS)
+    parser.add_argument("--engine", default=checkout.ENGINE, help=argparse.SUPPRESS)
+    parser.add_argument("--binary", default=os.path.join(checkout.variant(), "bench", "kernels_bench"), help=argparse.SUPPRESS)
     return parser.parse_args(arguments)
 
 
