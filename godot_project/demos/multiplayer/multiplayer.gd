@@ -1,0 +1,103 @@
+extends Node3D
+## The multiplayer demo: one scene that is a server, a client, or asks which (options.gd has the
+## command line). It has a multiplayer API of its own, so that it runs wherever it stands in the tree.
+
+const Client := preload("client.gd")
+const ClientView := preload("view/client_view.gd")
+const Lobby := preload("view/lobby.gd")
+const MotorLink := preload("replication/motor_link.gd")
+const Options := preload("options.gd")
+const PoseLink := preload("replication/pose_link.gd")
+const Server := preload("server.gd")
+const Session := preload("session.gd")
+const SynchronizerLink := preload("replication/synchronizer_link.gd")
+
+var _options: Options
+var _session: Session
+var _lobby: Lobby
+
+
+func _ready() -> void:
+	_options = Options.parse(OS.get_cmdline_user_args())
+	if not _options.problem.is_empty():
+		printerr("multiplayer demo: ", _options.problem)
+		get_tree().quit(2)
+		return
+	get_tree().set_multiplayer(SceneMultiplayer.new(), get_path())
+	match _options.role:
+		"server":
+			_start_server()
+		"client":
+			_start_client()
+		_:
+			_open_lobby("")
+
+
+func _exit_tree() -> void:
+	get_tree().set_multiplayer(null, get_path())
+
+
+func _start_server() -> void:
+	_add_session()
+	var server := Server.new(_options, _session, _make_link(_options.method))
+	add_child(server)
+	var problem := server.open()
+	if not problem.is_empty():
+		printerr(problem)
+		get_tree().quit(1)
+
+
+func _start_client() -> void:
+	_add_session()
+	var client := Client.new(_options, _session, _make_link)
+	client.closed.connect(_on_client_closed)
+	add_child(client)
+	if _has_window():
+		add_child(ClientView.new(client, _options))
+	var problem := client.open()
+	if not problem.is_empty():
+		_on_client_closed(problem)
+
+
+func _on_client_closed(reason: String) -> void:
+	if _has_window() and _options.picture.is_empty() and _options.seconds <= 0.0:
+		_open_lobby.call_deferred(reason)
+	else:
+		get_tree().quit()
+
+
+## Shows the start screen, with [param message] if there is something to say.
+func _open_lobby(message: String) -> void:
+	for child: Node in get_children():
+		child.queue_free()
+		remove_child(child)
+	if not _has_window():
+		printerr("multiplayer demo: use --role=server or --role=client without a window.")
+		get_tree().quit(2)
+		return
+	_lobby = Lobby.new(_options, message)
+	_lobby.chosen.connect(_on_lobby_chosen)
+	add_child(_lobby)
+
+
+func _on_lobby_chosen() -> void:
+	remove_child(_lobby)
+	_lobby.queue_free()
+	_start_client()
+
+
+func _add_session() -> void:
+	_session = Session.new()
+	_session.name = "Session"
+	add_child(_session)
+
+
+func _make_link(method: String) -> PoseLink:
+	var link: PoseLink = MotorLink.new() if method == "motors" else SynchronizerLink.new()
+	link.name = "Link"
+	add_child(link)
+	return link
+
+
+func _has_window() -> bool:
+	return DisplayServer.get_name() != "headless"

@@ -1,0 +1,105 @@
+extends RefCounted
+## What the command line asks of the multiplayer demo: the arguments after `--`.
+## An argument that is not understood leaves one line in [member problem].
+
+const Options := preload("res://demos/multiplayer/options.gd")
+
+const DEFAULT_PORT := 24816
+const ROLES: PackedStringArray = ["", "server", "client"]
+const METHODS: PackedStringArray = ["motors", "synchronizer"]
+
+## "server", "client", or empty: ask the user.
+var role := ""
+## The server's address, as a client uses it.
+var address := "127.0.0.1"
+var port := DEFAULT_PORT
+## Number of cubes; a client is told by the server.
+var cubes := 250
+## "motors" or "synchronizer"; a client is told by the server.
+var method := "motors"
+## Seconds of the scene to play, then everybody stops; 0 plays for ever.
+var seconds := 0.0
+## The server waits for this many clients before the scene begins.
+var clients := 0
+## False: no scripted ball, no lifts; the cubes only fall and come to rest.
+var life := true
+## File for the poses of every tick (server) or as shown (client); empty: none.
+var record := ""
+## Share of the incoming pose datagrams that a client throws away, percent.
+var loss := 0.0
+## Extra delay of each incoming pose datagram, uniform between 0 and this, ms.
+var jitter := 0.0
+## Seed of loss and jitter.
+var seed_value := 1
+## Name over the player's ball.
+var player_name := "Player"
+## A scripted player: "none", "circle" (drives round) or "kick" (kicks cube 0 every second).
+var autopilot := "none"
+## Where a window saves a picture, and after how many seconds, before it closes.
+var picture := ""
+var picture_after := 6.0
+## What is wrong with the arguments, or empty.
+var problem := ""
+
+
+static func parse(arguments: PackedStringArray) -> Options:
+	var options := Options.new()
+	for argument: String in arguments:
+		options._take(argument)
+	return options
+
+
+func _take(argument: String) -> void:
+	var parts := argument.trim_prefix("--").split("=", true, 1)
+	var value := parts[1] if parts.size() > 1 else ""
+	match parts[0]:
+		"demo":
+			pass
+		"role":
+			role = _choice(argument, value, ROLES)
+		"method":
+			method = _choice(argument, value, METHODS)
+		"autopilot":
+			autopilot = _choice(argument, value, ["none", "circle", "kick"])
+		"life":
+			life = _choice(argument, value, ["on", "off"]) == "on"
+		"address":
+			address = value
+		"name":
+			player_name = value.left(24)
+		"record":
+			record = value
+		"picture":
+			picture = value
+		"picture-after":
+			picture_after = _number(argument, value, 0.0, 3600.0)
+		"port":
+			port = int(_number(argument, value, 1.0, 65535.0))
+		"cubes":
+			cubes = int(_number(argument, value, 1.0, 2000.0))
+		"clients":
+			clients = int(_number(argument, value, 0.0, 6.0))
+		"seconds":
+			seconds = _number(argument, value, 0.0, 86400.0)
+		"loss":
+			loss = _number(argument, value, 0.0, 100.0)
+		"jitter":
+			jitter = _number(argument, value, 0.0, 1000.0)
+		"seed":
+			seed_value = int(_number(argument, value, 0.0, 2147483647.0))
+		_:
+			problem = "unknown argument %s" % argument
+
+
+func _choice(argument: String, value: String, choices: PackedStringArray) -> String:
+	if not choices.has(value):
+		problem = "%s: use one of %s" % [argument, ", ".join(choices)]
+		return choices[0]
+	return value
+
+
+func _number(argument: String, value: String, least: float, most: float) -> float:
+	if not value.is_valid_float() or value.to_float() < least or value.to_float() > most:
+		problem = "%s: use a number from %d to %d" % [argument, least, most]
+		return least
+	return value.to_float()

@@ -1,0 +1,54 @@
+extends RefCounted
+## Writes poses to a file, for the measurement (tools/lib/pose_record.py reads it).
+##
+## Little-endian: 8 bytes "GAPOSES1", u32 number of bodies; then for each record f64 wall clock
+## (seconds since 1970), f64 media time (server ticks, -1 if unknown), and for each body 12 float32: rows of
+## the 3x4 matrix, as in a MultiMesh.
+
+const MAGIC := "GAPOSES1"
+const NO_TICK := -1.0
+
+var _file: FileAccess
+var _body_count: int
+
+
+## Empty path: nothing is written.
+func _init(path: String, body_count: int) -> void:
+	_body_count = body_count
+	if path.is_empty():
+		return
+	_file = FileAccess.open(path, FileAccess.WRITE)
+	if _file == null:
+		printerr("Cannot write the record %s: %s" % [path, error_string(FileAccess.get_open_error())])
+		return
+	_file.store_buffer(MAGIC.to_ascii_buffer())
+	_file.store_32(body_count)
+
+
+func is_open() -> bool:
+	return _file != null
+
+
+func write(wall: float, tick: float, rows: PackedFloat32Array) -> void:
+	if _file == null or rows.size() != _body_count * 12:
+		return
+	_file.store_double(wall)
+	_file.store_double(tick)
+	_file.store_buffer(rows.to_byte_array())
+
+
+func close() -> void:
+	if _file != null:
+		_file.close()
+		_file = null
+
+
+## Writes one body's rows at its place.
+static func set_rows(rows: PackedFloat32Array, body: int, pose: Transform3D) -> void:
+	var at := body * 12
+	for row: int in 3:
+		rows[at] = pose.basis.x[row]
+		rows[at + 1] = pose.basis.y[row]
+		rows[at + 2] = pose.basis.z[row]
+		rows[at + 3] = pose.origin[row]
+		at += 4

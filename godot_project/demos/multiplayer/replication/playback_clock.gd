@@ -1,0 +1,67 @@
+extends RefCounted
+## The media time that a receiver shows, in server ticks: the server's clock as the datagrams
+## tell it, minus the playback delay. It is slewed and never runs backwards.
+
+const TICK_RATE := 60.0
+## What a sender may take before a pose leaves: a whole span, one tick to see that it
+## bends, and the ticks until the next datagram.
+const SENDER_TICKS := 9.0
+## Limits of what is added for jitter, in ticks.
+const LEAST_MARGIN := 1.0
+const MOST_MARGIN := 15.0
+## Playback runs at most this much faster or slower to follow the server's clock.
+const SLEW := 0.1
+## Farther behind than this, in ticks, playback jumps ahead.
+const JUMP := 45.0
+
+## Local seconds at which tick 0 would have arrived, averaged.
+var _offset := 0.0
+## The latest that a datagram recently came after the average, in seconds; decays.
+var _lateness := 0.0
+var _newest_tick := -1
+var _position := 0.0
+var _last_local := 0.0
+
+
+func is_running() -> bool:
+	return _newest_tick >= 0
+
+
+## A datagram that the server sent at [param tick] arrived at [param local] seconds.
+func observe(tick: int, local: float) -> void:
+	var sample := local - float(tick) / TICK_RATE
+	if not is_running():
+		_offset = sample
+		_last_local = local
+		_newest_tick = tick
+		_position = float(tick) - get_delay_ticks()
+		return
+	_lateness = maxf(_lateness, sample - _offset)
+	if tick <= _newest_tick:
+		return
+	_newest_tick = tick
+	_offset += (sample - _offset) * 0.05
+	_lateness = maxf(_lateness * 0.995, 0.0)
+
+
+## The media time to show at [param local] seconds, in ticks.
+func advance(local: float) -> float:
+	var step := maxf(local - _last_local, 0.0) * TICK_RATE
+	_last_local = local
+	var target := (local - _offset) * TICK_RATE - get_delay_ticks()
+	var behind := target - (_position + step)
+	if behind > JUMP:
+		_position = target
+	else:
+		_position += step * (1.0 + clampf(behind * 0.05, -SLEW, SLEW))
+	return _position
+
+
+## The delay that playback aims at, in ticks.
+func get_delay_ticks() -> float:
+	return SENDER_TICKS + clampf(_lateness * TICK_RATE + 0.5, LEAST_MARGIN, MOST_MARGIN)
+
+
+## The delay that playback has at [param local] seconds, behind the datagrams' average arrival, in ms.
+func get_delay_ms(local: float) -> float:
+	return ((local - _offset) * TICK_RATE - _position) / TICK_RATE * 1000.0

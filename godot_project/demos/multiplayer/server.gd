@@ -1,0 +1,179 @@
+extends Node
+## The server: runs the simulation, decides what players do to it, and publishes the poses of every tick.
+
+const Options := preload("options.gd")
+const PoseLink := preload("replication/pose_link.gd")
+const PoseRecorder := preload("pose_recorder.gd")
+const Session := preload("session.gd")
+const Simulation := preload("world/simulation.gd")
+
+## Channels of ENet that the RPCs use besides the engine's own.
+const CHANNELS := 4
+const MOST_CLIENTS := 6
+## Milliseconds without an answer after which a peer is gone.
+const TIMEOUT_LEAST := 3000
+const TIMEOUT_MOST := 6000
+## Frames a second of the main loop without a window: often enough for punctual ticks.
+const FRAMES_PER_SECOND := 120
+## Seconds between the end of the scene and the server's.
+const FAREWELL := 2.0
+
+var _options: Options
+var _session: Session
+var _link: PoseLink
+var _peer := ENetMultiplayerPeer.new()
+var _simulation: Simulation
+var _recorder: PoseRecorder
+var _rows := PackedFloat32Array()
+var _tick := 0
+var _first_tick := -1
+var _last_tick := -1
+## Slot of each player's ball.
+var _slots: Dictionary[int, int] = {}
+var _names: Dictionary[int, String] = {}
+
+
+func _init(options: Options, session: Session, link: PoseLink) -> void:
+	_options = options
+	_session = session
+	_link = link
+
+
+## Opens the port. Returns what is wrong, or an empty text.
+func open() -> String:
+	if _peer.create_server(_options.port, MOST_CLIENTS, CHANNELS) != OK:
+		return "Cannot listen on UDP port %d: it is in use, or not allowed." % _options.port
+	Engine.max_fps = FRAMES_PER_SECOND
+	multiplayer.multiplayer_peer = _peer
+	multiplayer.peer_connected.connect(_on_peer_connected)
+	multiplayer.peer_disconnected.connect(_on_peer_disconnected)
+	_session.entered.connect(_on_entered)
+	_session.steered.connect(_on_steered)
+	_session.kicked.connect(_on_kicked)
+	_simulation = Simulation.new(_options.cubes, _options.life)
+	add_child(_simulation)
+	var body_count := _options.cubes + Simulation.SLOTS
+	_link.open_sender(body_count)
+	for id: int in _simulation.get_ids():
+		_link.add_body(id, 0, _simulation.get_pose(id))
+	_recorder = PoseRecorder.new(_options.record, body_count)
+	_rows.resize(body_count * 12)
+	PhysicsServer3D.space_set_active(_simulation.get_world_3d().space, false)
+	print("Server on port %d: %d cubes, method %s." % [_options.port, _options.cubes, _options.method])
+	_begin_if_complete()
+	return ""
+
+
+func _exit_tree() -> void:
+	_recorder.close()
+	_peer.close()
+
+
+func _physics_process(delta: float) -> void:
+	_tick += 1
+	if _first_tick >= 0:
+		_simulation.step(delta)
+	var poses := _get_poses()
+	_link.publish(_tick, poses)
+	if _first_tick < 0 or _last_tick >= 0:
+		return
+	if _recorder.is_open():
+		for id: int in poses:
+			PoseRecorder.set_rows(_rows, id, poses[id])
+		_recorder.write(Time.get_unix_time_from_system(), _tick, _rows)
+	if _options.seconds > 0.0 and _simulation.seconds >= _options.seconds:
+		_finish()
+
+
+func _get_poses() -> Dictionary[int, Transform3D]:
+	var poses: Dictionary[int, Transform3D] = {}
+	for id: int in _simulation.get_ids():
+		poses[id] = _simulation.get_pose(id)
+	return poses
+
+
+func _begin_if_complete() -> void:
+	if _first_tick >= 0 or _slots.size() < _options.clients:
+		return
+	_first_tick = _tick + 1
+	PhysicsServer3D.space_set_active(_simulation.get_world_3d().space, true)
+	for peer: int in _slots:
+		_session.begin.rpc_id(peer)
+	print("The scene begins at tick %d." % _first_tick)
+
+
+func _finish() -> void:
+	_last_tick = _tick
+	_recorder.close()
+	for peer: int in _slots:
+		_session.finish.rpc_id(peer, _last_tick)
+	print("REPORT ", JSON.stringify({
+		"role": "server", "first_tick": _first_tick, "last_tick": _last_tick, "sent_poses": _link.pose_count,
+	}))
+	await get_tree().create_timer(FAREWELL).timeout
+	get_tree().quit()
+
+
+func _on_peer_connected(peer: int) -> void:
+	var connection := _peer.get_peer(peer)
+	connection.set_timeout(32, TIMEOUT_LEAST, TIMEOUT_MOST)
+	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
+	connection.throttle_configure(5000, 32, 0)
+	_session.welcome.rpc_id(peer, _options.cubes, _options.method)
+
+
+func _on_peer_disconnected(peer: int) -> void:
+	if not _slots.has(peer):
+		return
+	var slot := _slots[peer]
+	print("%s has left." % _names[peer])
+	_slots.erase(peer)
+	_names.erase(peer)
+	_link.remove_receiver(peer)
+	_link.remove_body(_options.cubes + slot)
+	_simulation.remove_player(slot)
+	_send_roster()
+
+
+func _on_entered(peer: int, player_name: String) -> void:
+	if _slots.has(peer):
+		return
+	var slot := _simulation.add_player()
+	if slot == 0:
+		_session.refuse.rpc_id(peer, "The server is full.")
+		return
+	_slots[peer] = slot
+	_names[peer] = player_name
+	var id := _options.cubes + slot
+	_link.add_body(id, _tick, _simulation.get_pose(id))
+	_link.add_receiver(peer, _tick, _get_poses())
+	_send_roster()
+	print("%s has joined." % player_name)
+	if _first_tick >= 0:
+		_session.begin.rpc_id(peer)
+	_begin_if_complete()
+
+
+func _on_steered(peer: int, drive: Vector2, jump: bool) -> void:
+	if not _slots.has(peer):
+		return
+	var ball := _simulation.get_ball(_slots[peer])
+	ball.drive = drive
+	ball.wants_jump = jump or ball.wants_jump
+
+
+func _on_kicked(peer: int, cube: int, direction: Vector3) -> void:
+	if not _slots.has(peer) or cube < 0 or cube >= _options.cubes:
+		return
+	if _simulation.get_ball(_slots[peer]).take_kick(_simulation.seconds):
+		_simulation.kick(cube, direction)
+
+
+func _send_roster() -> void:
+	var roster: Array = []
+	if _options.life:
+		roster.append([0, 1, "Roller"])
+	for peer: int in _slots:
+		roster.append([_slots[peer], peer, _names[peer]])
+	for peer: int in _slots:
+		_session.set_roster.rpc_id(peer, roster)

@@ -1,0 +1,3 @@
+extends Node3D
+func _init(_c: Node, _o: RefCounted) -> void:
+	pass

@@ -1,0 +1,102 @@
+extends RefCounted
+## Where each cube begins and which colour it has: a round tower, a wall, a pyramid and a cloud
+## of falling cubes, repeated for every 250 cubes. The same on the server and on every client.
+
+## Edge of a cube, in metres.
+const EDGE := 0.5
+const SET_SIZE := 250
+const SET_SPACING := 17.0
+const PITCH := EDGE * 1.04
+
+const TOWER_RING := 16
+const WALL_WIDTH := 14
+## Shares of a set; the rest falls from the sky.
+const TOWER_SHARE := 0.38
+const WALL_SHARE := 0.25
+const PYRAMID_SHARE := 0.22
+
+const TOWER_COLORS: Array[Color] = [Color("1f7a8c"), Color("3ec6b8")]
+const WALL_COLORS: Array[Color] = [Color("d9622b"), Color("ffb454")]
+const PYRAMID_COLORS: Array[Color] = [Color("b23a6b"), Color("f28ba8")]
+const CLOUD_COLORS: Array[Color] = [Color("e9e4d8"), Color("f7f5ef")]
+
+var poses: Array[Transform3D] = []
+var colors := PackedColorArray()
+## Half the side of the square arena, in metres.
+var half_extent := 0.0
+
+
+func _init(count: int) -> void:
+	var sets := ceili(count / float(SET_SIZE))
+	var columns := ceili(sqrt(sets))
+	half_extent = 11.0 + SET_SPACING * 0.5 * (columns - 1)
+	for i: int in sets:
+		var column := i % columns - (columns - 1) * 0.5
+		var row := floorf(i / float(columns)) - (ceilf(sets / float(columns)) - 1.0) * 0.5
+		_add_set(Vector3(column, 0.0, row) * SET_SPACING, mini(SET_SIZE, count - i * SET_SIZE))
+
+
+func _add_set(center: Vector3, count: int) -> void:
+	var tower := roundi(count * TOWER_SHARE)
+	var wall := roundi(count * WALL_SHARE)
+	var pyramid := roundi(count * PYRAMID_SHARE)
+	_add_tower(center + Vector3(-4.2, 0.0, -1.4), tower)
+	_add_wall(center + Vector3(3.6, 0.0, -3.4), wall)
+	_add_pyramid(center + Vector3(1.6, 0.0, 3.6), pyramid)
+	_add_cloud(center, count - tower - wall - pyramid)
+
+
+func _add_tower(base: Vector3, count: int) -> void:
+	var radius := TOWER_RING * PITCH * 1.03 / TAU
+	var layers := ceili(count / float(TOWER_RING))
+	for i: int in count:
+		var layer := floori(i / float(TOWER_RING))
+		var angle := TAU * (i % TOWER_RING + 0.5 * (layer % 2)) / TOWER_RING
+		var at := base + Vector3(cos(angle) * radius, EDGE * (layer + 0.5), sin(angle) * radius)
+		_add(Transform3D(Basis(Vector3.UP, -angle), at), TOWER_COLORS, layer / maxf(layers - 1, 1))
+
+
+func _add_wall(base: Vector3, count: int) -> void:
+	var layers := ceili(count / float(WALL_WIDTH))
+	var turn := Basis(Vector3.UP, -0.5)
+	for i: int in count:
+		var layer := floori(i / float(WALL_WIDTH))
+		var along := (i % WALL_WIDTH - WALL_WIDTH * 0.5 + 0.5 * (layer % 2)) * PITCH
+		var at := base + turn * Vector3(along, EDGE * (layer + 0.5), 0.0)
+		_add(Transform3D(turn, at), WALL_COLORS, layer / maxf(layers - 1, 1))
+
+
+func _add_pyramid(base: Vector3, count: int) -> void:
+	var side := 1
+	while side * (side + 1) * (2 * side + 1) < 6 * count:
+		side += 1
+	var turn := Basis(Vector3.UP, 0.35)
+	var rows := side
+	var layer := 0
+	var left := count
+	while left > 0:
+		for i: int in mini(left, rows * rows):
+			var cell := Vector3(i % rows, 0.0, floorf(i / float(rows))) - Vector3(rows - 1, 0.0, rows - 1) * 0.5
+			var at := base + turn * (cell * PITCH) + Vector3(0.0, EDGE * (layer + 0.5), 0.0)
+			_add(Transform3D(turn, at), PYRAMID_COLORS, layer / maxf(side - 1, 1))
+		left -= mini(left, rows * rows)
+		rows = maxi(rows - 1, 1)
+		layer += 1
+
+
+func _add_cloud(base: Vector3, count: int) -> void:
+	for i: int in count:
+		# A sunflower's spiral, and axes that never repeat.
+		var angle := i * 2.39996
+		var out := 0.9 * sqrt(i + 0.5)
+		var at := base + Vector3(cos(angle) * out, 5.0 + 0.12 * i, sin(angle) * out)
+		var axis := Vector3(sin(i * 1.7), cos(i * 2.3), sin(i * 0.9 + 1.0)).normalized()
+		_add(Transform3D(Basis(axis, i * 0.8), at), CLOUD_COLORS, i / maxf(count - 1, 1))
+
+
+func _add(pose: Transform3D, ends: Array[Color], weight: float) -> void:
+	poses.append(pose)
+	# Small steps of brightness keep the single cubes of a structure apart.
+	var shade := 0.06 * sin(poses.size() * 12.9898)
+	var color := ends[0].lerp(ends[1], weight)
+	colors.append(color.lightened(shade) if shade > 0.0 else color.darkened(-shade))

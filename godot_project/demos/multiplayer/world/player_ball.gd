@@ -1,0 +1,46 @@
+extends RigidBody3D
+## A player's ball on the server. The player says where to go; forces do the rest.
+
+const RADIUS := 0.6
+const DRIVE_FORCE := 160.0
+const TOP_SPEED := 7.5
+const JUMP_SPEED := 6.0
+## Seconds between two kicks of one player: a client cannot ask for more.
+const KICK_PAUSE := 0.1
+
+## Where to drive, in the arena's x and z; at most 1 long.
+var drive := Vector2.ZERO
+var wants_jump := false
+
+var _next_kick := 0.0
+
+
+func _init() -> void:
+	mass = 12.0
+	angular_damp = 0.6
+	linear_damp = 0.3
+	can_sleep = false
+	var shape := SphereShape3D.new()
+	shape.radius = RADIUS
+	var collision := CollisionShape3D.new()
+	collision.shape = shape
+	add_child(collision)
+
+
+func _physics_process(_delta: float) -> void:
+	var wanted := Vector3(drive.x, 0.0, drive.y) * TOP_SPEED
+	var missing := wanted - Vector3(linear_velocity.x, 0.0, linear_velocity.z)
+	if drive.length_squared() > 0.01:
+		apply_central_force((missing / TOP_SPEED * 2.0).limit_length(1.0) * DRIVE_FORCE)
+	if wants_jump:
+		wants_jump = false
+		if absf(linear_velocity.y) < 0.6:
+			apply_central_impulse(Vector3(0.0, JUMP_SPEED * mass, 0.0))
+
+
+## True if the player may kick at this time, in seconds; then the pause begins.
+func take_kick(now: float) -> bool:
+	if now < _next_kick:
+		return false
+	_next_kick = now + KICK_PAUSE
+	return true

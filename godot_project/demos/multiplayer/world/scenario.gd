@@ -1,0 +1,56 @@
+extends RefCounted
+## What keeps the scene alive without any player: a heavy ball that rolls in a figure of
+## eight through everything, and lifts in the floor that throw up what lies on them. It depends on the
+## scene's time alone, so each run sees the same.
+
+const BALL_RADIUS := 1.0
+const BALL_TURN := 0.55
+## A lift works this often, in seconds, each time another one.
+const LIFT_PAUSE := 1.5
+const LIFT_RADIUS := 2.4
+const LIFT_SPEED := 6.0
+const LIFT_RING := 5.2
+const LIFT_COUNT := 5
+
+var _reach: float
+var _next_lift := LIFT_PAUSE
+var _lift := 0
+
+
+func _init(half_extent: float) -> void:
+	_reach = half_extent - 3.2
+
+
+## The pose of the ball at [param seconds] of the scene.
+func get_ball_pose(seconds: float) -> Transform3D:
+	var angle := seconds * BALL_TURN
+	var at := Vector3(_reach * sin(angle + 0.9), BALL_RADIUS, _reach * 0.75 * sin(2.0 * angle + 2.6))
+	var roll := seconds * 4.0
+	return Transform3D(Basis(Vector3(cos(angle), 0.0, sin(angle)).normalized(), roll), at)
+
+
+## The centre of a lift on the floor.
+static func get_lift_position(index: int) -> Vector3:
+	if index == 0:
+		return Vector3.ZERO
+	var angle := TAU * index / (LIFT_COUNT - 1) + 0.6
+	return Vector3(cos(angle), 0.0, sin(angle)) * LIFT_RING
+
+
+## Throws up what lies on the lift whose turn it is.
+func act(seconds: float, cubes: Array[RigidBody3D]) -> void:
+	if seconds < _next_lift:
+		return
+	_next_lift += LIFT_PAUSE
+	_lift = (_lift + 2) % LIFT_COUNT
+	var center := get_lift_position(_lift)
+	for i: int in cubes.size():
+		var cube := cubes[i]
+		var offset := cube.position - center
+		var across := Vector2(offset.x, offset.z).length()
+		if across > LIFT_RADIUS or offset.y > 2.5:
+			continue
+		var strength := 1.0 - 0.5 * across / LIFT_RADIUS
+		cube.sleeping = false
+		cube.linear_velocity += Vector3(-offset.z * 0.5, LIFT_SPEED * strength, offset.x * 0.5)
+		cube.angular_velocity += Vector3(sin(i * 1.3), 0.4, cos(i * 1.7)) * 4.0

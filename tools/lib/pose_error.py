@@ -1,0 +1,107 @@
+"""How far what a client shows is from where the server's bodies were, at the same media time."""
+import bisect
+
+from pose_record import ROW_FLOATS, lever_distance
+
+LONGEST_DELAY = 0.25
+
+
+class ErrorSummary:
+    """Errors in metres: over moving samples, and over resting ones apart."""
+
+    def __init__(self):
+        self.moving = []
+        self.resting = []
+        self.delays = []
+
+    def add(self, truth, shown, moving, every_rest=5):
+        """One picture: `moving` lists the offsets of moving bodies; of the resting, every n-th is looked at."""
+        for at in moving:
+            self.moving.append(lever_distance(truth, shown, at))
+        moves = set(moving)
+        for at in range(0, len(truth), ROW_FLOATS * every_rest):
+            if at not in moves:
+                self.resting.append(lever_distance(truth, shown, at))
+
+    def merge(self, other):
+        self.moving += other.moving
+        self.resting += other.resting
+        self.delays += other.delays
+
+    def figures(self):
+        """Percentiles in millimetres, delay in milliseconds; None where there was nothing to look at."""
+        return {
+            "samples": len(self.moving),
+            "p50": percentile(self.moving, 0.50, 1000.0),
+            "p99": percentile(self.moving, 0.99, 1000.0),
+            "max": percentile(self.moving, 1.0, 1000.0),
+            "rest_p50": percentile(self.resting, 0.50, 1000.0),
+            "rest_p99": percentile(self.resting, 0.99, 1000.0),
+            "delay": percentile(self.delays, 0.50, 1000.0),
+        }
+
+
+def percentile(values, share, scale=1.0):
+    if not values:
+        return None
+    values = sorted(values)
+    return values[min(len(values) - 1, int(share * len(values)))] * scale
+
+
+def compare_by_tick(server, moving, client, first_tick, last_tick):
+    """For a client that knows which tick it shows: error at that tick; delay from the two wall clocks."""
+    summary = ErrorSummary()
+    where = server.index_of_ticks()
+    for wall, tick, rows in zip(client.walls, client.ticks, client.rows):
+        index = where.get(int(tick))
+        if index is None or not first_tick < tick <= last_tick:
+            continue
+        summary.add(server.rows[index], rows, moving[index])
+        summary.delays.append(wall - server.walls[index])
+    return summary
+
+
+def compare_by_wall_clock(server, moving, client):
+    """For a client that knows no time: the one delay that makes the mean error smallest is removed."""
+    delay = best_delay(server, moving, client)
+    summary = ErrorSummary()
+    for wall, rows in zip(client.walls, client.rows):
+        truth, index = rows_at(server, wall - delay)
+        if truth is not None:
+            summary.add(truth, rows, moving[index])
+            summary.delays.append(delay)
+    return summary
+
+
+def best_delay(server, moving, client):
+    """Searches the delay in steps of 8 ms, then of 2 ms around the best, on a part of the pictures."""
+    step = max(1, len(client) // 40)
+    pictures = list(zip(client.walls, client.rows))[::step]
+
+    def mean_error(delay):
+        total, count = 0.0, 0
+        for wall, rows in pictures:
+            truth, index = rows_at(server, wall - delay)
+            if truth is None:
+                continue
+            for at in moving[index][::3]:
+                total += lever_distance(truth, rows, at)
+                count += 1
+        return total / count if count else float("inf")
+
+    coarse = min((0.008 * i for i in range(int(LONGEST_DELAY / 0.008))), key=mean_error)
+    fine = [max(0.0, coarse + 0.002 * i) for i in range(-4, 5)]
+    return min(fine, key=mean_error)
+
+
+def rows_at(server, wall):
+    """The server's rows at a wall clock time, between ticks in proportion; and the index of the tick after."""
+    index = bisect.bisect_left(server.walls, wall)
+    if index == 0 or index >= len(server.walls):
+        return None, 0
+    before, after = server.rows[index - 1], server.rows[index]
+    span = server.walls[index] - server.walls[index - 1]
+    weight = (wall - server.walls[index - 1]) / span if span > 0.0 else 1.0
+    if before == after:
+        return after, index
+    return [a + (b - a) * weight for a, b in zip(before, after)], index

@@ -1,0 +1,76 @@
+"""Reads the pose records that the multiplayer demo writes (godot_project/demos/multiplayer/pose_recorder.gd)."""
+import array
+import struct
+import sys
+
+MAGIC = b"GAPOSES1"
+ROW_FLOATS = 12
+
+
+class PoseRecord:
+    """All records of one process: wall clock, media time (ticks) and the rows of the bodies' matrices."""
+
+    def __init__(self, path, bodies=None):
+        """Keeps the first `bodies` bodies of each record, or all. Raises ValueError if the file is no record."""
+        with open(path, "rb") as file:
+            header = file.read(12)
+            if len(header) < 12 or header[:8] != MAGIC:
+                raise ValueError("%s is not a pose record" % path)
+            self.body_count = struct.unpack("<I", header[8:])[0]
+            kept = self.body_count if bodies is None else min(bodies, self.body_count)
+            size = 16 + self.body_count * ROW_FLOATS * 4
+            self.walls, self.ticks, self.rows = [], [], []
+            while True:
+                data = file.read(size)
+                if len(data) < size:
+                    break
+                wall, tick = struct.unpack_from("<dd", data)
+                rows = array.array("f")
+                rows.frombytes(data[16:16 + kept * ROW_FLOATS * 4])
+                if sys.byteorder == "big":
+                    rows.byteswap()
+                self.walls.append(wall)
+                self.ticks.append(tick)
+                self.rows.append(rows)
+        self.body_count = kept
+
+    def __len__(self):
+        return len(self.walls)
+
+    def index_of_ticks(self):
+        """Where each whole tick is found: {tick: index}."""
+        return {int(tick): index for index, tick in enumerate(self.ticks)}
+
+
+def lever_distance(a, b, at, lever=0.25):
+    """Largest distance between two poses of the body whose rows begin at `at`, in metres.
+
+    Measured at the body's centre and at three points `lever` metres along its axes.
+    """
+    dx, dy, dz = a[at + 3] - b[at + 3], a[at + 7] - b[at + 7], a[at + 11] - b[at + 11]
+    worst = dx * dx + dy * dy + dz * dz
+    for axis in range(at, at + 3):
+        x = dx + lever * (a[axis] - b[axis])
+        y = dy + lever * (a[axis + 4] - b[axis + 4])
+        z = dz + lever * (a[axis + 8] - b[axis + 8])
+        square = x * x + y * y + z * z
+        if square > worst:
+            worst = square
+    return worst ** 0.5
+
+
+def moving_bodies(record, tick_rate=60.0, slowest=0.001):
+    """For each record the bodies that move faster than `slowest` m/s there (rows' offsets).
+
+    A body counts as moving at a tick if it moved since the tick before, at its centre or a lever point.
+    """
+    least = slowest / tick_rate
+    result = [[]]
+    for before, now in zip(record.rows, record.rows[1:]):
+        moving = []
+        for at in range(0, len(now), ROW_FLOATS):
+            if now[at + 3] != before[at + 3] or now[at:at + ROW_FLOATS] != before[at:at + ROW_FLOATS]:
+                if lever_distance(now, before, at) > least:
+                    moving.append(at)
+        result.append(moving)
+    return result
