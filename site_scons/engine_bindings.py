@@ -28,6 +28,8 @@ def use_godot_cpp(env):
         path = os.path.join(root, place)
         if os.path.isdir(path):
             env.Append(CXXFLAGS=["-isystem", path])
+    # Its casts are dynamic_cast, so what is built against it needs type information.
+    env["CXXFLAGS"] = [flag for flag in env["CXXFLAGS"] if flag != "-fno-rtti"]
     env.Append(CPPDEFINES=["LINUX_ENABLED", "UNIX_ENABLED", "THREADS_ENABLED", "GDEXTENSION"])
     if env["target"] == "template_debug":
         # godot-cpp's default for this target; it changes the layout of its classes.

@@ -1,4 +1,8 @@
 #include "godot/editor_help.hpp"
+#include "godot/motor_codec.hpp"
+#include "godot/motor_pool.hpp"
+#include "godot/multivector.hpp"
+#include "godot/multivector_lerp.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>
@@ -7,13 +11,17 @@ namespace ga_godot {
 
 static void initialize(godot::ModuleInitializationLevel p_level) {
 	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(Multivector);
+		GDREGISTER_CLASS(MultivectorLerp);
+		GDREGISTER_CLASS(MotorPool);
+		GDREGISTER_CLASS(MotorCodec);
 	} else if (p_level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
 		load_editor_help();
 	}
 }
 
-static void terminate(godot::ModuleInitializationLevel p_level) {
-	(void)p_level;
+// The bindings unregister the classes themselves.
+static void terminate(godot::ModuleInitializationLevel) {
 }
 
 } // namespace ga_godot

@@ -1,0 +1,78 @@
+#include "godot/conversions.hpp"
+
+#include "cga/matrix_pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ga_godot {
+
+using cga::MatrixFault;
+
+static float narrow(double p_value) {
+	constexpr double LIMIT = std::numeric_limits<float>::max();
+	return float(std::clamp(p_value, -LIMIT, LIMIT));
+}
+
+cga::Vector3<double> to_glm(const godot::Vector3 &p_vector) {
+	return { p_vector.x, p_vector.y, p_vector.z };
+}
+
+cga::Quaternion<double> to_glm(const godot::Quaternion &p_quaternion) {
+	return { p_quaternion.w, p_quaternion.x, p_quaternion.y, p_quaternion.z };
+}
+
+godot::Vector3 to_godot(const cga::Vector3<double> &p_vector) {
+	return godot::Vector3(narrow(p_vector.x), narrow(p_vector.y), narrow(p_vector.z));
+}
+
+godot::Quaternion to_godot(const cga::Quaternion<double> &p_quaternion) {
+	return godot::Quaternion(narrow(p_quaternion.x), narrow(p_quaternion.y), narrow(p_quaternion.z), narrow(p_quaternion.w));
+}
+
+godot::Transform3D to_godot(const cga::Pose<double> &p_pose) {
+	const glm::dmat3 linear = cga::linear_of_pose(p_pose);
+	godot::Transform3D transform;
+	for (int row = 0; row < 3; row++) {
+		transform.basis.rows[row] = to_godot(cga::Vector3<double>(linear[0][row], linear[1][row], linear[2][row]));
+	}
+	transform.origin = to_godot(p_pose.translation);
+	return transform;
+}
+
+bool is_finite(const godot::Vector3 &p_vector) {
+	return std::isfinite(p_vector.x) && std::isfinite(p_vector.y) && std::isfinite(p_vector.z);
+}
+
+bool is_finite(const godot::Quaternion &p_quaternion) {
+	return std::isfinite(p_quaternion.x) && std::isfinite(p_quaternion.y) && std::isfinite(p_quaternion.z) && std::isfinite(p_quaternion.w);
+}
+
+const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose) {
+	glm::dmat3 linear;
+	for (int row = 0; row < 3; row++) {
+		for (int column = 0; column < 3; column++) {
+			linear[column][row] = p_transform.basis.rows[row][column];
+		}
+	}
+	switch (cga::matrix_to_pose(linear, to_glm(p_transform.origin), r_pose)) {
+		case MatrixFault::NOT_FINITE:
+			return "has a value that is not finite (NaN or infinity); check where it was computed";
+		case MatrixFault::NO_SIZE:
+			return "has scale zero along an axis; a motor needs a positive scale";
+		case MatrixFault::MIRRORED:
+			return "is mirrored (negative scale), which no motor can express; mirror a child node instead";
+		case MatrixFault::NOT_UNIFORM:
+			return "is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead";
+		case MatrixFault::NONE:
+			break;
+	}
+	return nullptr;
+}
+
+bool is_mode(int64_t p_mode) {
+	return p_mode >= int64_t(cga::Mode::LINEAR) && p_mode <= int64_t(cga::Mode::SEPARATE);
+}
+
+} // namespace ga_godot

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "net/pose_codec.hpp"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace ga_godot {
+
+/// Poses of many bodies in one packet, as quantised motors; doc_classes/MotorCodec.xml documents it.
+class MotorCodec : public godot::RefCounted {
+	GDCLASS(MotorCodec, godot::RefCounted)
+
+public:
+	void set_position_tolerance(double p_metres);
+	double get_position_tolerance() const;
+	void set_rotation_tolerance(double p_degrees);
+	double get_rotation_tolerance() const;
+
+	godot::PackedByteArray encode(const godot::PackedInt32Array &p_ids, const godot::TypedArray<godot::Transform3D> &p_transforms);
+	godot::Dictionary decode(const godot::PackedByteArray &p_packet);
+
+protected:
+	static void _bind_methods();
+
+private:
+	net::Tolerance _tolerance;
+	// Kept between calls, so that a steady stream of packets allocates only what it returns.
+	std::vector<net::BodyPose> _bodies;
+	std::vector<std::uint8_t> _packet;
+};
+
+} // namespace ga_godot

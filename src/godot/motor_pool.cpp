@@ -1,0 +1,326 @@
+#include "godot/motor_pool.hpp"
+
+#include "cga/motor_multivector.hpp"
+#include "godot/conversions.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ga_godot {
+
+using cga::PoseBlock;
+using godot::MultiMesh;
+using godot::Node3D;
+using godot::Object;
+using godot::PackedFloat32Array;
+using godot::Ref;
+using godot::Transform3D;
+using godot::TypedArray;
+using godot::Variant;
+using godot::vformat;
+
+static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
+static constexpr int64_t MAX_COUNT = int64_t(1) << 24; // 4 GiB of blocks
+static constexpr uint32_t GENERATION_MASK = 0x7fffffffu; // so that an index is never negative
+
+static PoseBlock &block_of(std::vector<PoseBlock> &r_blocks, uint32_t p_row) {
+	return r_blocks[p_row / PoseBlock::LANES];
+}
+
+static int lane_of(uint32_t p_row) {
+	return int(p_row % PoseBlock::LANES);
+}
+
+int64_t MotorPool::acquire() {
+	close_gaps();
+	const uint32_t row = uint32_t(_slot_of_row.size());
+	ERR_FAIL_COND_V_MSG(int64_t(row) >= MAX_COUNT, -1, vformat("MotorPool.acquire: a pool holds at most %d bodies.", MAX_COUNT));
+	uint32_t slot = uint32_t(_slots.size());
+	if (_free_slots.empty()) {
+		_slots.emplace_back();
+	} else {
+		slot = _free_slots.back();
+		_free_slots.pop_back();
+	}
+	_slots[slot].row = row;
+	_slot_of_row.push_back(slot);
+	_blocks.resize(cga::block_count(_slot_of_row.size()));
+	block_of(_blocks, row).set(lane_of(row), cga::Pose<float>(), cga::Pose<float>());
+	_buffer.resize((int64_t(row) + 1) * ROW_FLOATS);
+	cga::pose_to_row(cga::Pose<float>(), _buffer.ptrw() + row * ROW_FLOATS);
+	return int64_t(_slots[slot].generation) << 32 | int64_t(slot);
+}
+
+void MotorPool::release(int64_t p_index) {
+	Slot *slot = find_slot(p_index);
+	if (slot == nullptr) {
+		report_index("release", p_index);
+		return;
+	}
+	_slot_of_row[slot->row] = NO_ROW;
+	_gaps++;
+	slot->row = NO_ROW;
+	slot->generation = (slot->generation + 1) & GENERATION_MASK;
+	_free_slots.push_back(uint32_t(slot - _slots.data()));
+}
+
+void MotorPool::reserve(int64_t p_count) {
+	ERR_FAIL_COND_MSG(p_count < 0 || p_count > MAX_COUNT, vformat("MotorPool.reserve: count %d is not in 0..%d.", p_count, MAX_COUNT));
+	_blocks.reserve(cga::block_count(size_t(p_count)));
+	_slots.reserve(size_t(p_count));
+	_slot_of_row.reserve(size_t(p_count));
+	_poses.reserve(size_t(p_count));
+	_nodes.reserve(size_t(p_count));
+}
+
+int64_t MotorPool::get_count() const {
+	return int64_t(_slot_of_row.size()) - int64_t(_gaps);
+}
+
+void MotorPool::clear() {
+	for (uint32_t slot : _slot_of_row) {
+		if (slot != NO_ROW) {
+			_slots[slot].row = NO_ROW;
+			_slots[slot].generation = (_slots[slot].generation + 1) & GENERATION_MASK;
+			_free_slots.push_back(slot);
+		}
+	}
+	_slot_of_row.clear();
+	_blocks.clear();
+	_buffer.resize(0);
+	_gaps = 0;
+}
+
+MotorPool::Slot *MotorPool::find_slot(int64_t p_index) {
+	const uint64_t slot = uint64_t(p_index) & 0xffffffffu;
+	if (p_index < 0 || slot >= _slots.size() || _slots[slot].row == NO_ROW || _slots[slot].generation != uint64_t(p_index) >> 32) {
+		return nullptr;
+	}
+	return &_slots[slot];
+}
+
+void MotorPool::report_index(const char *p_method, int64_t p_index) const {
+	ERR_PRINT(vformat("MotorPool.%s: index %d is none that acquire() gave out and that is not yet released.", p_method, p_index));
+}
+
+void MotorPool::close_gaps() {
+	if (_gaps == 0) {
+		return;
+	}
+	uint32_t destination = 0;
+	float *rows = _buffer.ptrw();
+	for (uint32_t source = 0; source < _slot_of_row.size(); source++) {
+		const uint32_t slot = _slot_of_row[source];
+		if (slot == NO_ROW) {
+			continue;
+		}
+		if (source != destination) {
+			const PoseBlock &block = block_of(_blocks, source);
+			const cga::Pose<float> from = block.get_from(lane_of(source));
+			block_of(_blocks, destination).set(lane_of(destination), from, block.get_to(lane_of(source)));
+			std::copy_n(rows + source * ROW_FLOATS, ROW_FLOATS, rows + destination * ROW_FLOATS);
+			_slot_of_row[destination] = slot;
+			_slots[slot].row = destination;
+		}
+		destination++;
+	}
+	_slot_of_row.resize(destination);
+	_blocks.resize(cga::block_count(destination));
+	_buffer.resize(int64_t(destination) * ROW_FLOATS);
+	_gaps = 0;
+}
+
+void MotorPool::set_end(End p_end, const char *p_method, int64_t p_index, const Transform3D &p_transform) {
+	const Slot *slot = find_slot(p_index);
+	if (slot == nullptr) {
+		report_index(p_method, p_index);
+		return;
+	}
+	cga::Pose<double> pose;
+	const char *fault = pose_from_transform(p_transform, pose);
+	ERR_FAIL_COND_MSG(fault != nullptr, vformat("MotorPool.%s: the transform for index %d %s.", p_method, p_index, fault));
+	put_end(p_end, slot->row, cga::pose_cast<float>(pose));
+}
+
+void MotorPool::put_end(End p_end, uint32_t p_row, const cga::Pose<float> &p_pose) {
+	PoseBlock &block = block_of(_blocks, p_row);
+	if (p_end == End::FROM) {
+		block.set_from(lane_of(p_row), p_pose);
+	} else {
+		block.set_to(lane_of(p_row), p_pose);
+	}
+}
+
+void MotorPool::set_end_all(End p_end, const char *p_method, const TypedArray<Transform3D> &p_transforms) {
+	close_gaps();
+	const int64_t count = p_transforms.size();
+	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.%s: %d transforms for %d bodies; give one for each, in the order in which they were acquired.", p_method, count, get_count()));
+	_poses.resize(size_t(count));
+	for (int64_t i = 0; i < count; i++) {
+		cga::Pose<double> pose;
+		const char *fault = pose_from_transform(p_transforms[i], pose);
+		ERR_FAIL_COND_MSG(fault != nullptr, vformat("MotorPool.%s: the transform at index %d %s. No pose was changed.", p_method, i, fault));
+		_poses[size_t(i)] = cga::pose_cast<float>(pose);
+	}
+	for (uint32_t row = 0; row < uint32_t(count); row++) {
+		put_end(p_end, row, _poses[row]);
+	}
+}
+
+void MotorPool::set_from(int64_t p_index, const Transform3D &p_transform) {
+	set_end(End::FROM, "set_from", p_index, p_transform);
+}
+
+void MotorPool::set_to(int64_t p_index, const Transform3D &p_transform) {
+	set_end(End::TO, "set_to", p_index, p_transform);
+}
+
+void MotorPool::set_from_all(const TypedArray<Transform3D> &p_transforms) {
+	set_end_all(End::FROM, "set_from_all", p_transforms);
+}
+
+void MotorPool::set_to_all(const TypedArray<Transform3D> &p_transforms) {
+	set_end_all(End::TO, "set_to_all", p_transforms);
+}
+
+void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
+	if (!_slot_of_row.empty()) {
+		cga::interpolate_blocks(_blocks.data(), _slot_of_row.size(), p_weights, p_weight, cga::Mode(p_mode), _buffer.ptrw());
+	}
+}
+
+void MotorPool::interpolate(double p_weight, MultivectorLerp::Mode p_mode) {
+	ERR_FAIL_COND_MSG(!std::isfinite(float(p_weight)), "MotorPool.interpolate: the weight is not finite.");
+	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+	close_gaps();
+	run(nullptr, float(p_weight), p_mode);
+}
+
+void MotorPool::interpolate_each(const PackedFloat32Array &p_weights, MultivectorLerp::Mode p_mode) {
+	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate_each: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+	close_gaps();
+	const int64_t count = p_weights.size();
+	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.interpolate_each: %d weights for %d bodies; give one for each, in the order in which they were acquired.", count, get_count()));
+	const float *weights = count > 0 ? p_weights.ptr() : nullptr;
+	for (int64_t i = 0; i < count; i++) {
+		ERR_FAIL_COND_MSG(!std::isfinite(weights[i]), vformat("MotorPool.interpolate_each: the weight at index %d is not finite. No pose was changed.", i));
+	}
+	run(weights, 0.0f, p_mode);
+}
+
+static Transform3D transform_from_row(const float *p_row) {
+	Transform3D transform;
+	for (int i = 0; i < 3; i++) {
+		transform.basis.rows[i] = godot::Vector3(p_row[4 * i], p_row[4 * i + 1], p_row[4 * i + 2]);
+		transform.origin[i] = p_row[4 * i + 3];
+	}
+	return transform;
+}
+
+Transform3D MotorPool::get_transform(int64_t p_index) {
+	const Slot *slot = find_slot(p_index);
+	if (slot == nullptr) {
+		report_index("get_transform", p_index);
+		return Transform3D();
+	}
+	return transform_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);
+}
+
+Ref<Multivector> MotorPool::get_motor(int64_t p_index) {
+	const Slot *slot = find_slot(p_index);
+	if (slot == nullptr) {
+		report_index("get_motor", p_index);
+		return Ref<Multivector>();
+	}
+	const cga::Pose<float> pose = cga::pose_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);
+	return Multivector::make(cga::to_multivector(cga::Motor<double>::from_pose(cga::pose_cast<double>(pose))));
+}
+
+PackedFloat32Array MotorPool::get_buffer() {
+	close_gaps();
+	return _buffer;
+}
+
+void MotorPool::apply_to_nodes(const TypedArray<Node3D> &p_nodes) {
+	close_gaps();
+	const int64_t count = p_nodes.size();
+	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.apply_to_nodes: %d nodes for %d bodies; give one for each, in the order in which they were acquired.", count, get_count()));
+	_nodes.resize(size_t(count));
+	for (int64_t i = 0; i < count; i++) {
+		// get_validated_object, because the array may hold a freed node.
+		Node3D *node = Object::cast_to<Node3D>(p_nodes[i].get_validated_object());
+		ERR_FAIL_NULL_MSG(node, vformat("MotorPool.apply_to_nodes: the node at index %d is null or was freed. No node was moved.", i));
+		_nodes[size_t(i)] = node;
+	}
+	const float *row = _buffer.ptr();
+	for (Node3D *node : _nodes) {
+		node->set_transform(transform_from_row(row));
+		row += ROW_FLOATS;
+	}
+}
+
+void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &p_multimesh) {
+	close_gaps();
+	ERR_FAIL_COND_MSG(p_multimesh.is_null(), "MotorPool.apply_to_multimesh: the multimesh is null.");
+	ERR_FAIL_COND_MSG(p_multimesh->get_transform_format() != MultiMesh::TRANSFORM_3D, "MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D (before its instance_count).");
+	const int64_t instances = p_multimesh->get_instance_count();
+	ERR_FAIL_COND_MSG(instances < get_count(), vformat("MotorPool.apply_to_multimesh: %d instances cannot show %d bodies; set instance_count to at least that.", instances, get_count()));
+	const bool is_plain = !p_multimesh->is_using_colors() && !p_multimesh->is_using_custom_data();
+	if (instances == 0) {
+		return;
+	}
+	if (is_plain && instances == get_count()) {
+		p_multimesh->set_buffer(_buffer);
+		return;
+	}
+	// Colours, custom data and surplus instances: their floats stay or, for transforms of surplus instances, are zero,
+	// which shows nothing.
+	const int64_t stride = ROW_FLOATS + 4 * int64_t(p_multimesh->is_using_colors()) + 4 * int64_t(p_multimesh->is_using_custom_data());
+	PackedFloat32Array buffer = is_plain ? _instances : p_multimesh->get_buffer();
+	if (buffer.size() != instances * stride) {
+		ERR_FAIL_COND_MSG(!is_plain, "MotorPool.apply_to_multimesh: this renderer keeps no instance colours to go with the transforms (headless?); turn use_colors and use_custom_data off.");
+		buffer.resize(instances * stride);
+	}
+	float *instance = buffer.ptrw();
+	const float *row = _buffer.ptr();
+	for (int64_t i = 0; i < instances; i++, instance += stride) {
+		if (i < get_count()) {
+			std::copy_n(row + i * ROW_FLOATS, ROW_FLOATS, instance);
+		} else {
+			std::fill_n(instance, ROW_FLOATS, 0.0f);
+		}
+	}
+	p_multimesh->set_buffer(buffer);
+	if (is_plain) {
+		_instances = buffer;
+	}
+}
+
+void MotorPool::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+
+	ClassDB::bind_method(D_METHOD("acquire"), &MotorPool::acquire);
+	ClassDB::bind_method(D_METHOD("release", "index"), &MotorPool::release);
+	ClassDB::bind_method(D_METHOD("reserve", "count"), &MotorPool::reserve);
+	ClassDB::bind_method(D_METHOD("get_count"), &MotorPool::get_count);
+	ClassDB::bind_method(D_METHOD("clear"), &MotorPool::clear);
+	ClassDB::bind_method(D_METHOD("set_from", "index", "transform"), &MotorPool::set_from);
+	ClassDB::bind_method(D_METHOD("set_to", "index", "transform"), &MotorPool::set_to);
+	ClassDB::bind_method(D_METHOD("set_from_all", "transforms"), &MotorPool::set_from_all);
+	ClassDB::bind_method(D_METHOD("set_to_all", "transforms"), &MotorPool::set_to_all);
+	ClassDB::bind_method(D_METHOD("interpolate", "weight", "mode"), &MotorPool::interpolate);
+	ClassDB::bind_method(D_METHOD("interpolate_each", "weights", "mode"), &MotorPool::interpolate_each);
+	ClassDB::bind_method(D_METHOD("get_transform", "index"), &MotorPool::get_transform);
+	ClassDB::bind_method(D_METHOD("get_motor", "index"), &MotorPool::get_motor);
+	ClassDB::bind_method(D_METHOD("get_buffer"), &MotorPool::get_buffer);
+	ClassDB::bind_method(D_METHOD("apply_to_nodes", "nodes"), &MotorPool::apply_to_nodes);
+	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh"), &MotorPool::apply_to_multimesh);
+}
+
+} // namespace ga_godot

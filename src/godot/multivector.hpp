@@ -1,0 +1,87 @@
+#pragma once
+
+#include "cga/multivector.hpp"
+#include "cga/pose.hpp"
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
+#include <godot_cpp/variant/quaternion.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/vector3.hpp>
+
+#include <cstdint>
+
+namespace ga_godot {
+
+/// An element of Cl(4,1) as a resource. Operations return new objects; doc_classes/Multivector.xml documents them.
+class Multivector : public godot::Resource {
+	GDCLASS(Multivector, godot::Resource)
+
+public:
+	using Handle = godot::Ref<Multivector>;
+
+	static Handle make(const cga::Multivector &p_value);
+	const cga::Multivector &get_value() const { return _value; }
+	/// Goes up with each change in place, so that users of a multivector can keep what they computed from it.
+	uint64_t get_revision() const { return _revision; }
+	/// The pose of a motor of any weight; false if this is none.
+	bool get_pose(cga::Pose<double> &r_pose) const;
+
+	void set_coefficients(const godot::PackedFloat64Array &p_coefficients);
+	godot::PackedFloat64Array get_coefficients() const;
+
+	static Handle scalar(double p_value);
+	static Handle basis_blade(int64_t p_index);
+	static Handle basis(const godot::String &p_name);
+	static Handle point(const godot::Vector3 &p_position);
+	static Handle translator(const godot::Vector3 &p_offset);
+	static Handle rotor(const godot::Quaternion &p_quaternion);
+	static Handle dilator(double p_scale);
+	static Handle motor(const godot::Transform3D &p_transform);
+	static Handle motor_from(const godot::Vector3 &p_translation, const godot::Quaternion &p_rotation, double p_scale);
+
+	Handle add(const Handle &p_other) const;
+	Handle subtract(const Handle &p_other) const;
+	Handle scaled(double p_factor) const;
+	Handle geometric_product(const Handle &p_right) const;
+	Handle outer_product(const Handle &p_right) const;
+	Handle inner_product(const Handle &p_right) const;
+	Handle left_contraction(const Handle &p_right) const;
+	Handle right_contraction(const Handle &p_right) const;
+	double scalar_product(const Handle &p_right) const;
+	Handle sandwich(const Handle &p_x) const;
+
+	Handle reverse() const;
+	Handle grade_involution() const;
+	Handle clifford_conjugate() const;
+	Handle dual() const;
+	Handle undual() const;
+	Handle grade(int64_t p_grade) const;
+	Handle inverse() const;
+	Handle normalized() const;
+	double norm() const;
+	double norm_squared() const;
+
+	bool is_equal_approx(const Handle &p_other) const;
+	bool is_motor() const;
+
+	godot::Transform3D to_transform() const;
+	godot::Vector3 get_translation() const;
+	godot::Quaternion get_rotation() const;
+	double get_scale() const;
+	godot::Vector3 transform_point(const godot::Vector3 &p_point) const;
+
+protected:
+	static void _bind_methods();
+
+private:
+	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
+	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_name) const;
+
+	cga::Multivector _value;
+	uint64_t _revision = 0;
+};
+
+} // namespace ga_godot
