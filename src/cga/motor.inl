@@ -2,24 +2,10 @@
 
 namespace cga {
 
-namespace detail {
-
-template <class T>
-[[nodiscard]] inline Quaternion<T> pure(const Vector3<T> &vector) noexcept {
-	return { T(0), vector.x, vector.y, vector.z };
-}
-
-template <class T>
-[[nodiscard]] inline Vector3<T> vector_part(const Quaternion<T> &quaternion) noexcept {
-	return { quaternion.x, quaternion.y, quaternion.z };
-}
-
-} // namespace detail
-
 template <class T>
 Motor<T> Motor<T>::translator(const Vector3<T> &offset) noexcept {
 	Motor motor;
-	motor.v = detail::pure(offset * T(-0.5));
+	motor.v = pure(offset * T(-0.5));
 	return motor;
 }
 
@@ -51,7 +37,7 @@ Motor<T> Motor<T>::from_pose(const Pose<T> &pose) noexcept {
 	Motor motor;
 	motor.a = pose.rotation / root;
 	motor.b = pose.rotation * root;
-	motor.v = detail::pure(pose.translation * T(-0.5)) * motor.a;
+	motor.v = pure(pose.translation * T(-0.5)) * motor.a;
 	return motor;
 }
 
@@ -70,7 +56,7 @@ std::optional<Pose<T>> Motor<T>::to_pose() const noexcept {
 		return std::nullopt;
 	}
 	const Quaternion<T> rotation = a / length;
-	const Vector3<T> translation = detail::vector_part((v / length) * glm::conjugate(rotation)) * T(-2);
+	const Vector3<T> translation = vector_part((v / length) * glm::conjugate(rotation)) * T(-2);
 	return Pose<T>{ translation, rotation, scaled_length / length };
 }
 
@@ -130,8 +116,8 @@ std::optional<Motor<T>> Motor<T>::normalized() const noexcept {
 // t + s q x q* = (b x - 2 v) conj(a) / |a|^2
 template <class T>
 Vector3<T> Motor<T>::transform_point(const Vector3<T> &point) const noexcept {
-	const Quaternion<T> image = b * detail::pure(point) - v * T(2);
-	return detail::vector_part(image * glm::conjugate(a)) / glm::dot(a, a);
+	const Quaternion<T> image = b * pure(point) - v * T(2);
+	return vector_part(image * glm::conjugate(a)) / glm::dot(a, a);
 }
 
 // M1 M2 = (a1 a2, b1 b2, b1 v2 + v1 a2): 64 multiplications instead of 1,024.

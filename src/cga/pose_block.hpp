@@ -23,22 +23,22 @@ struct alignas(64) PoseBlock {
 	Row from_scale;
 	Row turn[4]; // w, x, y, z; w >= 0
 	Row shift[3];
-	Row scale_change; // s_to - s_from
+	Row to_scale;
 
-	// SCREW and SEPARATE; names as in screw_coefficients.hpp.
-	Row half_angle;
-	Row inverse_sine;
-	Row log_scale;
-	Row across_real;
-	Row across_imaginary;
-	Row across_weight;
-	Row along;
-	Row along_weight;
+	// SCREW and SEPARATE. lambda = sigma + i theta is the logarithm of scale and turn; see screw_lane() in
+	// pose_kernel.hpp for what the last five are factors of.
+	Row half_angle; // theta / 2, 0..pi/2
+	Row inverse_sine; // 1 / |turn's vector part|: makes it the axis; 0 where there is no turn
+	Row log_scale; // sigma; 0 if a scale is not positive
+	Row scale_change; // s_to - s_from if a scale is not positive, else 0
+	Row across[2]; // 1 / (exp(lambda) - 1), real and imaginary; 0 if lambda = 0
+	Row across_linear; // 1 if lambda = 0, else 0
+	Row along; // 1 / (exp(sigma) - 1); 0 if sigma = 0
+	Row along_linear; // 1 if sigma = 0, else 0
 
-	// What was set, to the bit; not read by the kernels.
+	// The rest of what was set, to the bit; not read by the kernels.
 	Row to_rotation[4];
 	Row to_translation[3];
-	Row to_scale;
 
 	// All bodies at the identity.
 	PoseBlock() noexcept;
@@ -60,9 +60,12 @@ inline constexpr size_t ROW_FLOATS = 12;
 
 // Interpolates the first `body_count` bodies of `blocks` and writes 12 floats for each to `rows`, in the layout of
 // a MultiMesh's 3D transforms: basis row 0 (x, y, z), origin x, basis row 1, origin y, basis row 2, origin z, scale
-// included. `weights` holds one weight a body; if it is null, `weight` is every body's. Weights mean what they mean
-// in interpolate(), which this agrees with to 1e-5. Allocates nothing; different ranges may run on different threads.
-// The result does not depend on the instruction set that is found at run time, to the bit.
+// included. `weights` holds one weight a body; if it is null, `weight` is every body's.
+//
+// Agrees with interpolate() to 1e-5 (and float's rounding of the position), where translations are below 1e37 and
+// scales within 1e37 of each other; finite input gives finite output there and beyond. SCREW clamps the weight to
+// -1,000..1,000. Allocates nothing; different bodies may be done on different threads. The result does not depend,
+// to the bit, on the instruction set found at run time, nor on how the bodies are split into calls.
 void interpolate_blocks(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
 
 // A pose as 12 floats of that layout, and back. The basis of a row is a rotation times a positive scale.

@@ -69,7 +69,7 @@ struct AxisAngle {
 template <class T>
 [[nodiscard]] AxisAngle<T> short_axis_angle(const Quaternion<T> &rotation) noexcept {
 	const T sign = rotation.w < T(0) ? T(-1) : T(1);
-	const Vector3<T> sines = Vector3<T>(rotation.x, rotation.y, rotation.z) * sign;
+	const Vector3<T> sines = vector_part(rotation) * sign;
 	const T sine = detail::length(sines);
 	if (!(sine > T(0))) {
 		return {};
