@@ -2,6 +2,8 @@
 # The operating system's packages: which of them are missing, and getting them.
 
 os_release=${GA_GODOT_OS_RELEASE:-/etc/os-release}
+# The compiler as SConstruct takes it; may be several words.
+compiler=${CXX:-g++}
 
 # os_field NAME: a field of os-release, empty where there is none.
 os_field() {
@@ -26,7 +28,8 @@ has_apt() {
 }
 
 has_header() {
-    printf '#if !__has_include(<%s>)\n#error missing\n#endif\n' "$1" | g++ -E -x c++ - >/dev/null 2>&1
+    printf '#if !__has_include(<%s>)\n#error missing\n#endif\n' "$1" |
+        $compiler -std=c++17 -E -x c++ - >/dev/null 2>&1
 }
 
 # missing_for PART: the packages that the part needs and this machine lacks, by
@@ -39,7 +42,7 @@ missing_for() {
             ;;
         build)
             command -v python3 >/dev/null || echo python3
-            command -v g++ >/dev/null || echo g++
+            command -v "${compiler%% *}" >/dev/null || echo "${compiler%% *}"
             command -v scons >/dev/null || echo scons
             has_header glm/glm.hpp || echo libglm-dev
             ;;
