@@ -1,0 +1,34 @@
+"""Builds the library and makes the project ready to run: python3 tools/lib/build.py [TARGET...]
+
+What is up to date costs a second. Output goes to stderr.
+"""
+
+import os
+import subprocess
+import sys
+
+import checkout
+import project
+
+LIBRARY = "godot_project/addons"
+
+
+def build(*targets, sanitizer=""):
+    """Runs SCons for the targets; ends the program if it fails, SCons has said why."""
+    command = ["scons", "-Q", f"-j{os.cpu_count()}", *targets]
+    if sanitizer:
+        command.append(f"sanitize={sanitizer}")
+    print("build: " + " ".join(command), file=sys.stderr, flush=True)
+    done = subprocess.run(command, cwd=checkout.ROOT, stdin=subprocess.DEVNULL, stdout=sys.stderr, check=False)
+    if done.returncode != 0:
+        sys.exit("build: failed, see above")
+
+
+def main():
+    """Builds what the arguments name, or the library, and prepares the project."""
+    build(*(sys.argv[1:] or [LIBRARY]))
+    project.prepare(checkout.PROJECT)
+
+
+if __name__ == "__main__":
+    main()

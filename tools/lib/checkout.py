@@ -1,0 +1,35 @@
+"""Places in this checkout, and what setup keeps outside it."""
+
+import os
+import platform
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TOOLS = os.path.join(ROOT, "tools")
+BUILD = os.path.join(ROOT, "build")
+PROJECT = os.path.join(ROOT, "godot_project")
+ENGINE = os.path.join(TOOLS, "godot")
+
+
+def variant(sanitizer=""):
+    """Folder of a build, named as SConstruct names it."""
+    machine = platform.machine().lower()
+    arch = {"amd64": "x86_64", "aarch64": "arm64"}.get(machine, machine)
+    name = f"{platform.system().lower()}.template_debug.{arch}"
+    return os.path.join(BUILD, f"{name}.{sanitizer}" if sanitizer else name)
+
+
+def setup(*parts):
+    """Gets what the parts need; where it cannot, ends the program: setup has said why."""
+    if subprocess.run([os.path.join(TOOLS, "setup"), *parts], check=False).returncode != 0:
+        sys.exit(1)
+
+
+def setup_path(what):
+    """Path of something that setup provides: engine, oracle, cache."""
+    done = subprocess.run([os.path.join(TOOLS, "setup"), "--print", what],
+                          stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(1)
+    return done.stdout.strip()

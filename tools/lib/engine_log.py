@@ -1,0 +1,64 @@
+"""Finds in an engine's output what its exit code does not tell.
+
+Godot exits with 0 after script errors, failed asserts and leaks. Every line of
+these is a problem, except an error that a test announced beforehand by a line
+
+    [expect] the exact message
+
+which stands for one error with that message. An announced error that does not
+come is a problem too. The order of the two lines does not matter: they travel
+by different streams.
+"""
+
+import re
+from collections import Counter
+
+ANNOUNCEMENT = re.compile(r"^\[expect\] (.*\S)\s*$")
+# "ERROR: ..", "USER ERROR: ..", "SCRIPT ERROR: ..": the engine's own, push_error's and GDScript's.
+# A match anywhere in the line, since another stream's text may stand before it.
+ERROR = re.compile(r"\bERROR: ?(.*)$")
+LEAK = re.compile(
+    r"leaked at exit|still in use at exit|were leaked|orphan StringName|unclaimed string names?"
+    r"|StringName was orphaned|runtime error: |Program crashed|Segmentation fault",
+    re.IGNORECASE,
+)
+COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+
+
+class EngineLog:
+    """Takes the lines of one engine run and tells its problems."""
+
+    def __init__(self):
+        self._announced = Counter()
+        self._errors = Counter()
+        self._leaks = []
+
+    def feed(self, line):
+        """Takes one line, with or without its end."""
+        line = COLOUR.sub("", line).rstrip()
+        announcement = ANNOUNCEMENT.match(line)
+        if announcement:
+            self._announced[announcement.group(1)] += 1
+            return
+        error = ERROR.search(line)
+        if error:
+            self._errors[error.group(1).strip()] += 1
+        elif LEAK.search(line):
+            self._leaks.append(line.strip())
+
+    def problems(self):
+        """One line for each error that no test announced, announced error that did not come, and leak."""
+        found = []
+        for message, count in (self._errors - self._announced).items():
+            found += [f"error line: {message}"] * count
+        for message, count in (self._announced - self._errors).items():
+            found += [f"announced error did not come: {message}"] * count
+        return found + self._leaks
+
+
+def problems_of(text):
+    """The problems of a whole output."""
+    log = EngineLog()
+    for line in text.splitlines():
+        log.feed(line)
+    return log.problems()

@@ -1,0 +1,20 @@
+# shellcheck shell=sh
+# --help works before anything is installed: a Python program's own help where
+# there is Python, else the text at its top, which says the same in short.
+
+# help_if_asked PROGRAM ARGUMENTS...: shows the help and ends, if asked for.
+help_if_asked() {
+    help_program=$1
+    shift
+    for help_argument in "$@"; do
+        case $help_argument in
+            -h | --help)
+                if command -v python3 >/dev/null; then
+                    exec python3 "$help_program" --help
+                fi
+                sed -n '/^"""/,/"""$/{s/"""//g;p;}' "$help_program" | sed '/^$/N;/\n$/D'
+                exit
+                ;;
+        esac
+    done
+}

@@ -1,0 +1,83 @@
+"""The suites of tools/test --sanitize: C++ tests and the engine's, built with one sanitizer after the other."""
+
+import os
+import shutil
+import subprocess
+
+import checkout
+import project
+from build import LIBRARY, build
+from suite_process import Program
+from suites import Suite, unit_programs
+
+SANITIZERS = ("address", "undefined")
+SECONDS = 900
+ADDON_LIBRARIES = "addons/ga_godot/bin"
+# A finding ends the program, so it cannot be overlooked. The engine's own leaks are not ours to report.
+UNIT_ENV = {"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1"}
+ENGINE_ENV = {**UNIT_ENV, "ASAN_OPTIONS": "detect_leaks=0:verify_asan_link_order=0"}
+
+
+def unit_suite(sanitizer):
+    """The doctest programs under a sanitizer."""
+
+    def programs():
+        found = unit_programs(sanitizer)
+        for program in found:
+            program.env.update(UNIT_ENV)
+        return found
+
+    return Suite(f"cpp-{sanitizer}", (), (), programs)
+
+
+def engine_suite(sanitizer):
+    """The engine-side tests with a sanitized library, in a copy of the project."""
+
+    def programs():
+        folder = copy_project(sanitizer)
+        # The engine itself, not the wrapper: what is preloaded would be loaded into the shell too.
+        argv = [checkout.setup_path("engine"), "--headless", "--path", folder, "--", "--test"]
+        env = dict(ENGINE_ENV)
+        if sanitizer == "address":
+            env["LD_PRELOAD"] = f"{build_shim()} {runtime('libasan.so')}"
+        return [Program(argv, seconds=SECONDS, env=env)]
+
+    return Suite(f"engine-{sanitizer}", (), (), programs)
+
+
+SUITES = tuple(unit_suite(name) for name in SANITIZERS) + tuple(engine_suite(name) for name in SANITIZERS)
+
+
+def make_ready():
+    """Gets what is needed, builds both sanitized variants, and prepares the project with the plain library."""
+    checkout.setup("build", "unit", "engine")
+    os.environ["GODOT"] = checkout.setup_path("engine")
+    build(LIBRARY)
+    project.prepare(checkout.PROJECT)
+    for sanitizer in SANITIZERS:
+        build(os.path.relpath(checkout.variant(sanitizer), checkout.ROOT), "tests", sanitizer=sanitizer)
+
+
+def copy_project(sanitizer):
+    """Folder of a copy of the project that holds the sanitized library; the import's results come along."""
+    folder = os.path.join(checkout.variant(sanitizer), "project")
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(checkout.PROJECT, folder)
+    libraries = os.path.join(folder, ADDON_LIBRARIES)
+    for name in os.listdir(libraries):
+        shutil.copy2(os.path.join(checkout.variant(sanitizer), name), os.path.join(libraries, name))
+    return folder
+
+
+def build_shim():
+    """Path of the compiled clear_deepbind.c."""
+    path = os.path.join(checkout.variant("address"), "clear_deepbind.so")
+    source = os.path.join(checkout.TOOLS, "lib", "clear_deepbind.c")
+    subprocess.run(["gcc", "-shared", "-fPIC", "-O1", "-o", path, source, "-ldl"], check=True)
+    return path
+
+
+def runtime(name):
+    """Path of a library that comes with the compiler."""
+    done = subprocess.run(["gcc", f"-print-file-name={name}"], stdout=subprocess.PIPE, text=True, check=True)
+    return os.path.realpath(done.stdout.strip())

@@ -1,0 +1,63 @@
+"""The test suites: what each needs from the machine and the build, and the programs it runs."""
+
+import glob
+import os
+import sys
+from dataclasses import dataclass
+from typing import Callable
+
+import checkout
+from build import LIBRARY
+from suite_process import Program
+
+PYTHON = sys.executable or "python3"
+# Folders of tests/ that are not a doctest program named after them.
+NO_PROGRAM = {"bench", "fuzz", "oracle"}
+
+
+@dataclass
+class Suite:
+    """One name of --only."""
+
+    name: str
+    parts: tuple  # of tools/setup
+    targets: tuple  # of SCons
+    programs: Callable
+    display: bool = False
+
+
+def unit_programs(sanitizer=""):
+    """The doctest program of every folder of tests/ that has C++ sources."""
+    folders = sorted({os.path.basename(os.path.dirname(path))
+                      for path in glob.glob(os.path.join(checkout.ROOT, "tests", "*", "*.cpp"))})
+    place = os.path.join(checkout.variant(sanitizer), "tests")
+    return [Program([os.path.join(place, f"{name}_tests")], seconds=600 if sanitizer else 120, engine=False)
+            for name in folders if name not in NO_PROGRAM]
+
+
+def engine_programs():
+    """The project's own runner inside the engine."""
+    return [Program([checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--", "--test"], seconds=240)]
+
+
+def runner(folder, *arguments, seconds, python=PYTHON, engine=True):
+    """A suite that is one Python program, tests/FOLDER/run.py."""
+    path = os.path.join(checkout.ROOT, "tests", folder, "run.py")
+    return [Program([python, path, *arguments], seconds=seconds, engine=engine)]
+
+
+def oracle_programs():
+    """Runs in the environment that has the packages to compare with."""
+    return runner("oracle", seconds=300, python=checkout.setup_path("oracle"))
+
+
+SUITES = (
+    Suite("tools", ("python",), (), lambda: runner("tools", seconds=240, engine=False)),
+    Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
+    Suite("oracle", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), oracle_programs),
+    Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
+    Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
+    Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
+          lambda: runner("screenshots", seconds=240), display=True),
+    Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=240)),
+)

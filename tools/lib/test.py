@@ -1,0 +1,94 @@
+"""tools/test [--only SUITE]... [--sanitize]
+
+Gets what is missing, builds what the suites need, runs them one after the other
+and ends with one line `N passed, N failed`. A suite that fails does not stop
+the next.
+"""
+
+import argparse
+import os
+import sys
+import time
+from contextlib import ExitStack
+
+import checkout
+import project
+import sanitized
+import suite_process
+from build import LIBRARY, build
+from display import display
+from suites import SUITES
+
+
+def parse_arguments(argv):
+    """The options of tools/test."""
+    names = [suite.name for suite in SUITES]
+    parser = argparse.ArgumentParser(prog="tools/test", usage=argparse.SUPPRESS, description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", action="append", choices=names, metavar="SUITE",
+                        help="run this suite alone (repeatable): " + ", ".join(names))
+    parser.add_argument("--sanitize", action="store_true",
+                        help="run the C++ and engine suites built with address and undefined-behaviour sanitizers instead")
+    arguments = parser.parse_args(argv)
+    if arguments.sanitize and arguments.only:
+        parser.error("--sanitize has its own suites; leave out --only")
+    return arguments
+
+
+def make_ready(suites):
+    """Gets, builds and prepares what the suites need."""
+    parts = sorted({part for suite in suites for part in suite.parts})
+    checkout.setup(*parts)
+    if "engine" in parts:
+        # One engine for the whole run, whatever PATH a program has.
+        os.environ["GODOT"] = checkout.setup_path("engine")
+    targets = sorted({target for suite in suites for target in suite.targets})
+    if targets:
+        build(*targets)
+    if LIBRARY in targets:
+        project.prepare(checkout.PROJECT)
+
+
+def run_suite(suite):
+    """Runs the programs of a suite; returns its (passed, failed)."""
+    print(f"\n== {suite.name} ==", flush=True)
+    started = time.monotonic()
+    passed = failed = 0
+    problems = []
+    with ExitStack() as stack:
+        env = stack.enter_context(display()) if suite.display else {}
+        for program in suite.programs():
+            program.env.update(env)
+            outcome = suite_process.run(program)
+            passed += outcome.passed
+            failed += outcome.failed + len(outcome.problems)
+            problems += [f"{os.path.basename(program.argv[0])}: {problem}" for problem in outcome.problems]
+    if passed + failed == 0:
+        failed = 1
+        problems.append("the suite has no test")
+    for problem in problems:
+        print(f"{suite.name}: {problem}", flush=True)
+    return passed, failed, time.monotonic() - started
+
+
+def main():
+    """Runs the chosen suites and sums up."""
+    arguments = parse_arguments(sys.argv[1:])
+    if arguments.sanitize:
+        suites = sanitized.SUITES
+        sanitized.make_ready()
+    else:
+        suites = [suite for suite in SUITES if not arguments.only or suite.name in arguments.only]
+        make_ready(suites)
+    results = [(suite.name, *run_suite(suite)) for suite in suites]
+    print()
+    for name, passed, failed, seconds in results:
+        print(f"{name:<12} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s")
+    all_passed = sum(result[1] for result in results)
+    all_failed = sum(result[2] for result in results)
+    print(f"{all_passed} passed, {all_failed} failed", flush=True)
+    sys.exit(1 if all_failed or not all_passed else 0)
+
+
+if __name__ == "__main__":
+    main()
