@@ -1,0 +1,56 @@
+@tool
+extends EditorPlugin
+## Everything GA-Godot offers to scripts and scenes comes from the extension, which the engine loads
+## with or without this plugin. The plugin tells whoever enabled it when the library is missing.
+##
+## It names no class of the extension: on the first opening of a project the library may not be there.
+
+const EXTENSION_PATH := "res://addons/ga_godot/ga_godot.gdextension"
+const ENTRY_CLASS := &"Multivector"
+
+
+func _enter_tree() -> void:
+	if ClassDB.class_exists(ENTRY_CLASS):
+		return
+	# A copied addon is imported after the plugins are enabled for the first time.
+	var file_system := EditorInterface.get_resource_filesystem()
+	if file_system.is_scanning():
+		file_system.filesystem_changed.connect(_report_missing_library, CONNECT_ONE_SHOT)
+	else:
+		_report_missing_library()
+
+
+func _report_missing_library() -> void:
+	if ClassDB.class_exists(ENTRY_CLASS):
+		return
+	var message := "GA-Godot: %s" % _describe_fault()
+	push_warning(message)
+	EditorInterface.get_editor_toaster().push_toast(message, EditorToaster.SEVERITY_WARNING)
+
+
+## What is wrong, and what to do.
+func _describe_fault() -> String:
+	var description := ConfigFile.new()
+	if description.load(EXTENSION_PATH) != OK:
+		return "%s is missing. Copy the whole folder addons/ga_godot into the project." % EXTENSION_PATH
+	var system := "%s %s" % [OS.get_name(), Engine.get_architecture_name()]
+	var library := _find_library(description)
+	if library.is_empty():
+		return "this version has no library for %s. See the supported systems in the addon's README." % system
+	if not FileAccess.file_exists(library):
+		return "%s is missing. Build it with scons in GA-Godot's repository, or copy the addon from a release; then restart the editor." % library
+	return "%s is there but was not loaded. Restart the editor; if that does not help, build the library anew for %s." % [library, system]
+
+
+## The path of the library for this system, or an empty string.
+func _find_library(description: ConfigFile) -> String:
+	if not description.has_section("libraries"):
+		return ""
+	for key in description.get_section_keys("libraries"):
+		var fits := true
+		for feature in key.split("."):
+			fits = fits and OS.has_feature(feature)
+		if fits:
+			var path: String = description.get_value("libraries", key)
+			return path if path.begins_with("res://") else EXTENSION_PATH.get_base_dir().path_join(path)
+	return ""

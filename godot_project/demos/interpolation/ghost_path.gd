@@ -1,0 +1,95 @@
+extends Node3D
+## The path of the cube in one mode: ghost cubes at even steps of the factor and a tube along the
+## centres. The ghosts are one MotorPool: every body has the same two poses and a weight of its own.
+
+const CubeMesh := preload("res://demos/interpolation/cube_mesh.gd")
+const Modes := preload("res://demos/interpolation/modes.gd")
+const PathTube := preload("res://demos/interpolation/path_tube.gd")
+
+const GHOSTS := 9
+const LINE_POINTS := 97
+## A row of the pool's buffer: three rows of a 3x4 matrix, the origin in the last column.
+const FLOATS_PER_BODY := 12
+const LINE_RADIUS := 0.012
+const FRAME_THICKNESS := 0.016
+## Opacity of the mode that is chosen and of the others.
+const CHOSEN_ALPHA := 0.95
+const OTHER_ALPHA := 0.32
+
+var _mode := MultivectorLerp.LINEAR
+var _pool := MotorPool.new()
+var _line_pool := MotorPool.new()
+var _ghosts := MultiMesh.new()
+var _tube := MeshInstance3D.new()
+var _ghost_weights := PackedFloat32Array()
+var _line_weights := PackedFloat32Array()
+var _material := StandardMaterial3D.new()
+
+
+func _init(mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
+	_mode = mode
+	name = Modes.TITLES[mode]
+	_ghost_weights = _fill(_pool, GHOSTS)
+	_line_weights = _fill(_line_pool, LINE_POINTS)
+
+
+func _ready() -> void:
+	_material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	_material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	set_chosen(false)
+
+	_ghosts.transform_format = MultiMesh.TRANSFORM_3D
+	_ghosts.mesh = CubeMesh.frame(FRAME_THICKNESS)
+	_ghosts.instance_count = GHOSTS
+	var instance := MultiMeshInstance3D.new()
+	instance.name = "Ghosts"
+	instance.multimesh = _ghosts
+	instance.material_override = _material
+	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	# The bounds of a multimesh do not follow its buffer in time; the whole scene is near enough.
+	instance.custom_aabb = AABB(Vector3.ONE * -50.0, Vector3.ONE * 100.0)
+	add_child(instance)
+
+	_tube.name = "Line"
+	_tube.material_override = _material
+	_tube.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	add_child(_tube)
+
+
+## Draws the path between two poses.
+func show_path(from: Transform3D, to: Transform3D) -> void:
+	_interpolate(_pool, from, to, _ghost_weights)
+	_pool.apply_to_multimesh(_ghosts)
+
+	_interpolate(_line_pool, from, to, _line_weights)
+	var buffer := _line_pool.get_buffer()
+	var centers := PackedVector3Array()
+	for row in range(0, buffer.size(), FLOATS_PER_BODY):
+		centers.append(Vector3(buffer[row + 3], buffer[row + 7], buffer[row + 11]))
+	_tube.mesh = PathTube.build(centers, LINE_RADIUS)
+
+
+## The chosen mode's path is drawn strong, the others faint.
+func set_chosen(chosen: bool) -> void:
+	_material.albedo_color = Color(Modes.COLORS[_mode], CHOSEN_ALPHA if chosen else OTHER_ALPHA)
+	_material.render_priority = 1 if chosen else 0
+
+
+## Puts `count` bodies into a new pool and returns their weights, spread evenly from 0 to 1.
+func _fill(pool: MotorPool, count: int) -> PackedFloat32Array:
+	var weights := PackedFloat32Array()
+	pool.reserve(count)
+	for i in count:
+		pool.acquire()
+		weights.append(float(i) / (count - 1))
+	return weights
+
+
+func _interpolate(pool: MotorPool, from: Transform3D, to: Transform3D, weights: PackedFloat32Array) -> void:
+	var ends: Array[Transform3D] = []
+	ends.resize(weights.size())
+	ends.fill(from)
+	pool.set_from_all(ends)
+	ends.fill(to)
+	pool.set_to_all(ends)
+	pool.interpolate_each(weights, _mode)

@@ -1,0 +1,58 @@
+extends PanelContainer
+## The bar below: the factor by hand, or played to and fro.
+
+signal factor_changed(factor: float)
+
+## Seconds from one pose to the other.
+const DURATION := 2.5
+
+## Where in the to and fro the play is, from 0 to 2: 0 to 1 is there, 1 to 2 is back.
+var _phase := 0.0
+
+@onready var _play: Button = %Play
+@onready var _factor: HSlider = %Factor
+@onready var _value: Label = %Value
+
+
+func _ready() -> void:
+	_play.toggled.connect(set_playing)
+	_factor.value_changed.connect(_on_factor_changed)
+	_factor.drag_started.connect(set_playing.bind(false))
+	set_process(false)
+
+
+func _process(delta: float) -> void:
+	_phase = fposmod(_phase + delta / DURATION, 2.0)
+	# Eased at the ends, where it turns round.
+	_factor.value = smoothstep(0.0, 1.0, 1.0 - absf(1.0 - _phase))
+
+
+func get_factor() -> float:
+	return _factor.value
+
+
+func set_factor(factor: float) -> void:
+	_factor.value = factor
+
+
+func is_playing() -> bool:
+	return is_processing()
+
+
+## Plays on from the present factor, or stops there.
+func set_playing(playing: bool) -> void:
+	if playing and not is_processing():
+		_phase = _phase_of(_factor.value)
+	set_process(playing)
+	_play.set_pressed_no_signal(playing)
+	_play.text = "Pause" if playing else "Play"
+
+
+func _on_factor_changed(factor: float) -> void:
+	_value.text = "%.3f" % factor
+	factor_changed.emit(factor)
+
+
+## The inverse of smoothstep(0, 1, phase).
+func _phase_of(factor: float) -> float:
+	return 0.5 - sin(asin(1.0 - 2.0 * factor) / 3.0)

@@ -1,0 +1,96 @@
+extends PanelContainer
+## The right panel: the coefficients of the cube's motor, and how far the modes' paths lie apart.
+
+const Modes := preload("res://demos/interpolation/modes.gd")
+const PathDeviation := preload("res://demos/interpolation/path_deviation.gd")
+
+## The coefficients that a scaled motor can have, by their index among the 32 of a multivector.
+const MOTOR_BLADES: Dictionary[String, int] = {
+	"1": 0, "e45": 15,
+	"e12": 6, "e1245": 28,
+	"e13": 7, "e1345": 29,
+	"e23": 10, "e2345": 30,
+	"e14": 8, "e15": 9,
+	"e24": 11, "e25": 12,
+	"e34": 13, "e35": 14,
+	"e1234": 26, "e1235": 27,
+}
+const PAIRS: Array[Vector2i] = [Vector2i(0, 1), Vector2i(0, 2), Vector2i(1, 2)]
+const BLADE_WIDTH := 42
+const NUMBER_WIDTH := 56
+
+var _coefficients: Array[Label] = []
+## For each pair the labels of its distance and its angle.
+var _deviations: Array[Label] = []
+
+@onready var _coefficient_grid: GridContainer = %Coefficients
+@onready var _deviation_grid: GridContainer = %Deviations
+
+
+func _ready() -> void:
+	for blade: String in MOTOR_BLADES:
+		_add_label(_coefficient_grid, blade, BLADE_WIDTH, &"CaptionLabel")
+		_coefficients.append(_add_number(_coefficient_grid))
+	_add_label(_deviation_grid, "at most", 0, &"CaptionLabel")
+	_add_label(_deviation_grid, "mm", NUMBER_WIDTH, &"CaptionLabel").horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	_add_label(_deviation_grid, "degrees", NUMBER_WIDTH, &"CaptionLabel").horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	for pair in PAIRS:
+		_deviation_grid.add_child(_make_pair_label(pair))
+		_deviations.append(_add_number(_deviation_grid))
+		_deviations.append(_add_number(_deviation_grid))
+
+
+func show_motor(motor: Multivector) -> void:
+	var numbers := motor.coefficients
+	var indices := MOTOR_BLADES.values()
+	for i in _coefficients.size():
+		var index: int = indices[i]
+		var number := numbers[index]
+		_coefficients[i].text = _format(number)
+		_coefficients[i].modulate.a = 0.35 if absf(number) < 5e-5 else 1.0
+
+
+## The largest deviations over the whole path between two poses.
+func show_deviations(from: Transform3D, to: Transform3D) -> void:
+	for i in PAIRS.size():
+		var largest := PathDeviation.largest(from, to,
+				PAIRS[i].x as MultivectorLerp.Mode, PAIRS[i].y as MultivectorLerp.Mode)
+		_deviations[2 * i].text = "%.0f" % largest.distance_mm
+		_deviations[2 * i + 1].text = "%.2f" % largest.angle_degrees
+
+
+func _add_label(grid: GridContainer, words: String, width: int, variation: StringName) -> Label:
+	var label := Label.new()
+	label.text = words
+	label.custom_minimum_size.x = width
+	label.theme_type_variation = variation
+	grid.add_child(label)
+	return label
+
+
+func _add_number(grid: GridContainer) -> Label:
+	var label := _add_label(grid, "", NUMBER_WIDTH, &"Label")
+	label.add_theme_font_size_override(&"font_size", 12)
+	label.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	return label
+
+
+func _make_pair_label(pair: Vector2i) -> RichTextLabel:
+	var label := RichTextLabel.new()
+	label.bbcode_enabled = true
+	label.fit_content = true
+	label.autowrap_mode = TextServer.AUTOWRAP_OFF
+	label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	label.add_theme_font_size_override(&"normal_font_size", 12)
+	label.text = "[color=#%s]%s[/color] [color=#8c96a8]to[/color] [color=#%s]%s[/color]" % [
+		Modes.COLORS[pair.x].to_html(false), Modes.TITLES[pair.x],
+		Modes.COLORS[pair.y].to_html(false), Modes.TITLES[pair.y],
+	]
+	return label
+
+
+## Four decimals, with a real minus sign of the width of a digit and no "-0".
+func _format(number: float) -> String:
+	if absf(number) < 5e-5:
+		return "0"
+	return ("%.4f" % number).replace("-", "−")

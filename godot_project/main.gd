@@ -1,0 +1,98 @@
+extends Node
+## The start scene: reads the arguments after `--` and shows the menu, a demo, or runs the tests.
+##
+## --test, --test=NAME     the engine-side tests, all or those whose file or method name contains NAME
+## --demo=NAME             a demo directly; it reads its own further arguments
+## --dump-poses=FILE       random pose pairs and their interpolation, for the oracle (tests/oracle)
+## --screenshots=DIR       compares pictures with the references in DIR; with --update it writes them
+##
+## Names no class of the extension, so that it can still tell when the library is missing.
+
+const Demos := preload("res://menu/demos.gd")
+
+const MENU_SCENE := "res://menu/menu.tscn"
+const MISSING_SCENE := "res://menu/library_missing.tscn"
+const ENTRY_CLASS := &"MultivectorLerp"
+
+const TASK_SCRIPTS: Dictionary[String, String] = {
+	"--test": "res://tests/framework/test_runner.gd",
+	"--dump-poses": "res://tests/oracle/pose_dump.gd",
+	"--screenshots": "res://tests/pictures/picture_runner.gd",
+}
+
+var _shown: Node
+
+
+func _ready() -> void:
+	if not ClassDB.class_exists(ENTRY_CLASS):
+		_report_missing_library()
+		return
+	for argument in OS.get_cmdline_user_args():
+		var key: String = argument.get_slice("=", 0)
+		var value: String = argument.substr(key.length() + 1)
+		if TASK_SCRIPTS.has(key):
+			_run_task(TASK_SCRIPTS[key], value)
+			return
+		if key == "--demo":
+			open_demo(value)
+			return
+	open_menu()
+
+
+## Esc leaves a demo for the menu, and the menu for the desktop.
+func _unhandled_key_input(event: InputEvent) -> void:
+	if not event.is_action_pressed(&"ui_cancel") or _shown == null:
+		return
+	get_viewport().set_input_as_handled()
+	if _shown.scene_file_path in [MENU_SCENE, MISSING_SCENE]:
+		get_tree().quit()
+	else:
+		open_menu()
+
+
+## Replaces what is shown by the menu.
+func open_menu() -> void:
+	_show(MENU_SCENE)
+	_shown.connect(&"demo_chosen", open_demo)
+
+
+## Replaces what is shown by the demo of that name; an unknown name ends the program with exit code 1.
+func open_demo(demo_name: String) -> void:
+	var demo := Demos.find(demo_name)
+	if demo == null or not ResourceLoader.exists(demo.get_scene_path()):
+		var known := PackedStringArray()
+		for other in Demos.list():
+			known.append(other.name)
+		printerr("There is no demo named \"%s\". Known: %s." % [demo_name, ", ".join(known)])
+		get_tree().quit(1)
+		return
+	_show(demo.get_scene_path())
+
+
+func _show(path: String) -> void:
+	if _shown != null:
+		remove_child(_shown)
+		_shown.queue_free()
+	var scene: PackedScene = load(path)
+	_shown = scene.instantiate()
+	add_child(_shown)
+
+
+func _run_task(script_path: String, value: String) -> void:
+	var script: GDScript = load(script_path)
+	if script == null or not script.can_instantiate():
+		printerr("%s does not compile." % script_path)
+		get_tree().quit(1)
+		return
+	var task: Node = script.new()
+	task.set(&"argument", value)
+	add_child(task)
+
+
+func _report_missing_library() -> void:
+	var text := "GA-Godot's library is not loaded. Build it with scons in the repository, then start again."
+	printerr(text)
+	if DisplayServer.get_name() == "headless" or not OS.get_cmdline_user_args().is_empty():
+		get_tree().quit(1)
+		return
+	_show(MISSING_SCENE)

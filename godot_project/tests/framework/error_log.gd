@@ -1,0 +1,46 @@
+extends Logger
+## Hears every error of the engine, of the extension and of scripts while tests run, and tells those
+## that a test announced from those that nobody expected. Errors may come from any thread.
+
+var _mutex := Mutex.new()
+var _expected: Array[String] = []
+var _unexpected := PackedStringArray()
+
+
+func _log_error(function: String, file: String, line: int, code: String, rationale: String, _editor_notify: bool, error_type: int, script_backtraces: Array[ScriptBacktrace]) -> void:
+	if error_type == Logger.ERROR_TYPE_WARNING:
+		return
+	var message := code if rationale.is_empty() else rationale
+	_mutex.lock()
+	var index := _expected.find(message)
+	if index >= 0:
+		_expected.remove_at(index)
+	else:
+		_unexpected.append("unexpected error: %s\n      at %s (%s:%d)%s" % [message, function, file, line, _script_line(script_backtraces)])
+	_mutex.unlock()
+
+
+## Announces one error with exactly this message.
+func expect(message: String) -> void:
+	_mutex.lock()
+	_expected.append(message)
+	_mutex.unlock()
+
+
+## What went wrong since the last call: errors nobody announced, and announced ones that never came.
+func take_faults() -> PackedStringArray:
+	_mutex.lock()
+	var faults := _unexpected.duplicate()
+	for message in _expected:
+		faults.append("expected this error, which did not come: %s" % message)
+	_expected.clear()
+	_unexpected.clear()
+	_mutex.unlock()
+	return faults
+
+
+func _script_line(backtraces: Array[ScriptBacktrace]) -> String:
+	for backtrace in backtraces:
+		if backtrace.get_frame_count() > 0:
+			return ", called from %s:%d" % [backtrace.get_frame_file(0), backtrace.get_frame_line(0)]
+	return ""

@@ -1,0 +1,193 @@
+extends "res://tests/framework/test_case.gd"
+## MultivectorLerp's static functions: each mode against another way to compute it, the poses where
+## methods break, and bad input.
+
+const PathReferences := preload("res://tests/framework/path_references.gd")
+const Poses := preload("res://tests/framework/poses.gd")
+
+const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
+const RANDOM_PAIRS := 300
+
+
+func test_modes_have_their_numbers() -> void:
+	expect_equal(int(MultivectorLerp.LINEAR), 0)
+	expect_equal(int(MultivectorLerp.SCREW), 1)
+	expect_equal(int(MultivectorLerp.SEPARATE), 2)
+
+
+func test_the_ends_are_met() -> void:
+	var generator := _generator()
+	for i in RANDOM_PAIRS:
+		var from := Poses.random(generator)
+		var to := Poses.random(generator)
+		for mode in MODES:
+			expect_transform_near(_at(from, to, 0.0, mode), from, 4e-6, "mode %d at 0" % mode)
+			expect_transform_near(_at(from, to, 1.0, mode), to, 4e-6, "mode %d at 1" % mode)
+
+
+func test_linear_is_dual_quaternion_blending() -> void:
+	var generator := _generator()
+	for i in RANDOM_PAIRS:
+		var from := Poses.random(generator)
+		var to := Poses.random(generator)
+		var weight := generator.randf()
+		expect_transform_near(_at(from, to, weight, MultivectorLerp.LINEAR),
+				PathReferences.linear(from, to, weight), 4e-5)
+
+
+func test_separate_is_lerp_slerp_lerp() -> void:
+	var generator := _generator()
+	for i in RANDOM_PAIRS:
+		var from := Poses.random(generator)
+		var to := Poses.random(generator)
+		var weight := generator.randf()
+		expect_transform_near(_at(from, to, weight, MultivectorLerp.SEPARATE),
+				PathReferences.separate(from, to, weight), 4e-5)
+
+
+func test_equal_screw_steps_lead_to_the_end() -> void:
+	var generator := _generator()
+	for i in RANDOM_PAIRS:
+		var from := Poses.random(generator)
+		var to := Poses.random(generator)
+		var step := _at(from, to, 0.25, MultivectorLerp.SCREW)
+		var reached := PathReferences.repeat_motion(from, step, 4)
+		# The steps of single precision add up, more so where the pole of the motion is far.
+		expect_transform_near(reached, to, 3e-3)
+
+
+func test_a_door_keeps_its_hinge() -> void:
+	var from := Poses.make(Vector3(2, 0, 0))
+	var to := Poses.make(Vector3(0, 0, -2), Quaternion(Vector3.UP, PI / 2.0))
+	var half := sqrt(2.0)
+	var turned := Quaternion(Vector3.UP, PI / 4.0)
+	var on_the_arc := Poses.make(Vector3(half, 0, -half), turned)
+	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.SCREW), on_the_arc, 1e-6, "screw")
+	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.LINEAR), on_the_arc, 1e-6, "linear")
+	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.SEPARATE), Poses.make(Vector3(1, 0, -1), turned), 1e-6, "separate")
+
+
+func test_scale_is_geometric_on_the_screw_path_only() -> void:
+	var from := Poses.make(Vector3.ZERO, Quaternion.IDENTITY, 0.5)
+	var to := Poses.make(Vector3(4, 0, 0), Quaternion.IDENTITY, 2.0)
+	expect_near(_at(from, to, 0.5, MultivectorLerp.SCREW).basis.x.x, 1.0, 1e-6, "scale of screw")
+	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).basis.x.x, 1.25, 1e-6, "scale of linear")
+	expect_near(_at(from, to, 0.5, MultivectorLerp.SEPARATE).basis.x.x, 1.25, 1e-6, "scale of separate")
+	# The screw keeps the centre of similarity, here x = -4/3, where it is.
+	expect_near(_at(from, to, 0.5, MultivectorLerp.SCREW).origin.x, 4.0 / 3.0, 1e-6, "centre of screw")
+	# The paper's implementation is at a third here.
+	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).origin.x, 2.0, 1e-6, "centre of linear")
+
+
+func test_linear_turns_at_most_8_2_degrees_off() -> void:
+	var from := Transform3D.IDENTITY
+	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, PI - 1e-3))
+	var worst := 0.0
+	for i in 101:
+		var linear := _at(from, to, i / 100.0, MultivectorLerp.LINEAR).basis.get_rotation_quaternion()
+		var screw := _at(from, to, i / 100.0, MultivectorLerp.SCREW).basis.get_rotation_quaternion()
+		worst = maxf(worst, rad_to_deg(linear.angle_to(screw)))
+	expect_near(worst, 8.2, 0.1, "largest deviation in degrees")
+
+
+func test_the_short_way_round() -> void:
+	# 300 degrees one way are 60 the other.
+	var from := Transform3D.IDENTITY
+	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, deg_to_rad(300.0)))
+	var expected := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, deg_to_rad(-30.0)))
+	for mode in MODES:
+		expect_transform_near(_at(from, to, 0.5, mode), expected, 1e-6, "mode %d" % mode)
+
+
+func test_q_and_minus_q_give_one_path() -> void:
+	var rotation := Quaternion(Vector3(1, 2, 3).normalized(), 1.0)
+	var from := Multivector.motor_from(Vector3(1, 0, 0), Quaternion.IDENTITY, 1.0)
+	var to := Multivector.motor_from(Vector3(0, 2, 0), rotation, 2.0)
+	var to_negative := Multivector.motor_from(Vector3(0, 2, 0), -rotation, 2.0)
+	for mode in MODES:
+		var one := MultivectorLerp.interpolate(from, to, 0.3, mode).to_transform()
+		var other := MultivectorLerp.interpolate(from, to_negative, 0.3, mode).to_transform()
+		expect_transform_near(one, other, 1e-6, "mode %d" % mode)
+
+
+func test_degenerate_pairs_stay_finite_and_uniform() -> void:
+	var poses := Poses.degenerate()
+	for from_title: String in poses:
+		for to_title: String in poses:
+			for mode in MODES:
+				for weight: float in [0.0, 0.001, 0.5, 1.0]:
+					var pose := _at(poses[from_title], poses[to_title], weight, mode)
+					_expect_similarity(pose, "%s to %s, mode %d at %s" % [from_title, to_title, mode, weight])
+
+
+func test_far_away_is_as_exact_as_near() -> void:
+	var far := Vector3(Poses.FAR, 0, -Poses.FAR)
+	var from := Poses.make(Vector3(2, 0, 0))
+	var to := Poses.make(Vector3(0, 0, -2), Quaternion(Vector3.UP, PI / 2.0))
+	for mode in MODES:
+		var near := _at(from, to, 0.5, mode)
+		var there := _at(from.translated(far), to.translated(far), 0.5, mode)
+		# A single-precision number of this size is exact to half a millimetre.
+		expect_transform_near(there, near.translated(far), 2e-3, "mode %d" % mode)
+
+
+func test_weights_outside_0_to_1() -> void:
+	var from := Transform3D.IDENTITY
+	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 0.5), 2.0)
+	var further := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 1.0), 4.0)
+	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.SCREW), further, 1e-5, "screw goes on")
+	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.LINEAR), to, 1e-6, "linear stops")
+	expect_transform_near(_at(from, to, -1.0, MultivectorLerp.SEPARATE), from, 1e-6, "separate stops")
+
+
+func test_motors_and_transforms_agree() -> void:
+	var generator := _generator()
+	for i in 100:
+		var from := Poses.random(generator)
+		var to := Poses.random(generator)
+		for mode in MODES:
+			var motor := MultivectorLerp.interpolate(Multivector.motor(from), Multivector.motor(to), 0.6, mode)
+			expect_transform_near(motor.to_transform(), _at(from, to, 0.6, mode), 1e-5, "mode %d" % mode)
+
+
+func test_bad_transforms_return_the_start() -> void:
+	var good := Poses.make(Vector3(1, 2, 3))
+	var mirrored := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
+	expect_error("MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	expect_equal(_at(mirrored, good, 0.5, MultivectorLerp.LINEAR), mirrored)
+	expect_error("MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	expect_equal(_at(good, mirrored, 0.5, MultivectorLerp.LINEAR), good)
+	expect_error("MultivectorLerp.interpolate_transform: the weight is not finite.")
+	expect_equal(_at(good, good, NAN, MultivectorLerp.SCREW), good)
+	expect_error("MultivectorLerp: mode 3 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_equal(_at(good, good, 0.5, 3 as MultivectorLerp.Mode), good)
+
+
+func test_bad_motors_return_null() -> void:
+	var motor := Multivector.scalar(1.0)
+	expect_error("MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.", 2)
+	expect_equal(MultivectorLerp.interpolate(null, motor, 0.5, MultivectorLerp.LINEAR), null)
+	expect_equal(MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR), null)
+	expect_error("MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from.")
+	expect_equal(MultivectorLerp.interpolate(motor, null, 0.5, MultivectorLerp.LINEAR), null)
+	expect_error("MultivectorLerp.interpolate: the weight is not finite.")
+	expect_equal(MultivectorLerp.interpolate(motor, motor, INF, MultivectorLerp.LINEAR), null)
+
+
+func _at(from: Transform3D, to: Transform3D, weight: float, mode: MultivectorLerp.Mode) -> Transform3D:
+	return MultivectorLerp.interpolate_transform(from, to, weight, mode)
+
+
+func _expect_similarity(pose: Transform3D, what: String) -> void:
+	expect_true(pose.is_finite(), "finiteness of %s" % what)
+	var size := pose.basis.x.length()
+	expect_true(size > 0.0, "a positive scale of %s" % what)
+	expect_near(pose.basis.y.length() / size, 1.0, 1e-5, "uniformity of %s" % what)
+	expect_near(pose.basis.x.dot(pose.basis.y) / (size * size), 0.0, 1e-5, "right angle of %s" % what)
+	expect_near(pose.basis.determinant() / (size * size * size), 1.0, 1e-5, "handedness of %s" % what)
+
+
+func _generator() -> RandomNumberGenerator:
+	var generator := RandomNumberGenerator.new()
+	generator.seed = 7
+	return generator

@@ -1,0 +1,91 @@
+extends "res://tests/framework/test_case.gd"
+## MotorPool hands its poses to nodes and to a MultiMesh.
+
+const Poses := preload("res://tests/framework/poses.gd")
+const COUNT := 10
+
+var _pool := MotorPool.new()
+var _poses: Array[Transform3D] = []
+
+
+func test_nodes_get_their_poses() -> void:
+	_fill()
+	var nodes := _make_nodes()
+	_pool.apply_to_nodes(nodes)
+	for i in COUNT:
+		expect_transform_near(nodes[i].transform, _poses[i], 1e-5, "node %d" % i)
+
+
+func test_a_freed_or_missing_node_stops_all() -> void:
+	_fill()
+	var nodes := _make_nodes()
+	nodes[4].free()
+	expect_error("MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved.")
+	_pool.apply_to_nodes(nodes)
+	nodes[4] = null
+	expect_error("MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved.")
+	_pool.apply_to_nodes(nodes)
+	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
+	nodes.remove_at(4)
+	expect_error("MotorPool.apply_to_nodes: 9 nodes for 10 bodies; give one for each, in the order in which they were acquired.")
+	_pool.apply_to_nodes(nodes)
+	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
+
+
+func test_a_multimesh_gets_the_buffer() -> void:
+	_fill()
+	var multimesh := _make_multimesh(COUNT)
+	_pool.apply_to_multimesh(multimesh)
+	expect_equal(multimesh.buffer, _pool.get_buffer())
+	for i in COUNT:
+		expect_transform_near(multimesh.get_instance_transform(i), _poses[i], 1e-5, "instance %d" % i)
+
+
+func test_surplus_instances_vanish() -> void:
+	_fill()
+	var multimesh := _make_multimesh(COUNT + 3)
+	_pool.apply_to_multimesh(multimesh)
+	var buffer := multimesh.buffer
+	expect_equal(buffer.size(), 12 * (COUNT + 3), "size of the buffer")
+	expect_equal(buffer.slice(0, 12 * COUNT), _pool.get_buffer(), "the bodies' part")
+	for i in range(12 * COUNT, buffer.size()):
+		expect_equal(buffer[i], 0.0, "float %d" % i)
+
+
+func test_a_multimesh_must_fit() -> void:
+	_fill()
+	expect_error("MotorPool.apply_to_multimesh: the multimesh is null.")
+	_pool.apply_to_multimesh(null)
+	expect_error("MotorPool.apply_to_multimesh: 9 instances cannot show 10 bodies; set instance_count to at least that.")
+	_pool.apply_to_multimesh(_make_multimesh(COUNT - 1))
+	var flat := MultiMesh.new()
+	flat.instance_count = COUNT
+	expect_error("MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D (before its instance_count).")
+	_pool.apply_to_multimesh(flat)
+	expect_equal(_pool.get_count(), COUNT)
+
+
+func _fill() -> void:
+	var generator := RandomNumberGenerator.new()
+	generator.seed = 3
+	for i in COUNT:
+		_poses.append(Poses.random(generator))
+		_pool.acquire()
+	_pool.set_from_all(_poses)
+	_pool.set_to_all(_poses)
+	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
+
+
+func _make_nodes() -> Array[Node3D]:
+	var nodes: Array[Node3D] = []
+	for i in COUNT:
+		nodes.append(Node3D.new())
+		add_node(nodes[i])
+	return nodes
+
+
+func _make_multimesh(count: int) -> MultiMesh:
+	var multimesh := MultiMesh.new()
+	multimesh.transform_format = MultiMesh.TRANSFORM_3D
+	multimesh.instance_count = count
+	return multimesh

@@ -1,0 +1,217 @@
+extends "res://tests/framework/test_case.gd"
+## Multivector: construction, products, involutions, duals, norms and inverses. The expected values
+## follow from e1..e4 squaring to +1 and e5 to -1 and are written out by hand.
+
+const E1 := 1
+const E2 := 2
+const E4 := 4
+const E5 := 5
+const E12 := 6
+const E23 := 10
+const E45 := 15
+const E123 := 16
+const E1234 := 26
+const E2345 := 30
+const PSEUDOSCALAR := 31
+
+
+func test_a_new_multivector_is_zero() -> void:
+	expect_coefficients(Multivector.new(), {})
+
+
+func test_scalar() -> void:
+	expect_coefficients(Multivector.scalar(-2.5), {0: -2.5})
+
+
+func test_each_basis_blade_by_index() -> void:
+	for index in 32:
+		expect_coefficients(Multivector.basis_blade(index), {index: 1.0})
+
+
+func test_basis_by_name() -> void:
+	expect_coefficients(Multivector.basis("e1"), {E1: 1.0})
+	expect_coefficients(Multivector.basis("e12"), {E12: 1.0})
+	expect_coefficients(Multivector.basis("e2345"), {E2345: 1.0})
+	expect_coefficients(Multivector.basis("I"), {PSEUDOSCALAR: 1.0})
+	expect_coefficients(Multivector.basis("eo"), {E4: -0.5, E5: 0.5})
+	expect_coefficients(Multivector.basis("einf"), {E4: 1.0, E5: 1.0})
+
+
+func test_basis_rejects_what_it_does_not_know() -> void:
+	expect_error("Multivector.basis: \"e6\" names no basis element; names are like \"1\", \"e3\", \"e12\", \"eo\", \"einf\", \"E\", \"I\".")
+	expect_equal(Multivector.basis("e6"), null)
+	expect_error("Multivector.basis_blade: index 32 is not in 0..31.")
+	expect_equal(Multivector.basis_blade(32), null)
+	expect_error("Multivector.basis_blade: index -1 is not in 0..31.")
+	expect_equal(Multivector.basis_blade(-1), null)
+
+
+func test_scalar_rejects_nan() -> void:
+	expect_error("Multivector.scalar: the value is not finite.")
+	expect_equal(Multivector.scalar(NAN), null)
+
+
+func test_coefficients_are_set_and_announced() -> void:
+	var multivector := Multivector.new()
+	var changes: Array[int] = []
+	multivector.changed.connect(changes.append.bind(1))
+	var numbers := PackedFloat64Array()
+	for i in 32:
+		numbers.append(i * 0.25 - 3.0)
+	multivector.coefficients = numbers
+	expect_equal(multivector.coefficients, numbers)
+	expect_equal(changes.size(), 1, "number of changed signals")
+
+
+func test_bad_coefficients_change_nothing() -> void:
+	var multivector := Multivector.basis("e12")
+	expect_error("Multivector: coefficients must be 32 numbers, not 31; their order is 1, e1 .. e5, e12 .. e45, e123 .. e345, e1234 .. e2345, e12345.")
+	var numbers := PackedFloat64Array()
+	numbers.resize(31)
+	multivector.coefficients = numbers
+	expect_coefficients(multivector, {E12: 1.0})
+	numbers.resize(32)
+	numbers[7] = INF
+	expect_error("Multivector: coefficient 7 is not finite; the multivector stays as it was.")
+	multivector.coefficients = numbers
+	expect_coefficients(multivector, {E12: 1.0})
+
+
+func test_a_saved_resource_keeps_every_bit() -> void:
+	var path := "user://multivector_test.tres"
+	var saved := Multivector.motor_from(Vector3(1, -2, 3), Quaternion(0.1, 0.2, 0.3, 0.9), 1.7)
+	expect_equal(ResourceSaver.save(saved, path), OK)
+	var loaded: Multivector = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
+	expect_equal(loaded.coefficients, saved.coefficients)
+	DirAccess.remove_absolute(path)
+
+
+func test_sums_and_multiples() -> void:
+	var a := Multivector.basis("e1").scaled(2.0)
+	var b := Multivector.basis("e23")
+	expect_coefficients(a.add(b), {E1: 2.0, E23: 1.0})
+	expect_coefficients(a.subtract(b), {E1: 2.0, E23: -1.0})
+	expect_coefficients(a, {E1: 2.0}, 0.0, "the operand")
+
+
+func test_geometric_product() -> void:
+	expect_coefficients(_product("e1", "e1"), {0: 1.0})
+	expect_coefficients(_product("e5", "e5"), {0: -1.0})
+	expect_coefficients(_product("e1", "e2"), {E12: 1.0})
+	expect_coefficients(_product("e2", "e1"), {E12: -1.0})
+	expect_coefficients(_product("e45", "e45"), {0: 1.0})
+	expect_coefficients(_product("I", "I"), {0: -1.0})
+	expect_coefficients(_product("e12", "e23"), {7: 1.0})
+	expect_coefficients(_product("einf", "einf"), {})
+
+
+func test_outer_product() -> void:
+	var e1 := Multivector.basis("e1")
+	expect_coefficients(e1.outer_product(Multivector.basis("e23")), {E123: 1.0})
+	expect_coefficients(e1.outer_product(Multivector.basis("e12")), {})
+	expect_coefficients(Multivector.basis("einf").outer_product(Multivector.basis("eo")), {E45: 1.0})
+
+
+func test_inner_product_is_the_fat_dot() -> void:
+	expect_coefficients(Multivector.basis("eo").inner_product(Multivector.basis("einf")), {0: -1.0})
+	expect_coefficients(Multivector.scalar(2.0).inner_product(Multivector.basis("e1")), {E1: 2.0})
+	expect_coefficients(Multivector.basis("e12").inner_product(Multivector.basis("e1")), {E2: -1.0})
+
+
+func test_contractions() -> void:
+	var e1 := Multivector.basis("e1")
+	var e12 := Multivector.basis("e12")
+	expect_coefficients(e1.left_contraction(e12), {E2: 1.0})
+	expect_coefficients(e12.left_contraction(e1), {})
+	expect_coefficients(e12.right_contraction(e1), {E2: -1.0})
+	expect_coefficients(e1.right_contraction(e12), {})
+
+
+func test_scalar_product() -> void:
+	expect_near(Multivector.basis("eo").scalar_product(Multivector.basis("einf")), -1.0, 0.0)
+	expect_near(Multivector.basis("e1").scalar_product(Multivector.basis("e2")), 0.0, 0.0)
+
+
+func test_products_reject_null() -> void:
+	var e1 := Multivector.basis("e1")
+	for method: String in ["add", "subtract", "geometric_product", "outer_product", "inner_product", "left_contraction", "right_contraction"]:
+		expect_error("Multivector.%s: the other multivector is null." % method)
+		expect_equal(e1.call(method, null), null, method)
+	expect_error("Multivector.scalar_product: the other multivector is null.")
+	expect_equal(e1.scalar_product(null), 0.0)
+	expect_error("Multivector.is_equal_approx: the other multivector is null.")
+	expect_equal(e1.is_equal_approx(null), false)
+	expect_error("Multivector.sandwich: the multivector to transform is null.")
+	expect_equal(e1.sandwich(null), null)
+
+
+func test_results_out_of_range_are_errors() -> void:
+	var huge := Multivector.scalar(1e200)
+	expect_error("Multivector: a coefficient of the result is beyond the range of 64-bit floats; scale the operands down first.")
+	expect_equal(huge.geometric_product(huge), null)
+	expect_error("Multivector.scaled: the factor is not finite.")
+	expect_equal(huge.scaled(INF), null)
+
+
+func test_involutions() -> void:
+	# Signs of the grades 0 to 5.
+	var expected: Dictionary[String, Array] = {
+		"reverse": [1.0, 1.0, -1.0, -1.0, 1.0, 1.0],
+		"grade_involution": [1.0, -1.0, 1.0, -1.0, 1.0, -1.0],
+		"clifford_conjugate": [1.0, -1.0, -1.0, 1.0, 1.0, -1.0],
+	}
+	var blades: Array[int] = [0, E1, E12, E123, E1234, PSEUDOSCALAR]
+	for method: String in expected:
+		for grade in 6:
+			var image: Multivector = Multivector.basis_blade(blades[grade]).call(method)
+			var factor: float = expected[method][grade]
+			expect_coefficients(image, {blades[grade]: factor}, 0.0, "%s of grade %d" % [method, grade])
+
+
+func test_dual_and_undual() -> void:
+	expect_coefficients(Multivector.scalar(1.0).dual(), {PSEUDOSCALAR: -1.0})
+	expect_coefficients(Multivector.scalar(1.0).undual(), {PSEUDOSCALAR: 1.0})
+	expect_coefficients(Multivector.basis("e1").dual(), {E2345: -1.0})
+	expect_coefficients(Multivector.basis("I").dual(), {0: 1.0})
+	for index in 32:
+		expect_coefficients(Multivector.basis_blade(index).dual().undual(), {index: 1.0})
+
+
+func test_grade_picks_one_grade() -> void:
+	var mixed := Multivector.scalar(3.0).add(Multivector.basis("e1")).add(Multivector.basis("e12"))
+	expect_coefficients(mixed.grade(0), {0: 3.0})
+	expect_coefficients(mixed.grade(1), {E1: 1.0})
+	expect_coefficients(mixed.grade(2), {E12: 1.0})
+	expect_coefficients(mixed.grade(5), {})
+	expect_error("Multivector.grade: grade 6 is not in 0..5.")
+	expect_equal(mixed.grade(6), null)
+
+
+func test_inverse() -> void:
+	expect_coefficients(Multivector.basis("e5").inverse(), {E5: -1.0})
+	expect_coefficients(Multivector.basis("e12").scaled(2.0).inverse(), {E12: -0.5})
+	var motor := Multivector.motor_from(Vector3(3, -1, 2), Quaternion(0.3, -0.5, 0.1, 0.8), 2.5)
+	expect_coefficients(motor.geometric_product(motor.inverse()), {0: 1.0}, 1e-12, "M times its inverse")
+	expect_coefficients(motor.inverse().geometric_product(motor), {0: 1.0}, 1e-12, "inverse times M")
+	expect_error("Multivector.inverse: there is none that this version finds; versors and blades that are not null have one.")
+	expect_equal(Multivector.basis("eo").inverse(), null)
+
+
+func test_norms() -> void:
+	expect_near(Multivector.basis("e12").scaled(-3.0).norm(), 3.0, 1e-15)
+	expect_near(Multivector.basis("e1").scaled(2.0).norm_squared(), 4.0, 1e-15)
+	expect_near(Multivector.basis("eo").norm(), 0.0, 0.0)
+	expect_coefficients(Multivector.basis("e1").scaled(4.0).normalized(), {E1: 1.0})
+	expect_error("Multivector.normalized: the norm is zero (a null element, like a point), so it cannot become 1.")
+	expect_equal(Multivector.basis("einf").normalized(), null)
+
+
+func test_is_equal_approx() -> void:
+	var e1 := Multivector.basis("e1")
+	expect_true(e1.is_equal_approx(e1.scaled(1.0 + 1e-12)), "equality within rounding")
+	expect_true(not e1.is_equal_approx(e1.scaled(1.0 + 1e-6)), "difference of a millionth")
+	expect_true(not e1.is_equal_approx(Multivector.basis("e2")), "difference of e1 and e2")
+
+
+func _product(left: String, right: String) -> Multivector:
+	return Multivector.basis(left).geometric_product(Multivector.basis(right))

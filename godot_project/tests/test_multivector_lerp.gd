@@ -1,0 +1,200 @@
+extends "res://tests/framework/test_case.gd"
+## The MultivectorLerp node: its ends, its target, playing, and what happens when a node is missing.
+
+const Poses := preload("res://tests/framework/poses.gd")
+
+var _world := Node3D.new()
+var _start := Node3D.new()
+var _end := Node3D.new()
+var _target := Node3D.new()
+var _lerp := MultivectorLerp.new()
+
+
+func test_defaults() -> void:
+	expect_equal(_lerp.factor, 0.0, "factor")
+	expect_equal(int(_lerp.mode), int(MultivectorLerp.LINEAR), "mode")
+	expect_equal(_lerp.local, false, "local")
+	expect_equal(_lerp.auto_play, false, "auto_play")
+	expect_equal(_lerp.duration, 1.0, "duration")
+	expect_equal(_lerp.start, NodePath(), "start")
+	expect_equal(_lerp.start_motor, null, "start_motor")
+	_free_unused()
+
+
+func test_it_moves_the_target() -> void:
+	_build()
+	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]:
+		_lerp.mode = mode
+		for factor: float in [0.0, 0.3, 1.0]:
+			_lerp.factor = factor
+			var expected := MultivectorLerp.interpolate_transform(_start.transform, _end.transform, factor, mode)
+			expect_transform_near(_target.transform, expected, 1e-6, "mode %d at %s" % [mode, factor])
+
+
+func test_it_follows_ends_that_move() -> void:
+	_build()
+	_lerp.factor = 1.0
+	_end.position = Vector3(-3, 1, 2)
+	await wait_frames(2)
+	expect_vector_near(_target.position, Vector3(-3, 1, 2), 1e-5)
+
+
+func test_world_and_parent_space() -> void:
+	_build()
+	var other_parent := Node3D.new()
+	other_parent.transform = Poses.make(Vector3(10, 20, 30), Quaternion(Vector3.UP, 1.0), 2.0)
+	_world.add_child(other_parent)
+	_target.reparent(other_parent, false)
+	_lerp.target = _lerp.get_path_to(_target)
+	_lerp.factor = 0.4
+	var expected := MultivectorLerp.interpolate_transform(_start.transform, _end.transform, 0.4, MultivectorLerp.LINEAR)
+	await wait_frames(2)
+	expect_transform_near(_target.global_transform, expected, 1e-4, "world space")
+	_lerp.local = true
+	await wait_frames(2)
+	expect_transform_near(_target.transform, expected, 1e-5, "parent space")
+
+
+func test_motors_come_before_nodes() -> void:
+	_build()
+	_lerp.start_motor = Multivector.motor_from(Vector3(0, 5, 0), Quaternion.IDENTITY, 1.0)
+	_lerp.end_motor = Multivector.motor_from(Vector3(0, 7, 0), Quaternion.IDENTITY, 1.0)
+	_lerp.factor = 0.5
+	expect_vector_near(_target.position, Vector3(0, 6, 0), 1e-6)
+	_lerp.end_motor.coefficients = Multivector.translator(Vector3(0, 9, 0)).coefficients
+	await wait_frames(2)
+	expect_vector_near(_target.position, Vector3(0, 7, 0), 1e-6, "after the motor changed in place")
+
+
+func test_factor_is_clamped_and_nan_is_rejected() -> void:
+	_build()
+	_lerp.factor = 1.5
+	expect_equal(_lerp.factor, 1.0)
+	_lerp.factor = -0.5
+	expect_equal(_lerp.factor, 0.0)
+	_lerp.factor = 0.25
+	expect_error("MultivectorLerp: factor is not finite; it stays as it was.")
+	_lerp.factor = NAN
+	expect_equal(_lerp.factor, 0.25)
+
+
+func test_bad_settings_change_nothing() -> void:
+	_build()
+	_lerp.duration = 3.0
+	expect_error("MultivectorLerp: duration is in seconds and positive, not %f." % 0.0)
+	_lerp.duration = 0.0
+	expect_equal(_lerp.duration, 3.0)
+	_lerp.mode = MultivectorLerp.SCREW
+	expect_error("MultivectorLerp: mode -1 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	_lerp.mode = -1 as MultivectorLerp.Mode
+	expect_equal(int(_lerp.mode), int(MultivectorLerp.SCREW))
+
+
+func test_playing_reaches_the_end_and_says_so() -> void:
+	_build()
+	var finishes: Array[int] = []
+	_lerp.connect(&"finished", finishes.append.bind(1))
+	_lerp.duration = 0.1
+	_lerp.play()
+	expect_true(_lerp.is_playing(), "is_playing after play")
+	var frames := 0
+	while _lerp.is_playing() and frames < 600:
+		await tree.process_frame
+		frames += 1
+	expect_equal(_lerp.factor, 1.0, "factor")
+	expect_equal(finishes.size(), 1, "number of finished signals")
+	expect_vector_near(_target.position, _end.position, 1e-5)
+	_lerp.play()
+	expect_equal(_lerp.factor, 0.0, "factor when played again")
+	_lerp.stop()
+	expect_true(not _lerp.is_playing(), "stopping")
+
+
+func test_auto_play_starts_by_itself() -> void:
+	_lerp.auto_play = true
+	_lerp.duration = 100.0
+	_build()
+	expect_true(_lerp.is_playing(), "is_playing after entering the tree")
+	await wait_frames(3)
+	expect_true(_lerp.factor > 0.0, "progress of the factor")
+
+
+func test_a_missing_node_is_reported_once() -> void:
+	_build()
+	_lerp.factor = 0.5
+	var place := _target.transform
+	expect_error("MultivectorLerp: end (\"../Nowhere\") leads to no Node3D in the scene; the target stays where it is.")
+	_lerp.end = ^"../Nowhere"
+	await wait_frames(5)
+	expect_equal(_target.transform, place)
+	_lerp.end = ^"../End"
+	_lerp.factor = 1.0
+	expect_vector_near(_target.position, _end.position, 1e-5, "after repair")
+
+
+func test_a_freed_end_is_reported_once() -> void:
+	_build()
+	_lerp.factor = 0.5
+	var place := _target.transform
+	expect_error("MultivectorLerp: start (\"../Start\") leads to no Node3D in the scene; the target stays where it is.")
+	_start.free()
+	await wait_frames(5)
+	expect_equal(_target.transform, place)
+
+
+func test_a_freed_target_is_reported_once() -> void:
+	_build()
+	expect_error("MultivectorLerp: target (\"../Target\") leads to no Node3D in the scene; the target stays where it is.")
+	_target.free()
+	await wait_frames(5)
+	expect_equal(_lerp.factor, 0.0)
+
+
+func test_a_mirrored_end_is_reported_once() -> void:
+	_build()
+	_lerp.factor = 0.5
+	var place := _target.transform
+	expect_error("MultivectorLerp: end is mirrored (negative scale), which no motor can express; mirror a child node instead. The target stays where it is.")
+	_end.scale = Vector3(-1, 1, 1)
+	await wait_frames(5)
+	expect_equal(_target.transform, place)
+
+
+func test_what_is_no_motor_is_reported_once() -> void:
+	_build()
+	_lerp.factor = 0.5
+	var place := _target.transform
+	expect_error("MultivectorLerp: start is no motor with positive scale; make one with Multivector.motor or motor_from. The target stays where it is.")
+	_lerp.start_motor = Multivector.basis("e1")
+	await wait_frames(5)
+	expect_equal(_target.transform, place)
+
+
+func test_warnings_name_what_is_missing() -> void:
+	_build()
+	expect_equal(_lerp.call(&"_get_configuration_warnings"), PackedStringArray(), "warnings of a complete node")
+	_lerp.set_block_signals(true)
+	expect_error("MultivectorLerp: target (\"\") leads to no Node3D in the scene; the target stays where it is.")
+	_lerp.target = NodePath()
+	expect_equal(_lerp.call(&"_get_configuration_warnings"),
+			PackedStringArray(["\"target\" does not lead to a Node3D. Assign one in the inspector."]))
+
+
+## A world with a start, an end and a target, and the node under test beside them.
+func _build() -> void:
+	_start.name = "Start"
+	_start.transform = Poses.make(Vector3(1, 0, 0), Quaternion(Vector3.UP, 0.2), 0.5)
+	_end.name = "End"
+	_end.transform = Poses.make(Vector3(0, 3, -2), Quaternion(Vector3.RIGHT, 1.2), 2.5)
+	_target.name = "Target"
+	_lerp.start = ^"../Start"
+	_lerp.end = ^"../End"
+	_lerp.target = ^"../Target"
+	for node: Node in [_start, _end, _target, _lerp]:
+		_world.add_child(node)
+	add_node(_world)
+
+
+func _free_unused() -> void:
+	for node: Node in [_world, _start, _end, _target, _lerp]:
+		node.free()
