@@ -20,18 +20,22 @@ def files():
     return sorted(found)
 
 
-def install(env, built):
-    """Node of `scons install project=DIR`: replaces DIR/addons/ga_godot."""
+def install_destination(project):
+    """DIR/addons/ga_godot of project=DIR; fails before anything is built if DIR is no project."""
+    if not project:
+        requirements.fail("say where to: scons install project=DIR, DIR being the folder of a project.godot")
+    if not os.path.isfile(os.path.join(project, "project.godot")):
+        requirements.fail("{} holds no project.godot, so it is no Godot project".format(project))
+    destination = os.path.join(project, "addons", "ga_godot")
+    if os.path.realpath(destination) == os.path.realpath(FOLDER):
+        requirements.fail("{} is this checkout's own project; the addon is there already".format(project))
+    return destination
+
+
+def install(env, built, destination):
+    """Node of `scons install project=DIR`: replaces the addon at destination."""
 
     def copy(target, source, env):
-        project = env["project"]
-        if not project:
-            requirements.fail("say where to: scons install project=DIR, DIR being the folder of a project.godot")
-        if not os.path.isfile(os.path.join(project, "project.godot")):
-            requirements.fail("{} holds no project.godot, so it is no Godot project".format(project))
-        destination = os.path.join(project, "addons", "ga_godot")
-        if os.path.exists(destination) and os.path.samefile(destination, FOLDER):
-            requirements.fail("{} is this checkout's own project; the addon is there already".format(project))
         shutil.rmtree(destination, ignore_errors=True)
         for name in files():
             path = os.path.join(destination, name)
