@@ -4,7 +4,7 @@ Only the programs that are put there exist. apt-get, apt-cache and dpkg are
 small stand-ins that take their behaviour from environment variables:
 
   FAKE_NETWORK=down      every update fails
-  FAKE_SIGNATURE=bad     every update fails for its signature
+  FAKE_SIGNATURE=bad     every update fails for its signature; expired: for its age
   FAKE_VERSION=4.6.3     what the suites carry
   FAKE_SLOW=SECONDS      a download takes this long
   FAKE_DISK=full         unpacking runs out of space
@@ -36,6 +36,7 @@ case " $* " in
         if [ "${FAKE_SIGNATURE:-}" = bad ]; then
             echo "E: The following signatures couldn't be verified: NO_PUBKEY 0123" >&2; exit 100
         fi
+        if [ "${FAKE_SIGNATURE:-}" = expired ]; then echo "E: Release file is expired (since 16d)" >&2; exit 100; fi
         touch "$FAKE_LOG.updated"
         ;;
     *" --print-uris "*) echo "'http://packages.invalid/godot.deb' godot.deb 5000000 SHA256:0" ;;

@@ -86,6 +86,10 @@ class SetupEngineTest(unittest.TestCase):
         machine = self.machine()
         self.fails(machine, machine.run("setup", "engine", FAKE_SIGNATURE="bad"), "signatures", "keyring", "GODOT=")
 
+    def test_clock_that_is_ahead(self):
+        machine = self.machine()
+        self.fails(machine, machine.run("setup", "engine", FAKE_SIGNATURE="expired"), "set the clock", "GODOT=")
+
     def test_suites_that_carry_only_an_old_engine(self):
         for system, suites in ((DEBIAN, "forky sid"), (UBUNTU, "devel")):
             machine = self.machine(system)

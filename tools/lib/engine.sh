@@ -65,6 +65,10 @@ set_engine_environment() {
     for engine_drivers in "$engine_folder"/usr/lib/*/dri; do
         export LIBGL_DRIVERS_PATH="${LIBGL_DRIVERS_PATH:-$engine_drivers}"
     done
+    # A machine without fontconfig's settings (containers) takes those that came along.
+    if [ ! -e /etc/fonts/fonts.conf ]; then
+        export FONTCONFIG_PATH="${FONTCONFIG_PATH:-$engine_folder/etc/fonts}"
+    fi
     export __EGL_VENDOR_LIBRARY_DIRS="${__EGL_VENDOR_LIBRARY_DIRS:-$engine_folder/usr/share/glvnd/egl_vendor.d}"
     if [ -z "${VK_DRIVER_FILES:-}" ]; then
         for engine_driver in "$engine_folder"/usr/share/vulkan/icd.d/*.json; do

@@ -7,6 +7,8 @@
 # points the executable at its own loader and libraries.
 engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 libvulkan1 mesa-vulkan-drivers patchelf'
 
+engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
+
 ensure_engine() {
     if find_engine; then
         return
@@ -26,13 +28,21 @@ ensure_engine() {
             return
         fi
     done
+    explain_no_engine
+}
+
+# What kept the suites from being read or from having the engine, as apt put it.
+explain_no_engine() {
     if grep -q 'signatures\? \(were invalid\|couldn.t be verified\)\|NO_PUBKEY' "$work/log"; then
-        fail_step "the signatures of the package suites ($suites) cannot be verified" "update this system's archive keyring, or install Godot $engine_minimum yourself and give its path by GODOT="
+        fail_step "the signatures of the package suites ($suites) cannot be verified" "update this system's archive keyring, or $engine_by_hand"
+    fi
+    if grep -q 'is expired\|is not valid yet' "$work/log"; then
+        fail_step "the package lists of $suites are out of date by this machine's clock" "set the clock (it says $(date +%F)) or use a current mirror, or $engine_by_hand"
     fi
     if [ -z "$suite_answered" ]; then
-        fail_step "Godot $engine_minimum is missing and the package site does not answer" "connect to the network and run the same command again, or give the path of an engine by GODOT="
+        fail_step "Godot $engine_minimum is missing and the package site does not answer" "connect to the network and run the same command again, or $engine_by_hand"
     fi
-    fail_step "no Godot $engine_minimum or newer can be had from this system's package site (looked in: $suites)" "install it yourself and give its path by GODOT="
+    fail_step "no Godot $engine_minimum or newer can be had from this system's package site (looked in: $suites)" "$engine_by_hand"
 }
 
 # The suites that may carry the engine, and who signs them.
@@ -69,10 +79,10 @@ find_site() {
     fi
     write_apt_settings "$(apt_folder Etc)/sources.list" "$(apt_folder Etc)/sources.list.d"
     step "reading the package lists" own_apt_get update ||
-        fail_step "Godot $engine_minimum is missing and the package lists cannot be read" "connect to the network and run the same command again, or give the path of an engine by GODOT="
+        fail_step "Godot $engine_minimum is missing and the package lists cannot be read" "connect to the network and run the same command again, or $engine_by_hand"
     site=$(list_sites -c "$work/apt.conf" | head -n 1)
     if [ -z "$site" ]; then
-        fail_step "no package source of $origin is set up on this system" "add one to apt's sources, or give the path of an engine ($engine_minimum or newer) by GODOT="
+        fail_step "no package source of $origin is set up on this system" "add one to apt's sources, or $engine_by_hand"
     fi
 }
 
@@ -147,7 +157,7 @@ fetch_engine() {
         fail_step "Godot could not be unpacked" "run the same command again"
     percent_of_step=
     relocate_engine >>"$work/log" 2>&1 ||
-        fail_step "Godot could not be set up in $engine_folder" "run the same command again, or give the path of an engine by GODOT="
+        fail_step "Godot could not be set up in $engine_folder" "run the same command again, or $engine_by_hand"
     install_engine
 }
 
@@ -205,7 +215,7 @@ install_engine() {
     if ! is_good_version "$engine_found"; then
         "$engine_path" --version >>"$work/log" 2>&1
         rm -rf "$engine_folder"
-        fail_step "the fetched Godot does not start on this machine" "install Godot $engine_minimum or newer yourself and give its path by GODOT="
+        fail_step "the fetched Godot does not start on this machine" "$engine_by_hand"
     fi
     say "Godot $engine_found is in $engine_folder"
 }
