@@ -278,14 +278,13 @@ void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &p_multimesh) {
 		p_multimesh->set_buffer(_buffer);
 		return;
 	}
-	// Colours, custom data and surplus instances: their floats stay or, for transforms of surplus instances, are zero,
+	// Colors, custom data and surplus instances: their floats stay or, for transforms of surplus instances, are zero,
 	// which shows nothing.
 	const int64_t stride = ROW_FLOATS + 4 * int64_t(p_multimesh->is_using_colors()) + 4 * int64_t(p_multimesh->is_using_custom_data());
-	PackedFloat32Array buffer = is_plain ? _instances : p_multimesh->get_buffer();
-	if (buffer.size() != instances * stride) {
-		ERR_FAIL_COND_MSG(!is_plain, "MotorPool.apply_to_multimesh: this renderer keeps no instance colours to go with the transforms (headless?); turn use_colors and use_custom_data off.");
-		buffer.resize(instances * stride);
-	}
+	PackedFloat32Array colored = is_plain ? PackedFloat32Array() : p_multimesh->get_buffer();
+	PackedFloat32Array &buffer = is_plain ? _instances : colored;
+	// Without a display the engine keeps no buffer to read back.
+	buffer.resize(instances * stride);
 	float *instance = buffer.ptrw();
 	const float *row = _buffer.ptr();
 	for (int64_t i = 0; i < instances; i++, instance += stride) {
@@ -296,9 +295,6 @@ void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &p_multimesh) {
 		}
 	}
 	p_multimesh->set_buffer(buffer);
-	if (is_plain) {
-		_instances = buffer;
-	}
 }
 
 void MotorPool::_bind_methods() {
