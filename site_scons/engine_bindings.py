@@ -2,15 +2,14 @@
 
 import glob
 import hashlib
-import json
 import os
 import shutil
 import subprocess
 import sys
 
+import engine_dump
 import requirements
 
-OLDEST_ENGINE = (4, 6)
 PROFILE = "bindings/build_profile.json"
 GENERATOR = "bindings/generate.py"
 
@@ -41,7 +40,7 @@ def use_godot_cpp(env):
 
 def generate(env, output):
     """Generates the bindings into output if anything they depend on changed; returns all sources to compile."""
-    dump = dump_engine(env, os.path.join(output, "api"))
+    dump = engine_dump.dump(env["godot"], os.path.join(output, "api"))
     inputs = [os.path.join(dump, name) for name in ("extension_api.json", "gdextension_interface.h")]
     digest = hashlib.sha256(os.path.basename(dump).encode())
     for path in (GENERATOR, PROFILE):
@@ -61,71 +60,6 @@ def generate(env, output):
         os.rename(fresh, generated)
     env.Append(CPPPATH=["bindings/include", os.path.join(generated, "include")])
     return sorted(glob.glob("bindings/src/*.cpp") + glob.glob(os.path.join(generated, "src/**/*.cpp"), recursive=True))
-
-
-def dump_engine(env, output):
-    """Folder with the dump of the engine's API, made once for each engine version."""
-    engine = find_engine(env["godot"])
-    status = os.stat(engine)
-    identity = "{} {} {}".format(engine, status.st_size, status.st_mtime_ns)
-    cache = os.path.join(output, "engines.json")
-    known = json.loads(read(cache) or "{}")
-    version = known.get(identity) or engine_version(engine)
-    if version_numbers(version) < OLDEST_ENGINE:
-        requirements.fail("{} is Godot {}; 4.6 or newer is needed".format(engine, version or "of an unknown version"))
-    dump = os.path.join(output, version)
-    if not os.path.isfile(os.path.join(dump, "extension_api.json")):
-        print("Dumping the API of Godot {}".format(version), flush=True)
-        fresh = os.path.abspath(dump + ".new")
-        shutil.rmtree(fresh, ignore_errors=True)
-        os.makedirs(fresh)
-        arguments = ["--headless", "--dump-extension-api", "--dump-gdextension-interface"]
-        done = subprocess.run([engine] + arguments, cwd=fresh, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if done.returncode != 0 or len(os.listdir(fresh)) < 2:
-            sys.stderr.buffer.write(done.stdout)
-            requirements.fail("{} did not dump its API".format(engine))
-        shutil.rmtree(dump, ignore_errors=True)
-        os.rename(fresh, dump)
-    if identity not in known:
-        known[identity] = version
-        write(cache, json.dumps(known, indent=2))
-    return dump
-
-
-def find_engine(option):
-    """The engine: godot=, then GODOT, then PATH, then what tools/setup keeps in its cache."""
-    for origin, value in (("godot=", option), ("GODOT=", os.environ.get("GODOT"))):
-        if value:
-            path = shutil.which(os.path.expanduser(value))
-            if not path:
-                requirements.fail("{}{} is no program".format(origin, value))
-            return os.path.abspath(path)
-    for name in ("godot", "godot4"):
-        path = shutil.which(name)
-        if path and version_numbers(engine_version(path)) >= OLDEST_ENGINE:
-            return path
-    if os.path.isfile("tools/setup"):
-        done = subprocess.run(["tools/setup", "--print", "engine"], stdout=subprocess.PIPE, universal_newlines=True)
-        path = done.stdout.strip().splitlines()[-1] if done.stdout.strip() else ""
-        if done.returncode == 0 and os.path.isfile(path):
-            return path
-    requirements.fail("no Godot 4.6 or newer: run tools/setup, put godot on PATH, or give godot=PATH")
-
-
-def engine_version(engine):
-    """What the engine calls itself, like 4.6.3.stable.debian; empty if it does not start."""
-    try:
-        done = subprocess.run([engine, "--headless", "--version"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=60)
-    except (OSError, subprocess.TimeoutExpired):
-        return ""
-    lines = done.stdout.decode(errors="replace").split()
-    return lines[-1] if done.returncode == 0 and lines else ""
-
-
-def version_numbers(version):
-    """(major, minor) of a version text; (0, 0) if it is none."""
-    parts = version.split(".")
-    return (int(parts[0]), int(parts[1])) if len(parts) > 1 and parts[0].isdigit() and parts[1].isdigit() else (0, 0)
 
 
 def read(path):
