@@ -7,6 +7,7 @@ the next.
 
 import argparse
 import os
+import signal
 import sys
 import time
 from contextlib import ExitStack
@@ -74,6 +75,9 @@ def run_suite(suite):
 def main():
     """Runs the chosen suites and sums up."""
     arguments = parse_arguments(sys.argv[1:])
+    # An orderly exit, which ends the suite's programs and displays too.
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
+    signal.signal(signal.SIGINT, lambda number, frame: sys.exit(128 + number))
     if arguments.sanitize:
         suites = sanitized.SUITES
         sanitized.make_ready()
