@@ -6,6 +6,7 @@ import shutil
 import zipfile
 
 import requirements
+from SCons.Script import Action
 
 FOLDER = "godot_project/addons/ga_godot"
 
@@ -43,7 +44,7 @@ def install(env, built, destination):
             shutil.copy2(os.path.join(FOLDER, name), path)
         print("scons: installed into {}".format(destination))
 
-    node = env.Command("install_into_project", built, env.Action(copy, None))
+    node = env.Command("install_into_project", built, Action(copy, None))
     env.AlwaysBuild(node)
     return node
 
@@ -60,6 +61,6 @@ def package(env, built):
                 archive.write(os.path.join(FOLDER, name), "addons/ga_godot/" + name)
             archive.write("LICENSE", "addons/ga_godot/LICENSE")
 
-    node = env.Command("dist/ga_godot-{}.zip".format(version), built, env.Action(pack, "Packing $TARGET"))
+    node = env.Command("dist/ga_godot-{}.zip".format(version), built, Action(pack, "Packing $TARGET"))
     env.AlwaysBuild(node)
     return node
