@@ -1,0 +1,163 @@
+#pragma once
+
+#include <godot_cpp/classes/wrapped.hpp>
+#include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+namespace godot::internal {
+
+// How a type crosses the border to the engine. One specialization for each type that does, with
+//   TYPE, METADATA    what the engine calls it
+//   ACCEPTS           a check of a Variant beyond its type, or null
+//   encode(value)     the form in which the engine wants it as an argument
+//   decode(pointer)   the value of an argument that the engine hands over
+//   store(pointer, v) puts a result where the engine wants it, which is a constructed value
+//   Result            what the engine writes as a result of a call, and from_result(Result) the value in it
+//   from_variant(v)   the value in a Variant that has passed the checks
+//   info()            how it shows in the editor and in scripts
+template <typename T, typename = void>
+struct Arg;
+
+template <GDExtensionVariantType T_TYPE, GDExtensionClassMethodArgumentMetadata T_METADATA = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE>
+struct ArgBase {
+	static constexpr GDExtensionVariantType TYPE = T_TYPE;
+	static constexpr GDExtensionClassMethodArgumentMetadata METADATA = T_METADATA;
+	static constexpr bool (*ACCEPTS)(const Variant &) = nullptr;
+
+	static PropertyInfo info() { return PropertyInfo(static_cast<Variant::Type>(TYPE), StringName()); }
+};
+
+// Types that the engine stores as they are here.
+template <typename T, GDExtensionVariantType TYPE>
+struct ValueArg : ArgBase<TYPE> {
+	using Result = T;
+
+	static const T &encode(const T &p_value) { return p_value; }
+	static T decode(const void *p_argument) { return *static_cast<const T *>(p_argument); }
+	static void store(void *r_result, const T &p_value) { *static_cast<T *>(r_result) = p_value; }
+	static T from_result(Result &p_result) { return std::move(p_result); }
+	static T from_variant(const Variant &p_variant) { return p_variant; }
+};
+
+// Types that the engine stores wider: every integer as 64 bits, every float as a double.
+template <typename T, typename WIDE, GDExtensionVariantType TYPE, GDExtensionClassMethodArgumentMetadata METADATA = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE>
+struct WideArg : ArgBase<TYPE, METADATA> {
+	using Result = WIDE;
+
+	static WIDE encode(T p_value) { return static_cast<WIDE>(p_value); }
+	static T decode(const void *p_argument) { return static_cast<T>(*static_cast<const WIDE *>(p_argument)); }
+	static void store(void *r_result, T p_value) { *static_cast<WIDE *>(r_result) = encode(p_value); }
+	static T from_result(Result p_result) { return static_cast<T>(p_result); }
+	static T from_variant(const Variant &p_variant) { return static_cast<T>(static_cast<WIDE>(p_variant)); }
+};
+
+template <>
+struct Arg<bool> : WideArg<bool, GDExtensionBool, GDEXTENSION_VARIANT_TYPE_BOOL> {
+	static bool from_variant(const Variant &p_variant) { return p_variant; }
+};
+
+#define GODOT_CPP_INTEGER_ARG(m_type, m_metadata) \
+	template <> \
+	struct Arg<m_type> : WideArg<m_type, int64_t, GDEXTENSION_VARIANT_TYPE_INT, GDEXTENSION_METHOD_ARGUMENT_METADATA_INT_IS_##m_metadata> {}
+
+GODOT_CPP_INTEGER_ARG(int8_t, INT8);
+GODOT_CPP_INTEGER_ARG(int16_t, INT16);
+GODOT_CPP_INTEGER_ARG(int32_t, INT32);
+GODOT_CPP_INTEGER_ARG(int64_t, INT64);
+GODOT_CPP_INTEGER_ARG(uint8_t, UINT8);
+GODOT_CPP_INTEGER_ARG(uint16_t, UINT16);
+GODOT_CPP_INTEGER_ARG(uint32_t, UINT32);
+GODOT_CPP_INTEGER_ARG(uint64_t, UINT64);
+
+template <>
+struct Arg<float> : WideArg<float, double, GDEXTENSION_VARIANT_TYPE_FLOAT, GDEXTENSION_METHOD_ARGUMENT_METADATA_REAL_IS_FLOAT> {};
+template <>
+struct Arg<double> : WideArg<double, double, GDEXTENSION_VARIANT_TYPE_FLOAT, GDEXTENSION_METHOD_ARGUMENT_METADATA_REAL_IS_DOUBLE> {};
+
+#define GODOT_CPP_VALUE_ARG(m_type, m_variant_type) \
+	template <> \
+	struct Arg<m_type> : ValueArg<m_type, GDEXTENSION_VARIANT_TYPE_##m_variant_type> {}
+
+GODOT_CPP_VALUE_ARG(String, STRING);
+GODOT_CPP_VALUE_ARG(Vector3, VECTOR3);
+GODOT_CPP_VALUE_ARG(Quaternion, QUATERNION);
+GODOT_CPP_VALUE_ARG(Basis, BASIS);
+GODOT_CPP_VALUE_ARG(Transform3D, TRANSFORM3D);
+GODOT_CPP_VALUE_ARG(StringName, STRING_NAME);
+GODOT_CPP_VALUE_ARG(NodePath, NODE_PATH);
+GODOT_CPP_VALUE_ARG(Dictionary, DICTIONARY);
+GODOT_CPP_VALUE_ARG(Array, ARRAY);
+GODOT_CPP_VALUE_ARG(PackedByteArray, PACKED_BYTE_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedInt32Array, PACKED_INT32_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedFloat32Array, PACKED_FLOAT32_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedFloat64Array, PACKED_FLOAT64_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedStringArray, PACKED_STRING_ARRAY);
+
+template <>
+struct Arg<Variant> : ValueArg<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
+	static PropertyInfo info() { return PropertyInfo(Variant::NIL, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT | PROPERTY_USAGE_NIL_IS_VARIANT); }
+};
+
+// The name that the engine has for the elements of an array: of a class its own, otherwise the type's.
+template <typename T>
+String element_type_name() {
+	if constexpr (std::is_base_of_v<Wrapped, T>) {
+		return T::get_class_static();
+	} else {
+		return Variant::get_type_name(static_cast<Variant::Type>(Arg<T>::TYPE));
+	}
+}
+
+// In typed calls the engine hands over arrays without checking their type, so that each is looked at here.
+template <typename T>
+struct Arg<TypedArray<T>> : ArgBase<GDEXTENSION_VARIANT_TYPE_ARRAY> {
+	using Result = TypedArray<T>;
+
+	static const Array &encode(const TypedArray<T> &p_value) { return p_value; }
+	static TypedArray<T> decode(const void *p_argument) { return TypedArray<T>(*static_cast<const Array *>(p_argument)); }
+	static void store(void *r_result, const TypedArray<T> &p_value) { *static_cast<Array *>(r_result) = p_value; }
+	static TypedArray<T> from_result(Result &p_result) { return std::move(p_result); }
+	static TypedArray<T> from_variant(const Variant &p_variant) { return TypedArray<T>(p_variant); }
+	static PropertyInfo info() { return PropertyInfo(Variant::ARRAY, StringName(), PROPERTY_HINT_ARRAY_TYPE, element_type_name<T>()); }
+};
+
+template <typename T>
+struct EnumArg : WideArg<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT> {};
+
+// "Class.Enum" of a C++ name with or without namespaces in front; "Enum" of an enum that is in no class.
+String enum_class_name(const char *p_qualified);
+// "Enum" alone, for the constants of an enum.
+StringName enum_short_name(const char *p_qualified);
+
+template <typename T>
+T from_variant(const Variant &p_variant) {
+	return Arg<T>::from_variant(p_variant);
+}
+
+} // namespace godot::internal
+
+namespace godot {
+
+template <typename T>
+void TypedArray<T>::set_type() {
+	if constexpr (std::is_base_of_v<Wrapped, T>) {
+		set_typed(Variant::OBJECT, T::get_class_static(), Variant());
+	} else {
+		set_typed(internal::Arg<T>::TYPE, StringName(), Variant());
+	}
+}
+
+} // namespace godot
+
+// Lets an enum cross the border. To stand after the enum's class, outside every namespace, with the full name.
+#define VARIANT_ENUM_CAST(m_enum) \
+	namespace godot::internal { \
+	template <> \
+	struct Arg<m_enum> : EnumArg<m_enum> { \
+		static constexpr const char *NAME = #m_enum; \
+		static PropertyInfo info() { \
+			return PropertyInfo(Variant::INT, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT | PROPERTY_USAGE_CLASS_IS_ENUM, enum_class_name(NAME)); \
+		} \
+	}; \
+	} \
+	static_assert(true)

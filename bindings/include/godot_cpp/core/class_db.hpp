@@ -1,0 +1,117 @@
+#pragma once
+
+#include <godot_cpp/classes/global_constants_binds.hpp>
+#include <godot_cpp/core/call.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/method_bind.hpp>
+
+#include <memory>
+
+namespace godot {
+
+#define DEFVAL(m_value) (m_value)
+
+namespace internal {
+
+struct VirtualMethod {
+	StringName name;
+	uint32_t hash;
+	GDExtensionClassCallVirtual call;
+};
+
+// A registered class and what it must keep as long as it is.
+struct ClassInfo {
+	StringName name;
+	GDExtensionInitializationLevel level;
+	std::vector<std::unique_ptr<MethodBind>> methods;
+	std::vector<VirtualMethod> virtual_methods;
+};
+
+template <auto METHOD>
+void call_override(GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args, GDExtensionTypePtr r_result) {
+	invoke_typed(METHOD, p_instance, p_args, r_result);
+}
+
+// Lets the engine call a virtual method of its own that T or a parent of T overrides: the pointers' types then differ.
+template <typename T, auto ENGINE_METHOD, auto METHOD>
+void bind_override(ClassInfo &r_class, const char *p_name, uint32_t p_hash) {
+	if constexpr (!std::is_same_v<decltype(ENGINE_METHOD), decltype(METHOD)>) {
+		r_class.virtual_methods.push_back({ StringName(p_name), p_hash, &call_override<METHOD> });
+	}
+}
+
+} // namespace internal
+
+class ClassDB {
+public:
+	// Parents are registered before their children.
+	template <typename T>
+	static void register_class() { register_class_of<T>(&create<T>); }
+	template <typename T>
+	static void register_abstract_class() { register_class_of<T>(nullptr); }
+
+	// p_defaults are those of the last arguments.
+	template <typename M, typename... Defaults>
+	static MethodBind *bind_method(const MethodDefinition &p_definition, M p_method, const Defaults &...p_defaults) {
+		return add_method(internal::Signature<M>::Class::get_class_static(), new internal::MethodBindOf<M>(p_definition, p_method, { Variant(p_defaults)... }));
+	}
+	template <typename M, typename... Defaults>
+	static MethodBind *bind_static_method(const StringName &p_class, const MethodDefinition &p_definition, M p_method, const Defaults &...p_defaults) {
+		return add_method(p_class, new internal::MethodBindOf<M>(p_definition, p_method, { Variant(p_defaults)... }));
+	}
+
+	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
+	static void add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix);
+	// The setter and the getter must be bound already. An empty setter makes the property read-only.
+	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter);
+	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
+	static void bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value);
+
+private:
+	friend class GDExtensionBinding;
+
+	static GDExtensionInitializationLevel current_level;
+
+	static internal::ClassInfo *register_extension_class(const StringName &p_name, const StringName &p_parent, GDExtensionClassCreationInfo5 &r_info);
+	static void unregister_classes(GDExtensionInitializationLevel p_level);
+	static MethodBind *add_method(const StringName &p_class, MethodBind *p_bind);
+	static GDExtensionClassCallVirtual get_virtual(void *p_class, GDExtensionConstStringNamePtr p_name, uint32_t p_hash);
+	static void free_instance(void *p_class, GDExtensionClassInstancePtr p_instance);
+
+	template <typename T>
+	static GDExtensionObjectPtr create(void *, GDExtensionBool p_notify) {
+		const internal::ConstructionOf<T> construction;
+		T *object = new (internal::EngineMemory()) T;
+		if (p_notify) {
+			internal::post_initialize(object);
+		}
+		return object->_owner;
+	}
+
+	template <typename T>
+	static void register_class_of(GDExtensionClassCreateInstance2 p_create) {
+		static_assert(std::is_same_v<T, typename T::self_type>, "The class has no GDCLASS.");
+		static_assert(&T::_bind_methods != &T::parent_type::_bind_methods, "The class has no static void _bind_methods().");
+		GDExtensionClassCreationInfo5 info{};
+		info.is_abstract = p_create == nullptr;
+		info.notification_func = &T::_notify;
+		info.to_string_func = std::is_same_v<decltype(T::_to_string_method()), decltype(Wrapped::_to_string_method())> ? nullptr : &T::_describe;
+		info.create_instance_func = p_create;
+		internal::ClassInfo *added = register_extension_class(T::get_class_static(), T::parent_type::get_class_static(), info);
+		T::template register_virtuals<T>(*added);
+		T::_bind_methods();
+	}
+};
+
+} // namespace godot
+
+#define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>()
+#define GDREGISTER_ABSTRACT_CLASS(m_class) ::godot::ClassDB::register_abstract_class<m_class>()
+
+// For use in _bind_methods().
+#define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
+#define ADD_SUBGROUP(m_name, m_prefix) ::godot::ClassDB::add_property_subgroup(get_class_static(), m_name, m_prefix)
+#define ADD_PROPERTY(m_property, m_setter, m_getter) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
+#define ADD_SIGNAL(m_signal) ::godot::ClassDB::add_signal(get_class_static(), m_signal)
+#define BIND_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant)
+#define BIND_ENUM_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_short_name(::godot::internal::Arg<decltype(m_constant)>::NAME), #m_constant, m_constant)

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The word that every header of the engine's own style uses; the bindings are always single precision.
+typedef float real_t;
+
+#ifndef likely
+#ifdef __GNUC__
+#define likely(m_condition) __builtin_expect(!!(m_condition), 1)
+#define unlikely(m_condition) __builtin_expect(!!(m_condition), 0)
+#else
+#define likely(m_condition) (m_condition)
+#define unlikely(m_condition) (m_condition)
+#endif
+#endif
+
+#ifdef _MSC_VER
+#define GDE_EXPORT __declspec(dllexport)
+#define _FORCE_INLINE_ __forceinline
+#define _ALWAYS_INLINE_ __forceinline
+#else
+#define GDE_EXPORT __attribute__((visibility("default")))
+#define _FORCE_INLINE_ inline
+#define _ALWAYS_INLINE_ __attribute__((always_inline)) inline
+#endif

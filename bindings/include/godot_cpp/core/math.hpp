@@ -1,0 +1,32 @@
+#pragma once
+
+#include <godot_cpp/core/defs.hpp>
+
+#include <cmath>
+
+namespace godot {
+
+// The engine's tolerances: lengths and angles that differ by less are the same.
+#define CMP_EPSILON 0.00001
+#define UNIT_EPSILON 0.001
+
+namespace Math {
+
+template <typename T>
+bool is_finite(T p_value) {
+	return std::isfinite(p_value);
+}
+
+// Relative to the size of the left value, as everywhere in the engine.
+template <typename T>
+bool is_equal_approx(T p_left, T p_right) {
+	if (p_left == p_right) {
+		return true;
+	}
+	const T tolerance = static_cast<T>(CMP_EPSILON) * std::abs(p_left);
+	return std::abs(p_left - p_right) < (tolerance < static_cast<T>(CMP_EPSILON) ? static_cast<T>(CMP_EPSILON) : tolerance);
+}
+
+} // namespace Math
+
+} // namespace godot

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <godot_cpp/core/defs.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace godot {
+
+class StringName;
+class Wrapped;
+
+namespace internal {
+
+// Chooses the engine's allocator in a new expression: new (EngineMemory()) T.
+struct EngineMemory {};
+
+void *allocate(size_t p_size);
+void release(void *p_memory);
+void post_initialize(Wrapped *p_object);
+void destroy_object(Wrapped *p_object);
+
+// Tells the constructor of Wrapped, which sees only the engine class, which extension class is being built. Scopes nest:
+// an argument of a constructor may be built by memnew itself.
+class Construction {
+	const StringName *extension_class;
+	Construction *outer;
+
+public:
+	explicit Construction(const StringName *p_extension_class);
+
+	// The class named by the innermost scope, which is closed by that; null for one of the engine's own.
+	static const StringName *take();
+};
+
+template <typename T>
+struct ConstructionOf : std::conditional_t<std::is_base_of_v<Wrapped, T>, Construction, EngineMemory> {
+	ConstructionOf() :
+			ConstructionOf(std::is_base_of<Wrapped, T>()) {}
+
+private:
+	explicit ConstructionOf(std::true_type) :
+			Construction(T::_extension_class_name()) {}
+	explicit ConstructionOf(std::false_type) {}
+};
+
+template <typename T>
+T *finish_construction(T *p_object) {
+	if constexpr (std::is_base_of_v<Wrapped, T>) {
+		post_initialize(p_object);
+	}
+	return p_object;
+}
+
+} // namespace internal
+
+template <typename T>
+void memdelete(T *p_object) {
+	if constexpr (std::is_base_of_v<Wrapped, T>) {
+		internal::destroy_object(p_object);
+	} else {
+		p_object->~T();
+		internal::release(p_object);
+	}
+}
+
+} // namespace godot
+
+inline void *operator new(size_t p_size, ::godot::internal::EngineMemory) {
+	return ::godot::internal::allocate(p_size);
+}
+
+inline void operator delete(void *p_memory, ::godot::internal::EngineMemory) {
+	::godot::internal::release(p_memory);
+}
+
+// m_class is a type, optionally with constructor arguments in parentheses.
+#define memnew(m_class) \
+	(::godot::internal::ConstructionOf<std::remove_pointer_t<decltype(new (::godot::internal::EngineMemory()) m_class)>>(), \
+			::godot::internal::finish_construction(new (::godot::internal::EngineMemory()) m_class))

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <godot_cpp/classes/global_constants.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <vector>
+
+namespace godot {
+
+// A property, an argument or a returned value, as the editor and scripts see it.
+struct PropertyInfo {
+	Variant::Type type = Variant::NIL;
+	StringName name;
+	StringName class_name;
+	uint32_t hint = PROPERTY_HINT_NONE;
+	String hint_string;
+	uint32_t usage = PROPERTY_USAGE_DEFAULT;
+
+	PropertyInfo() = default;
+	PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint = PROPERTY_HINT_NONE, const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT, const StringName &p_class_name = StringName()) :
+			type(p_type), name(p_name), class_name(p_hint == PROPERTY_HINT_RESOURCE_TYPE ? StringName(p_hint_string) : p_class_name), hint(p_hint), hint_string(p_hint_string), usage(p_usage) {}
+
+	// For the engine's interface; only while this object lives.
+	GDExtensionPropertyInfo _to_gdextension() const {
+		return { static_cast<GDExtensionVariantType>(type), name._native_ptr(), class_name._native_ptr(), hint, hint_string._native_ptr(), usage };
+	}
+};
+
+// A signal, with its arguments.
+struct MethodInfo {
+	StringName name;
+	std::vector<PropertyInfo> arguments;
+
+	template <typename... Args>
+	MethodInfo(const StringName &p_name, const Args &...p_arguments) :
+			name(p_name), arguments{ p_arguments... } {}
+};
+
+} // namespace godot

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <godot_cpp/variant/quaternion.hpp>
+
+namespace godot {
+
+// A 3x3 matrix stored by rows. Its columns are the images of the axes.
+struct Basis {
+	Vector3 rows[3] = { Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1) };
+
+	Basis() = default;
+	Basis(real_t p_xx, real_t p_xy, real_t p_xz, real_t p_yx, real_t p_yy, real_t p_yz, real_t p_zx, real_t p_zy, real_t p_zz) :
+			rows{ Vector3(p_xx, p_xy, p_xz), Vector3(p_yx, p_yy, p_yz), Vector3(p_zx, p_zy, p_zz) } {}
+	Basis(const Vector3 &p_x_axis, const Vector3 &p_y_axis, const Vector3 &p_z_axis) :
+			Basis(p_x_axis.x, p_y_axis.x, p_z_axis.x, p_x_axis.y, p_y_axis.y, p_z_axis.y, p_x_axis.z, p_y_axis.z, p_z_axis.z) {}
+
+	// The rotation by a quaternion, which need not have length 1.
+	Basis(const Quaternion &p_quaternion);
+	Basis(const Quaternion &p_quaternion, const Vector3 &p_scale);
+
+	static Basis from_scale(const Vector3 &p_scale) { return Basis(p_scale.x, 0, 0, 0, p_scale.y, 0, 0, 0, p_scale.z); }
+
+	const Vector3 &operator[](int p_row) const { return rows[p_row]; }
+	Vector3 &operator[](int p_row) { return rows[p_row]; }
+
+	Vector3 get_column(int p_index) const { return Vector3(rows[0][p_index], rows[1][p_index], rows[2][p_index]); }
+
+	Vector3 xform(const Vector3 &p_vector) const { return Vector3(rows[0].dot(p_vector), rows[1].dot(p_vector), rows[2].dot(p_vector)); }
+	Basis operator*(const Basis &p_right) const;
+
+	bool operator==(const Basis &p_other) const { return rows[0] == p_other.rows[0] && rows[1] == p_other.rows[1] && rows[2] == p_other.rows[2]; }
+	bool operator!=(const Basis &p_other) const { return !(*this == p_other); }
+
+	real_t determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
+	Basis transposed() const { return Basis(rows[0], rows[1], rows[2]); }
+
+	// Of a pure rotation.
+	Quaternion get_quaternion() const;
+
+	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }
+	bool is_equal_approx(const Basis &p_other) const {
+		return rows[0].is_equal_approx(p_other.rows[0]) && rows[1].is_equal_approx(p_other.rows[1]) && rows[2].is_equal_approx(p_other.rows[2]);
+	}
+};
+
+} // namespace godot

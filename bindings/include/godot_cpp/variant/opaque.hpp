@@ -1,0 +1,83 @@
+#pragma once
+
+#include <godot_cpp/core/gdextension_interface_loader.hpp>
+
+#include <cstring>
+#include <utility>
+
+namespace godot::internal {
+
+// Chooses the constructor that constructs nothing, for memory that the engine is about to construct into. A default
+// construction first would leak what it had made.
+struct Uninitialized {};
+
+// A value whose destructor never runs. For StringNames made static: the engine forbids to destroy those.
+template <typename T>
+union NeverDestroyed {
+	T value;
+
+	template <typename... Args>
+	explicit NeverDestroyed(Args... p_args) :
+			value(p_args...) {}
+	~NeverDestroyed() {}
+};
+
+// What the engine does for each built-in type; filled once when the library is loaded.
+struct BuiltinFunctions {
+	GDExtensionPtrConstructor construct;
+	GDExtensionPtrConstructor copy;
+	GDExtensionPtrDestructor destroy;
+	GDExtensionVariantFromTypeConstructorFunc to_variant;
+	GDExtensionTypeFromVariantConstructorFunc from_variant;
+};
+
+extern BuiltinFunctions builtin_functions[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX];
+
+// A built-in type that is a handle of SIZE bytes to memory of the engine, which copies and destroys it.
+template <GDExtensionVariantType TYPE, size_t SIZE>
+class Opaque {
+	alignas(8) uint8_t opaque[SIZE];
+
+public:
+	Opaque() { builtin_functions[TYPE].construct(opaque, nullptr); }
+
+	explicit Opaque(Uninitialized) {}
+
+	Opaque(const Opaque &p_other) { copy_from(p_other); }
+
+	Opaque(Opaque &&p_other) :
+			Opaque() {
+		swap(p_other);
+	}
+
+	~Opaque() { builtin_functions[TYPE].destroy(opaque); }
+
+	Opaque &operator=(const Opaque &p_other) {
+		if (this != &p_other) {
+			builtin_functions[TYPE].destroy(opaque);
+			copy_from(p_other);
+		}
+		return *this;
+	}
+
+	Opaque &operator=(Opaque &&p_other) {
+		swap(p_other);
+		return *this;
+	}
+
+	// As in godot-cpp: the engine's functions take a plain pointer even where they change nothing.
+	GDExtensionTypePtr _native_ptr() const { return const_cast<uint8_t *>(opaque); }
+
+protected:
+	bool is_same_handle(const Opaque &p_other) const { return memcmp(opaque, p_other.opaque, SIZE) == 0; }
+
+private:
+	void copy_from(const Opaque &p_other) {
+		const GDExtensionConstTypePtr arguments[] = { p_other.opaque };
+		builtin_functions[TYPE].copy(opaque, arguments);
+	}
+
+	void swap(Opaque &p_other) { std::swap(opaque, p_other.opaque); }
+};
+
+} // namespace godot::internal

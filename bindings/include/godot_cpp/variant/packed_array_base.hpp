@@ -1,0 +1,41 @@
+#pragma once
+
+#include <godot_cpp/variant/opaque.hpp>
+
+#include <initializer_list>
+
+namespace godot::internal {
+
+// What packed arrays have beside the engine's own methods. SELF is the packed array's own class; INDEX and INDEX_CONST
+// are the engine's functions that give the address of an element, the first after making sure that nobody shares it.
+//
+// ptr() and ptrw() are null for an empty array. Take them once before a loop: each is a call into the engine.
+template <typename SELF, typename ELEMENT, GDExtensionVariantType TYPE, auto &INDEX, auto &INDEX_CONST>
+class PackedArrayBase : public Opaque<TYPE, 16> {
+	int64_t count() const { return static_cast<const SELF *>(this)->size(); }
+
+public:
+	using Opaque<TYPE, 16>::Opaque;
+	PackedArrayBase() = default;
+
+	PackedArrayBase(std::initializer_list<ELEMENT> p_elements) {
+		static_cast<SELF *>(this)->resize(static_cast<int64_t>(p_elements.size()));
+		ELEMENT *target = ptrw();
+		for (const ELEMENT &element : p_elements) {
+			*target++ = element;
+		}
+	}
+
+	const ELEMENT *ptr() const { return count() == 0 ? nullptr : &(*this)[0]; }
+	ELEMENT *ptrw() { return count() == 0 ? nullptr : &(*this)[0]; }
+
+	const ELEMENT &operator[](int64_t p_index) const { return *static_cast<const ELEMENT *>(INDEX_CONST(this->_native_ptr(), p_index)); }
+	ELEMENT &operator[](int64_t p_index) { return *static_cast<ELEMENT *>(INDEX(this->_native_ptr(), p_index)); }
+
+	const ELEMENT *begin() const { return ptr(); }
+	const ELEMENT *end() const { return ptr() + count(); }
+	ELEMENT *begin() { return ptrw(); }
+	ELEMENT *end() { return ptrw() + count(); }
+};
+
+} // namespace godot::internal

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <godot_cpp/variant/opaque.hpp>
+
+#include <string>
+
+namespace godot {
+
+namespace internal {
+class StringBase;
+}
+
+class String;
+class StringName;
+class Variant;
+
+// Text as C code wants it; only while this object lives.
+class CharString {
+	std::string text;
+
+	friend class internal::StringBase;
+
+public:
+	const char *get_data() const { return text.c_str(); }
+	const char *ptr() const { return text.c_str(); }
+	int64_t length() const { return static_cast<int64_t>(text.size()); }
+};
+
+namespace internal {
+
+// What String has beside the engine's own methods.
+class StringBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING, 8> {
+public:
+	using Opaque::Opaque;
+	StringBase() = default;
+
+	// Latin-1, as in godot-cpp; String::utf8 for everything else.
+	StringBase(const char *p_latin1);
+
+	static String utf8(const char *p_utf8, int64_t p_length = -1);
+	CharString utf8() const;
+
+	String &operator+=(const String &p_other);
+	const char32_t &operator[](int64_t p_index) const;
+};
+
+// What StringName has beside the engine's own methods.
+class StringNameBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, 8> {
+public:
+	using Opaque::Opaque;
+	StringNameBase() = default;
+
+	// p_static is for names that are never destroyed and whose text outlives the library.
+	StringNameBase(const char *p_latin1, bool p_static = false);
+
+	// Equal names are the same handle.
+	bool operator==(const StringNameBase &p_other) const { return is_same_handle(p_other); }
+	bool operator!=(const StringNameBase &p_other) const { return !is_same_handle(p_other); }
+};
+
+} // namespace internal
+
+String operator+(const char *p_left, const String &p_right);
+String itos(int64_t p_value);
+
+} // namespace godot
