@@ -36,9 +36,14 @@ CGA_FLATTEN float power_of_two(int32_t k) noexcept {
 	return result;
 }
 
-// exp(x) - 1 with the relative precision of x near zero. x is clamped to -87..87.
+struct Exponential {
+	float value; // exp(x)
+	float minus_one; // exp(x) - 1, with the relative precision of x near zero
+};
+
+// x is clamped to -87..87.
 // x = k ln 2 + r, |r| <= ln(2)/2, exp(x) - 1 = 2^k (exp(r) - 1) + (2^k - 1); the remainder r^8/8! is below 6e-9.
-CGA_FLATTEN float expm1(float x) noexcept {
+CGA_FLATTEN Exponential exponential(float x) noexcept {
 	constexpr float LIMIT = 87.0f;
 	constexpr float INVERSE_LN2 = 1.44269504f;
 	constexpr float LN2_HIGH = 0.693359375f; // 9 bits, so that k LN2_HIGH is exact
@@ -47,8 +52,9 @@ CGA_FLATTEN float expm1(float x) noexcept {
 	const float k = round_to_integer(clamped * INVERSE_LN2);
 	const float r = (clamped - k * LN2_HIGH) - k * LN2_LOW;
 	const float tail = ((((r * (1.0f / 5040.0f) + 1.0f / 720.0f) * r + 1.0f / 120.0f) * r + 1.0f / 24.0f) * r + 1.0f / 6.0f) * r + 0.5f;
+	const float reduced = r + r * r * tail;
 	const float scale = power_of_two(int32_t(k));
-	return scale * (r + r * r * tail) + (scale - 1.0f);
+	return { scale + scale * reduced, scale * reduced + (scale - 1.0f) };
 }
 
 struct SinCos {

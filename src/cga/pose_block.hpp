@@ -68,7 +68,8 @@ inline constexpr size_t ROW_FLOATS = 12;
 // to the bit, on the instruction set found at run time, nor on how the bodies are split into calls.
 void interpolate_blocks(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
 
-// A pose as 12 floats of that layout, and back. The basis of a row is a rotation times a positive scale.
+// A pose as 12 floats of that layout, and back. A row whose basis is not a rotation times a positive scale gives the
+// identity at the row's origin.
 void pose_to_row(const Pose<float> &pose, float *row) noexcept;
 [[nodiscard]] Pose<float> pose_from_row(const float *row) noexcept;
 

@@ -66,9 +66,9 @@ CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float weigh
 	return pose;
 }
 
-// x as far as float reaches; not even inf - inf gets through, since comparisons with NaN are false.
+// x kept where doubling it stays within float; not even inf - inf gets through, since comparisons with NaN are false.
 CGA_FLATTEN float saturated(float x) noexcept {
-	constexpr float LARGEST = std::numeric_limits<float>::max();
+	constexpr float LARGEST = std::numeric_limits<float>::max() / 4.0f;
 	return float_math::max(float_math::min(x, LARGEST), -LARGEST);
 }
 
@@ -82,13 +82,12 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float weight) 
 	constexpr float FARTHEST = 1000.0f;
 	const float a = float_math::max(-FARTHEST, float_math::min(FARTHEST, weight));
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
-	const float growth = float_math::expm1(a * block.log_scale[lane]);
-	const float scale = growth + 1.0f;
-	const float real = growth - 2.0f * scale * half.sine * half.sine;
-	const float imaginary = 2.0f * scale * half.sine * half.cosine;
+	const float_math::Exponential growth = float_math::exponential(a * block.log_scale[lane]);
+	const float real = growth.minus_one - 2.0f * growth.value * half.sine * half.sine;
+	const float imaginary = 2.0f * growth.value * half.sine * half.cosine;
 	const float across_real = a * block.across_linear[lane] + (real * block.across[0][lane] - imaginary * block.across[1][lane]);
 	const float across_imaginary = real * block.across[1][lane] + imaginary * block.across[0][lane];
-	const float along = a * block.along_linear[lane] + growth * block.along[lane];
+	const float along = a * block.along_linear[lane] + growth.minus_one * block.along[lane];
 
 	const float nx = block.inverse_sine[lane] * block.turn[1][lane];
 	const float ny = block.inverse_sine[lane] * block.turn[2][lane];
@@ -103,10 +102,10 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float weight) 
 	pose.x = half.sine * nx;
 	pose.y = half.sine * ny;
 	pose.z = half.sine * nz;
-	pose.shift_x = saturated(across_real * dx + axial * nx + across_imaginary * (ny * dz - nz * dy));
-	pose.shift_y = saturated(across_real * dy + axial * ny + across_imaginary * (nz * dx - nx * dz));
-	pose.shift_z = saturated(across_real * dz + axial * nz + across_imaginary * (nx * dy - ny * dx));
-	pose.scale = block.from_scale[lane] * scale + a * block.scale_change[lane];
+	pose.shift_x = across_real * dx + axial * nx + across_imaginary * (ny * dz - nz * dy);
+	pose.shift_y = across_real * dy + axial * ny + across_imaginary * (nz * dx - nx * dz);
+	pose.shift_z = across_real * dz + axial * nz + across_imaginary * (nx * dy - ny * dx);
+	pose.scale = saturated(block.from_scale[lane] * growth.value + a * block.scale_change[lane]);
 	return pose;
 }
 
@@ -119,6 +118,12 @@ CGA_FLATTEN LanePose lane_pose(const PoseBlock &block, int lane, float weight) n
 	} else {
 		return separate_lane(block, lane, weight);
 	}
+}
+
+// Only extrapolation can leave the range of float.
+template <Mode mode>
+CGA_FLATTEN float origin(float from, float shift) noexcept {
+	return mode == Mode::SCREW ? saturated(from + shift) : from + shift;
 }
 
 // The 12 floats of a row, each for 8 bodies.
@@ -144,15 +149,15 @@ CGA_FLATTEN void interpolate_block(const PoseBlock &block, const float *weights,
 		columns[0][lane] = pose.scale - (ty * y + tz * z);
 		columns[1][lane] = tx * y - tz * w;
 		columns[2][lane] = tx * z + ty * w;
-		columns[3][lane] = block.from_translation[0][lane] + pose.shift_x;
+		columns[3][lane] = origin<mode>(block.from_translation[0][lane], pose.shift_x);
 		columns[4][lane] = tx * y + tz * w;
 		columns[5][lane] = pose.scale - (tx * x + tz * z);
 		columns[6][lane] = ty * z - tx * w;
-		columns[7][lane] = block.from_translation[1][lane] + pose.shift_y;
+		columns[7][lane] = origin<mode>(block.from_translation[1][lane], pose.shift_y);
 		columns[8][lane] = tx * z - ty * w;
 		columns[9][lane] = ty * z + tx * w;
 		columns[10][lane] = pose.scale - (tx * x + ty * y);
-		columns[11][lane] = block.from_translation[2][lane] + pose.shift_z;
+		columns[11][lane] = origin<mode>(block.from_translation[2][lane], pose.shift_z);
 	}
 }
 
