@@ -100,8 +100,12 @@ private: \
 	m_class &operator=(const m_class &) = delete; \
 \
 protected: \
-	static constexpr auto _notification_method() { return &m_class::_notification; } \
-	static constexpr auto _to_string_method() { return &m_class::_to_string; } \
+	static constexpr auto _notification_method() { \
+		return &m_class::_notification; \
+	} \
+	static constexpr auto _to_string_method() { \
+		return &m_class::_to_string; \
+	} \
 \
 	/* Calls the _notification of each class that has its own, the parent's first, or last if reversed. */ \
 	static void _notify(GDExtensionClassInstancePtr p_instance, int32_t p_what, GDExtensionBool p_reversed) { \
@@ -122,7 +126,9 @@ protected: \
 	} \
 \
 	GODOT_CPP_CLASS(m_class, m_inherits) \
-	static const ::godot::StringName *_extension_class_name() { return &get_class_static(); } \
+	static const ::godot::StringName *_extension_class_name() { \
+		return &get_class_static(); \
+	} \
 \
 private:
 
