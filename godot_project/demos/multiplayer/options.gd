@@ -23,6 +23,8 @@ var seconds := 0.0
 var clients := 0
 ## False: no scripted ball, no lifts; the cubes only fall and come to rest.
 var life := true
+## True: the server ends when the last player has left.
+var quit_when_empty := false
 ## File for the poses of every tick (server) or as shown (client); empty: none.
 var record := ""
 ## Share of the incoming pose datagrams that a client throws away, percent.
@@ -63,6 +65,8 @@ func _take(argument: String) -> void:
 			autopilot = _choice(argument, value, ["none", "circle", "kick"])
 		"life":
 			life = _choice(argument, value, ["on", "off"]) == "on"
+		"quit-when-empty":
+			quit_when_empty = _choice(argument, value, ["on", "off"]) == "on"
 		"address":
 			address = value
 		"name":

@@ -133,6 +133,8 @@ func _on_peer_disconnected(peer: int) -> void:
 	_link.remove_body(_options.cubes + slot)
 	_simulation.remove_player(slot)
 	_send_roster()
+	if _options.quit_when_empty and _slots.is_empty():
+		get_tree().quit()
 
 
 func _on_entered(peer: int, player_name: String) -> void:

@@ -64,6 +64,10 @@ func advance(local: float, recorder: PoseRecorder) -> void:
 	_shown = media
 
 
+func get_body_count() -> int:
+	return _receiver.pool.get_count()
+
+
 func get_pose(id: int) -> Transform3D:
 	return _receiver.pool.get_transform(id)
 

@@ -41,6 +41,10 @@ var pose_count := 0
 @abstract func advance(local: float, recorder: PoseRecorder) -> void
 
 
+## Client: how many bodies there are room for.
+@abstract func get_body_count() -> int
+
+
 ## Client: the pose of a body as shown.
 @abstract func get_pose(id: int) -> Transform3D
 

@@ -59,6 +59,10 @@ func advance(_local: float, recorder: PoseRecorder) -> void:
 	recorder.write(wall, PoseRecorder.NO_TICK, _rows)
 
 
+func get_body_count() -> int:
+	return _bodies.size()
+
+
 func get_pose(id: int) -> Transform3D:
 	return _bodies[id].transform
 

@@ -1,3 +1,138 @@
 extends Node3D
-func _init(_c: Node, _o: RefCounted) -> void:
-	pass
+## What a client with a window shows: the cubes in one MultiMesh, the balls, the stage, the HUD;
+## and what the mouse does there.
+
+const BallView := preload("ball_view.gd")
+const CameraRig := preload("camera_rig.gd")
+const Client := preload("../client.gd")
+const Hud := preload("hud.gd")
+const Layout := preload("../world/layout.gd")
+const Options := preload("../options.gd")
+const Stage := preload("stage.gd")
+
+## A click kicks the nearest cube that the ray passes this close, in metres.
+const PICK_RADIUS := 0.42
+
+var _client: Client
+var _options: Options
+var _multimesh: MultiMesh
+var _rig: CameraRig
+var _balls: Dictionary[int, BallView] = {}
+var _shown_roster: Array = []
+var _hud := Hud.new()
+
+
+func _init(client: Client, options: Options) -> void:
+	_client = client
+	_options = options
+	client.opened.connect(_on_opened)
+	add_child(_hud)
+	_hud.show_message("Connecting to %s:%d …" % [options.address, options.port])
+
+
+func _process(_delta: float) -> void:
+	if _multimesh == null:
+		return
+	_hud.show_traffic(_client)
+	if not _client.link.is_ready():
+		return
+	_client.link.show_in(_multimesh)
+	_update_balls()
+	_rig.target = _get_own_position()
+	_client.get_input().yaw = _rig.yaw
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	var button := event as InputEventMouseButton
+	if button == null or not button.pressed or button.button_index != MOUSE_BUTTON_LEFT or _multimesh == null:
+		return
+	var origin := _rig.camera.project_ray_origin(button.position)
+	var direction := _rig.camera.project_ray_normal(button.position)
+	var cube := _pick(origin, direction)
+	if cube >= 0:
+		_client.get_input().kick(cube, direction)
+
+
+func _on_opened(cubes: int, method: String) -> void:
+	var layout := Layout.new(cubes)
+	_multimesh = _make_multimesh(layout, _client.link.get_body_count())
+	var instance := MultiMeshInstance3D.new()
+	instance.multimesh = _multimesh
+	# The bodies move: a box around all of the arena spares finding it each frame.
+	var half := layout.half_extent
+	instance.custom_aabb = AABB(Vector3(-half, -1.0, -half), Vector3(2.0 * half, 30.0, 2.0 * half))
+	add_child(instance)
+	add_child(Stage.new(layout.half_extent))
+	_rig = CameraRig.new(layout.half_extent)
+	add_child(_rig)
+	_hud.show_message("")
+	_hud.show_session(cubes, method)
+	if not _options.picture.is_empty():
+		get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
+
+
+func _make_multimesh(layout: Layout, body_count: int) -> MultiMesh:
+	var mesh := BoxMesh.new()
+	mesh.size = Vector3.ONE * Layout.EDGE
+	var material := ShaderMaterial.new()
+	material.shader = preload("cube.gdshader")
+	material.set_shader_parameter("half_edge", Layout.EDGE * 0.5)
+	mesh.material = material
+	var multimesh := MultiMesh.new()
+	multimesh.transform_format = MultiMesh.TRANSFORM_3D
+	multimesh.use_colors = true
+	multimesh.mesh = mesh
+	multimesh.instance_count = body_count
+	# The balls' poses stand after the cubes' and are drawn otherwise.
+	multimesh.visible_instance_count = layout.poses.size()
+	for i: int in layout.poses.size():
+		multimesh.set_instance_color(i, layout.colors[i])
+		multimesh.set_instance_transform(i, layout.poses[i])
+	return multimesh
+
+
+func _update_balls() -> void:
+	if _shown_roster != _client.roster:
+		_shown_roster = _client.roster
+		_rebuild_balls()
+	for slot: int in _balls:
+		_balls[slot].show_pose(_client.link.get_pose(_client.cube_count + slot))
+
+
+func _rebuild_balls() -> void:
+	for slot: int in _balls:
+		_balls[slot].queue_free()
+	_balls.clear()
+	for player: Array in _shown_roster:
+		var slot: int = player[0]
+		var player_name: String = player[2]
+		var ball := BallView.new(slot, player_name)
+		add_child(ball)
+		_balls[slot] = ball
+	_hud.show_players(_shown_roster, _client.get_own_slot())
+
+
+func _get_own_position() -> Vector3:
+	var slot := _client.get_own_slot()
+	return _client.link.get_pose(_client.cube_count + slot).origin if _balls.has(slot) else Vector3.ZERO
+
+
+## The nearest cube on a ray as shown, or -1.
+func _pick(origin: Vector3, direction: Vector3) -> int:
+	var best := -1
+	var best_along := INF
+	for i: int in _client.cube_count:
+		var offset := _client.link.get_pose(i).origin - origin
+		var along := offset.dot(direction)
+		if along > 0.0 and along < best_along and (offset - direction * along).length() < PICK_RADIUS:
+			best = i
+			best_along = along
+	return best
+
+
+func _take_picture() -> void:
+	await RenderingServer.frame_post_draw
+	var error := get_viewport().get_texture().get_image().save_png(_options.picture)
+	if error != OK:
+		printerr("Cannot write the picture %s: %s" % [_options.picture, error_string(error)])
+	get_tree().quit()

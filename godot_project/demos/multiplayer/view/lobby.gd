@@ -1,4 +1,89 @@
 extends Control
+## The start screen: play on a server started here, or join another.
+
+## The options hold what was chosen; play.
 signal chosen
-func _init(_o: RefCounted, _m: String) -> void:
+
+const Options := preload("../options.gd")
+const SCENE := "res://demos/multiplayer/multiplayer.tscn"
+const COLUMN_WIDTH := 380
+
+var _options: Options
+var _name := LineEdit.new()
+var _address := LineEdit.new()
+
+
+func _init(options: Options, message: String) -> void:
+	_options = options
+	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	var center := CenterContainer.new()
+	center.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	add_child(center)
+	var column := VBoxContainer.new()
+	column.custom_minimum_size.x = COLUMN_WIDTH
+	column.add_theme_constant_override("separation", 12)
+	center.add_child(column)
+	_add_label(column, "Multiplayer", &"TitleLabel")
+	_add_label(column, "A server simulates the cubes and sends their poses as quantised motors.", &"CaptionLabel")
+	if not message.is_empty():
+		_add_label(column, message, &"HeadingLabel")
+	_name.text = options.player_name
+	_name.max_length = 24
+	_address.text = "%s:%d" % [options.address, options.port]
+	_add_field(column, "Your name", _name)
+	_add_field(column, "Server", _address)
+	_add_button(column, "Join", _on_join)
+	_add_button(column, "Start a server on this machine and play", _on_host)
+
+
+func _on_join() -> void:
+	var parts := _address.text.strip_edges().rsplit(":", true, 1)
+	_options.address = parts[0]
+	if parts.size() > 1 and parts[1].is_valid_int():
+		_options.port = clampi(parts[1].to_int(), 1, 65535)
+	_play()
+
+
+## Starts a process that ends by itself when the last player leaves.
+func _on_host() -> void:
+	var arguments: PackedStringArray = ["--headless"]
+	if OS.has_feature("editor"):
+		arguments.append_array(["--path", ProjectSettings.globalize_path("res://")])
+	arguments.append_array([SCENE, "--", "--role=server", "--quit-when-empty=on", "--port=%d" % _options.port,
+			"--cubes=%d" % _options.cubes, "--method=%s" % _options.method])
+	OS.create_process(OS.get_executable_path(), arguments)
+	_options.address = "127.0.0.1"
+	_play()
+
+
+func _play() -> void:
+	var player_name := _name.text.strip_edges()
+	_options.player_name = player_name if not player_name.is_empty() else "Player"
 	chosen.emit()
+
+
+func _add_label(column: VBoxContainer, text: String, variation: StringName) -> void:
+	var label := Label.new()
+	label.text = text
+	label.theme_type_variation = variation
+	label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	column.add_child(label)
+
+
+func _add_field(column: VBoxContainer, text: String, field: LineEdit) -> void:
+	var row := HBoxContainer.new()
+	var label := Label.new()
+	label.text = text
+	label.custom_minimum_size.x = 96
+	field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	row.add_child(label)
+	row.add_child(field)
+	column.add_child(row)
+
+
+func _add_button(column: VBoxContainer, text: String, action: Callable) -> void:
+	var button := Button.new()
+	button.text = text
+	button.custom_minimum_size.y = 40
+	button.pressed.connect(action)
+	column.add_child(button)

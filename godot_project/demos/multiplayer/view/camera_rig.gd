@@ -1,0 +1,51 @@
+extends Node3D
+## The camera: turns round a point near the own ball; right mouse button and wheel, or left alone.
+
+const TURN_SPEED := 0.006
+const ZOOM_STEP := 1.1
+const FOLLOW_SPEED := 2.5
+## Share of the way from the arena's centre to the own ball at which the camera looks.
+const FOLLOW_SHARE := 0.55
+
+var camera := Camera3D.new()
+var yaw := 0.42
+var pitch := -0.44
+var distance: float
+## Where the own ball is, or the centre of the arena.
+var target := Vector3.ZERO
+
+
+func _init(half_extent: float) -> void:
+	distance = half_extent * 1.72
+	camera.fov = 46.0
+	camera.far = 300.0
+	add_child(camera)
+
+
+func _ready() -> void:
+	_place()
+
+
+func _process(delta: float) -> void:
+	var wanted := target * FOLLOW_SHARE
+	wanted.y = 0.6
+	position = position.lerp(wanted, 1.0 - exp(-FOLLOW_SPEED * delta))
+	_place()
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	var motion := event as InputEventMouseMotion
+	if motion != null and motion.button_mask & MOUSE_BUTTON_MASK_RIGHT:
+		yaw -= motion.relative.x * TURN_SPEED
+		pitch = clampf(pitch - motion.relative.y * TURN_SPEED, -1.4, -0.1)
+	var button := event as InputEventMouseButton
+	if button != null and button.pressed:
+		if button.button_index == MOUSE_BUTTON_WHEEL_UP:
+			distance = maxf(distance / ZOOM_STEP, 4.0)
+		elif button.button_index == MOUSE_BUTTON_WHEEL_DOWN:
+			distance = minf(distance * ZOOM_STEP, 80.0)
+
+
+func _place() -> void:
+	var turn := Basis(Vector3.UP, yaw) * Basis(Vector3.RIGHT, pitch)
+	camera.transform = Transform3D(turn, turn * Vector3(0.0, 0.0, distance))

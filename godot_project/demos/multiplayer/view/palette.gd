@@ -1,0 +1,19 @@
+extends RefCounted
+## The colours of the demo.
+
+const SKY_TOP := Color("10131c")
+const SKY_HORIZON := Color("3a4560")
+const FLOOR := Color("1d222d")
+const KEY_LIGHT := Color("ffe6c4")
+const RIM_LIGHT := Color("7fa8ff")
+const ACCENT := Color("3ed6c4")
+const LIFT := Color("ffb454")
+const ROLLER := Color("ff7a3d")
+const PLAYERS: Array[Color] = [
+	Color("ffd23f"), Color("4cc9f0"), Color("b8f35d"), Color("c792ff"), Color("ff6b8b"), Color("5eead4"), Color("f4f1de"),
+]
+
+
+## The colour of the ball in a slot; slot 0 is the scripted one's.
+static func get_player_color(slot: int) -> Color:
+	return ROLLER if slot == 0 else PLAYERS[(slot - 1) % PLAYERS.size()]
