@@ -209,7 +209,8 @@ Node3D *MultivectorLerp::find_node(NodeLink &r_link, const char *p_name) {
 		r_link.id = node != nullptr ? node->get_instance_id() : 0;
 	}
 	if (node == nullptr || !node->is_inside_tree()) {
-		if (!r_link.lost) {
+		// An end that is not set yet is no error; the scene dock warns of it.
+		if (!r_link.lost && !r_link.path.is_empty()) {
 			ERR_PRINT(vformat("MultivectorLerp: %s (\"%s\") leads to no Node3D in the scene; the target stays where it is.", p_name, r_link.path));
 		}
 		r_link.lost = true;
