@@ -60,6 +60,8 @@ protected:
 	void _notification(int p_what);
 
 private:
+	static constexpr const char *UNKNOWN_MODE = "MultivectorLerp: mode %d is none of LINEAR (0), SCREW (1), SEPARATE (2).";
+
 	/// A node of the scene, looked up once.
 	struct NodeLink {
 		godot::NodePath path;
