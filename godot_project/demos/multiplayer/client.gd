@@ -40,6 +40,8 @@ var _make_link: Callable
 var _begun_at := -1.0
 var _ended_at := -1.0
 var _poses_at_begin := 0
+var _bytes_at_begin := 0
+var _packets_at_begin := 0
 var _last_tick := -1
 var _report_values: Dictionary = {}
 var _is_closed := false
@@ -97,7 +99,7 @@ func _process(_delta: float) -> void:
 		return
 	var local := Time.get_ticks_usec() * 1e-6
 	if _peer.host != null:
-		meter.update(local)
+		meter.update()
 	if link == null:
 		return
 	link.advance(local, _recorder)
@@ -148,16 +150,19 @@ func _on_roster_changed(p_roster: Array) -> void:
 func _on_begun() -> void:
 	_begun_at = Time.get_ticks_usec() * 1e-6
 	_poses_at_begin = link.pose_count
-	meter.restart(_begun_at)
+	meter.update()
+	_bytes_at_begin = meter.bytes
+	_packets_at_begin = meter.packets
 
 
 func _on_finished(tick: int) -> void:
 	_ended_at = Time.get_ticks_usec() * 1e-6
 	_last_tick = tick
-	meter.update(_ended_at)
+	meter.update()
 	_report_values = {
-		"role": "client", "method": method, "seconds": _ended_at - _begun_at, "bytes": meter.bytes,
-		"packets": meter.packets, "poses": link.pose_count - _poses_at_begin,
+		"role": "client", "method": method, "seconds": _ended_at - _begun_at, "bytes": meter.bytes - _bytes_at_begin,
+		"packets": meter.packets - _packets_at_begin,
+		"poses": link.pose_count - _poses_at_begin,
 	}
 
 

@@ -23,7 +23,10 @@ func _ready() -> void:
 		printerr("multiplayer demo: ", _options.problem)
 		get_tree().quit(2)
 		return
-	get_tree().set_multiplayer(SceneMultiplayer.new(), get_path())
+	var api := SceneMultiplayer.new()
+	# Clients talk to the server alone.
+	api.server_relay = false
+	get_tree().set_multiplayer(api, get_path())
 	match _options.role:
 		"server":
 			_start_server()

@@ -178,4 +178,6 @@ func _send_roster() -> void:
 	for peer: int in _slots:
 		roster.append([_slots[peer], peer, _names[peer]])
 	for peer: int in _slots:
-		_session.set_roster.rpc_id(peer, roster)
+		# Of several that leave at once, all are gone before the first is reported.
+		if _peer.get_peer(peer).get_state() == ENetPacketPeer.STATE_CONNECTED:
+			_session.set_roster.rpc_id(peer, roster)

@@ -5,19 +5,19 @@ const TURN_SPEED := 0.006
 const ZOOM_STEP := 1.1
 const FOLLOW_SPEED := 2.5
 ## Share of the way from the arena's centre to the own ball at which the camera looks.
-const FOLLOW_SHARE := 0.55
+const FOLLOW_SHARE := 0.35
 
 var camera := Camera3D.new()
-var yaw := 0.42
-var pitch := -0.44
+var yaw := 0.5
+var pitch := -0.52
 var distance: float
 ## Where the own ball is, or the centre of the arena.
 var target := Vector3.ZERO
 
 
 func _init(half_extent: float) -> void:
-	distance = half_extent * 1.72
-	camera.fov = 46.0
+	distance = half_extent * 2.3
+	camera.fov = 42.0
 	camera.far = 300.0
 	add_child(camera)
 
@@ -28,7 +28,7 @@ func _ready() -> void:
 
 func _process(delta: float) -> void:
 	var wanted := target * FOLLOW_SHARE
-	wanted.y = 0.6
+	wanted.y = 0.3
 	position = position.lerp(wanted, 1.0 - exp(-FOLLOW_SPEED * delta))
 	_place()
 

@@ -22,6 +22,8 @@ var _panels: Array[Control] = []
 var _message := Label.new()
 var _next_update := 0.0
 var _poses := 0
+var _bytes := 0
+var _packets := 0
 var _updated_at := 0.0
 
 
@@ -62,13 +64,17 @@ func show_traffic(client: Client) -> void:
 	if now < _next_update:
 		return
 	_next_update = now + UPDATE_PAUSE
-	var poses_per_second := (client.link.pose_count - _poses) / maxf(now - _updated_at, 0.001)
+	var elapsed := maxf(now - _updated_at, 0.001)
+	var poses_per_second := (client.link.pose_count - _poses) / elapsed
+	var rate := (client.meter.bytes - _bytes) / elapsed
+	var packets_per_second := (client.meter.packets - _packets) / elapsed
 	_poses = client.link.pose_count
+	_bytes = client.meter.bytes
+	_packets = client.meter.packets
 	_updated_at = now
-	var rate := client.meter.bytes_per_second
 	_rate.text = "%.1f kB/s" % (rate / 1000.0)
 	_curve.push(rate)
-	_figures["Packets"].text = "%.0f /s" % client.meter.packets_per_second
+	_figures["Packets"].text = "%.0f /s" % packets_per_second
 	_figures["Pose updates"].text = "%.0f /s" % poses_per_second
 	_figures["Bytes a pose"].text = "%.1f" % (rate / poses_per_second) if poses_per_second > 10.0 else "–"
 	var delay := client.link.get_delay_ms(now)

@@ -6,7 +6,7 @@ const Scenario := preload("../world/scenario.gd")
 
 const RIM_HEIGHT := 0.28
 const RIM_WIDTH := 0.22
-const FLOOR_MARGIN := 60.0
+const FLOOR_MARGIN := 160.0
 
 
 func _init(half_extent: float) -> void:
@@ -26,6 +26,7 @@ func _make_environment() -> WorldEnvironment:
 	material.sky_horizon_color = Palette.SKY_HORIZON
 	material.ground_bottom_color = Palette.SKY_TOP
 	material.ground_horizon_color = Palette.SKY_HORIZON
+	material.sky_curve = 0.09
 	material.sun_angle_max = 0.0
 	var sky := Sky.new()
 	sky.sky_material = material
@@ -36,10 +37,10 @@ func _make_environment() -> WorldEnvironment:
 	environment.ambient_light_color = Color("8fa3cc")
 	environment.ambient_light_energy = 0.42
 	environment.tonemap_mode = Environment.TONE_MAPPER_FILMIC
-	environment.tonemap_white = 1.6
+	environment.tonemap_white = 2.2
 	environment.fog_enabled = true
-	environment.fog_light_color = Palette.SKY_HORIZON.darkened(0.25)
-	environment.fog_density = 0.012
+	environment.fog_light_color = Palette.SKY_HORIZON
+	environment.fog_density = 0.006
 	environment.fog_sky_affect = 0.0
 	environment.glow_enabled = true
 	environment.glow_intensity = 0.5
@@ -53,7 +54,7 @@ func _add_lights(half_extent: float) -> void:
 	var key := DirectionalLight3D.new()
 	key.rotation_degrees = Vector3(-52.0, -38.0, 0.0)
 	key.light_color = Palette.KEY_LIGHT
-	key.light_energy = 1.25
+	key.light_energy = 1.5
 	key.shadow_enabled = true
 	key.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
 	key.directional_shadow_max_distance = half_extent * 4.0

@@ -1,0 +1,192 @@
+"""Runs the multiplayer demo and prints what it took.
+
+Usage: tools/demo [OPTION]...
+
+A server simulates cubes; clients on this machine show them. Twice the same
+scene: poses sent as quantised motors, and by MultiplayerSynchronizer at 20 Hz.
+Options: --cubes N  --clients K  --seconds S  --loss PERCENT  --jitter MS
+         --scene cubes  --window  --picture FILE  --json FILE  --engine COMMAND
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import platform
+import shlex
+import signal
+import sys
+import tempfile
+
+import checkout
+import display
+import project
+from demo_run import DemoRun, RunFailed, progress
+from demo_table import json_rows, print_table
+from pose_error import ErrorSummary, compare_by_tick, compare_by_wall_clock
+from pose_record import PoseRecord, moving_bodies
+
+METHODS = ("motors", "synchronizer")
+SPARE_SECONDS = 40
+
+
+def parse_arguments(arguments):
+    parser = argparse.ArgumentParser(
+        prog="tools/demo", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="A server simulates cubes; clients on this machine show them. Twice the same scene: poses sent\n"
+                    "as quantised motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
+    parser.add_argument("--cubes", type=within(1, 2000), default=250, help="number of cubes (250)")
+    parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
+    parser.add_argument("--seconds", type=within(0, 3600), default=8,
+                        help="length of each run (8); 0: play in windows until they are closed, no table")
+    parser.add_argument("--loss", type=within(0, 90), default=0, metavar="PERCENT",
+                        help="clients throw away this share of the pose datagrams (motors only; seeded)")
+    parser.add_argument("--jitter", type=within(0, 1000), default=0, metavar="MS",
+                        help="clients hold pose datagrams back for up to this long (motors only; seeded)")
+    parser.add_argument("--scene", choices=("cubes", "push"), default="cubes", help="what is simulated")
+    parser.add_argument("--window", action="store_true", help="the clients open windows")
+    parser.add_argument("--picture", metavar="FILE",
+                        help="only save a picture of what the first client shows in the middle of the scene")
+    parser.add_argument("--json", metavar="FILE", help="write the figures to FILE")
+    parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
+    return parser.parse_args(arguments)
+
+
+def within(least, most):
+    def number(text):
+        value = int(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(f"{value} is not from {least} to {most}")
+        return value
+    number.__name__ = "number"
+    return number
+
+
+def main():
+    options = parse_arguments(sys.argv[1:])
+    if options.scene == "push":
+        print("demo: the scene push comes with the Replication work; use --scene cubes", file=sys.stderr)
+        return 2
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    try:
+        engine = shlex.split(options.engine) if options.engine else [checkout.ENGINE]
+        if options.engine:
+            os.makedirs(os.path.join(checkout.PROJECT, ".godot"), exist_ok=True)
+            project.list_extensions(checkout.PROJECT)
+        else:
+            project.prepare(checkout.PROJECT)
+        with tempfile.TemporaryDirectory(prefix="ga_godot_demo_") as folder:
+            if options.picture:
+                take_picture(engine, folder, options)
+            elif options.seconds == 0:
+                play(engine, folder, options)
+            else:
+                measure(engine, folder, options)
+    except RunFailed as failure:
+        progress("")
+        print(f"demo: {failure}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+
+def measure(engine, folder, options):
+    """Both methods, one after the other; then the table."""
+    if options.window:
+        need_display()
+    arms = {}
+    for method in METHODS:
+        arm_folder = os.path.join(folder, method)
+        os.mkdir(arm_folder)
+        arms[method] = run_arm(engine, arm_folder, options, method)
+    print_table(arms, options)
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump({"rows": json_rows(arms, options), "machine": machine()}, file, indent=1)
+            file.write("\n")
+
+
+def run_arm(engine, folder, options, method):
+    """One run with one method; returns its figures."""
+    with DemoRun(engine, folder) as run:
+        progress(f"{method}: starting the server")
+        run.start_server(f"--method={method}", f"--cubes={options.cubes}", f"--seconds={options.seconds}",
+                         f"--clients={options.clients}")
+        for number in range(options.clients):
+            run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", f"--seed={number + 1}",
+                             f"--seconds={options.seconds}", window=number if options.window else None)
+        run.wait(options.seconds + SPARE_SECONDS,
+                 lambda elapsed: progress(f"{method}: {options.clients} clients, {elapsed:.0f} s"))
+        run.check_logs()
+        progress(f"{method}: comparing what the clients showed with the server")
+        return evaluate(run, options, method)
+
+
+def evaluate(run, options, method):
+    """The figures of a finished run: means over the clients, errors over all of them together."""
+    told = run.server.report()
+    server = PoseRecord(run.server.record_path, options.cubes)
+    moving = moving_bodies(server)
+    errors = ErrorSummary()
+    reports = [client.report() for client in run.clients]
+    for client in run.clients:
+        shown = PoseRecord(client.record_path, options.cubes)
+        if method == "motors":
+            errors.merge(compare_by_tick(server, moving, shown, told["first_tick"], told["last_tick"]))
+        else:
+            errors.merge(compare_by_wall_clock(server, moving, shown))
+    figures = errors.figures()
+    if figures["p99"] is None:
+        raise RunFailed(f"{method}: no client showed a moving cube")
+    seconds = sum(report["seconds"] for report in reports)
+    figures.update({
+        "bytes_per_second": sum(report["bytes"] for report in reports) / seconds,
+        "packets_per_second": sum(report["packets"] for report in reports) / seconds,
+        "poses_per_second": sum(report["poses"] for report in reports) / seconds,
+        "bytes_per_pose": sum(report["bytes"] for report in reports) / max(1, sum(r["poses"] for r in reports)),
+        "moving": sum(map(len, moving)) / max(1, len(moving)),
+        "late": sum(report["late"] for report in reports),
+    })
+    return figures
+
+
+def play(engine, folder, options):
+    """Windows to play in, until the last is closed."""
+    need_display()
+    with DemoRun(engine, folder) as run:
+        run.start_server(f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
+        for number in range(options.clients):
+            run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", "--record=", window=number)
+        run.wait(float("inf"))
+
+
+def take_picture(engine, folder, options):
+    """What a client's window shows, with a second player who drives round; on a display of its own if there is none."""
+    path = os.path.abspath(options.picture)
+    with contextlib.ExitStack() as stack:
+        if not os.environ.get("DISPLAY"):
+            os.environ.update(stack.enter_context(display.display()))
+        run = stack.enter_context(DemoRun(engine, folder))
+        run.start_server(f"--cubes={options.cubes}", "--clients=2", "--record=")
+        run.start_client("--name=Bea", "--autopilot=circle", "--record=")
+        first = run.start_client("--name=Ada", f"--picture={path}", f"--picture-after={options.seconds}",
+                                 "--record=", window=0)
+        first.process.wait(timeout=options.seconds + SPARE_SECONDS)
+        first.check_log()
+    if not os.path.isfile(path):
+        raise RunFailed(f"no picture was made: {first.last_words()}")
+    print(f"demo: picture in {options.picture}")
+
+
+def need_display():
+    if sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        raise RunFailed("windows need a display: DISPLAY is not set; leave out --window to run without")
+
+
+def machine():
+    return f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,147 @@
+"""One run of the multiplayer demo: a server and clients as processes on this machine, watched until they end."""
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+import checkout
+import engine_log
+
+SCENE = "res://demos/multiplayer/multiplayer.tscn"
+START_SECONDS = 25
+LISTENING = "Server on port"
+REPORT = "REPORT "
+
+
+class RunFailed(Exception):
+    """What went wrong, in one line."""
+
+
+def free_port():
+    """A UDP port that nobody uses at the moment."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class DemoProcess:
+    """One engine process; its output goes to a file."""
+
+    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT):
+        self.name = name
+        self.log_path = os.path.join(folder, name + ".log")
+        self.record_path = os.path.join(folder, name + ".poses")
+        screen = ["--headless"]
+        if window is not None:
+            screen = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy", "--resolution", "1152x648",
+                      "--position", f"{40 + 60 * window},{40 + 60 * window}"]
+        command = [*engine, *screen, "--path", project, SCENE, "--", *arguments]
+        with open(self.log_path, "w", encoding="utf-8") as log:
+            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log,
+                                            stderr=subprocess.STDOUT, start_new_session=True)
+
+    def is_running(self):
+        return self.process.poll() is None
+
+    def log(self):
+        with open(self.log_path, encoding="utf-8", errors="replace") as file:
+            return file.read()
+
+    def wait_for_line(self, start, seconds):
+        """Waits for a line that begins like that; raises RunFailed if none comes."""
+        end = time.monotonic() + seconds
+        while True:
+            running = self.is_running()
+            if any(line.startswith(start) for line in self.log().splitlines()):
+                return
+            if not running:
+                raise RunFailed(f"{self.name} ended before it said '{start}': {self.last_words()}")
+            if time.monotonic() > end:
+                raise RunFailed(f"{self.name} did not say '{start}' within {seconds:g} s")
+            time.sleep(0.05)
+
+    def report(self):
+        """The counts that the process printed at its end; raises RunFailed if it did not."""
+        for line in self.log().splitlines():
+            if line.startswith(REPORT):
+                return json.loads(line[len(REPORT):])
+        raise RunFailed(f"{self.name} printed no report: {self.last_words()}")
+
+    def last_words(self):
+        lines = [line.strip() for line in self.log().splitlines() if line.strip()]
+        return lines[-1] if lines else "it printed nothing"
+
+    def check_log(self):
+        """Raises RunFailed if the engine complained."""
+        problems = engine_log.problems_of(self.log())
+        if problems:
+            raise RunFailed(f"{self.name}: {problems[0]} ({len(problems)} such lines)")
+
+    def kill(self):
+        """Ends the process and what it started, at once."""
+        if self.is_running():
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
+
+
+class DemoRun:
+    """A server and its clients. Use it in a with statement: whatever happens, no process is left."""
+
+    def __init__(self, engine, folder, project=checkout.PROJECT):
+        self.engine = engine
+        self.folder = folder
+        self.project = project
+        self.port = free_port()
+        self.server = None
+        self.clients = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for process in [*self.clients, self.server]:
+            if process is not None:
+                process.kill()
+
+    def start_server(self, *arguments):
+        self.server = self._start("server", ["--role=server", *arguments])
+        self.server.wait_for_line(LISTENING, START_SECONDS)
+
+    def start_client(self, *arguments, window=None):
+        name = f"client{len(self.clients) + 1}"
+        client = self._start(name, ["--role=client", f"--name=Player {len(self.clients) + 1}", *arguments], window)
+        self.clients.append(client)
+        return client
+
+    def wait(self, seconds, tell=None):
+        """Waits until all have ended; raises RunFailed for who has not in time."""
+        start = time.monotonic()
+        while True:
+            running = [process for process in [*self.clients, self.server] if process.is_running()]
+            if not running:
+                return
+            elapsed = time.monotonic() - start
+            if elapsed > seconds:
+                raise RunFailed(f"{running[0].name} did not end within {seconds:g} s: {running[0].last_words()}")
+            if tell is not None:
+                tell(elapsed)
+            time.sleep(0.1)
+
+    def check_logs(self):
+        for process in [self.server, *self.clients]:
+            process.check_log()
+
+    def _start(self, name, arguments, window=None):
+        record = os.path.join(self.folder, name + ".poses")
+        return DemoProcess(self.engine, name, self.folder,
+                           [f"--port={self.port}", f"--record={record}", *arguments], window, self.project)
+
+
+def progress(text):
+    """Shows a line that the next one replaces; nothing where the output is no terminal."""
+    if sys.stderr.isatty():
+        print("\r\033[K" + text, end="", file=sys.stderr, flush=True)
