@@ -16,6 +16,7 @@ CASES = {
     "resource in use": ("ERROR: 2 resources still in use at exit.\n", ["error line: 2 resources still in use at exit."]),
     "orphan name": ("Orphan StringName: foo (static: 0, total: 1)\n", ["Orphan StringName: foo (static: 0, total: 1)"]),
     "sanitizer": ("a.cpp:3:1: runtime error: signed overflow\n", ["a.cpp:3:1: runtime error: signed overflow"]),
+    "the same error again": ("ERROR: bad\nERROR: bad\nERROR: worse\n", ["error line: bad (2 times)", "error line: worse"]),
     "announced": ("[expect] bad input\nERROR: bad input\n", []),
     "announced later": ("SCRIPT ERROR: bad input\n[expect] bad input\n", []),
     "announced once, came twice": ("[expect] bad\nERROR: bad\nERROR: bad\n", ["error line: bad"]),

@@ -31,7 +31,7 @@ class EngineLog:
     def __init__(self):
         self._announced = Counter()
         self._errors = Counter()
-        self._leaks = []
+        self._leaks = Counter()
 
     def feed(self, line):
         """Takes one line, with or without its end."""
@@ -44,16 +44,19 @@ class EngineLog:
         if error:
             self._errors[error.group(1).strip()] += 1
         elif LEAK.search(line):
-            self._leaks.append(line.strip())
+            self._leaks[line.strip()] += 1
 
     def problems(self):
         """One line for each error that no test announced, announced error that did not come, and leak."""
-        found = []
-        for message, count in (self._errors - self._announced).items():
-            found += [f"error line: {message}"] * count
-        for message, count in (self._announced - self._errors).items():
-            found += [f"announced error did not come: {message}"] * count
-        return found + self._leaks
+        found = [told("error line: " + message, count) for message, count in (self._errors - self._announced).items()]
+        found += [told("announced error did not come: " + message, count)
+                  for message, count in (self._announced - self._errors).items()]
+        return found + [told(line, count) for line, count in self._leaks.items()]
+
+
+def told(message, count):
+    """The message, with how often it came if more than once."""
+    return f"{message} ({count} times)" if count > 1 else message
 
 
 def problems_of(text):
