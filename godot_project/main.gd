@@ -20,6 +20,9 @@ const TASK_SCRIPTS: Dictionary[String, String] = {
 	"--screenshots": "res://tests/pictures/picture_runner.gd",
 }
 
+## What follows `--` on the command line; set before the node enters the tree, something else counts.
+var arguments := OS.get_cmdline_user_args()
+
 var _shown: Node
 
 
@@ -27,7 +30,7 @@ func _ready() -> void:
 	if not ClassDB.class_exists(ENTRY_CLASS):
 		_report_missing_library()
 		return
-	for argument in OS.get_cmdline_user_args():
+	for argument in arguments:
 		var key: String = argument.get_slice("=", 0)
 		var value: String = argument.substr(key.length() + 1)
 		if TASK_SCRIPTS.has(key):
@@ -92,7 +95,7 @@ func _run_task(script_path: String, value: String) -> void:
 func _report_missing_library() -> void:
 	var text := "GA-Godot's library is not loaded. Build it with scons in the repository, then start again."
 	printerr(text)
-	if DisplayServer.get_name() == "headless" or not OS.get_cmdline_user_args().is_empty():
+	if DisplayServer.get_name() == "headless" or not arguments.is_empty():
 		get_tree().quit(1)
 		return
 	_show(MISSING_SCENE)

@@ -166,12 +166,12 @@ func test_bad_transforms_return_the_start() -> void:
 func test_bad_motors_return_null() -> void:
 	var motor := Multivector.scalar(1.0)
 	expect_error("MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.", 2)
-	expect_equal(MultivectorLerp.interpolate(null, motor, 0.5, MultivectorLerp.LINEAR), null)
-	expect_equal(MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR), null)
+	expect_null(MultivectorLerp.interpolate(null, motor, 0.5, MultivectorLerp.LINEAR))
+	expect_null(MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR))
 	expect_error("MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from.")
-	expect_equal(MultivectorLerp.interpolate(motor, null, 0.5, MultivectorLerp.LINEAR), null)
+	expect_null(MultivectorLerp.interpolate(motor, null, 0.5, MultivectorLerp.LINEAR))
 	expect_error("MultivectorLerp.interpolate: the weight is not finite.")
-	expect_equal(MultivectorLerp.interpolate(motor, motor, INF, MultivectorLerp.LINEAR), null)
+	expect_null(MultivectorLerp.interpolate(motor, motor, INF, MultivectorLerp.LINEAR))
 
 
 func _at(from: Transform3D, to: Transform3D, weight: float, mode: MultivectorLerp.Mode) -> Transform3D:

@@ -128,7 +128,7 @@ func test_a_released_index_is_an_error_for_ever() -> void:
 	expect_error(NO_INDEX % ["get_transform", index])
 	expect_equal(_pool.get_transform(index), Transform3D.IDENTITY)
 	expect_error(NO_INDEX % ["get_motor", index])
-	expect_equal(_pool.get_motor(index), null)
+	expect_null(_pool.get_motor(index))
 	expect_equal(_pool.get_count(), 1, "count")
 
 

@@ -39,16 +39,16 @@ func test_basis_by_name() -> void:
 
 func test_basis_rejects_what_it_does_not_know() -> void:
 	expect_error("Multivector.basis: \"e6\" names no basis element; names are like \"1\", \"e3\", \"e12\", \"eo\", \"einf\", \"E\", \"I\".")
-	expect_equal(Multivector.basis("e6"), null)
+	expect_null(Multivector.basis("e6"))
 	expect_error("Multivector.basis_blade: index 32 is not in 0..31.")
-	expect_equal(Multivector.basis_blade(32), null)
+	expect_null(Multivector.basis_blade(32))
 	expect_error("Multivector.basis_blade: index -1 is not in 0..31.")
-	expect_equal(Multivector.basis_blade(-1), null)
+	expect_null(Multivector.basis_blade(-1))
 
 
 func test_scalar_rejects_nan() -> void:
 	expect_error("Multivector.scalar: the value is not finite.")
-	expect_equal(Multivector.scalar(NAN), null)
+	expect_null(Multivector.scalar(NAN))
 
 
 func test_coefficients_are_set_and_announced() -> void:
@@ -77,13 +77,17 @@ func test_bad_coefficients_change_nothing() -> void:
 	expect_coefficients(multivector, {E12: 1.0})
 
 
-func test_a_saved_resource_keeps_every_bit() -> void:
-	var path := "user://multivector_test.tres"
+func test_a_saved_resource_keeps_its_coefficients() -> void:
 	var saved := Multivector.motor_from(Vector3(1, -2, 3), Quaternion(0.1, 0.2, 0.3, 0.9), 1.7)
-	expect_equal(ResourceSaver.save(saved, path), OK)
-	var loaded: Multivector = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
-	expect_equal(loaded.coefficients, saved.coefficients)
-	DirAccess.remove_absolute(path)
+	# The engine's text form rounds to the last digit but one; the binary form keeps every bit.
+	var tolerances: Dictionary[String, float] = {"tres": 1e-15, "res": 0.0}
+	for extension: String in tolerances:
+		var path := "user://multivector_test.%s" % extension
+		expect_equal(ResourceSaver.save(saved, path), OK)
+		var loaded: Multivector = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
+		for i in 32:
+			expect_near(loaded.coefficients[i], saved.coefficients[i], tolerances[extension], "coefficient %d of %s" % [i, path])
+		DirAccess.remove_absolute(path)
 
 
 func test_sums_and_multiples() -> void:
@@ -136,21 +140,22 @@ func test_products_reject_null() -> void:
 	var e1 := Multivector.basis("e1")
 	for method: String in ["add", "subtract", "geometric_product", "outer_product", "inner_product", "left_contraction", "right_contraction"]:
 		expect_error("Multivector.%s: the other multivector is null." % method)
-		expect_equal(e1.call(method, null), null, method)
+		var result: Multivector = e1.call(method, null)
+		expect_null(result, method)
 	expect_error("Multivector.scalar_product: the other multivector is null.")
 	expect_equal(e1.scalar_product(null), 0.0)
 	expect_error("Multivector.is_equal_approx: the other multivector is null.")
 	expect_equal(e1.is_equal_approx(null), false)
 	expect_error("Multivector.sandwich: the multivector to transform is null.")
-	expect_equal(e1.sandwich(null), null)
+	expect_null(e1.sandwich(null))
 
 
 func test_results_out_of_range_are_errors() -> void:
 	var huge := Multivector.scalar(1e200)
 	expect_error("Multivector: a coefficient of the result is beyond the range of 64-bit floats; scale the operands down first.")
-	expect_equal(huge.geometric_product(huge), null)
+	expect_null(huge.geometric_product(huge))
 	expect_error("Multivector.scaled: the factor is not finite.")
-	expect_equal(huge.scaled(INF), null)
+	expect_null(huge.scaled(INF))
 
 
 func test_involutions() -> void:
@@ -184,7 +189,7 @@ func test_grade_picks_one_grade() -> void:
 	expect_coefficients(mixed.grade(2), {E12: 1.0})
 	expect_coefficients(mixed.grade(5), {})
 	expect_error("Multivector.grade: grade 6 is not in 0..5.")
-	expect_equal(mixed.grade(6), null)
+	expect_null(mixed.grade(6))
 
 
 func test_inverse() -> void:
@@ -194,7 +199,7 @@ func test_inverse() -> void:
 	expect_coefficients(motor.geometric_product(motor.inverse()), {0: 1.0}, 1e-12, "M times its inverse")
 	expect_coefficients(motor.inverse().geometric_product(motor), {0: 1.0}, 1e-12, "inverse times M")
 	expect_error("Multivector.inverse: there is none that this version finds; versors and blades that are not null have one.")
-	expect_equal(Multivector.basis("eo").inverse(), null)
+	expect_null(Multivector.basis("eo").inverse())
 
 
 func test_norms() -> void:
@@ -203,7 +208,7 @@ func test_norms() -> void:
 	expect_near(Multivector.basis("eo").norm(), 0.0, 0.0)
 	expect_coefficients(Multivector.basis("e1").scaled(4.0).normalized(), {E1: 1.0})
 	expect_error("Multivector.normalized: the norm is zero (a null element, like a point), so it cannot become 1.")
-	expect_equal(Multivector.basis("einf").normalized(), null)
+	expect_null(Multivector.basis("einf").normalized())
 
 
 func test_is_equal_approx() -> void:

@@ -20,7 +20,7 @@ func test_point() -> void:
 	# p + p^2/2 einf + eo.
 	expect_coefficients(Multivector.point(Vector3(1, 2, 3)), {1: 1.0, 2: 2.0, 3: 3.0, 4: 6.5, 5: 7.5})
 	expect_error("Multivector.point: the position is not finite.")
-	expect_equal(Multivector.point(Vector3(INF, 0, 0)), null)
+	expect_null(Multivector.point(Vector3(INF, 0, 0)))
 
 
 func test_translator() -> void:
@@ -28,7 +28,7 @@ func test_translator() -> void:
 	expect_coefficients(Multivector.translator(Vector3(2, -4, 6)),
 			{0: 1.0, 8: -1.0, 9: -1.0, 11: 2.0, 12: 2.0, 13: -3.0, 14: -3.0})
 	expect_error("Multivector.translator: the offset is not finite.")
-	expect_equal(Multivector.translator(Vector3(0, NAN, 0)), null)
+	expect_null(Multivector.translator(Vector3(0, NAN, 0)))
 
 
 func test_rotor() -> void:
@@ -36,17 +36,17 @@ func test_rotor() -> void:
 	expect_coefficients(Multivector.rotor(Quaternion(0.5, -0.5, 0.5, 0.5)), {0: 0.5, 6: -0.5, 7: -0.5, 10: -0.5})
 	var zero := "Multivector.rotor: the quaternion is zero or not finite; the identity is Quaternion(0, 0, 0, 1)."
 	expect_error(zero, 2)
-	expect_equal(Multivector.rotor(Quaternion(0, 0, 0, 0)), null)
-	expect_equal(Multivector.rotor(Quaternion(NAN, 0, 0, 1)), null)
+	expect_null(Multivector.rotor(Quaternion(0, 0, 0, 0)))
+	expect_null(Multivector.rotor(Quaternion(NAN, 0, 0, 1)))
 
 
 func test_dilator() -> void:
 	# cosh(g/2) - sinh(g/2) e45 with exp(g) = 4: 1.25 and 0.75.
 	expect_coefficients(Multivector.dilator(4.0), {0: 1.25, 15: -0.75})
 	expect_error("Multivector.dilator: scale must be a positive number, not %f." % 0.0)
-	expect_equal(Multivector.dilator(0.0), null)
+	expect_null(Multivector.dilator(0.0))
 	expect_error("Multivector.dilator: scale must be a positive number, not %f." % -2.0)
-	expect_equal(Multivector.dilator(-2.0), null)
+	expect_null(Multivector.dilator(-2.0))
 
 
 func test_a_motor_is_translator_times_rotor_times_dilator() -> void:
@@ -95,17 +95,17 @@ func test_motor_from_normalises_and_rejects() -> void:
 	var motor := Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 7.0), 1.0)
 	expect_coefficients(motor, {0: 1.0})
 	expect_error("Multivector.motor_from: the translation is not finite.")
-	expect_equal(Multivector.motor_from(Vector3(NAN, 0, 0), Quaternion.IDENTITY, 1.0), null)
+	expect_null(Multivector.motor_from(Vector3(NAN, 0, 0), Quaternion.IDENTITY, 1.0))
 	expect_error("Multivector.motor_from: the rotation is zero or not finite; no rotation is Quaternion(0, 0, 0, 1).")
-	expect_equal(Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 0), 1.0), null)
+	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 0), 1.0))
 	expect_error("Multivector.motor_from: scale must be a positive number, not %f." % -1.0)
-	expect_equal(Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, -1.0), null)
+	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, -1.0))
 
 
 func test_motor_rejects_what_no_motor_can_hold() -> void:
 	for fault: String in BAD_TRANSFORMS:
 		expect_error("Multivector.motor: the transform %s." % fault)
-		expect_equal(Multivector.motor(BAD_TRANSFORMS[fault]), null, fault)
+		expect_null(Multivector.motor(BAD_TRANSFORMS[fault]), fault)
 
 
 func test_sandwich_moves_points_as_the_transform_does() -> void:
@@ -124,7 +124,7 @@ func test_sandwich_moves_points_as_the_transform_does() -> void:
 func test_only_versors_transform() -> void:
 	var mixed := Multivector.scalar(1.0).add(Multivector.basis("e1").scaled(2.0))
 	expect_error("Multivector.sandwich: this multivector is no versor (even or odd, with an inverse), so it transforms nothing.")
-	expect_equal(mixed.sandwich(Multivector.basis("e2")), null)
+	expect_null(mixed.sandwich(Multivector.basis("e2")))
 
 
 func test_what_is_no_motor_has_no_transform() -> void:

@@ -2,7 +2,7 @@ extends PanelContainer
 ## The left panel: a preset, the mode, and the two poses.
 
 signal mode_chosen(mode: MultivectorLerp.Mode)
-## A preset was chosen or a slider moved; read the poses with get_start() and get_end().
+## A preset was chosen or a slider moved; read the poses with get_start_pose() and get_end_pose().
 signal poses_changed
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
@@ -39,11 +39,11 @@ func _ready() -> void:
 	_end_editor.pose_changed.connect(_on_pose_edited)
 
 
-func get_start() -> DemoPose:
+func get_start_pose() -> DemoPose:
 	return _start_editor.get_pose()
 
 
-func get_end() -> DemoPose:
+func get_end_pose() -> DemoPose:
 	return _end_editor.get_pose()
 
 

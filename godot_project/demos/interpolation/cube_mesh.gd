@@ -24,6 +24,7 @@ static func solid() -> ArrayMesh:
 		tool.set_normal(normal)
 		tool.set_color(FACE_COLORS[normal])
 		var corners: Array[Vector3] = [-u - v, -u + v, u + v, u - v]
+		# Clockwise, seen from outside, is the front.
 		for index: int in [0, 1, 2, 0, 2, 3]:
 			tool.add_vertex((normal + corners[index]) * (EDGE / 2.0))
 	return tool.commit()

@@ -10,11 +10,13 @@ const GHOSTS := 9
 const LINE_POINTS := 97
 ## A row of the pool's buffer: three rows of a 3x4 matrix, the origin in the last column.
 const FLOATS_PER_BODY := 12
-const LINE_RADIUS := 0.012
+const LINE_RADIUS := 0.017
 const FRAME_THICKNESS := 0.016
-## Opacity of the mode that is chosen and of the others.
-const CHOSEN_ALPHA := 0.95
-const OTHER_ALPHA := 0.32
+## Opacity of the ghosts and of the line in the mode that is chosen and in the others.
+const CHOSEN_GHOST_ALPHA := 0.6
+const OTHER_GHOST_ALPHA := 0.22
+const CHOSEN_LINE_ALPHA := 1.0
+const OTHER_LINE_ALPHA := 0.5
 
 var _mode := MultivectorLerp.LINEAR
 var _pool := MotorPool.new()
@@ -23,7 +25,8 @@ var _ghosts := MultiMesh.new()
 var _tube := MeshInstance3D.new()
 var _ghost_weights := PackedFloat32Array()
 var _line_weights := PackedFloat32Array()
-var _material := StandardMaterial3D.new()
+var _ghost_material := _make_material()
+var _line_material := _make_material()
 
 
 func _init(mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
@@ -34,8 +37,6 @@ func _init(mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
 
 
 func _ready() -> void:
-	_material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
-	_material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
 	set_chosen(false)
 
 	_ghosts.transform_format = MultiMesh.TRANSFORM_3D
@@ -44,14 +45,14 @@ func _ready() -> void:
 	var instance := MultiMeshInstance3D.new()
 	instance.name = "Ghosts"
 	instance.multimesh = _ghosts
-	instance.material_override = _material
+	instance.material_override = _ghost_material
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	# The bounds of a multimesh do not follow its buffer in time; the whole scene is near enough.
 	instance.custom_aabb = AABB(Vector3.ONE * -50.0, Vector3.ONE * 100.0)
 	add_child(instance)
 
 	_tube.name = "Line"
-	_tube.material_override = _material
+	_tube.material_override = _line_material
 	_tube.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	add_child(_tube)
 
@@ -71,8 +72,18 @@ func show_path(from: Transform3D, to: Transform3D) -> void:
 
 ## The chosen mode's path is drawn strong, the others faint.
 func set_chosen(chosen: bool) -> void:
-	_material.albedo_color = Color(Modes.COLORS[_mode], CHOSEN_ALPHA if chosen else OTHER_ALPHA)
-	_material.render_priority = 1 if chosen else 0
+	var color := Modes.COLORS[_mode]
+	_ghost_material.albedo_color = Color(color, CHOSEN_GHOST_ALPHA if chosen else OTHER_GHOST_ALPHA)
+	_line_material.albedo_color = Color(color, CHOSEN_LINE_ALPHA if chosen else OTHER_LINE_ALPHA)
+	_ghost_material.render_priority = 1 if chosen else 0
+	_line_material.render_priority = 1 if chosen else 0
+
+
+func _make_material() -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	return material
 
 
 ## Puts `count` bodies into a new pool and returns their weights, spread evenly from 0 to 1.

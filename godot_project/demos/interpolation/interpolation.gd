@@ -49,14 +49,20 @@ func _ready() -> void:
 	set_factor(FIRST_FACTOR)
 
 
+## Space plays whatever has the focus; else it would press the button that was clicked last.
+func _input(event: InputEvent) -> void:
+	var key := event as InputEventKey
+	if key != null and key.pressed and not key.echo and key.keycode == KEY_SPACE:
+		set_playing(not _play_bar.is_playing())
+		get_viewport().set_input_as_handled()
+
+
 func _unhandled_key_input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	if key == null or not key.pressed or key.echo:
 		return
 	if KEY_MODES.has(key.keycode):
 		choose_mode(KEY_MODES[key.keycode] as MultivectorLerp.Mode)
-	elif key.keycode == KEY_SPACE:
-		set_playing(not _play_bar.is_playing())
 	elif key.keycode == KEY_H:
 		show_panels(not _panels.visible)
 	elif key.keycode == KEY_R:
@@ -133,7 +139,7 @@ func _add_caption(cube: MeshInstance3D, words: String) -> void:
 	caption.billboard = BaseMaterial3D.BILLBOARD_ENABLED
 	caption.no_depth_test = true
 	caption.fixed_size = true
-	caption.pixel_size = 0.0012
+	caption.pixel_size = 0.0008
 	caption.font_size = 28
 	caption.outline_size = 8
 	caption.outline_modulate = Color(0.071, 0.082, 0.106, 0.8)
@@ -148,8 +154,8 @@ func _place_caption(cube: MeshInstance3D) -> void:
 
 
 func _on_poses_changed() -> void:
-	_start.transform = _control_panel.get_start().to_transform()
-	_end.transform = _control_panel.get_end().to_transform()
+	_start.transform = _control_panel.get_start_pose().to_transform()
+	_end.transform = _control_panel.get_end_pose().to_transform()
 	_start_motor = Multivector.motor(_start.transform)
 	_end_motor = Multivector.motor(_end.transform)
 	_place_caption(_start)

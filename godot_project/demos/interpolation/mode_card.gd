@@ -3,7 +3,8 @@ extends Button
 
 const Modes := preload("res://demos/interpolation/modes.gd")
 
-const HEIGHT := 46
+const HEIGHT := 52
+const MARGIN := 6
 const SWATCH_SIZE := Vector2(4, 28)
 
 
@@ -14,8 +15,8 @@ func _init(mode := 0, group: ButtonGroup = null) -> void:
 	custom_minimum_size.y = HEIGHT
 
 	var row := HBoxContainer.new()
-	row.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, 9)
-	row.add_theme_constant_override(&"separation", 10)
+	row.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, MARGIN)
+	row.add_theme_constant_override(&"separation", 8)
 	row.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	add_child(row)
 

@@ -4,7 +4,7 @@ extends RefCounted
 const COUNT := 3
 const TITLES: Array[String] = ["Linear", "Screw", "Separate"]
 const LINES: Array[String] = [
-	"Blends the motors' coefficients, as in the paper",
+	"Blends the coefficients of the two motors",
 	"Turns about one axis; size changes evenly",
 	"Position, rotation and scale, each on its own",
 ]

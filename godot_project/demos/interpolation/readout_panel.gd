@@ -16,7 +16,7 @@ const MOTOR_BLADES: Dictionary[String, int] = {
 	"e1234": 26, "e1235": 27,
 }
 const PAIRS: Array[Vector2i] = [Vector2i(0, 1), Vector2i(0, 2), Vector2i(1, 2)]
-const BLADE_WIDTH := 42
+const BLADE_WIDTH := 40
 const NUMBER_WIDTH := 56
 
 var _coefficients: Array[Label] = []
@@ -72,6 +72,7 @@ func _add_number(grid: GridContainer) -> Label:
 	var label := _add_label(grid, "", NUMBER_WIDTH, &"Label")
 	label.add_theme_font_size_override(&"font_size", 12)
 	label.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	return label
 
 

@@ -27,6 +27,12 @@ func expect_equal(actual: Variant, expected: Variant, what := "value") -> void:
 		fail("%s is %s, expected %s" % [what, var_to_str(actual), var_to_str(expected)])
 
 
+func expect_null(actual: Object, what := "value") -> void:
+	_expectations += 1
+	if actual != null:
+		fail("%s is %s, expected null" % [what, actual])
+
+
 func expect_near(actual: float, expected: float, tolerance: float, what := "value") -> void:
 	_expectations += 1
 	# Written so that NaN fails.
@@ -44,11 +50,11 @@ func expect_vector_near(actual: Vector3, expected: Vector3, tolerance: float, wh
 func expect_transform_near(actual: Transform3D, expected: Transform3D, tolerance: float, what := "transform") -> void:
 	_expectations += 1
 	var worst := 0.0
-	for i in 4:
-		for k in 3:
-			var difference := absf(actual[i][k] - expected[i][k])
-			# NaN would vanish in a maximum.
-			worst = INF if is_nan(difference) else maxf(worst, difference)
+	var expected_columns := _columns(expected)
+	for difference in _columns(actual):
+		difference -= expected_columns.pop_front() as Vector3
+		# NaN would vanish in a maximum.
+		worst = maxf(worst, difference.abs()[difference.abs().max_axis_index()]) if difference.is_finite() else INF
 	if worst > tolerance:
 		fail("%s is off by %s, allowed %s\n      actual   %s\n      expected %s" % [what, worst, tolerance, actual, expected])
 
@@ -102,6 +108,10 @@ func free_nodes() -> void:
 		if is_instance_valid(node):
 			node.free()
 	_nodes.clear()
+
+
+func _columns(transform: Transform3D) -> Array[Vector3]:
+	return [transform.basis.x, transform.basis.y, transform.basis.z, transform.origin]
 
 
 ## The nearest line of the test itself.

@@ -1,0 +1,135 @@
+extends Node
+## Compares pictures of the project's scenes with references, and makes sure that the comparison
+## would notice if something had moved or vanished. Ends the program; the last line is
+## `[pictures] N passed, N failed`.
+##
+## --screenshots=DIR   the folder of the references
+## --output=DIR        where the pictures of failed comparisons are written
+## --update            writes the references instead of comparing
+##
+## The window's size is the pictures' size.
+
+const Interpolation := preload("res://demos/interpolation/interpolation.gd")
+const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
+const Scenes := preload("res://tests/pictures/scenes.gd")
+
+## Frames until shaders are compiled and layouts are settled.
+const SETTLING_FRAMES := 6
+## A change of the cube's place that must be noticed, as a part of its path.
+const NOTICED_STEP := 0.05
+
+## The folder of the references.
+var argument := ""
+
+var _output := ""
+var _passed := 0
+var _failed := 0
+
+
+func _ready() -> void:
+	var update := false
+	for other in OS.get_cmdline_user_args():
+		if other.begins_with("--output="):
+			_output = other.trim_prefix("--output=")
+		update = update or other == "--update"
+	if DisplayServer.get_name() == "headless":
+		printerr("Pictures need a display; without a screen start under Xvfb.")
+		get_tree().quit(1)
+		return
+	if update:
+		_update.call_deferred()
+	else:
+		_compare_all.call_deferred()
+
+
+func _update() -> void:
+	var scenes := Scenes.list()
+	for title: String in scenes:
+		var picture := await _take(scenes[title])
+		if picture.save_png(_reference_path(title)) != OK:
+			printerr("%s cannot be written." % _reference_path(title))
+			get_tree().quit(1)
+			return
+		print("wrote %s" % _reference_path(title))
+	get_tree().quit(0)
+
+
+func _compare_all() -> void:
+	var scenes := Scenes.list()
+	for title: String in scenes:
+		await _expect_alike(title, scenes[title])
+	await _expect_different("a cube that moved by 5 % of its path", _with_moved_cube)
+	await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
+	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
+	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+	print("[pictures] %d passed, %d failed" % [_passed, _failed])
+	get_tree().quit(0 if _failed == 0 else 1)
+
+
+func _expect_alike(title: String, make_scene: Callable) -> void:
+	var picture := await _take(make_scene)
+	var reference := _load_reference(title)
+	if reference == null:
+		_fail("%s: there is no reference %s" % [title, _reference_path(title)])
+		return
+	var comparison := PictureComparison.compare(picture, reference)
+	print("%s: %s" % [title, comparison.describe()])
+	if comparison.is_alike():
+		_passed += 1
+		return
+	_fail("%s: does not look like the reference" % title)
+	if not _output.is_empty():
+		picture.save_png(_output.path_join(title + ".png"))
+		print("   what was drawn: %s" % _output.path_join(title + ".png"))
+
+
+## The changed scene must not pass for the picture without panels.
+func _expect_different(change: String, make_scene: Callable) -> void:
+	var reference := _load_reference("interpolation_paths")
+	if reference == null:
+		_fail("%s: there is no reference" % change)
+		return
+	var comparison := PictureComparison.compare(await _take(make_scene), reference)
+	print("%s: %s" % [change, comparison.describe()])
+	if comparison.is_alike() or not comparison.obstacle.is_empty():
+		_fail("%s is not noticed" % change)
+	else:
+		_passed += 1
+
+
+func _with_moved_cube(parent: Node) -> Node:
+	var demo := Scenes.interpolation(parent, 0, MultivectorLerp.SCREW, false)
+	demo.set_factor(Scenes.FACTOR + NOTICED_STEP)
+	return demo
+
+
+func _with_hidden(parent: Node, path: NodePath) -> Node:
+	var demo := Scenes.interpolation(parent, 0, MultivectorLerp.SCREW, false)
+	var node: Node3D = demo.get_node(path)
+	node.hide()
+	return demo
+
+
+func _take(make_scene: Callable) -> Image:
+	var scene: Node = make_scene.call(self)
+	for i in SETTLING_FRAMES:
+		await RenderingServer.frame_post_draw
+	var picture := get_viewport().get_texture().get_image()
+	scene.queue_free()
+	await get_tree().process_frame
+	return picture
+
+
+func _reference_path(title: String) -> String:
+	return argument.path_join(title + ".png")
+
+
+func _load_reference(title: String) -> Image:
+	if not FileAccess.file_exists(_reference_path(title)):
+		return null
+	return Image.load_from_file(_reference_path(title))
+
+
+func _fail(reason: String) -> void:
+	_failed += 1
+	print("FAIL %s" % reason)

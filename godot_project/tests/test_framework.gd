@@ -1,0 +1,69 @@
+extends "res://tests/framework/test_case.gd"
+## The test framework itself: an expectation that does not hold must fail, or no test means anything.
+
+const TestCase := preload("res://tests/framework/test_case.gd")
+
+
+func test_what_holds_passes() -> void:
+	var probe := _probe()
+	probe.expect_true(true, "truth")
+	probe.expect_equal(2, 2)
+	probe.expect_near(1.0, 1.05, 0.1)
+	probe.expect_vector_near(Vector3.ONE, Vector3.ONE, 0.0)
+	probe.expect_transform_near(Transform3D.IDENTITY, Transform3D.IDENTITY, 0.0)
+	probe.expect_coefficients(Multivector.basis("e1"), {1: 1.0})
+	expect_equal(probe.take_failures().size(), 0, "number of failures")
+
+
+func test_what_does_not_hold_fails() -> void:
+	var probe := _probe()
+	probe.expect_true(false, "falsehood")
+	probe.expect_equal(2, 3)
+	probe.expect_equal(2, 2.0)
+	probe.expect_near(1.0, 1.2, 0.1)
+	probe.expect_near(NAN, 1.0, 0.1)
+	probe.expect_vector_near(Vector3(NAN, 0, 0), Vector3.ZERO, 1.0)
+	probe.expect_transform_near(Transform3D(Basis.IDENTITY, Vector3(0, NAN, 0)), Transform3D.IDENTITY, 1.0)
+	probe.expect_coefficients(Multivector.basis("e1"), {2: 1.0})
+	probe.expect_coefficients(null, {})
+	expect_equal(probe.take_failures().size(), 9, "number of failures")
+
+
+func test_a_failure_names_file_line_and_values() -> void:
+	var probe := _probe()
+	probe.expect_equal(2, 3, "answer")
+	var failure := probe.take_failures()[0]
+	expect_true(failure.begins_with("res://tests/test_framework.gd:"), "the place in \"%s\"" % failure)
+	expect_true(failure.ends_with("answer is 2, expected 3"), "the values in \"%s\"" % failure)
+
+
+func test_expecting_nothing_fails() -> void:
+	expect_equal(_probe().take_failures(), PackedStringArray(["expects nothing"]))
+
+
+func test_an_error_nobody_announced_is_a_fault() -> void:
+	# Printed by hand: this one is announced to the reader of the output, not to the log.
+	print("[expect] unannounced")
+	push_error("unannounced")
+	var faults := error_log.take_faults()
+	expect_equal(faults.size(), 1, "number of faults")
+	expect_true(faults[0].begins_with("unexpected error: unannounced"), "the message in \"%s\"" % faults[0])
+
+
+func test_an_announced_error_that_does_not_come_is_a_fault() -> void:
+	error_log.expect("never comes")
+	expect_equal(error_log.take_faults(), PackedStringArray(["expected this error, which did not come: never comes"]))
+
+
+func test_an_announced_error_is_none() -> void:
+	expect_error("announced", 2)
+	push_error("announced")
+	push_error("announced")
+	expect_equal(error_log.take_faults().size(), 0)
+
+
+func _probe() -> TestCase:
+	var probe := TestCase.new()
+	probe.tree = tree
+	probe.error_log = error_log
+	return probe

@@ -1,0 +1,109 @@
+"""GA-Godot's plugin in the real editor, in copies of the project: with and without the library."""
+
+import os
+import re
+import shutil
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PLUGIN = '"res://addons/ga_godot/plugin.cfg"'
+PROBE = "addons/editor_probe"
+MESSAGE = re.compile(r"^WARNING: GA-Godot: .*$", re.MULTILINE)
+EDITOR_SECONDS = 120
+IMPORT_SECONDS = 120
+# Fewer bytes than this are a picture of nothing.
+LEAST_PICTURE = 20_000
+
+
+def tests(engine, project, output):
+    """Yields the title of each test and what is wrong, a list that is empty when it passed."""
+    with tempfile.TemporaryDirectory(prefix="ga_godot_editor_") as place:
+        copy = os.path.join(place, "project")
+        copy_project(project, copy)
+        imported = engine.run(["--path", copy, "--import"], IMPORT_SECONDS, drawing=False)
+        yield "importing a copy of the project", run_problems(imported)
+        yield "the plugin in the editor", check_editor(engine, copy, os.path.join(output, "editor.png"))
+        shutil.rmtree(os.path.join(copy, "addons", "ga_godot", "bin"))
+        yield "the start scene without the library", check_start_without_library(engine, copy)
+        bare = os.path.join(place, "bare")
+        make_bare_project(copy, bare)
+        engine.run(["--path", bare, "--import"], IMPORT_SECONDS, drawing=False)
+        yield "the editor without the library", check_editor_without_library(engine, bare)
+
+
+def copy_project(project, copy):
+    """A copy with the probe as a second plugin."""
+    shutil.copytree(project, copy, ignore=shutil.ignore_patterns(".godot"))
+    shutil.copytree(os.path.join(HERE, "editor_probe"), os.path.join(copy, PROBE))
+    os.makedirs(os.path.join(copy, ".godot"))
+    with open(os.path.join(copy, ".godot", "extension_list.cfg"), "w", encoding="utf-8") as file:
+        file.write("res://addons/ga_godot/ga_godot.gdextension\n")
+    path = os.path.join(copy, "project.godot")
+    with open(path, encoding="utf-8") as file:
+        settings = file.read()
+    if PLUGIN not in settings:
+        raise RuntimeError("project.godot does not enable the plugin")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(settings.replace(PLUGIN, f'{PLUGIN}, "res://{PROBE}/plugin.cfg"'))
+
+
+def make_bare_project(copy, bare):
+    """A project with the addon and the probe of that copy, and nothing that uses them."""
+    shutil.copytree(os.path.join(copy, "addons"), os.path.join(bare, "addons"))
+    shutil.copytree(os.path.join(copy, ".godot"), os.path.join(bare, ".godot"),
+                    ignore=lambda folder, names: [name for name in names if name != "extension_list.cfg"])
+    with open(os.path.join(bare, "project.godot"), "w", encoding="utf-8") as file:
+        file.write('config_version=5\n\n[application]\n\nconfig/name="Bare"\n'
+                   'config/features=PackedStringArray("4.6", "GL Compatibility")\n\n[editor_plugins]\n\n'
+                   f'enabled=PackedStringArray({PLUGIN}, "res://{PROBE}/plugin.cfg")\n')
+
+
+def run_problems(run):
+    """What is wrong with a run that should end well."""
+    return run.problems() + ([] if run.code == 0 else [f"exit code {run.code}", *run.text.splitlines()[-10:]])
+
+
+def check_editor(engine, copy, picture):
+    """The plugin goes off and on, a scene of the addon opens, nothing complains."""
+    run = engine.run(["--path", copy, "-e", "--windowed", "--resolution", "1280x800", "--position", "0,0",
+                      "--", f"--picture={picture}"], EDITOR_SECONDS)
+    said = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
+    expected = ["library loaded", "enabled true", "off false", "on true", "scene MultivectorLerp", "picture OK", "done"]
+    problems = run_problems(run)
+    if said != expected:
+        problems.append(f"the probe said {said}, expected {expected}")
+    if MESSAGE.search(run.text):
+        problems.append(f"a message without need: {MESSAGE.search(run.text).group(0)}")
+    if not os.path.exists(picture) or os.path.getsize(picture) < LEAST_PICTURE:
+        problems.append(f"{picture} shows nothing")
+    return problems
+
+
+def check_editor_without_library(engine, copy):
+    """One clear message each time the plugin is enabled; the engine's own error lines are its own affair."""
+    run = engine.run(["--path", copy, "-e", "--windowed", "--resolution", "1280x800", "--position", "0,0"],
+                     EDITOR_SECONDS)
+    problems = [] if run.code == 0 else [f"exit code {run.code}"]
+    said = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
+    expected = ["library missing", "enabled true", "off false", "on true", "done"]
+    if said != expected:
+        problems.append(f"the probe said {said}, expected {expected}")
+    messages = MESSAGE.findall(run.text)
+    if len(messages) != 2:  # at the start, and when the probe enables the plugin again
+        problems.append(f"{len(messages)} messages of the plugin, expected 2: {messages}")
+    if not all("is missing. Build it with scons" in message for message in messages):
+        problems.append(f"the messages do not say what to do: {messages}")
+    if "SCRIPT ERROR" in run.text:
+        problems.append("a script failed:\n" + run.text)
+    return problems
+
+
+def check_start_without_library(engine, copy):
+    """Exit code 1 and one line that says why."""
+    run = engine.run(["--path", copy, "--", "--test"], 60, drawing=False)
+    problems = [] if run.code == 1 else [f"exit code {run.code}, expected 1"]
+    if "GA-Godot's library is not loaded. Build it with scons" not in run.text:
+        problems.append("it does not say that the library is missing:\n" + run.text)
+    if "SCRIPT ERROR" in run.text:
+        problems.append("a script failed:\n" + run.text)
+    return problems

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""What can only be seen with a display: pictures of the demos, and the plugin in the real editor.
+
+    tests/screenshots/run.py [--engine CMD] [--update | --docs]
+
+Ends with one line `[screenshots] N passed, N failed`; the exit code is 0 only if
+none failed. Draws on the display it is given by DISPLAY, or on an Xvfb of its own.
+Pictures of failures and of the editor are left in build/screenshots.
+"""
+
+import argparse
+import contextlib
+import os
+import re
+import shutil
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
+sys.path.insert(0, HERE)
+
+import display  # noqa: E402
+import editor  # noqa: E402
+import engine_run  # noqa: E402
+
+PROJECT = os.path.join(ROOT, "godot_project")
+REFERENCES = os.path.join(HERE, "reference")
+DOCS_IMAGES = os.path.join(ROOT, "docs", "images")
+OUTPUT = os.path.join(ROOT, "build", "screenshots")
+REFERENCE_SIZE = "1152x648"
+DOCS_SIZE = "1920x1080"
+# Only these of the pictures go into the documentation.
+DOCS_PICTURES = ("interpolation.png",)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Compares pictures with references and drives the editor.")
+    parser.add_argument("--engine", default=os.path.join(ROOT, "tools", "godot"), help="the engine's command")
+    parser.add_argument("--update", action="store_true", help="write the references instead of comparing")
+    parser.add_argument("--docs", action="store_true", help="write the documentation's pictures")
+    options = parser.parse_args()
+    os.makedirs(OUTPUT, exist_ok=True)
+    with screen() as environment:
+        engine = engine_run.Engine(options.engine, environment)
+        if options.update:
+            sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
+        if options.docs:
+            sys.exit(write_documentation(engine))
+        sys.exit(run_tests(engine))
+
+
+def screen():
+    """The environment of the display to draw on, as a context."""
+    if os.environ.get("DISPLAY"):
+        return contextlib.nullcontext({})
+    return display.display()
+
+
+def run_tests(engine):
+    """Runs everything and prints the last line; the exit code."""
+    passed, failed = compare_pictures(engine)
+    for title, problems in editor.tests(engine, PROJECT, OUTPUT):
+        if problems:
+            failed += 1
+            print(f"FAIL {title}")
+            for problem in problems:
+                print(f"   {problem}")
+        else:
+            passed += 1
+            print(f"{title}: as it should be")
+    print(f"[screenshots] {passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+def compare_pictures(engine):
+    """The numbers of comparisons that passed and failed."""
+    run = draw(engine, REFERENCES, REFERENCE_SIZE, f"--output={OUTPUT}")
+    print(run.text, end="", flush=True)
+    last = re.search(r"^\[pictures\] (\d+) passed, (\d+) failed$", run.text, re.MULTILINE)
+    if not last:
+        print("FAIL the engine ended before the last picture")
+        return 0, 1
+    passed, failed = int(last.group(1)), int(last.group(2))
+    problems = run.problems()
+    for problem in problems:
+        print(f"FAIL while drawing: {problem}")
+    if (run.code != 0) != (failed > 0):
+        problems.append(f"exit code {run.code}")
+        print(f"FAIL exit code {run.code} with {failed} failed pictures")
+    return passed, failed + len(problems)
+
+
+def draw(engine, folder, size, *arguments):
+    """One run of the project's picture runner."""
+    return engine.run(["--path", PROJECT, "--windowed", "--resolution", size, "--position", "0,0",
+                       "--", f"--screenshots={folder}", *arguments], seconds=150)
+
+
+def write_pictures(engine, folder, size):
+    """Writes all pictures into a folder; the exit code."""
+    os.makedirs(folder, exist_ok=True)
+    run = draw(engine, folder, size, "--update")
+    print(run.text, end="")
+    return run.code
+
+
+def write_documentation(engine):
+    """The documentation's pictures, larger than the references."""
+    folder = os.path.join(OUTPUT, "docs")
+    code = write_pictures(engine, folder, DOCS_SIZE)
+    if code == 0:
+        os.makedirs(DOCS_IMAGES, exist_ok=True)
+        for name in DOCS_PICTURES:
+            shutil.copyfile(os.path.join(folder, name), os.path.join(DOCS_IMAGES, name))
+            print(f"wrote {os.path.relpath(os.path.join(DOCS_IMAGES, name), ROOT)}")
+    return code
+
+
+if __name__ == "__main__":
+    main()
