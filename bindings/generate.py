@@ -39,8 +39,9 @@ HANDLES = {
 }
 ELEMENTS = {"PackedByteArray": "uint8_t", "PackedInt32Array": "int32_t", "PackedFloat32Array": "float", "PackedFloat64Array": "double", "PackedStringArray": "String"}
 
-# Operators of built-in types with an operand of the same type. "%" is String's, with an Array.
+# Operators of built-in types with an operand of the same type, or of the types given below it.
 OPERATORS = {"==": "EQUAL", "!=": "NOT_EQUAL", "<": "LESS", "+": "ADD", "%": "MODULE"}
+RIGHT_TYPES = {("String", "+"): ("String", "StringName"), ("String", "%"): ("Array",)}
 
 UTILITY_FUNCTIONS = ("print", "printerr", "push_error", "push_warning")
 
@@ -250,7 +251,7 @@ def builtin_operators(api, name):
 	found = []
 	for operator in api.builtins[name]["operators"]:
 		right = operator.get("right_type")
-		wanted = right == ("Array" if operator["name"] == "%" else name)
+		wanted = right in RIGHT_TYPES.get((name, operator["name"]), (name,))
 		if operator["name"] in OPERATORS and wanted and not (name == "StringName" and operator["name"] in ("==", "!=")):
 			found.append((operator["name"], api.spell(operator["return_type"]), right))
 	return found

@@ -125,7 +125,9 @@ void Singleton::forget(const Wrapped *p_wrapper) {
 
 void Singleton::free_all() {
 	while (singletons) {
-		gdextension_interface::object_free_instance_binding(singletons->object.load()->_owner, gdextension_interface::token);
+		const Object *wrapper = singletons->object.load();
+		forget(wrapper);
+		gdextension_interface::object_free_instance_binding(wrapper->_owner, gdextension_interface::token);
 	}
 }
 

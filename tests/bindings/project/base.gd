@@ -1,0 +1,33 @@
+## The base of the check files: counts what holds and prints what does not.
+class_name Checks
+extends RefCounted
+
+var tree: SceneTree
+var passed: int = 0
+var failed: int = 0
+
+
+## The same type and value; floats to within single precision.
+func same(value: Variant, expected: Variant) -> void:
+	# A null that was declared as an object has the type of one.
+	var is_null: bool = value == null and expected == null
+	if is_null or (typeof(value) == typeof(expected) and (value == expected or _close(value, expected))):
+		passed += 1
+		return
+	failed += 1
+	var place: Dictionary = get_stack()[1] if get_stack().size() > 1 else {"source": "?", "line": 0}
+	print("FAIL %s:%d: %s (%s) is not %s (%s)" % [place["source"], place["line"], var_to_str(value), type_string(typeof(value)), var_to_str(expected), type_string(typeof(expected))])
+
+
+## Announces an error line that the next call prints.
+func expect_error(message: String) -> void:
+	print("[expect] %s" % message)
+
+
+func _close(value: Variant, expected: Variant) -> bool:
+	match typeof(value):
+		TYPE_FLOAT:
+			return is_equal_approx(value, expected)
+		TYPE_VECTOR3, TYPE_QUATERNION, TYPE_BASIS, TYPE_TRANSFORM3D:
+			return value.is_equal_approx(expected)
+	return false

@@ -1,0 +1,101 @@
+## Defaults, statics, enums, and calls that do not fit: those must be reported, not crash.
+extends Checks
+
+var values: SampleValues = SampleValues.new()
+
+
+## Calls without the checks that the parser makes, and without an error line: the error as Expression reports it.
+func misfit(text: String) -> bool:
+	var expression := Expression.new()
+	same(expression.parse(text, ["values"]), OK)
+	expression.execute([values], null, false)
+	return expression.has_execute_failed()
+
+
+func check_defaults() -> void:
+	same(values.repeat("x"), "x-x")
+	same(values.repeat("x", 3), "x-x-x")
+	same(values.repeat("x", 3, ""), "xxx")
+	same(values.call("repeat", "x"), "x-x")
+	same(values.callv("repeat", ["x", 1]), "x")
+	same(SampleValues.join("a"), "ab3")
+	same(SampleValues.join("a", "c"), "ac3")
+	same(SampleValues.join("a", "c", 4), "ac4")
+	same(SampleNote.make("a").weight, 2.5)
+	var method: Dictionary = method_of("SampleValues", "repeat")
+	same(method["default_args"], [2, "-"])
+
+
+func check_enums_and_constants() -> void:
+	same(values.mix(SampleValues.GREEN, SampleValues.GREEN), SampleValues.GREEN)
+	same(values.mix(SampleValues.GREEN, SampleValues.RED), SampleValues.BLUE)
+	same(SampleValues.BLUE as int, 40)
+	same(SampleValues.LIMIT, 1000)
+	same(ClassDB.class_get_enum_constants("SampleValues", "Colour", true), PackedStringArray(["RED", "GREEN", "BLUE"]))
+	same(ClassDB.class_get_integer_constant_enum("SampleValues", "GREEN"), &"Colour")
+	same(ClassDB.class_get_enum_list("SampleValues", true), PackedStringArray(["Colour"]))
+	same(method_of("SampleValues", "mix")["args"][0]["class_name"], &"SampleValues.Colour")
+
+
+func check_statics() -> void:
+	same(ClassDB.class_call_static("SampleValues", "join", "p", "q", 1), "pq1")
+	same(method_of("SampleValues", "join")["flags"] & METHOD_FLAG_STATIC, METHOD_FLAG_STATIC)
+	same(method_of("SampleValues", "negate")["flags"] & METHOD_FLAG_CONST, METHOD_FLAG_CONST)
+
+
+func check_wrong_numbers_of_arguments() -> void:
+	same(misfit("values.negate()"), true)
+	same(misfit("values.negate(true, false)"), true)
+	same(misfit("values.repeat()"), true)
+	same(misfit("values.repeat(\"a\", 1, \"b\", 2)"), true)
+	same(misfit("values.count_alive(1)"), true)
+	same(misfit("values.negate(true)"), false)
+	same(misfit("values.repeat(\"a\")"), false)
+
+
+func check_wrong_types_of_arguments() -> void:
+	same(misfit("values.negate(\"yes\")"), true)
+	same(misfit("values.cross(1, 2)"), true)
+	same(misfit("values.cross(Vector3(), Vector2())"), true)
+	same(misfit("values.floats(\"text\")"), true)
+	same(misfit("values.summarise({})"), true)
+	# An object of another class is refused by bindings/ and arrives as null with godot-cpp.
+	for method: String in ["describe_note", "describe_node"]:
+		var expression := Expression.new()
+		same(expression.parse("values.%s(values)" % method, ["values"]), OK)
+		var result: Variant = expression.execute([values], null, false)
+		same(expression.has_execute_failed() or result == "null", true)
+	same(misfit("values.describe_object(5)"), true)
+	same(misfit("values.describe_object(null)"), false)
+	same(misfit("values.describe_object(values)"), false)
+
+
+func check_what_callers_are_told() -> void:
+	expect_error("Invalid type in function 'cross (via call)' in base 'SampleValues'. Cannot convert argument 3 from String to Vector3.")
+	call_wrongly(&"cross", [Vector3.UP, "up"])
+	expect_error("Invalid call to function 'add_up (via call)' in base 'SampleValues'. Expected 4 argument(s).")
+	call_wrongly(&"add_up", [1, 2])
+	expect_error("Invalid call to function 'negate (via call)' in base 'SampleValues'. Expected 1 argument(s).")
+	call_wrongly(&"negate", [1, 2, 3])
+	same(values.negate(false), true)
+
+
+## Ends with a script error, which ends this function but not its caller.
+func call_wrongly(method: StringName, arguments: Array) -> void:
+	if arguments.size() == 3:
+		values.call(method, arguments[0], arguments[1], arguments[2])
+	else:
+		values.call(method, arguments[0], arguments[1])
+
+
+func check_errors_keep_their_text() -> void:
+	expect_error("Ärger: 100% wörtlich")
+	SampleValues.fail_with("Ärger: 100% wörtlich")
+	same(true, true)
+
+
+func method_of(type: StringName, method: StringName) -> Dictionary:
+	for entry: Dictionary in ClassDB.class_get_method_list(type, true):
+		if entry["name"] == method:
+			return entry
+	return {}

@@ -1,0 +1,105 @@
+## Values of every type, there and back: by typed calls, and by Variants through call().
+extends Checks
+
+var values: SampleValues = SampleValues.new()
+
+
+func both(method: StringName, arguments: Array, expected: Variant) -> void:
+	same(values.callv(method, arguments), expected)
+
+
+func check_numbers() -> void:
+	same(values.negate(true), false)
+	same(values.negate(false), true)
+	same(values.add_up(-100, 60000, -2000000000, 9000000000), 7000059900)
+	same(values.halve(3.0), 1.5)
+	both(&"negate", [true], false)
+	both(&"add_up", [-100, 60000, -2000000000, 9000000000], 7000059900)
+	both(&"halve", [3.0], 1.5)
+	both(&"halve", [3], 1.5)
+
+
+func check_texts() -> void:
+	same(values.repeat("ab", 3, "/"), "ab/ab/ab")
+	same(values.repeat("äß→😀", 2, ""), "äß→😀äß→😀")
+	same(values.repeat("", 0, ""), "")
+	same(values.prefixed(&"name"), &"pre_name")
+	same(values.child_path(^"a/b"), ^"a/b/child")
+	both(&"repeat", ["ab", 3, "/"], "ab/ab/ab")
+	both(&"prefixed", ["name"], &"pre_name")
+	both(&"child_path", ["a"], ^"a/child")
+
+
+func check_geometry() -> void:
+	var turn := Quaternion(Vector3(1, 2, 2) / 3.0, 1.1)
+	var other := Transform3D(Basis(turn).scaled(Vector3(2, 3, 4)), Vector3(7, 8, 9))
+	same(values.cross(Vector3(1, 2, 3), Vector3(-2, 5, 0.5)), Vector3(1, 2, 3).cross(Vector3(-2, 5, 0.5)))
+	same(values.turn_twice(turn), turn * turn)
+	same(values.to_basis(turn), Basis(turn))
+	same(values.chain(other, Transform3D(Basis(turn), Vector3(1, 0, 0))), other * Transform3D(Basis(turn), Vector3(1, 0, 0)))
+	both(&"cross", [Vector3(1, 0, 0), Vector3(0, 1, 0)], Vector3(0, 0, 1))
+	both(&"turn_twice", [turn], turn * turn)
+	both(&"chain", [other, other], other * other)
+	for axis: Vector3 in [Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(-1, 1, 1).normalized(), Vector3(3, 1, -2).normalized()]:
+		for angle: float in [0.0, 0.3, 2.0, 3.1, PI]:
+			var basis := Basis(axis, angle)
+			same(Basis(values.to_quaternion(basis)), basis)
+			same(values.to_basis(Quaternion(axis, angle)), basis)
+
+
+func check_measures() -> void:
+	var measured: Array = values.measure(Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4)))
+	same(measured, [25.0, 5.0, 12.0, 24.0, true, false])
+	measured = values.measure(Vector3(NAN, 0, 0), Vector3(INF, 0, 0), Basis.IDENTITY)
+	same(measured[4], false)
+	same(values.measure(Vector3(1, 1, 1), Vector3(1, 1, 1.000001), Basis.IDENTITY)[5], true)
+
+
+func check_variants() -> void:
+	for value: Variant in [null, true, -5, 2.5, "text", &"name", ^"path", Vector3(1, 2, 3), Transform3D.IDENTITY, [1, "two"], {"a": 1}, PackedByteArray([1, 2]), values, Color.RED, Vector2i(3, 4)]:
+		same(values.echo(value), value)
+		same(values.type_of(value), type_string(typeof(value)) if value != null else "Nil")
+		both(&"echo", [value], value)
+	same(values.echo(), null)
+
+
+func check_containers() -> void:
+	same(values.summarise([1, 2.5, 3]), {"sum": 6.5, "reversed": [3, 2.5, 1], "first": 1})
+	same(values.summarise(), {"sum": 0.0, "reversed": [], "first": null})
+	same(values.keys_and_values({"a": 1, 2: [3]}), ["a", 1, 2, [3]])
+	same(values.keys_and_values({}), [])
+
+
+func check_packed_arrays() -> void:
+	var bytes := PackedByteArray([0, 1, 255])
+	same(values.bytes(bytes), PackedByteArray([255, 254, 0]))
+	same(bytes, PackedByteArray([0, 1, 255]))
+	same(values.bytes(PackedByteArray()), PackedByteArray())
+	same(values.ints(PackedInt32Array([1, -2])), PackedInt32Array([7, -7, 1, -2]))
+	same(values.floats(PackedFloat32Array([0.5, -3])), PackedFloat32Array([1, -6]))
+	same(values.floats(PackedFloat32Array()), PackedFloat32Array())
+	same(values.doubles(PackedFloat64Array([0.1])), PackedFloat64Array([1.1]))
+	same(values.strings(PackedStringArray(["a", "ö"])), PackedStringArray(["A", "Ö!"]))
+	both(&"floats", [[1, 2]], PackedFloat32Array([2, 4]))
+
+
+func check_typed_arrays() -> void:
+	var transforms: Array[Transform3D] = [Transform3D.IDENTITY, Transform3D(Basis.IDENTITY, Vector3(1, 2, 3))]
+	var moved: Array[Transform3D] = values.move_all(transforms, Vector3(0, 0, 10))
+	same(moved.size(), 2)
+	same(moved[1].origin, Vector3(1, 2, 13))
+	same(transforms[1].origin, Vector3(1, 2, 3))
+	same(moved.is_typed(), true)
+	same(moved.get_typed_builtin(), TYPE_TRANSFORM3D)
+	# An untyped array with elements of the right type is taken as well.
+	moved = values.call("move_all", [Transform3D.IDENTITY], Vector3.UP)
+	same(moved[0].origin, Vector3.UP)
+	same(values.move_all([], Vector3.UP).get_typed_builtin(), TYPE_TRANSFORM3D)
+
+
+func check_conversions_free_what_they_make() -> void:
+	var arguments: Array = [[1, 2, 3], {"a": 1}, "text", PackedFloat32Array([1, 2]), [] as Array[Transform3D]]
+	same(values.convert_often(arguments, 10), 100)
+	var before: int = OS.get_static_memory_usage()
+	same(values.convert_often(arguments, 20000), 200000)
+	same(OS.get_static_memory_usage() - before < 100000, true)

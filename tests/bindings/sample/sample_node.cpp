@@ -1,0 +1,142 @@
+#include "sample_node.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+
+namespace bindings_sample {
+
+using namespace godot;
+
+void SampleNode::_ready() {
+	record("ready");
+	set_process(true);
+}
+
+void SampleNode::_process(double) {
+	_frames++;
+	emit_signal("stepped", _frames, get_name());
+}
+
+PackedStringArray SampleNode::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (_target.is_empty()) {
+		warnings.push_back("no target");
+	}
+	return warnings;
+}
+
+void SampleNode::set_target(const NodePath &p_path) {
+	_target = p_path;
+}
+
+NodePath SampleNode::get_target() const {
+	return _target;
+}
+
+void SampleNode::set_note(const Ref<SampleNote> &p_note) {
+	_note = p_note;
+}
+
+Ref<SampleNote> SampleNode::get_note() const {
+	return _note;
+}
+
+PackedStringArray SampleNode::get_log() const {
+	return _log;
+}
+
+int64_t SampleNode::get_frames() const {
+	return _frames;
+}
+
+String SampleNode::find_target() const {
+	const Node3D *target = get_node<Node3D>(_target);
+	return target ? String(target->get_name()) : String("none");
+}
+
+String SampleNode::find_missing() const {
+	return get_node_or_null(NodePath("no/such/node")) ? String("found") : String("missing");
+}
+
+Node *SampleNode::grow(const String &p_name) {
+	SampleMover *child = memnew(SampleMover);
+	child->set_name(p_name);
+	add_child(child);
+	return child;
+}
+
+void SampleNode::_notification(int p_what) {
+	switch (p_what) {
+		case NOTIFICATION_POSTINITIALIZE:
+			record("postinitialize");
+			break;
+		case NOTIFICATION_ENTER_TREE:
+			record("enter");
+			break;
+		case NOTIFICATION_EXIT_TREE:
+			record("exit");
+			break;
+	}
+}
+
+void SampleNode::record(const String &p_what) {
+	_log.push_back(p_what);
+}
+
+void SampleNode::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_target", "path"), &SampleNode::set_target);
+	ClassDB::bind_method(D_METHOD("get_target"), &SampleNode::get_target);
+	ClassDB::bind_method(D_METHOD("set_note", "note"), &SampleNode::set_note);
+	ClassDB::bind_method(D_METHOD("get_note"), &SampleNode::get_note);
+	ClassDB::bind_method(D_METHOD("get_log"), &SampleNode::get_log);
+	ClassDB::bind_method(D_METHOD("get_frames"), &SampleNode::get_frames);
+	ClassDB::bind_method(D_METHOD("find_target"), &SampleNode::find_target);
+	ClassDB::bind_method(D_METHOD("find_missing"), &SampleNode::find_missing);
+	ClassDB::bind_method(D_METHOD("grow", "name"), &SampleNode::grow);
+	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "note", PROPERTY_HINT_RESOURCE_TYPE, "SampleNote"), "set_note", "get_note");
+	ADD_SIGNAL(MethodInfo("stepped", PropertyInfo(Variant::INT, "frame"), PropertyInfo(Variant::STRING_NAME, "who")));
+}
+
+void SampleChild::_process(double p_delta) {
+	SampleNode::_process(p_delta);
+	_time += p_delta;
+}
+
+double SampleChild::get_time() const {
+	return _time;
+}
+
+void SampleChild::_notification(int p_what) {
+	if (p_what == NOTIFICATION_ENTER_TREE) {
+		record("child enter");
+	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		record("child exit");
+	}
+}
+
+void SampleChild::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_time"), &SampleChild::get_time);
+}
+
+void SampleMover::place(const Vector3 &p_position) {
+	set_transform(Transform3D(get_transform().basis, p_position));
+}
+
+void SampleMover::place_other(Node3D *p_other, const Transform3D &p_transform) const {
+	if (p_other) {
+		p_other->set_global_transform(p_transform);
+	}
+}
+
+Vector3 SampleMover::parent_position() const {
+	const Node3D *parent = Object::cast_to<Node3D>(get_parent());
+	return parent ? parent->get_global_transform().origin : Vector3();
+}
+
+void SampleMover::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("place", "position"), &SampleMover::place);
+	ClassDB::bind_method(D_METHOD("place_other", "other", "transform"), &SampleMover::place_other);
+	ClassDB::bind_method(D_METHOD("parent_position"), &SampleMover::parent_position);
+}
+
+} // namespace bindings_sample

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "sample_note.hpp"
+
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+
+namespace bindings_sample {
+
+/// A node that records what the engine calls on it.
+class SampleNode : public godot::Node {
+	GDCLASS(SampleNode, godot::Node)
+
+public:
+	void _ready() override;
+	void _process(double p_delta) override;
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+	void set_target(const godot::NodePath &p_path);
+	godot::NodePath get_target() const;
+	void set_note(const godot::Ref<SampleNote> &p_note);
+	godot::Ref<SampleNote> get_note() const;
+	godot::PackedStringArray get_log() const;
+	int64_t get_frames() const;
+	godot::String find_target() const;
+	godot::String find_missing() const;
+	/// Adds a child that C++ makes, and returns it.
+	godot::Node *grow(const godot::String &p_name);
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+	void record(const godot::String &p_what);
+
+private:
+	godot::NodePath _target;
+	godot::Ref<SampleNote> _note;
+	godot::PackedStringArray _log;
+	int64_t _frames = 0;
+};
+
+/// A class below another extension class: its notifications come after its parent's, and the parent's virtual methods
+/// stay its own.
+class SampleChild : public SampleNode {
+	GDCLASS(SampleChild, SampleNode)
+
+public:
+	void _process(double p_delta) override;
+	double get_time() const;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	double _time = 0;
+};
+
+/// A node in space that moves itself and others.
+class SampleMover : public godot::Node3D {
+	GDCLASS(SampleMover, godot::Node3D)
+
+public:
+	void place(const godot::Vector3 &p_position);
+	void place_other(godot::Node3D *p_other, const godot::Transform3D &p_transform) const;
+	/// Where the parent is in the world; the origin if that is no Node3D.
+	godot::Vector3 parent_position() const;
+
+protected:
+	static void _bind_methods();
+};
+
+} // namespace bindings_sample

@@ -1,0 +1,76 @@
+#include "sample_note.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+namespace bindings_sample {
+
+using godot::PackedFloat64Array;
+using godot::Ref;
+using godot::String;
+
+Ref<SampleNote> SampleNote::make(const String &p_text, double p_weight) {
+	Ref<SampleNote> note;
+	note.instantiate();
+	note->_text = p_text;
+	note->_weight = p_weight;
+	return note;
+}
+
+void SampleNote::set_text(const String &p_text) {
+	_text = p_text;
+	emit_changed();
+}
+
+String SampleNote::get_text() const {
+	return _text;
+}
+
+void SampleNote::set_values(const PackedFloat64Array &p_values) {
+	ERR_FAIL_COND_MSG(p_values.size() > 4, godot::vformat("SampleNote: %d values are more than 4.", p_values.size()));
+	_values = p_values;
+	emit_changed();
+}
+
+PackedFloat64Array SampleNote::get_values() const {
+	return _values;
+}
+
+double SampleNote::get_weight() const {
+	return _weight;
+}
+
+Ref<SampleNote> SampleNote::joined(const Ref<SampleNote> &p_other) const {
+	ERR_FAIL_COND_V_MSG(p_other.is_null(), Ref<SampleNote>(), "SampleNote.joined: the other note is null.");
+	return make(_text + String("+") + p_other->_text, _weight + p_other->_weight);
+}
+
+Ref<SampleNote> SampleNote::itself() {
+	return this;
+}
+
+String SampleNote::_to_string() const {
+	return "note:" + _text;
+}
+
+void SampleNote::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+	using godot::PropertyInfo;
+	using godot::Variant;
+
+	ClassDB::bind_static_method("SampleNote", D_METHOD("make", "text", "weight"), &SampleNote::make, DEFVAL(2.5));
+	ClassDB::bind_method(D_METHOD("set_text", "text"), &SampleNote::set_text);
+	ClassDB::bind_method(D_METHOD("get_text"), &SampleNote::get_text);
+	ClassDB::bind_method(D_METHOD("set_values", "values"), &SampleNote::set_values);
+	ClassDB::bind_method(D_METHOD("get_values"), &SampleNote::get_values);
+	ClassDB::bind_method(D_METHOD("get_weight"), &SampleNote::get_weight);
+	ClassDB::bind_method(D_METHOD("joined", "other"), &SampleNote::joined);
+	ClassDB::bind_method(D_METHOD("itself"), &SampleNote::itself);
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "text"), "set_text", "get_text");
+	ADD_GROUP("Numbers", "");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT64_ARRAY, "values"), "set_values", "get_values");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "weight"), "", "get_weight");
+}
+
+} // namespace bindings_sample

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
+
+namespace bindings_sample {
+
+/// A resource with properties that change together with a signal of the engine's own.
+class SampleNote : public godot::Resource {
+	GDCLASS(SampleNote, godot::Resource)
+
+public:
+	static godot::Ref<SampleNote> make(const godot::String &p_text, double p_weight);
+
+	void set_text(const godot::String &p_text);
+	godot::String get_text() const;
+	void set_values(const godot::PackedFloat64Array &p_values);
+	godot::PackedFloat64Array get_values() const;
+	double get_weight() const;
+
+	/// A new note with the texts of both; null, after an error, if the other is null.
+	godot::Ref<SampleNote> joined(const godot::Ref<SampleNote> &p_other) const;
+	godot::Ref<SampleNote> itself();
+
+	godot::String _to_string() const;
+
+protected:
+	static void _bind_methods();
+
+private:
+	godot::String _text;
+	godot::PackedFloat64Array _values;
+	double _weight = 1.0;
+};
+
+} // namespace bindings_sample
