@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
+#include <type_traits>
 
 // phi(z) = (exp(z) - 1) / z, on which exp, log and power of similarities rest, stable for all
 // z = sigma + i theta with |theta| < 2 pi; and the axis and angle of a rotation.
@@ -45,14 +45,18 @@ template <class Number, class T>
 
 namespace detail {
 
-// Length without overflow or underflow of the squares.
-template <class T>
-[[nodiscard]] T length(const Vector3<T> &vector) noexcept {
-	const T largest = std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z) });
-	if (!(largest > T(0))) {
-		return T(0);
+// Length without overflow or underflow of the squares, and for float with one rounding.
+[[nodiscard]] inline float length(const Vector3<float> &vector) noexcept {
+	const Vector3<double> wide(vector);
+	return float(std::sqrt(glm::dot(wide, wide)));
+}
+
+[[nodiscard]] inline double length(const Vector3<double> &vector) noexcept {
+	const double largest = std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z) });
+	if (!(largest > 0.0)) {
+		return 0.0;
 	}
-	const Vector3<T> scaled = vector / largest;
+	const Vector3<double> scaled = vector / largest;
 	return largest * std::sqrt(glm::dot(scaled, scaled));
 }
 

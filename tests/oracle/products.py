@@ -1,0 +1,115 @@
+"""Products, involutions, duals, inverses, sandwiches and motors against the Python package `clifford`."""
+
+import clifford
+import numpy as np
+from clifford import g3c
+
+from library import BLADES
+from poses import matrices_of, random_poses
+
+BOUND = 1e-12
+RANDOM_PAIRS = 1000
+LAYOUT = g3c.layout
+SCALAR = np.eye(BLADES)[0]
+
+
+def check(library, report):
+    """Everything of this file."""
+    names = [LAYOUT.names[i] for i in range(BLADES)]
+    assert names[1] == "e1" and names[6] == "e12" and names[31] == "e12345" and list(LAYOUT.sig) == [1, 1, 1, 1, -1]
+    random = np.random.default_rng(20)
+    basis = np.eye(BLADES)
+    every_left, every_right = np.repeat(basis, BLADES, axis=0), np.tile(basis, (BLADES, 1))
+    left, right = random.standard_normal((2, RANDOM_PAIRS, BLADES))
+    for name, function in PRODUCTS.items():
+        exact = np.array([function(a, b) for a, b in zip(every_left, every_right)])
+        ours = library.product(name, every_left, every_right)
+        report.check(f"clifford: {name} product of basis blades", np.abs(ours - exact).max(axis=1), 0.0)
+        exact = np.array([function(a, b) for a, b in zip(left, right)])
+        report.check(f"clifford: {name} product of random elements", relative(library.product(name, left, right), exact), BOUND)
+    for name, function in OPERATIONS.items():
+        operands = np.concatenate([basis, left])
+        exact = np.array([function(element(x)).value for x in operands])
+        report.check(f"clifford: {name}", relative(library.operation(name, operands), exact), BOUND)
+    check_versors(library, report, random)
+    check_motors(library, report, random)
+
+
+def check_versors(library, report, random):
+    """Products of one to five vectors, inverted and applied; odd ones with the grade involution."""
+    versors, operands, inverses, images = [], [], [], []
+    for i in range(RANDOM_PAIRS):
+        versor = element(SCALAR)
+        factors = 1 + i % 5
+        for _ in range(factors):
+            vector = random.standard_normal(5)
+            vector[4] *= 0.3  # away from null vectors
+            versor = versor * sum(c * e for c, e in zip(vector, LAYOUT.blades_of_grade(1)))
+        operand = element(random.standard_normal(BLADES))
+        inverse = versor.hitzer_inverse()
+        versors.append(versor.value)
+        operands.append(operand.value)
+        inverses.append(inverse.value)
+        images.append((versor * (operand.gradeInvol() if factors % 2 else operand) * inverse).value)
+    exact = np.array(inverses)
+    report.check("clifford: inverse of versors", relative(library.operation("inverse", versors), exact), BOUND)
+    report.check("clifford: sandwich with even and odd versors", relative(library.sandwich(versors, operands), np.array(images)), BOUND)
+
+
+def check_motors(library, report, random):
+    """Motors against matrices, through clifford's conformal points; extraction for any weight."""
+    poses = random_poses(random, RANDOM_PAIRS)
+    points = random.standard_normal((RANDOM_PAIRS, 3)) * 3.0
+    motors = library.motor(poses)
+    exact = np.einsum("nij,nj->ni", matrices_of(poses)[:, :, :3], points) + matrices_of(poses)[:, :, 3]
+    images = []
+    for motor, position in zip(motors, points):
+        versor = element(motor)
+        conformal = g3c.up(sum(c * e for c, e in zip(position, [g3c.e1, g3c.e2, g3c.e3])))
+        images.append(g3c.down(versor * conformal * ~versor).value[1:4])
+    # down() divides by a weight that is a difference of numbers of the size of the distance squared.
+    size = 1.0 + np.sum(exact**2, axis=1)
+    report.check("clifford: motors move conformal points", np.linalg.norm(np.array(images) - exact, axis=1) / size**1.5, 1e-11)
+    weights = 10.0 ** random.uniform(-3.0, 3.0, (RANDOM_PAIRS, 1)) * random.choice([-1.0, 1.0], (RANDOM_PAIRS, 1))
+    extracted = library.extract(motors * weights)
+    errors = np.abs(matrices_of(extracted) - matrices_of(poses)).max(axis=(1, 2))
+    report.check("matrices: poses of motors of any weight", errors / np.abs(matrices_of(poses)).max(axis=(1, 2)), BOUND)
+
+
+def element(value):
+    return clifford.MultiVector(LAYOUT, np.array(value, float))
+
+
+def relative(ours, exact):
+    """The largest difference of each row relative to its largest coefficient."""
+    return np.abs(ours - exact).max(axis=1) / np.maximum(np.abs(exact).max(axis=1), 1e-300)
+
+
+def fat_dot(left, right):
+    """clifford's inner product leaves scalars out; the fat dot does not."""
+    a, b = left[0], right[0]
+    return LAYOUT.imt_func(left - a * SCALAR, right - b * SCALAR) + a * right + b * left - a * b * SCALAR
+
+
+def right_contraction(left, right):
+    """(b~ left-contract a~)~"""
+    return (~((~element(right)).lc(~element(left)))).value
+
+
+PRODUCTS = {
+    "geometric": LAYOUT.gmt_func,
+    "outer": LAYOUT.omt_func,
+    "inner": fat_dot,
+    "left contraction": lambda left, right: element(left).lc(element(right)).value,
+    "right contraction": right_contraction,
+    "scalar": lambda left, right: LAYOUT.gmt_func(left, right)[0] * SCALAR,
+}
+
+OPERATIONS = {
+    "reverse": lambda x: ~x,
+    "grade involution": lambda x: x.gradeInvol(),
+    "clifford conjugate": lambda x: x.conjugate(),
+    "dual": lambda x: x * LAYOUT.pseudoScalar.inv(),
+    "undual": lambda x: x * LAYOUT.pseudoScalar,
+    "norm squared": lambda x: element((x * ~x).value[0] * SCALAR),
+}
