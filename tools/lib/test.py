@@ -87,7 +87,7 @@ def main():
     results = [(suite.name, *run_suite(suite)) for suite in suites]
     print()
     for name, passed, failed, seconds in results:
-        print(f"{name:<12} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s")
+        print(f"{name:<17} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s")
     all_passed = sum(result[1] for result in results)
     all_failed = sum(result[2] for result in results)
     print(f"{all_passed} passed, {all_failed} failed", flush=True)
