@@ -1,0 +1,118 @@
+"""The build: one line for what cannot be built, nothing done twice, and the addon as users get it."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+import zipfile
+
+import checkout
+
+LIBRARY = "addons/ga_godot/bin/libga_godot.linux.template_debug"
+
+
+def scons(*arguments, **env):
+    """Runs SCons in the checkout; returns exit code, output and error output."""
+    done = subprocess.run(["scons", "-Q", *arguments], cwd=checkout.ROOT, env={**os.environ, **env}, text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+    lines = [line for line in done.stdout.splitlines() if "another build runs" not in line]
+    return done.returncode, "\n".join(lines), done.stderr
+
+
+class RefusalTest(unittest.TestCase):
+    def refuses(self, *arguments, naming, **env):
+        code, output, error = scons(*arguments, **env)
+        self.assertEqual(code, 2, output + error)
+        self.assertEqual(output, "")
+        self.assertRegex(error, r"^scons: error: [^\n]+\n$")
+        for word in naming:
+            self.assertIn(word, error)
+
+    def test_other_platforms(self):
+        self.refuses("platform=windows", naming=["windows", "linux"])
+
+    def test_other_processors(self):
+        self.refuses("arch=riscv64", naming=["riscv64"])
+
+    def test_unknown_options(self):
+        self.refuses("tarket=template_debug", naming=["tarket", "scons -h"])
+
+    def test_unknown_sanitizers(self):
+        self.refuses("sanitize=thread", naming=["thread", "address"])
+
+    def test_no_compiler(self):
+        self.refuses(naming=["no-such-compiler", "g++"], CXX="no-such-compiler")
+
+    def test_an_engine_that_is_none(self):
+        self.refuses("godot=/no/such/engine", naming=["godot=/no/such/engine"])
+
+    def test_an_engine_that_is_too_old(self):
+        with tempfile.TemporaryDirectory() as folder:
+            engine = os.path.join(folder, "godot")
+            with open(engine, "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\necho 4.3.stable.official\n")
+            os.chmod(engine, 0o755)
+            self.refuses(f"godot={engine}", naming=["4.3.stable.official", "4.6"])
+
+    def test_a_godot_cpp_that_is_none(self):
+        self.refuses("godot_cpp=/no/such/folder", naming=["/no/such/folder", "include/godot_cpp/godot.hpp"])
+
+    def test_install_without_a_project(self):
+        self.refuses("install", naming=["project=DIR"])
+
+    def test_install_into_what_is_no_project(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.refuses("install", f"project={folder}", naming=[folder, "project.godot"])
+
+    def test_install_into_the_own_project(self):
+        self.refuses("install", "project=godot_project", naming=["there already"])
+
+
+class BuildTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        code, output, error = scons()
+        assert code == 0, output + error
+
+    def test_unchanged_inputs_build_nothing(self):
+        code, output, error = scons()
+        self.assertEqual((code, error), (0, ""))
+        self.assertEqual([line for line in output.splitlines() if not line.endswith("is up to date.")], [])
+
+    def test_the_library_exports_the_entry_point_alone(self):
+        name = LIBRARY + "." + os.uname().machine.replace("aarch64", "arm64") + ".so"
+        path = os.path.join(checkout.PROJECT, name)
+        names = subprocess.run(["nm", "-D", "--defined-only", path], stdout=subprocess.PIPE, text=True, check=True)
+        self.assertEqual([line.split()[-1] for line in names.stdout.splitlines()], ["ga_godot_init"])
+
+    def test_install_replaces_the_addon(self):
+        with tempfile.TemporaryDirectory() as folder:
+            open(os.path.join(folder, "project.godot"), "w", encoding="utf-8").close()
+            addon = os.path.join(folder, "addons", "ga_godot")
+            os.makedirs(addon)
+            open(os.path.join(addon, "of_an_old_version"), "w", encoding="utf-8").close()
+            code, output, error = scons("install", f"project={folder}")
+            self.assertEqual(code, 0, output + error)
+            names = os.listdir(addon)
+            self.assertNotIn("of_an_old_version", names)
+            self.assertLessEqual({"plugin.cfg", "plugin.gd", "ga_godot.gdextension", "bin"}, set(names))
+
+    def test_the_package_holds_both_libraries(self):
+        code, output, error = scons("package")
+        self.assertEqual(code, 0, output + error)
+        path = os.path.join(checkout.ROOT, "dist", "ga_godot-{}.zip".format(self.version()))
+        with zipfile.ZipFile(path) as archive:
+            names = archive.namelist()
+        for target in ("template_debug", "template_release"):
+            self.assertEqual(len([name for name in names if target in name]), 1, names)
+        self.assertIn("addons/ga_godot/plugin.cfg", names)
+        self.assertIn("addons/ga_godot/LICENSE", names)
+        self.assertTrue(all(name.startswith("addons/ga_godot/") for name in names), names)
+
+    def version(self):
+        with open(os.path.join(checkout.ROOT, "plugin.cfg"), encoding="utf-8") as file:
+            return [line.split('"')[1] for line in file if line.startswith("version=")][0]
+
+
+if __name__ == "__main__":
+    unittest.main()
