@@ -1,0 +1,170 @@
+"""What the network suite checks, each case a function that takes a DemoRun."""
+
+import re
+import signal
+import time
+
+from demo_run import START_SECONDS
+from pose_error import compare_by_tick
+from pose_record import PoseRecord, ROW_FLOATS, lever_distance, moving_bodies
+
+# Bounds in metres. The sender keeps interpolation within 5 mm and quantises to 1 mm and 0.2 degrees.
+MOVING_P99 = 0.010
+MOVING_MOST = 0.060
+AT_REST = 0.004
+
+
+def expect(condition, words):
+    if not condition:
+        raise AssertionError(words)
+
+
+def wait_until(condition, seconds, words):
+    end = time.monotonic() + seconds
+    while not condition():
+        expect(time.monotonic() < end, f"{words} within {seconds} s")
+        time.sleep(0.05)
+
+
+def server_record(run, cubes):
+    record = PoseRecord(run.server.record_path, cubes)
+    return record, moving_bodies(record), run.server.report()
+
+
+def expect_errors_within(run, client, cubes, p99=MOVING_P99, most=MOVING_MOST):
+    """What the client showed of moving cubes is within the bounds at every tick; returns how many samples that were."""
+    server, moving, told = server_record(run, cubes)
+    summary = compare_by_tick(server, moving, PoseRecord(client.record_path, cubes), told["first_tick"], told["last_tick"])
+    figures = summary.figures()
+    expect(figures["p99"] is not None, f"{client.name} showed no moving cube")
+    expect(figures["p99"] <= p99 * 1000, f"{client.name}: p99 of the error is {figures['p99']:.1f} mm")
+    expect(figures["max"] <= most * 1000, f"{client.name}: the largest error is {figures['max']:.1f} mm")
+    return figures["samples"]
+
+
+def expect_same_end(run, client, cubes):
+    """At the last tick the client shows every cube where the server has it."""
+    server, _, told = server_record(run, cubes)
+    shown = PoseRecord(client.record_path, cubes)
+    index = shown.index_of_ticks().get(told["last_tick"])
+    expect(index is not None, f"{client.name} never showed the last tick")
+    truth = server.rows[server.index_of_ticks()[told["last_tick"]]]
+    expect(len(shown.rows[index]) == cubes * ROW_FLOATS, f"{client.name} does not show {cubes} cubes")
+    worst = max(lever_distance(truth, shown.rows[index], at) for at in range(0, cubes * ROW_FLOATS, ROW_FLOATS))
+    expect(worst <= AT_REST, f"{client.name}: at the end a cube is {worst * 1000:.1f} mm off")
+
+
+def moving_cubes_are_where_the_server_has_them(run):
+    run.start_server("--cubes=250", "--seconds=4", "--clients=2")
+    clients = [run.start_client(), run.start_client("--autopilot=circle")]
+    run.wait(30)
+    run.check_logs()
+    for client in clients:
+        samples = expect_errors_within(run, client, 250)
+        expect(samples > 10000, f"only {samples} samples of moving cubes")
+        report = client.report()
+        expect(report["rejected"] == 0, f"{report['rejected']} datagrams rejected")
+        expect(report["bytes"] / report["seconds"] < 70000, f"{report['bytes'] / report['seconds']:.0f} bytes a second")
+
+
+def late_joiner_gets_everything_and_a_kill_disturbs_nobody(run):
+    run.start_server("--cubes=80", "--seconds=6", "--clients=2", "--life=off")
+    first = run.start_client()
+    killed = run.start_client("--record=")
+    run.server.wait_for_line("The scene begins", START_SECONDS)
+    time.sleep(1.5)
+    killed.kill()
+    time.sleep(1.5)
+    late = run.start_client()
+    run.clients.remove(killed)
+    run.wait(30)
+    run.check_logs()
+    expect("Player 2 has joined." in run.server.log(), "the client to be killed never joined")
+    for client in (first, late):
+        expect_same_end(run, client, 80)
+    expect_errors_within(run, first, 80)
+    expect(PoseRecord(late.record_path, 80).ticks[0] > run.server.report()["first_tick"] + 60, "the late client was not late")
+
+
+def kick_of_one_client_moves_the_cube_for_all(run):
+    run.start_server("--cubes=20", "--seconds=5", "--clients=2", "--life=off")
+    kicker = run.start_client("--autopilot=kick")
+    other = run.start_client()
+    run.wait(30)
+    run.check_logs()
+    server, _, _ = server_record(run, 20)
+    way = lever_distance(server.rows[0], server.rows[-1], 0)
+    expect(way > 0.5, f"the kicked cube went only {way:.2f} m")
+    for client in (kicker, other):
+        expect_errors_within(run, client, 20)
+        shown = PoseRecord(client.record_path, 20)
+        seen = lever_distance(shown.rows[0], shown.rows[-1], 0)
+        expect(abs(seen - way) < 0.05, f"{client.name} saw the kicked cube go {seen:.2f} m instead of {way:.2f} m")
+
+
+def loss_and_jitter_heal(run):
+    run.start_server("--cubes=80", "--seconds=7", "--clients=1", "--life=off")
+    client = run.start_client("--loss=15", "--jitter=40", "--seed=7")
+    run.wait(30)
+    run.check_logs()
+    expect_same_end(run, client, 80)
+    expect_errors_within(run, client, 80, p99=0.25, most=3.0)
+
+
+def stopped_server_ends_the_clients_with_a_message(run):
+    run.start_server("--cubes=20", "--record=")
+    client = run.start_client("--record=")
+    run.server.wait_for_line("Player 1 has joined.", START_SECONDS)
+    time.sleep(0.5)
+    run.server.process.send_signal(signal.SIGKILL)
+    run.server.process.wait()
+    wait_until(lambda: not client.is_running(), 12, "the client did not end")
+    expect("The server has closed the session." in client.log(), f"the client's last words: {client.last_words()}")
+    expect(client.process.returncode == 0, f"the client's exit code is {client.process.returncode}")
+    client.check_log()
+
+
+def closed_client_leaves_and_the_empty_server_ends(run):
+    run.start_server("--cubes=20", "--quit-when-empty=on", "--record=")
+    client = run.start_client("--record=")
+    run.server.wait_for_line("Player 1 has joined.", START_SECONDS)
+    client.kill()
+    wait_until(lambda: not run.server.is_running(), 12, "the empty server did not end")
+    expect("Player 1 has left." in run.server.log(), "the server did not tell that the player left")
+    run.server.check_log()
+
+
+def wrong_arguments_and_taken_ports_are_told(run):
+    run.start_server("--cubes=5", "--record=")
+    second = run.start_client("--role=server", "--record=")
+    wait_until(lambda: not second.is_running(), START_SECONDS, "the second server on the port did not end")
+    expect(second.process.returncode == 1 and "Cannot listen on UDP port" in second.log(),
+           f"second server: {second.process.returncode}, {second.last_words()}")
+    wrong = run.start_client("--cubes=many")
+    wait_until(lambda: not wrong.is_running(), START_SECONDS, "the client with a wrong argument did not end")
+    expect(wrong.process.returncode == 2 and re.search(r"--cubes=many: use a number", wrong.log()) is not None,
+           f"wrong argument: {wrong.process.returncode}, {wrong.last_words()}")
+
+
+def synchronizer_shows_the_same_scene(run):
+    run.start_server("--cubes=40", "--seconds=3", "--clients=1", "--life=off", "--method=synchronizer")
+    client = run.start_client()
+    run.wait(30)
+    run.check_logs()
+    expect(client.report()["poses"] > 40 * 20 * 2, f"only {client.report()['poses']} poses in 3 s")
+    server, _, _ = server_record(run, 40)
+    shown = PoseRecord(client.record_path, 40)
+    worst = max(lever_distance(server.rows[-1], shown.rows[-1], at) for at in range(0, 40 * ROW_FLOATS, ROW_FLOATS))
+    expect(worst < 0.2, f"at the end a cube is {worst * 1000:.0f} mm off")
+
+
+CASES = (
+    moving_cubes_are_where_the_server_has_them,
+    late_joiner_gets_everything_and_a_kill_disturbs_nobody,
+    kick_of_one_client_moves_the_cube_for_all,
+    loss_and_jitter_heal,
+    stopped_server_ends_the_clients_with_a_message,
+    closed_client_leaves_and_the_empty_server_ends,
+    wrong_arguments_and_taken_ports_are_told,
+    synchronizer_shows_the_same_scene,
+)

@@ -1,0 +1,68 @@
+"""The multiplayer demo with real processes over ENet on this machine: clients' cubes are where the server's are.
+
+Usage: tests/network/run.py [--engine COMMAND] [--case NAME]
+
+Each case starts a server and clients, lets them play, and compares what the clients showed (their records) with
+what the server simulated. Ends with `[network] N passed, N failed`.
+"""
+
+import argparse
+import os
+import shlex
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import checkout  # noqa: E402
+import project  # noqa: E402
+from cases import CASES  # noqa: E402
+from demo_run import DemoRun, RunFailed  # noqa: E402
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
+    parser.add_argument("--case", metavar="NAME", help="only the cases whose name contains NAME")
+    options = parser.parse_args()
+    if options.engine:
+        engine = shlex.split(options.engine)
+        os.makedirs(os.path.join(checkout.PROJECT, ".godot"), exist_ok=True)
+        project.list_extensions(checkout.PROJECT)
+    else:
+        engine = [checkout.ENGINE]
+        project.prepare(checkout.PROJECT)
+    passed = failed = 0
+    for case in CASES:
+        name = case.__name__
+        if options.case and options.case not in name:
+            continue
+        start = time.monotonic()
+        problem = run_case(case, engine)
+        took = time.monotonic() - start
+        if problem:
+            failed += 1
+            print(f"FAILED {name} ({took:.1f} s): {problem}", flush=True)
+        else:
+            passed += 1
+            print(f"ok {name} ({took:.1f} s)", flush=True)
+    print(f"[network] {passed} passed, {failed} failed", flush=True)
+    return 0 if passed and not failed else 1
+
+
+def run_case(case, engine):
+    """Runs a case in a folder of its own; returns what went wrong, or None."""
+    with tempfile.TemporaryDirectory(prefix="ga_godot_network_") as folder:
+        try:
+            with DemoRun(engine, folder) as run:
+                case(run)
+        except (RunFailed, AssertionError) as problem:
+            return str(problem) or "a check without words failed"
+    return None
+
+
+if __name__ == "__main__":
+    sys.exit(main())
