@@ -29,7 +29,7 @@ def check(library, report):
     for mode in MODES:
         wanted = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights)
         ours = matrices_of(library.interpolate(mode, begin, end, weights, np.float64))
-        report.check(f"numpy: {mode} in double", errors(ours, wanted, begin, end), 1e-11)
+        report.check(f"numpy: {mode} in double", errors(ours, wanted, begin, end), 1e-13)
 
         rounded = [array.astype(np.float32) for array in (begin, end, weights)]
         wanted = REFERENCES[mode](*map(matrices_of, rounded[:2]), rounded[2].astype(float))
@@ -136,13 +136,18 @@ def screw(begin, end, weights):
     across /= np.linalg.norm(across, axis=1, keepdims=True)
     upward = np.cross(axis, across)
 
-    spiral = ratio * np.exp(1j * angle)
-    centre = (np.sum(shift * across, axis=1) + 1j * np.sum(shift * upward, axis=1)) / (1.0 - spiral)
-    moved = centre * (1.0 - ratio**weights * np.exp(1j * angle * weights))
-    even = np.abs(ratio - 1.0) < 1e-9
-    along = np.where(even, weights, (1.0 - ratio**weights) / np.where(even, 1.0, 1.0 - ratio)) * np.sum(shift * axis, axis=1)
+    turned_shift = np.sum(shift * across, axis=1) + 1j * np.sum(shift * upward, axis=1)
+    moved = from_pole(np.log(ratio) + 1j * angle, turned_shift, weights)
+    along = from_pole(np.log(ratio) + 0j, np.sum(shift * axis, axis=1), weights).real
     position = first_position + moved.real[:, None] * across + moved.imag[:, None] * upward + along[:, None] * axis
     return join(first_scale * ratio**weights, rotations(axis, angle * weights) @ first, position)
+
+
+def from_pole(spiral, shift, weights):
+    """The part of a shift on a spiral exp(`spiral` u) about its pole c, u = 0 .. 1; a straight way if it does not turn."""
+    straight = np.abs(spiral) < 1e-12
+    pole = shift / np.where(straight, 1.0, -np.expm1(spiral))
+    return np.where(straight, shift * weights, -pole * np.expm1(spiral * weights))
 
 
 def separate(begin, end, weights):
