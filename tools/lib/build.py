@@ -3,7 +3,6 @@
 What is up to date costs a second. Output goes to stderr.
 """
 
-import os
 import subprocess
 import sys
 
@@ -15,7 +14,7 @@ LIBRARY = "godot_project/addons"
 
 def build(*targets, sanitizer=""):
     """Runs SCons for the targets; ends the program if it fails, SCons has said why."""
-    command = ["scons", "-Q", f"-j{os.cpu_count()}", *targets]
+    command = ["scons", "-Q", *targets]
     if sanitizer:
         command.append(f"sanitize={sanitizer}")
     print("build: " + " ".join(command), file=sys.stderr, flush=True)

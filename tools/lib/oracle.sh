@@ -29,7 +29,7 @@ ensure_oracle() {
     step "making a Python environment" python3 -m venv "$work/oracle" ||
         fail_step "python3 -m venv failed" "install python3-venv and run the same command again"
     step "installing the Python packages of the oracle tests" install_oracle_packages ||
-        fail_step "pip could not install tests/oracle/requirements.txt" "check the network and run the same command again"
+        fail_step "pip could not install tests/oracle/requirements.txt" "check the network, and that Python is 3.11 or newer (this is $(python3 -V)), and run the same command again"
     rm -rf "$oracle_folder"
     mv "$work/oracle" "$oracle_folder" || fail "cannot write $oracle_folder: check who owns $cache"
 }

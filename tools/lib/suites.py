@@ -52,7 +52,7 @@ def oracle_programs():
 
 
 SUITES = (
-    Suite("tools", ("python",), (), lambda: runner("tools", seconds=240, engine=False)),
+    Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
     Suite("oracle", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), oracle_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
