@@ -6,7 +6,7 @@ const EDGE := 0.5
 
 const FACE_COLORS: Dictionary[Vector3, Color] = {
 	Vector3.RIGHT: Color(0.86, 0.42, 0.42),
-	Vector3.UP: Color(0.55, 0.76, 0.47),
+	Vector3.UP: Color(0.46, 0.66, 0.44),
 	Vector3.BACK: Color(0.42, 0.61, 0.88),
 	Vector3.LEFT: Color(0.74, 0.76, 0.8),
 	Vector3.DOWN: Color(0.74, 0.76, 0.8),

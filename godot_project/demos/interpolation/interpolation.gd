@@ -150,7 +150,7 @@ func _add_caption(cube: MeshInstance3D, words: String) -> void:
 func _place_caption(cube: MeshInstance3D) -> void:
 	var caption: Label3D = cube.get_node(^"Caption")
 	var size := cube.transform.basis.get_scale().x * CubeMesh.EDGE
-	caption.global_position = cube.global_position + Vector3.UP * (0.75 * size + 0.16)
+	caption.global_position = cube.global_position + Vector3.UP * (0.66 * size + 0.16)
 
 
 func _on_poses_changed() -> void:

@@ -3,45 +3,63 @@ extends EditorPlugin
 ## Turns GA-Godot's plugin off and on in the real editor, opens a scene that uses the addon, takes a
 ## picture and ends the editor. Each step prints one line that begins with [probe].
 ##
-## The picture's file is the user argument --picture=FILE.
+## The picture's file is the user argument --picture=FILE. Steps are taken by _process, since the
+## editor cancels what a script awaits when it loads the script anew.
 
 const ADDON := "ga_godot"
 const SCENE := "res://demos/interpolation/interpolation.tscn"
 const NODE := ^"Lerp"
-## Frames for docks and previews to settle after each step.
+const STEPS: Array[StringName] = [
+	&"_tell_state", &"_switch_off", &"_tell_off", &"_switch_on", &"_tell_on", &"_open_scene", &"_edit_node",
+	&"_save_picture", &"_end",
+]
+## Frames for docks and previews to settle before each step.
 const SETTLING_FRAMES := 30
 
+var _frames := 0
+var _step := 0
 
-func _enter_tree() -> void:
+
+func _process(_delta: float) -> void:
 	# An import has no editor to drive.
-	if DisplayServer.get_name() != "headless":
-		_run.call_deferred()
+	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
+		return
+	_frames += 1
+	if _frames > SETTLING_FRAMES and _step < STEPS.size():
+		_frames = 0
+		_step += 1
+		call(STEPS[_step - 1])
 
 
-func _run() -> void:
-	await _wait_for_files()
-	_say("library %s" % ("loaded" if ClassDB.class_exists(&"Multivector") else "missing"))
+func _tell_state() -> void:
+	_say("library %s" % ("loaded" if _is_library_loaded() else "missing"))
 	_say("enabled %s" % EditorInterface.is_plugin_enabled(ADDON))
-	for enabled: bool in [false, true]:
-		EditorInterface.set_plugin_enabled(ADDON, enabled)
-		await _settle()
-		_say("%s %s" % ["on" if enabled else "off", EditorInterface.is_plugin_enabled(ADDON)])
-	if ClassDB.class_exists(&"Multivector"):
-		await _open_scene()
-	_save_picture()
-	_say("done")
-	get_tree().quit()
 
 
-func _wait_for_files() -> void:
-	while EditorInterface.get_resource_filesystem().is_scanning():
-		await get_tree().process_frame
-	await _settle()
+func _switch_off() -> void:
+	EditorInterface.set_plugin_enabled(ADDON, false)
+
+
+func _tell_off() -> void:
+	_say("off %s" % EditorInterface.is_plugin_enabled(ADDON))
+
+
+func _switch_on() -> void:
+	EditorInterface.set_plugin_enabled(ADDON, true)
+
+
+func _tell_on() -> void:
+	_say("on %s" % EditorInterface.is_plugin_enabled(ADDON))
 
 
 func _open_scene() -> void:
-	EditorInterface.open_scene_from_path(SCENE)
-	await _settle()
+	if _is_library_loaded():
+		EditorInterface.open_scene_from_path(SCENE)
+
+
+func _edit_node() -> void:
+	if not _is_library_loaded():
+		return
 	var root := EditorInterface.get_edited_scene_root()
 	var node := root.get_node_or_null(NODE) if root != null else null
 	if node == null:
@@ -49,7 +67,6 @@ func _open_scene() -> void:
 		return
 	EditorInterface.edit_node(node)
 	EditorInterface.set_main_screen_editor("3D")
-	await _settle()
 	_say("scene %s" % node.get_class())
 
 
@@ -60,9 +77,13 @@ func _save_picture() -> void:
 			_say("picture %s" % error_string(picture.save_png(argument.trim_prefix("--picture="))))
 
 
-func _settle() -> void:
-	for i in SETTLING_FRAMES:
-		await get_tree().process_frame
+func _end() -> void:
+	_say("done")
+	get_tree().quit()
+
+
+func _is_library_loaded() -> bool:
+	return ClassDB.class_exists(&"Multivector")
 
 
 func _say(words: String) -> void:
