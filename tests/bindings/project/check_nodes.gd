@@ -70,9 +70,23 @@ func check_nodes_that_cpp_makes() -> void:
 	var child: SampleMover = node.grow("Sprout")
 	same(child.name, &"Sprout")
 	same(child.get_parent(), node)
-	same(node.get_child_count(), 1)
+	var label := Timer.new()
+	node.add_child(label)
+	same(node.prune(), 2)
+	same(node.get_child_count(), 0)
+	same(is_instance_valid(child) or is_instance_valid(label), false)
+	child = node.grow("Late")
 	node.free()
 	same(is_instance_valid(child), false)
+
+
+func check_calls_by_name() -> void:
+	var node := SampleNode.new()
+	same(node.call_other(SampleValues.new(), &"cross", Vector3.RIGHT, Vector3.UP), Vector3.BACK)
+	same(node.call_other(node, &"set_meta", &"key", [1]), null)
+	same(node.get_meta(&"key"), [1])
+	same(node.call_other(null, &"any", 1, 2), null)
+	node.free()
 
 
 func check_transforms() -> void:

@@ -18,6 +18,8 @@ func check_counts() -> void:
 	same(note.get_reference_count(), 1)
 	same(values.new_note("x").get_reference_count(), 1)
 	same(values.call("new_note", "y").text, "y")
+	same(note.copied().get_reference_count(), 1)
+	same(note.copied().text, "n")
 	var inside: SampleNote = values.note_as_variant()
 	same(inside.text, "inside")
 	same(inside.get_reference_count(), 1)

@@ -23,6 +23,8 @@ func check_texts() -> void:
 	same(values.repeat("ab", 3, "/"), "ab/ab/ab")
 	same(values.repeat("äß→😀", 2, ""), "äß→😀äß→😀")
 	same(values.repeat("", 0, ""), "")
+	same(values.count_bytes("äß→😀"), 11)
+	same(values.count_bytes(""), 0)
 	same(values.prefixed(&"name"), &"pre_name")
 	same(values.child_path(^"a/b"), ^"a/b/child")
 	both(&"repeat", ["ab", 3, "/"], "ab/ab/ab")

@@ -64,6 +64,18 @@ Node *SampleNode::grow(const String &p_name) {
 	return child;
 }
 
+int64_t SampleNode::prune() {
+	int64_t count = 0;
+	for (; get_child_count() > 0; count++) {
+		memdelete(get_child(0));
+	}
+	return count;
+}
+
+Variant SampleNode::call_other(Object *p_other, const StringName &p_method, const Variant &p_a, const Variant &p_b) const {
+	return p_other ? p_other->call(p_method, p_a, p_b) : Variant();
+}
+
 void SampleNode::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_POSTINITIALIZE:
@@ -92,6 +104,8 @@ void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("find_target"), &SampleNode::find_target);
 	ClassDB::bind_method(D_METHOD("find_missing"), &SampleNode::find_missing);
 	ClassDB::bind_method(D_METHOD("grow", "name"), &SampleNode::grow);
+	ClassDB::bind_method(D_METHOD("prune"), &SampleNode::prune);
+	ClassDB::bind_method(D_METHOD("call_other", "other", "method", "a", "b"), &SampleNode::call_other);
 	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "note", PROPERTY_HINT_RESOURCE_TYPE, "SampleNote"), "set_note", "get_note");
 	ADD_SIGNAL(MethodInfo("stepped", PropertyInfo(Variant::INT, "frame"), PropertyInfo(Variant::STRING_NAME, "who")));

@@ -26,6 +26,10 @@ public:
 	godot::String find_missing() const;
 	/// Adds a child that C++ makes, and returns it.
 	godot::Node *grow(const godot::String &p_name);
+	/// Frees all children; how many there were.
+	int64_t prune();
+	/// Calls a method of another object by name, with two arguments.
+	godot::Variant call_other(godot::Object *p_other, const godot::StringName &p_method, const godot::Variant &p_a, const godot::Variant &p_b) const;
 
 protected:
 	static void _bind_methods();

@@ -49,6 +49,11 @@ Ref<SampleNote> SampleNote::itself() {
 	return this;
 }
 
+Ref<SampleNote> SampleNote::copied() const {
+	const Ref<Resource> copy = duplicate();
+	return copy;
+}
+
 String SampleNote::_to_string() const {
 	return "note:" + _text;
 }
@@ -67,6 +72,7 @@ void SampleNote::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_weight"), &SampleNote::get_weight);
 	ClassDB::bind_method(D_METHOD("joined", "other"), &SampleNote::joined);
 	ClassDB::bind_method(D_METHOD("itself"), &SampleNote::itself);
+	ClassDB::bind_method(D_METHOD("copied"), &SampleNote::copied);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "text"), "set_text", "get_text");
 	ADD_GROUP("Numbers", "");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT64_ARRAY, "values"), "set_values", "get_values");

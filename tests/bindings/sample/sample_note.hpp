@@ -22,6 +22,8 @@ public:
 	/// A new note with the texts of both; null, after an error, if the other is null.
 	godot::Ref<SampleNote> joined(const godot::Ref<SampleNote> &p_other) const;
 	godot::Ref<SampleNote> itself();
+	/// What the engine makes of this, which it hands over with the first reference.
+	godot::Ref<SampleNote> copied() const;
 
 	godot::String _to_string() const;
 

@@ -38,6 +38,10 @@ String SampleValues::repeat(const String &p_text, int p_times, const String &p_s
 	return result;
 }
 
+int64_t SampleValues::count_bytes(const String &p_text) const {
+	return p_text == String::utf8(p_text.utf8().get_data()) ? p_text.utf8().length() : -1;
+}
+
 StringName SampleValues::prefixed(const StringName &p_name) const {
 	return StringName("pre_" + String(p_name));
 }
@@ -257,6 +261,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("add_up", "a", "b", "c", "d"), &SampleValues::add_up);
 	ClassDB::bind_method(D_METHOD("halve", "value"), &SampleValues::halve);
 	ClassDB::bind_method(D_METHOD("repeat", "text", "times", "separator"), &SampleValues::repeat, DEFVAL(2), DEFVAL("-"));
+	ClassDB::bind_method(D_METHOD("count_bytes", "text"), &SampleValues::count_bytes);
 	ClassDB::bind_method(D_METHOD("prefixed", "name"), &SampleValues::prefixed);
 	ClassDB::bind_method(D_METHOD("child_path", "path"), &SampleValues::child_path);
 	ClassDB::bind_method(D_METHOD("cross", "a", "b"), &SampleValues::cross);

@@ -31,6 +31,7 @@ public:
 	int64_t add_up(int8_t p_a, uint16_t p_b, int32_t p_c, int64_t p_d) const;
 	double halve(float p_value) const;
 	godot::String repeat(const godot::String &p_text, int p_times, const godot::String &p_separator) const;
+	int64_t count_bytes(const godot::String &p_text) const;
 	godot::StringName prefixed(const godot::StringName &p_name) const;
 	godot::NodePath child_path(const godot::NodePath &p_path) const;
 	godot::Vector3 cross(const godot::Vector3 &p_a, const godot::Vector3 &p_b) const;

@@ -54,7 +54,7 @@ struct Signature<R (C::*)(Args...) const> : Signature<R (C::*)(Args...)> {
 
 template <typename R, typename... Args>
 struct Signature<R (*)(Args...)> : Signature<R (Wrapped::*)(Args...)> {
-	static constexpr uint32_t FLAGS = GDEXTENSION_METHOD_FLAG_NORMAL | GDEXTENSION_METHOD_FLAG_STATIC;
+	static constexpr uint32_t FLAGS = GDEXTENSION_METHOD_FLAG_STATIC;
 };
 
 template <typename S>
