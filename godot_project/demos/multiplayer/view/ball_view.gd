@@ -29,9 +29,9 @@ func _init(slot: int, player_name: String) -> void:
 	_label.no_depth_test = true
 	_label.fixed_size = true
 	_label.pixel_size = 0.0011
-	_label.font_size = 26
+	_label.font_size = 24
 	_label.outline_size = 9
-	_label.modulate = Palette.get_player_color(slot).lightened(0.3)
+	_label.modulate = Palette.get_player_color(slot).lightened(0.5)
 	_label.outline_modulate = Color(0.04, 0.05, 0.08, 0.85)
 	add_child(_label)
 

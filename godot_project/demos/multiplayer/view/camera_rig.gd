@@ -5,7 +5,7 @@ const TURN_SPEED := 0.006
 const ZOOM_STEP := 1.1
 const FOLLOW_SPEED := 2.5
 ## Share of the way from the arena's centre to the own ball at which the camera looks.
-const FOLLOW_SHARE := 0.35
+const FOLLOW_SHARE := 0.3
 
 var camera := Camera3D.new()
 var yaw := 0.5
@@ -16,7 +16,7 @@ var target := Vector3.ZERO
 
 
 func _init(half_extent: float) -> void:
-	distance = half_extent * 2.3
+	distance = half_extent * 2.2
 	camera.fov = 42.0
 	camera.far = 300.0
 	add_child(camera)
@@ -28,7 +28,7 @@ func _ready() -> void:
 
 func _process(delta: float) -> void:
 	var wanted := target * FOLLOW_SHARE
-	wanted.y = 0.3
+	wanted.y = 0.0
 	position = position.lerp(wanted, 1.0 - exp(-FOLLOW_SPEED * delta))
 	_place()
 

@@ -5,6 +5,7 @@ extends Node3D
 const BallView := preload("ball_view.gd")
 const CameraRig := preload("camera_rig.gd")
 const Client := preload("../client.gd")
+const CubesView := preload("cubes_view.gd")
 const Hud := preload("hud.gd")
 const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
@@ -55,12 +56,8 @@ func _unhandled_input(event: InputEvent) -> void:
 
 func _on_opened(cubes: int, method: String) -> void:
 	var layout := Layout.new(cubes)
-	_multimesh = _make_multimesh(layout, _client.link.get_body_count())
-	var instance := MultiMeshInstance3D.new()
-	instance.multimesh = _multimesh
-	# The bodies move: a box around all of the arena spares finding it each frame.
-	var half := layout.half_extent
-	instance.custom_aabb = AABB(Vector3(-half, -1.0, -half), Vector3(2.0 * half, 30.0, 2.0 * half))
+	var instance := CubesView.new(layout, _client.link.get_body_count())
+	_multimesh = instance.multimesh
 	add_child(instance)
 	add_child(Stage.new(layout.half_extent))
 	_rig = CameraRig.new(layout.half_extent)
@@ -69,26 +66,6 @@ func _on_opened(cubes: int, method: String) -> void:
 	_hud.show_session(cubes, method)
 	if not _options.picture.is_empty():
 		get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
-
-
-func _make_multimesh(layout: Layout, body_count: int) -> MultiMesh:
-	var mesh := BoxMesh.new()
-	mesh.size = Vector3.ONE * Layout.EDGE
-	var material := ShaderMaterial.new()
-	material.shader = preload("cube.gdshader")
-	material.set_shader_parameter("half_edge", Layout.EDGE * 0.5)
-	mesh.material = material
-	var multimesh := MultiMesh.new()
-	multimesh.transform_format = MultiMesh.TRANSFORM_3D
-	multimesh.use_colors = true
-	multimesh.mesh = mesh
-	multimesh.instance_count = body_count
-	# The balls' poses stand after the cubes' and are drawn otherwise.
-	multimesh.visible_instance_count = layout.poses.size()
-	for i: int in layout.poses.size():
-		multimesh.set_instance_color(i, layout.colors[i])
-		multimesh.set_instance_transform(i, layout.poses[i])
-	return multimesh
 
 
 func _update_balls() -> void:

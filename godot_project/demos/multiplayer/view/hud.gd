@@ -112,12 +112,17 @@ func _add_players() -> void:
 
 func _add_hint() -> void:
 	var hint := Label.new()
-	hint.text = "WASD or arrows: roll     Space: jump     Click: kick a cube     Right mouse button, wheel: camera"
+	hint.text = "WASD or arrows: roll   ·   Space: jump   ·   Click: kick a cube   ·   Right mouse button, wheel: camera"
 	hint.theme_type_variation = &"CaptionLabel"
-	hint.set_anchors_and_offsets_preset(Control.PRESET_CENTER_BOTTOM, Control.PRESET_MODE_MINSIZE, EDGE)
-	hint.grow_horizontal = Control.GROW_DIRECTION_BOTH
-	_panels.append(hint)
-	add_child(hint)
+	var panel := PanelContainer.new()
+	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
+	panel.add_child(hint)
+	panel.grow_horizontal = Control.GROW_DIRECTION_BOTH
+	panel.grow_vertical = Control.GROW_DIRECTION_BEGIN
+	panel.set_anchors_preset(Control.PRESET_CENTER_BOTTOM)
+	panel.position.y -= EDGE
+	_panels.append(panel)
+	add_child(panel)
 
 
 func _add_panel(preset: Control.LayoutPreset, offset: Vector2) -> VBoxContainer:

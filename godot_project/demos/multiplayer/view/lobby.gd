@@ -4,27 +4,42 @@ extends Control
 ## The options hold what was chosen; play.
 signal chosen
 
+const CameraRig := preload("camera_rig.gd")
+const CubesView := preload("cubes_view.gd")
+const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
+const Stage := preload("stage.gd")
+
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
-const COLUMN_WIDTH := 380
+const COLUMN_WIDTH := 400
+## The picture behind turns this fast, in radians a second.
+const TURN_SPEED := 0.06
 
 var _options: Options
 var _name := LineEdit.new()
 var _address := LineEdit.new()
+var _rig: CameraRig
 
 
 func _init(options: Options, message: String) -> void:
 	_options = options
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	_add_picture()
 	var center := CenterContainer.new()
 	center.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	add_child(center)
 	var column := VBoxContainer.new()
 	column.custom_minimum_size.x = COLUMN_WIDTH
 	column.add_theme_constant_override("separation", 12)
-	center.add_child(column)
+	var panel := PanelContainer.new()
+	center.add_child(panel)
+	var margin := MarginContainer.new()
+	for side: String in ["left", "top", "right", "bottom"]:
+		margin.add_theme_constant_override("margin_" + side, 14)
+	panel.add_child(margin)
+	margin.add_child(column)
 	_add_label(column, "Multiplayer", &"TitleLabel")
-	_add_label(column, "A server simulates the cubes and sends their poses as quantised motors.", &"CaptionLabel")
+	_add_label(column, "A server simulates the cubes; it sends their poses as quantised motors.", &"CaptionLabel")
 	if not message.is_empty():
 		_add_label(column, message, &"HeadingLabel")
 	_name.text = options.player_name
@@ -34,6 +49,19 @@ func _init(options: Options, message: String) -> void:
 	_add_field(column, "Server", _address)
 	_add_button(column, "Join", _on_join)
 	_add_button(column, "Start a server on this machine and play", _on_host)
+
+
+func _process(delta: float) -> void:
+	_rig.yaw += TURN_SPEED * delta
+
+
+## The scene as it begins.
+func _add_picture() -> void:
+	var layout := Layout.new(_options.cubes)
+	_rig = CameraRig.new(layout.half_extent)
+	add_child(Stage.new(layout.half_extent))
+	add_child(CubesView.new(layout, layout.poses.size()))
+	add_child(_rig)
 
 
 func _on_join() -> void:

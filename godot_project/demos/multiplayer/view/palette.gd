@@ -2,8 +2,8 @@ extends RefCounted
 ## The colours of the demo.
 
 const SKY_TOP := Color("10131c")
-const SKY_HORIZON := Color("3a4560")
-const FLOOR := Color("1d222d")
+const SKY_HORIZON := Color("2c3650")
+const FLOOR := Color("161a23")
 const KEY_LIGHT := Color("ffe6c4")
 const RIM_LIGHT := Color("7fa8ff")
 const ACCENT := Color("3ed6c4")

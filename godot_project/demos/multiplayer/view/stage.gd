@@ -35,7 +35,7 @@ func _make_environment() -> WorldEnvironment:
 	environment.sky = sky
 	environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	environment.ambient_light_color = Color("8fa3cc")
-	environment.ambient_light_energy = 0.42
+	environment.ambient_light_energy = 0.38
 	environment.tonemap_mode = Environment.TONE_MAPPER_FILMIC
 	environment.tonemap_white = 2.2
 	environment.fog_enabled = true
@@ -54,7 +54,7 @@ func _add_lights(half_extent: float) -> void:
 	var key := DirectionalLight3D.new()
 	key.rotation_degrees = Vector3(-52.0, -38.0, 0.0)
 	key.light_color = Palette.KEY_LIGHT
-	key.light_energy = 1.5
+	key.light_energy = 1.75
 	key.shadow_enabled = true
 	key.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
 	key.directional_shadow_max_distance = half_extent * 4.0
@@ -63,7 +63,7 @@ func _add_lights(half_extent: float) -> void:
 	var rim := DirectionalLight3D.new()
 	rim.rotation_degrees = Vector3(-24.0, 140.0, 0.0)
 	rim.light_color = Palette.RIM_LIGHT
-	rim.light_energy = 0.35
+	rim.light_energy = 0.5
 	add_child(rim)
 
 
