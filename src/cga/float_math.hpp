@@ -1,16 +1,12 @@
 #pragma once
 
+#include "cga/flatten.hpp"
+
 #include <cstdint>
 #include <cstring>
 
 // Elementary functions of one float without branches or calls, so that a loop over lanes becomes vector code.
 // Taylor polynomials on a reduced range, their remainders below float's rounding.
-
-#if defined(__GNUC__)
-#define CGA_FLATTEN inline __attribute__((always_inline))
-#else
-#define CGA_FLATTEN __forceinline
-#endif
 
 namespace cga::float_math {
 

@@ -119,12 +119,7 @@ Multivector Multivector::right_contraction(const Multivector &right) const {
 }
 
 double Multivector::scalar_product(const Multivector &right) const {
-	double sum = 0.0;
-	for (int index = 0; index < BLADE_COUNT; ++index) {
-		const unsigned bitmap = BLADE_BITMAPS[size_t(index)];
-		sum += SIGN_TABLE<Product::SCALAR>[bitmap][0] * (*this)[index] * right[index];
-	}
-	return sum;
+	return multiply<Product::SCALAR>(*this, right)[0];
 }
 
 // (-1)^(k (k - 1) / 2)

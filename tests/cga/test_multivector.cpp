@@ -85,7 +85,7 @@ TEST_CASE("the geometric product is associative and distributive") {
 	}
 }
 
-TEST_CASE("a coefficient of zero takes no part, whatever is on the other side") {
+TEST_CASE("a term that a product leaves out takes no part, not even where it would overflow") {
 	const Multivector huge = blade("e1") * 1e308;
 	CHECK(huge.outer_product(huge) == Multivector());
 	CHECK(huge.outer_product(blade("e2"))[6] == 1e308);
