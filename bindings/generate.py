@@ -43,7 +43,7 @@ ELEMENTS = {"PackedByteArray": "uint8_t", "PackedInt32Array": "int32_t", "Packed
 OPERATORS = {"==": "EQUAL", "!=": "NOT_EQUAL", "<": "LESS", "+": "ADD", "%": "MODULE"}
 RIGHT_TYPES = {("String", "+"): ("String", "StringName"), ("String", "%"): ("Array",)}
 
-UTILITY_FUNCTIONS = ("print", "printerr", "push_error", "push_warning")
+UTILITY_FUNCTIONS = ("print", "push_error", "push_warning")
 
 # Members that godot-cpp has beside the engine's own, and engine methods that it gives another name to make room.
 RENAMED_METHODS = {("Node", "get_node"): "get_node_internal"}

@@ -15,9 +15,6 @@ Basis::Basis(const Quaternion &p_quaternion) {
 			xz - wy, yz + wx, 1 - (xx + yy));
 }
 
-Basis::Basis(const Quaternion &p_quaternion, const Vector3 &p_scale) :
-		Basis(Basis(p_quaternion) * from_scale(p_scale)) {}
-
 Basis Basis::operator*(const Basis &p_right) const {
 	return Basis(xform(p_right.get_column(0)), xform(p_right.get_column(1)), xform(p_right.get_column(2)));
 }

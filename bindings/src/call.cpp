@@ -4,22 +4,6 @@
 
 namespace godot::internal {
 
-static const char *last_component(const char *p_qualified, int p_components) {
-	const char *start = p_qualified + strlen(p_qualified);
-	while (start > p_qualified && (start[-1] != ':' || --p_components > 0)) {
-		start -= start[-1] == ':' ? 2 : 1;
-	}
-	return start;
-}
-
-String enum_class_name(const char *p_qualified) {
-	return String(last_component(p_qualified, 2)).replace("::", ".");
-}
-
-StringName enum_short_name(const char *p_qualified) {
-	return StringName(last_component(p_qualified, 1));
-}
-
 static void report_missing(const char *p_what, const String &p_name) {
 	ERR_PRINT(vformat("This engine has no %s %s with the signature that the extension was built with; calls to it do nothing.", p_what, p_name));
 }
@@ -56,26 +40,6 @@ Variant call_with_variants(GDExtensionMethodBindPtr p_method, GDExtensionObjectP
 	GDExtensionCallError error{};
 	gdextension_interface::object_method_bind_call(p_method, p_owner, p_args, p_count, result._native_ptr(), &error);
 	return result;
-}
-
-void print_error(const ErrorPlace &p_place, const char *p_what) {
-	gdextension_interface::print_error(p_what, p_place.function, p_place.file, p_place.line, false);
-}
-
-void print_error(const ErrorPlace &p_place, const char *p_what, const char *p_message) {
-	gdextension_interface::print_error_with_message(p_what, p_message, p_place.function, p_place.file, p_place.line, false);
-}
-
-void print_error(const ErrorPlace &p_place, const char *p_what, const String &p_message) {
-	print_error(p_place, p_what, p_message.utf8().get_data());
-}
-
-void print_warning(const ErrorPlace &p_place, const char *p_what) {
-	gdextension_interface::print_warning(p_what, p_place.function, p_place.file, p_place.line, false);
-}
-
-void print_warning(const ErrorPlace &p_place, const String &p_what) {
-	print_warning(p_place, p_what.utf8().get_data());
 }
 
 } // namespace godot::internal

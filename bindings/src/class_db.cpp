@@ -128,10 +128,6 @@ void ClassDB::add_property_group(const StringName &p_class, const String &p_name
 	gdextension_interface::classdb_register_extension_class_property_group(gdextension_interface::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
 }
 
-void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	gdextension_interface::classdb_register_extension_class_property_subgroup(gdextension_interface::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
-}
-
 void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter) {
 	const ClassInfo *info = find_class(p_class);
 	ERR_FAIL_NULL_MSG(info, vformat("Class %s is not registered.", p_class));

@@ -94,6 +94,27 @@ func check_errors_keep_their_text() -> void:
 	same(true, true)
 
 
+func check_messages() -> void:
+	var listener := Listener.new()
+	expect_error("wrong: ö")
+	OS.add_logger(listener)
+	SampleValues.say("ö")
+	OS.remove_logger(listener)
+	same(listener.heard, ["ö1two", "warning: careful: ö", "error: wrong: ö", "warning: odd: ö"])
+
+
+class Listener:
+	extends Logger
+
+	var heard: Array[String] = []
+
+	func _log_message(message: String, _error: bool) -> void:
+		heard.append(message.strip_edges())
+
+	func _log_error(_function: String, _file: String, _line: int, code: String, rationale: String, _editor_notify: bool, error_type: int, _script_backtraces: Array[ScriptBacktrace]) -> void:
+		heard.append("%s: %s" % ["warning" if error_type == ERROR_TYPE_WARNING else "error", code if rationale.is_empty() else rationale])
+
+
 func method_of(type: StringName, method: StringName) -> Dictionary:
 	for entry: Dictionary in ClassDB.class_get_method_list(type, true):
 		if entry["name"] == method:

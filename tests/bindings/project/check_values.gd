@@ -51,7 +51,7 @@ func check_geometry() -> void:
 
 func check_measures() -> void:
 	var measured: Array = values.measure(Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4)))
-	same(measured, [25.0, 5.0, 12.0, 24.0, true, false])
+	same(measured, [25.0, 5.0, 12.0, 24.0, true, false, Vector3(3, 4, 12) / 13.0])
 	measured = values.measure(Vector3(NAN, 0, 0), Vector3(INF, 0, 0), Basis.IDENTITY)
 	same(measured[4], false)
 	same(values.measure(Vector3(1, 1, 1), Vector3(1, 1, 1.000001), Basis.IDENTITY)[5], true)

@@ -4,6 +4,8 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
+#include <godot_cpp/core/print_string.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
 
 namespace bindings_sample {
 
@@ -71,7 +73,7 @@ Transform3D SampleValues::chain(const Transform3D &p_a, const Transform3D &p_b) 
 }
 
 Array SampleValues::measure(const Vector3 &p_a, const Vector3 &p_b, const Basis &p_basis) const {
-	return Array{ p_a.dot(p_b), p_a.length(), p_a.distance_to(p_b), p_basis.determinant(), p_a.is_finite() && p_b.is_finite() && p_basis.is_finite(), p_a.is_equal_approx(p_b) };
+	return Array{ p_a.dot(p_b), p_a.length(), p_a.distance_to(p_b), p_basis.determinant(), p_a.is_finite() && p_b.is_finite() && p_basis.is_finite(), p_a.is_equal_approx(p_b), p_b.normalized() };
 }
 
 SampleValues::Colour SampleValues::mix(Colour p_a, Colour p_b) const {
@@ -239,7 +241,7 @@ void SampleValues::fill_multimesh(const Ref<MultiMesh> &p_multimesh, const Packe
 }
 
 String SampleValues::join(const String &p_a, const String &p_b, int64_t p_number) {
-	return p_a + p_b + itos(p_number);
+	return p_a + p_b + String::num_int64(p_number);
 }
 
 bool SampleValues::is_editor() {
@@ -248,6 +250,13 @@ bool SampleValues::is_editor() {
 
 void SampleValues::fail_with(const String &p_message) {
 	ERR_FAIL_MSG(p_message);
+}
+
+void SampleValues::say(const String &p_text) {
+	print_line(p_text, 1, "two");
+	UtilityFunctions::push_warning("careful: ", p_text);
+	UtilityFunctions::push_error("wrong: ", p_text);
+	WARN_PRINT("odd: " + p_text);
 }
 
 void SampleValues::_bind_methods() {
@@ -294,6 +303,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("fill_multimesh", "multimesh", "buffer"), &SampleValues::fill_multimesh);
 	ClassDB::bind_static_method("SampleValues", D_METHOD("join", "a", "b", "number"), &SampleValues::join, DEFVAL("b"), DEFVAL(3));
 	ClassDB::bind_static_method("SampleValues", D_METHOD("is_editor"), &SampleValues::is_editor);
+	ClassDB::bind_static_method("SampleValues", D_METHOD("say", "text"), &SampleValues::say);
 	ClassDB::bind_static_method("SampleValues", D_METHOD("fail_with", "message"), &SampleValues::fail_with);
 }
 

@@ -39,7 +39,7 @@ public:
 	godot::Basis to_basis(const godot::Quaternion &p_rotation) const;
 	godot::Quaternion to_quaternion(const godot::Basis &p_basis) const;
 	godot::Transform3D chain(const godot::Transform3D &p_a, const godot::Transform3D &p_b) const;
-	/// Dot product, length, distance, determinant and whether all is finite, of values computed in C++.
+	/// a.b, |a|, |a - b|, the determinant, whether all is finite and a nearly b, and b with length 1.
 	godot::Array measure(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Basis &p_basis) const;
 	Colour mix(Colour p_a, Colour p_b) const;
 	godot::Variant echo(const godot::Variant &p_value) const;
@@ -70,6 +70,8 @@ public:
 
 	static godot::String join(const godot::String &p_a, const godot::String &p_b, int64_t p_number);
 	static bool is_editor();
+	/// Prints the text in all the ways there are.
+	static void say(const godot::String &p_text);
 	static void fail_with(const godot::String &p_message);
 
 protected:

@@ -4,6 +4,7 @@
 #include <godot_cpp/core/call.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/method_bind.hpp>
+#include <godot_cpp/core/print_string.hpp>
 
 #include <memory>
 
@@ -46,9 +47,17 @@ class ClassDB {
 public:
 	// Parents are registered before their children.
 	template <typename T>
-	static void register_class() { register_class_of<T>(&create<T>); }
-	template <typename T>
-	static void register_abstract_class() { register_class_of<T>(nullptr); }
+	static void register_class() {
+		static_assert(std::is_same_v<T, typename T::self_type>, "The class has no GDCLASS.");
+		static_assert(&T::_bind_methods != &T::parent_type::_bind_methods, "The class has no static void _bind_methods().");
+		GDExtensionClassCreationInfo5 info{};
+		info.notification_func = &T::_notify;
+		info.to_string_func = std::is_same_v<decltype(T::_to_string_method()), decltype(Wrapped::_to_string_method())> ? nullptr : &T::_describe;
+		info.create_instance_func = &create<T>;
+		internal::ClassInfo *added = register_extension_class(T::get_class_static(), T::parent_type::get_class_static(), info);
+		T::template register_virtuals<T>(*added);
+		T::_bind_methods();
+	}
 
 	// p_defaults are those of the last arguments.
 	template <typename M, typename... Defaults>
@@ -61,7 +70,6 @@ public:
 	}
 
 	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
-	static void add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix);
 	// The setter and the getter must be bound already. An empty setter makes the property read-only.
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter);
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
@@ -87,33 +95,14 @@ private:
 		}
 		return object->_owner;
 	}
-
-	template <typename T>
-	static void register_class_of(GDExtensionClassCreateInstance2 p_create) {
-		static_assert(std::is_same_v<T, typename T::self_type>, "The class has no GDCLASS.");
-		// As types: with -fsanitize=undefined the compiler takes a comparison of functions for no constant.
-		using Own = std::integral_constant<void (*)(), &T::_bind_methods>;
-		using Inherited = std::integral_constant<void (*)(), &T::parent_type::_bind_methods>;
-		static_assert(!std::is_same_v<Own, Inherited>, "The class has no static void _bind_methods().");
-		GDExtensionClassCreationInfo5 info{};
-		info.is_abstract = p_create == nullptr;
-		info.notification_func = &T::_notify;
-		info.to_string_func = std::is_same_v<decltype(T::_to_string_method()), decltype(Wrapped::_to_string_method())> ? nullptr : &T::_describe;
-		info.create_instance_func = p_create;
-		internal::ClassInfo *added = register_extension_class(T::get_class_static(), T::parent_type::get_class_static(), info);
-		T::template register_virtuals<T>(*added);
-		T::_bind_methods();
-	}
 };
 
 } // namespace godot
 
 #define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>()
-#define GDREGISTER_ABSTRACT_CLASS(m_class) ::godot::ClassDB::register_abstract_class<m_class>()
 
 // For use in _bind_methods().
 #define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
-#define ADD_SUBGROUP(m_name, m_prefix) ::godot::ClassDB::add_property_subgroup(get_class_static(), m_name, m_prefix)
 #define ADD_PROPERTY(m_property, m_setter, m_getter) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
 #define ADD_SIGNAL(m_signal) ::godot::ClassDB::add_signal(get_class_static(), m_signal)
 #define BIND_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant)

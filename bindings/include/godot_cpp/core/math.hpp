@@ -6,9 +6,8 @@
 
 namespace godot {
 
-// The engine's tolerances: lengths and angles that differ by less are the same.
+// The engine's tolerance.
 #define CMP_EPSILON 0.00001
-#define UNIT_EPSILON 0.001
 
 namespace Math {
 

@@ -16,9 +16,6 @@ struct Basis {
 
 	// The rotation by a quaternion, which need not have length 1.
 	Basis(const Quaternion &p_quaternion);
-	Basis(const Quaternion &p_quaternion, const Vector3 &p_scale);
-
-	static Basis from_scale(const Vector3 &p_scale) { return Basis(p_scale.x, 0, 0, 0, p_scale.y, 0, 0, 0, p_scale.z); }
 
 	const Vector3 &operator[](int p_row) const { return rows[p_row]; }
 	Vector3 &operator[](int p_row) { return rows[p_row]; }
@@ -32,7 +29,6 @@ struct Basis {
 	bool operator!=(const Basis &p_other) const { return !(*this == p_other); }
 
 	real_t determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
-	Basis transposed() const { return Basis(rows[0], rows[1], rows[2]); }
 
 	// Of a pure rotation.
 	Quaternion get_quaternion() const;

@@ -14,15 +14,6 @@ struct Quaternion {
 	Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) :
 			x(p_x), y(p_y), z(p_z), w(p_w) {}
 
-	// The axis must have length 1, the angle is in radians.
-	Quaternion(const Vector3 &p_axis, real_t p_angle) {
-		const real_t sine = std::sin(p_angle * real_t(0.5));
-		x = p_axis.x * sine;
-		y = p_axis.y * sine;
-		z = p_axis.z * sine;
-		w = std::cos(p_angle * real_t(0.5));
-	}
-
 	Quaternion operator*(const Quaternion &p_right) const {
 		return Quaternion(
 				w * p_right.x + x * p_right.w + y * p_right.z - z * p_right.y,
@@ -40,17 +31,9 @@ struct Quaternion {
 	real_t length_squared() const { return dot(*this); }
 	real_t length() const { return std::sqrt(length_squared()); }
 	Quaternion normalized() const { return *this / length(); }
-	bool is_normalized() const { return std::abs(length_squared() - 1) < real_t(UNIT_EPSILON); }
 
 	// Of a quaternion of length 1.
 	Quaternion inverse() const { return Quaternion(-x, -y, -z, w); }
-
-	// The vector rotated by this quaternion of length 1.
-	Vector3 xform(const Vector3 &p_vector) const {
-		const Vector3 axis(x, y, z);
-		const Vector3 twice = axis.cross(p_vector) * 2;
-		return p_vector + twice * w + axis.cross(twice);
-	}
 
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z) && Math::is_finite(w); }
 	bool is_equal_approx(const Quaternion &p_other) const {

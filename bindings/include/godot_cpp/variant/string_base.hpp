@@ -22,7 +22,6 @@ class CharString {
 
 public:
 	const char *get_data() const { return text.c_str(); }
-	const char *ptr() const { return text.c_str(); }
 	int64_t length() const { return static_cast<int64_t>(text.size()); }
 };
 
@@ -41,7 +40,6 @@ public:
 	CharString utf8() const;
 
 	String &operator+=(const String &p_other);
-	const char32_t &operator[](int64_t p_index) const;
 };
 
 // What StringName has beside the engine's own methods.
@@ -61,6 +59,5 @@ public:
 } // namespace internal
 
 String operator+(const char *p_left, const String &p_right);
-String itos(int64_t p_value);
 
 } // namespace godot

@@ -166,10 +166,6 @@ public:
 
 	bool operator==(const Variant &p_other) const;
 	bool operator!=(const Variant &p_other) const { return !(*this == p_other); }
-	bool operator<(const Variant &p_other) const;
-
-	String stringify() const;
-	bool booleanize() const;
 
 	GDExtensionVariantPtr _native_ptr() const { return const_cast<uint8_t *>(opaque); }
 
