@@ -20,7 +20,7 @@ const JUMP := 45.0
 ## Datagrams' ticks in a window; the earliest of this and the last window sets the clock.
 const WINDOW := 10
 ## Share of the recent lateness that the next tick still reckons with.
-const LATENESS_KEPT := 0.99
+const LATENESS_KEPT := 0.98
 
 ## Local seconds at which tick 0 would have arrived: in this window, in the last one, the earlier.
 var _earliest := 0.0
@@ -59,7 +59,7 @@ func observe(tick: int, local: float) -> void:
 			_earliest = sample
 	_earliest = minf(_earliest, sample)
 	_offset = minf(_earliest, _earliest_before)
-	_lateness = maxf(_lateness, sample - _offset)
+	_lateness = clampf(sample - _offset, _lateness, MOST_MARGIN / TICK_RATE)
 
 
 ## The media time to show at [param local] seconds, in ticks.
@@ -77,7 +77,7 @@ func advance(local: float) -> float:
 
 ## The delay that playback aims at, in ticks.
 func get_delay_ticks() -> float:
-	return SENDER_TICKS + clampf(_lateness * TICK_RATE, LEAST_MARGIN, MOST_MARGIN)
+	return SENDER_TICKS + maxf(_lateness * TICK_RATE, LEAST_MARGIN)
 
 
 ## The delay that playback has at [param local] seconds, behind the earliest datagrams' arrival, in ms.

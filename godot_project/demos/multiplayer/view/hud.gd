@@ -117,12 +117,15 @@ func _add_hint() -> void:
 	var panel := PanelContainer.new()
 	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	panel.add_child(hint)
-	panel.grow_horizontal = Control.GROW_DIRECTION_BOTH
-	panel.grow_vertical = Control.GROW_DIRECTION_BEGIN
-	panel.set_anchors_preset(Control.PRESET_CENTER_BOTTOM)
-	panel.position.y -= EDGE
-	_panels.append(panel)
-	add_child(panel)
+	panel.size_flags_horizontal = Control.SIZE_SHRINK_CENTER
+	panel.size_flags_vertical = Control.SIZE_SHRINK_END
+	var frame := MarginContainer.new()
+	frame.mouse_filter = Control.MOUSE_FILTER_IGNORE
+	frame.add_theme_constant_override("margin_bottom", EDGE)
+	frame.add_child(panel)
+	frame.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	_panels.append(frame)
+	add_child(frame)
 
 
 func _add_panel(preset: Control.LayoutPreset, offset: Vector2) -> VBoxContainer:

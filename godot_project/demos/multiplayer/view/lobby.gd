@@ -25,8 +25,10 @@ func _init(options: Options, message: String) -> void:
 	_options = options
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_add_picture()
+	# In the left part, so that the scene is seen.
 	var center := CenterContainer.new()
 	center.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	center.anchor_right = 0.5
 	add_child(center)
 	var column := VBoxContainer.new()
 	column.custom_minimum_size.x = COLUMN_WIDTH
@@ -59,6 +61,7 @@ func _process(delta: float) -> void:
 func _add_picture() -> void:
 	var layout := Layout.new(_options.cubes)
 	_rig = CameraRig.new(layout.half_extent)
+	_rig.camera.h_offset = -layout.half_extent * 0.45
 	add_child(Stage.new(layout.half_extent))
 	add_child(CubesView.new(layout, layout.poses.size()))
 	add_child(_rig)
