@@ -11,11 +11,8 @@
 
 #include <algorithm>
 
-// The same kernels, compiled for the baseline of the platform and for AVX2, chosen at run time. Neither contracts
-// multiplications and additions, so that both give the same bits.
-#if defined(__GNUC__) && defined(__x86_64__)
-#define CGA_HAS_AVX2_PATH 1
-#endif
+// The same kernels, compiled for the baseline of the platform and for AVX2. Neither contracts multiplications and
+// additions, so that both give the same bits.
 
 namespace cga {
 
@@ -25,26 +22,25 @@ constexpr size_t LANES = PoseBlock::LANES;
 
 template <Mode mode>
 CGA_FLATTEN void run(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, float *rows) noexcept {
-	alignas(64) float block_weights[LANES];
+	alignas(64) PoseBlock::Row block_weights;
 	alignas(64) kernel::RowColumns columns;
-	std::fill_n(block_weights, LANES, weight);
+	std::fill_n(block_weights, LANES, kernel::allowed_weight<mode>(weight));
 
-	const size_t whole_blocks = body_count / LANES;
-	for (size_t block = 0; block < whole_blocks; ++block) {
-		kernel::interpolate_block<mode>(blocks[block], weights != nullptr ? weights + block * LANES : block_weights, columns);
-		kernel::write_rows(columns, rows + block * LANES * ROW_FLOATS);
-	}
-
-	const size_t done = whole_blocks * LANES;
-	const size_t left = body_count - done;
-	if (left > 0) {
+	for (size_t done = 0; done < body_count; done += LANES) {
+		const size_t count = std::min(body_count - done, LANES);
 		if (weights != nullptr) {
-			std::copy_n(weights + done, left, block_weights);
+			for (size_t lane = 0; lane < count; ++lane) {
+				block_weights[lane] = kernel::allowed_weight<mode>(weights[done + lane]);
+			}
 		}
-		float last_rows[LANES * ROW_FLOATS];
-		kernel::interpolate_block<mode>(blocks[whole_blocks], block_weights, columns);
-		kernel::write_rows(columns, last_rows);
-		std::copy_n(last_rows, left * ROW_FLOATS, rows + done * ROW_FLOATS);
+		kernel::interpolate_block<mode>(blocks[done / LANES], block_weights, columns);
+		if (count == LANES) {
+			kernel::write_rows(columns, rows + done * ROW_FLOATS);
+		} else {
+			float last_rows[LANES * ROW_FLOATS];
+			kernel::write_rows(columns, last_rows);
+			std::copy_n(last_rows, count * ROW_FLOATS, rows + done * ROW_FLOATS);
+		}
 	}
 }
 

@@ -14,7 +14,8 @@ public:
 	using Coefficients = std::array<double, BLADE_COUNT>;
 
 	constexpr Multivector() = default;
-	constexpr explicit Multivector(const Coefficients &coefficients) : _coefficients(coefficients) {}
+	constexpr explicit Multivector(const Coefficients &coefficients) :
+			_coefficients(coefficients) {}
 
 	[[nodiscard]] static Multivector scalar(double value);
 	// `index` 0..31.

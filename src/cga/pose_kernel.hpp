@@ -12,8 +12,9 @@ namespace cga::kernel {
 
 // One body between its poses: what the basis and the origin are made of.
 struct LanePose {
-	// The motion's rotation so far, of any length but zero, to be composed with `from`'s.
+	// The motion's rotation so far, to be composed with `from`'s; its length is 1 / sqrt(inverse_square).
 	float w, x, y, z;
+	float inverse_square;
 	// From `from`'s position.
 	float shift_x, shift_y, shift_z;
 	float scale;
@@ -22,8 +23,7 @@ struct LanePose {
 // A = (1 - a) + a turn
 // t = a ((a + (1 - a) w) d + (1 - a) (d x turn_v)) / |A|^2     (d the shift)
 // and the scale by itself: interpolate_linear() in interpolate.cpp.
-CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float weight) noexcept {
-	const float a = float_math::max(0.0f, float_math::min(1.0f, weight));
+CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float rest = 1.0f - a;
 	const float w = block.turn[0][lane];
 	const float x = block.turn[1][lane];
@@ -38,7 +38,8 @@ CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float weight)
 	pose.x = a * x;
 	pose.y = a * y;
 	pose.z = a * z;
-	const float factor = a / (pose.w * pose.w + pose.x * pose.x + pose.y * pose.y + pose.z * pose.z);
+	pose.inverse_square = 1.0f / ((pose.w * pose.w + pose.x * pose.x) + (pose.y * pose.y + pose.z * pose.z));
+	const float factor = a * pose.inverse_square;
 	const float straight = factor * (a + rest * w);
 	const float turned = factor * rest;
 	pose.shift_x = straight * dx + turned * (dy * z - dz * y);
@@ -49,12 +50,12 @@ CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float weight)
 }
 
 // turn^a = (cos(a theta/2), n sin(a theta/2)), t = a d, and the scale by itself.
-CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float weight) noexcept {
-	const float a = float_math::max(0.0f, float_math::min(1.0f, weight));
+CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
 	const float factor = half.sine * block.inverse_sine[lane];
 
 	LanePose pose;
+	pose.inverse_square = 1.0f;
 	pose.w = half.cosine;
 	pose.x = factor * block.turn[1][lane];
 	pose.y = factor * block.turn[2][lane];
@@ -78,9 +79,7 @@ CGA_FLATTEN float saturated(float x) noexcept {
 //   t = c_along d_along + Re c d_across + Im c (n x d)     (d the shift)
 //   s = s_from exp(a sigma)
 // The division was done when the pose was set. Where it is by zero, c = a.
-CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float weight) noexcept {
-	constexpr float FARTHEST = 1000.0f;
-	const float a = float_math::max(-FARTHEST, float_math::min(FARTHEST, weight));
+CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
 	const float_math::Exponential growth = float_math::exponential(a * block.log_scale[lane]);
 	const float real = growth.minus_one - 2.0f * growth.value * half.sine * half.sine;
@@ -98,6 +97,7 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float weight) 
 	const float axial = (along - across_real) * (nx * dx + ny * dy + nz * dz);
 
 	LanePose pose;
+	pose.inverse_square = 1.0f;
 	pose.w = half.cosine;
 	pose.x = half.sine * nx;
 	pose.y = half.sine * ny;
@@ -110,14 +110,22 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float weight) 
 }
 
 template <Mode mode>
-CGA_FLATTEN LanePose lane_pose(const PoseBlock &block, int lane, float weight) noexcept {
+CGA_FLATTEN LanePose lane_pose(const PoseBlock &block, int lane, float a) noexcept {
 	if constexpr (mode == Mode::LINEAR) {
-		return linear_lane(block, lane, weight);
+		return linear_lane(block, lane, a);
 	} else if constexpr (mode == Mode::SCREW) {
-		return screw_lane(block, lane, weight);
+		return screw_lane(block, lane, a);
 	} else {
-		return separate_lane(block, lane, weight);
+		return separate_lane(block, lane, a);
 	}
+}
+
+// What a weight is clamped to: the way between the poses, for SCREW the range in which sin_cos() is good.
+template <Mode mode>
+CGA_FLATTEN float allowed_weight(float weight) noexcept {
+	constexpr float LOWEST = mode == Mode::SCREW ? -1000.0f : 0.0f;
+	constexpr float HIGHEST = mode == Mode::SCREW ? 1000.0f : 1.0f;
+	return float_math::max(LOWEST, float_math::min(HIGHEST, weight));
 }
 
 // Only extrapolation can leave the range of float.
@@ -129,9 +137,9 @@ CGA_FLATTEN float origin(float from, float shift) noexcept {
 // The 12 floats of a row, each for 8 bodies.
 using RowColumns = PoseBlock::Row[ROW_FLOATS];
 
-// q = A q_from, of any length; basis = s R(q), with the squares of q divided by |q|^2.
+// q = A q_from, as long as A; basis = s R(q), with the squares of q divided by |A|^2. `weights` are allowed ones.
 template <Mode mode>
-CGA_FLATTEN void interpolate_block(const PoseBlock &block, const float *weights, RowColumns &columns) noexcept {
+CGA_FLATTEN void interpolate_block(const PoseBlock &block, const PoseBlock::Row &weights, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LanePose pose = lane_pose<mode>(block, lane, weights[lane]);
 		const float fw = block.from_rotation[0][lane];
@@ -142,7 +150,7 @@ CGA_FLATTEN void interpolate_block(const PoseBlock &block, const float *weights,
 		const float x = pose.w * fx + pose.x * fw + pose.y * fz - pose.z * fy;
 		const float y = pose.w * fy - pose.x * fz + pose.y * fw + pose.z * fx;
 		const float z = pose.w * fz + pose.x * fy - pose.y * fx + pose.z * fw;
-		const float twice = 2.0f * pose.scale / (w * w + x * x + y * y + z * z);
+		const float twice = 2.0f * pose.scale * pose.inverse_square;
 		const float tx = twice * x;
 		const float ty = twice * y;
 		const float tz = twice * z;
@@ -160,5 +168,12 @@ CGA_FLATTEN void interpolate_block(const PoseBlock &block, const float *weights,
 		columns[11][lane] = origin<mode>(block.from_translation[2][lane], pose.shift_z);
 	}
 }
+
+// interpolate_blocks() for one instruction set each, which it chooses from at run time.
+void interpolate_blocks_baseline(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
+#if defined(__GNUC__) && defined(__x86_64__)
+#define CGA_HAS_AVX2_PATH 1
+void interpolate_blocks_avx2(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
+#endif
 
 } // namespace cga::kernel

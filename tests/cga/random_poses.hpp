@@ -21,7 +21,8 @@ using QuaternionD = cga::Quaternion<double>;
 
 class Random {
 public:
-	explicit Random(unsigned seed) : _engine(seed) {}
+	explicit Random(unsigned seed) :
+			_engine(seed) {}
 
 	double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(_engine); }
 	double normal() { return std::normal_distribution<double>()(_engine); }

@@ -1,5 +1,6 @@
 #include "cga/pose_block.hpp"
 
+#include "cga/pose_kernel.hpp"
 #include "random_poses.hpp"
 
 #include <doctest/doctest.h>
@@ -10,11 +11,6 @@
 
 using namespace cga;
 using namespace cga_test;
-
-namespace cga::kernel {
-// One of the instruction sets behind interpolate_blocks(), for comparison with the one chosen at run time.
-void interpolate_blocks_baseline(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
-} // namespace cga::kernel
 
 namespace {
 
