@@ -54,6 +54,36 @@ func test_the_loaded_library_is_the_listed_one() -> void:
 	expect_true(GDExtensionManager.is_extension_loaded(FOLDER.path_join("ga_godot.gdextension")), "the extension being loaded")
 
 
+## A method is called in a test file or, if it sets or gets a property, the property is used there.
+func test_every_method_is_tested() -> void:
+	var tests := ""
+	for file in DirAccess.get_files_at("res://tests"):
+		if file.ends_with(".gd"):
+			tests += FileAccess.get_file_as_string("res://tests".path_join(file))
+	for type: StringName in CLASSES:
+		var methods := ClassDB.class_get_method_list(type, true)
+		expect_true(methods.size() >= 6, "a list of methods of %s" % type)
+		var words := _words_of_methods(type)
+		for word in words:
+			expect_true(tests.contains(word), "use of %s%s in a test" % [type, word])
+
+
+## How a script would use each method: `.name(`, or `.property` for its setter and getter.
+func _words_of_methods(type: StringName) -> PackedStringArray:
+	var accessors: Dictionary[String, String] = {}
+	for property in ClassDB.class_get_property_list(type, true):
+		var property_name: String = property["name"]
+		accessors[ClassDB.class_get_property_getter(type, property_name)] = ".%s" % property_name
+		accessors[ClassDB.class_get_property_setter(type, property_name)] = ".%s" % property_name
+	var words := PackedStringArray()
+	for method in ClassDB.class_get_method_list(type, true):
+		var method_name: String = method["name"]
+		if not method_name.begins_with("_"):
+			var word: String = accessors.get(method_name, ".%s(" % method_name)
+			words.append(word)
+	return words
+
+
 func _load_description() -> ConfigFile:
 	var description := ConfigFile.new()
 	expect_equal(description.load(FOLDER.path_join("ga_godot.gdextension")), OK, "loading the extension file")

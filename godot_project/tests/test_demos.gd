@@ -26,6 +26,17 @@ func test_choosing_a_card_emits_its_demo() -> void:
 	expect_equal(chosen, ["interpolation", "multiplayer"] as Array[String])
 
 
+func test_the_keyboard_chooses_a_demo() -> void:
+	var menu := _open("res://menu/menu.tscn")
+	var chosen: Array[String] = []
+	menu.connect(&"demo_chosen", func(demo_name: String) -> void: chosen.append(demo_name))
+	await wait_frames(2)
+	_press(KEY_DOWN)
+	_press(KEY_ENTER)
+	await wait_frames(2)
+	expect_equal(chosen, ["multiplayer"] as Array[String])
+
+
 func test_the_interpolation_demo_runs() -> void:
 	var scene := _open("res://demos/interpolation/interpolation.tscn")
 	await wait_frames(FRAMES)
@@ -72,10 +83,11 @@ func _shown_path(main: Node) -> String:
 
 
 func _press(key: Key) -> void:
-	var event := InputEventKey.new()
-	event.keycode = key
-	event.pressed = true
-	Input.parse_input_event(event)
+	for pressed: bool in [true, false]:
+		var event := InputEventKey.new()
+		event.keycode = key
+		event.pressed = pressed
+		Input.parse_input_event(event)
 
 
 ## Starts the project anew, headless, with these arguments after `--`; its exit code.

@@ -159,18 +159,20 @@ func test_results_out_of_range_are_errors() -> void:
 
 
 func test_involutions() -> void:
-	# Signs of the grades 0 to 5.
-	var expected: Dictionary[String, Array] = {
-		"reverse": [1.0, 1.0, -1.0, -1.0, 1.0, 1.0],
-		"grade_involution": [1.0, -1.0, 1.0, -1.0, 1.0, -1.0],
-		"clifford_conjugate": [1.0, -1.0, -1.0, 1.0, 1.0, -1.0],
+	# Of each grade: a blade, and the signs it gets from reverse, grade involution and Clifford conjugate.
+	var expected: Dictionary[int, Vector3] = {
+		0: Vector3(1, 1, 1),
+		E1: Vector3(1, -1, -1),
+		E12: Vector3(-1, 1, -1),
+		E123: Vector3(-1, -1, 1),
+		E1234: Vector3(1, 1, 1),
+		PSEUDOSCALAR: Vector3(1, -1, -1),
 	}
-	var blades: Array[int] = [0, E1, E12, E123, E1234, PSEUDOSCALAR]
-	for method: String in expected:
-		for grade in 6:
-			var image: Multivector = Multivector.basis_blade(blades[grade]).call(method)
-			var factor: float = expected[method][grade]
-			expect_coefficients(image, {blades[grade]: factor}, 0.0, "%s of grade %d" % [method, grade])
+	for index: int in expected:
+		var blade := Multivector.basis_blade(index)
+		expect_coefficients(blade.reverse(), {index: expected[index].x}, 0.0, "reverse of blade %d" % index)
+		expect_coefficients(blade.grade_involution(), {index: expected[index].y}, 0.0, "grade involution of blade %d" % index)
+		expect_coefficients(blade.clifford_conjugate(), {index: expected[index].z}, 0.0, "conjugate of blade %d" % index)
 
 
 func test_dual_and_undual() -> void:

@@ -119,6 +119,15 @@ func test_auto_play_starts_by_itself() -> void:
 	expect_true(_lerp.factor > 0.0, "progress of the factor")
 
 
+func test_ends_that_are_not_set_yet_are_no_error() -> void:
+	var alone := MultivectorLerp.new()
+	add_node(alone)
+	alone.factor = 0.5
+	await wait_frames(3)
+	expect_equal(alone.factor, 0.5)
+	_free_unused()
+
+
 func test_a_missing_node_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5

@@ -129,7 +129,7 @@ func test_only_versors_transform() -> void:
 
 func test_what_is_no_motor_has_no_transform() -> void:
 	var plane := Multivector.basis("e1")
-	expect_true(not plane.is_motor(), "e1 being no motor")
+	expect_equal(plane.is_motor(), false, "is_motor of e1")
 	expect_error(NO_MOTOR % "to_transform")
 	expect_equal(plane.to_transform(), Transform3D.IDENTITY)
 	expect_error(NO_MOTOR % "get_translation")

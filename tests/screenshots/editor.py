@@ -29,6 +29,11 @@ def tests(engine, project, output):
         make_bare_project(copy, bare)
         engine.run(["--path", bare, "--import"], IMPORT_SECONDS, drawing=False)
         yield "the editor without the library", check_editor_without_library(engine, bare)
+        extension = os.path.join(bare, "addons", "ga_godot", "ga_godot.gdextension")
+        leave_only_another_system(extension)
+        yield "a library for another system only", check_message(engine, bare, "this version has no library for")
+        os.remove(extension)
+        yield "no extension file", check_message(engine, bare, "is missing. Copy the whole folder")
 
 
 def copy_project(project, copy):
@@ -96,6 +101,25 @@ def check_editor_without_library(engine, copy):
     if "SCRIPT ERROR" in run.text:
         problems.append("a script failed:\n" + run.text)
     return problems
+
+
+def leave_only_another_system(extension):
+    """Makes the extension file list a library for a system that this is not."""
+    with open(extension, encoding="utf-8") as file:
+        text = file.read()
+    before, _, after = text.partition("[libraries]")
+    icons = after[after.index("[icons]"):]
+    with open(extension, "w", encoding="utf-8") as file:
+        file.write(f'{before}[libraries]\n\nweb.debug.wasm32 = "bin/libga_godot.wasm"\n\n{icons}')
+
+
+def check_message(engine, bare, words):
+    """One message with these words when the editor loads the project, which an import does too."""
+    run = engine.run(["--path", bare, "--import"], IMPORT_SECONDS, drawing=False)
+    messages = MESSAGE.findall(run.text)
+    if len(messages) != 1 or words not in messages[0]:
+        return [f"the plugin says {messages}, expected one message with: {words}"]
+    return ["a script failed:\n" + run.text] if "SCRIPT ERROR" in run.text else []
 
 
 def check_start_without_library(engine, copy):

@@ -91,10 +91,14 @@ func _measure(case: String, size: int) -> Array[Dictionary]:
 
 
 func _time_engine(weight: float, repeats: int) -> float:
+	# Locals, which GDScript reaches faster than members: the rival at its best.
+	var from: Array[Transform3D] = _from
+	var to: Array[Transform3D] = _to
+	var blended: Array[Transform3D] = _blended
 	var start: int = Time.get_ticks_usec()
 	for repeat: int in repeats:
-		for i: int in _from.size():
-			_blended[i] = _from[i].interpolate_with(_to[i], weight)
+		for i: int in from.size():
+			blended[i] = from[i].interpolate_with(to[i], weight)
 	return (Time.get_ticks_usec() - start) * 1000.0
 
 

@@ -17,7 +17,7 @@ var _nodes: Array[Node] = []
 func expect_true(condition: bool, what: String) -> void:
 	_expectations += 1
 	if not condition:
-		fail("%s is not so" % what)
+		fail("does not hold: %s" % what)
 
 
 ## Equal in value and in type: 1 and 1.0 differ.

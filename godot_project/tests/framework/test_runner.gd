@@ -49,8 +49,7 @@ func _run_file(file: String) -> void:
 	var script: GDScript = load(FOLDER.path_join(file))
 	if script == null or not script.can_instantiate():
 		_found += 1
-		_failed += 1
-		print("FAIL %s: does not compile" % file)
+		_report(file, PackedStringArray(["does not compile"]) + _log.take_faults())
 		return
 	var methods := PackedStringArray()
 	for method in script.get_script_method_list():
