@@ -5,7 +5,7 @@ Usage: tools/demo [OPTION]...
 A server simulates cubes; clients on this machine show them. Twice the same
 scene: poses sent as quantised motors, and by MultiplayerSynchronizer at 20 Hz.
 Options: --cubes N  --clients K  --seconds S  --loss PERCENT  --jitter MS
-         --scene cubes  --window  --picture FILE  --json FILE  --engine COMMAND
+         --scene cubes|push  --window  --picture FILE  --json FILE  --engine COMMAND
 """
 
 import argparse
@@ -26,6 +26,7 @@ from demo_table import json_rows, print_table
 from pose_error import ErrorSummary, compare_by_tick, compare_by_wall_clock
 from pose_record import PoseRecord, moving_bodies
 
+CUBES = {"cubes": 250, "push": 901}
 METHODS = ("motors", "synchronizer")
 SPARE_SECONDS = 40
 
@@ -35,7 +36,7 @@ def parse_arguments(arguments):
         prog="tools/demo", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="A server simulates cubes; clients on this machine show them. Twice the same scene: poses sent\n"
                     "as quantised motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
-    parser.add_argument("--cubes", type=within(1, 2000), default=250, help="number of cubes (250)")
+    parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; in the scene push 901)")
     parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
     parser.add_argument("--seconds", type=within(0, 3600), default=8,
                         help="length of each run (8); 0: play in windows until they are closed, no table")
@@ -43,7 +44,8 @@ def parse_arguments(arguments):
                         help="clients throw away this share of the pose datagrams (motors only; seeded)")
     parser.add_argument("--jitter", type=within(0, 1000), default=0, metavar="MS",
                         help="clients hold pose datagrams back for up to this long (motors only; seeded)")
-    parser.add_argument("--scene", choices=("cubes", "push"), default="cubes", help="what is simulated")
+    parser.add_argument("--scene", choices=("cubes", "push"), default="cubes",
+                        help="cubes: structures that fall; push: a field of cubes that a ball ploughs through")
     parser.add_argument("--window", action="store_true", help="the clients open windows")
     parser.add_argument("--picture", metavar="FILE",
                         help="only save a picture of what the first client shows in the middle of the scene")
@@ -64,9 +66,8 @@ def within(least, most):
 
 def main():
     options = parse_arguments(sys.argv[1:])
-    if options.scene == "push":
-        print("demo: the scene push comes with the Replication work; use --scene cubes", file=sys.stderr)
-        return 2
+    if options.cubes is None:
+        options.cubes = CUBES[options.scene]
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:
         engine = shlex.split(options.engine) if options.engine else [checkout.ENGINE]
@@ -111,8 +112,8 @@ def run_arm(engine, folder, options, method):
     """One run with one method; returns its figures."""
     with DemoRun(engine, folder) as run:
         progress(f"{method}: starting the server")
-        run.start_server(f"--method={method}", f"--cubes={options.cubes}", f"--seconds={options.seconds}",
-                         f"--clients={options.clients}")
+        run.start_server(f"--method={method}", f"--scene={options.scene}", f"--cubes={options.cubes}",
+                         f"--seconds={options.seconds}", f"--clients={options.clients}")
         for number in range(options.clients):
             run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", f"--seed={number + 1}",
                              f"--seconds={options.seconds}", window=number if options.window else None)
@@ -155,7 +156,7 @@ def play(engine, folder, options):
     """Windows to play in, until the last is closed."""
     need_display()
     with DemoRun(engine, folder) as run:
-        run.start_server(f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
+        run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
         for number in range(options.clients):
             run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", "--record=", window=number)
         run.wait(float("inf"))
@@ -168,7 +169,7 @@ def take_picture(engine, folder, options):
         if not os.environ.get("DISPLAY"):
             os.environ.update(stack.enter_context(display.display()))
         run = stack.enter_context(DemoRun(engine, folder))
-        run.start_server(f"--cubes={options.cubes}", "--clients=2", "--record=")
+        run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--clients=2", "--record=")
         run.start_client("--name=Bea", "--autopilot=circle", "--record=")
         first = run.start_client("--name=Ada", f"--picture={path}", f"--picture-after={options.seconds}",
                                  "--record=", window=0)

@@ -22,17 +22,20 @@ def print_table(arms, options):
         rows.append([TITLES[method], *(cell(figures) for _, cell in COLUMNS)])
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     motors, synchronizer = arms["motors"], arms["synchronizer"]
-    network = f", {options.loss} % loss, {options.jitter} ms jitter (motors only)" if options.loss or options.jitter else ""
+    network = ""
+    if options.loss or options.jitter:
+        network = f", {options.loss} % loss and up to {options.jitter} ms jitter for the motors alone"
     print(f"{options.cubes} cubes, {motors['moving']:.0f} of them moving on average, {options.clients} clients, "
           f"{options.seconds} s each{network}")
     print()
     for row in rows:
-        print("  ".join([row[0].ljust(widths[0]), *(text.rjust(width) for text, width in zip(row[1:], widths[1:]))]).rstrip())
+        cells = [text.rjust(width) for text, width in zip(row[1:], widths[1:])]
+        print("  ".join([row[0].ljust(widths[0]), *cells]).rstrip())
     print()
     print("kB/s, packets/s: received by one client, ENet's own counters (without the 28 bytes of IP and UDP a packet).")
-    print("error: between what a client shows and where the server had it at the same media time, moving cubes, worst of")
-    print("the centre and three points 0.25 m along the axes. The motors tell their time; for the synchronizer, which shows")
-    print("what arrives as it arrives, the one delay that makes its mean error smallest is removed.")
+    print("error: from what a client shows to where the server had it at the same media time; cubes that move, the worst")
+    print("of the centre and three points 0.25 m along the axes. Motors carry their time; the synchronizer, which shows what")
+    print("arrives as it arrives, has the one delay removed that makes its mean error smallest.")
     print()
     ratio = synchronizer["bytes_per_second"] / motors["bytes_per_second"]
     print(f"Result: 1/{ratio:.1f} of MultiplayerSynchronizer's bytes; 99 % of what clients show is within "

@@ -22,7 +22,7 @@ const CONNECT_SECONDS := 8.0
 const HEADLESS_FRAMES_PER_SECOND := 60
 
 ## Emitted when the server has told what it plays; the link is open.
-signal opened(cubes: int, method: String)
+signal opened(scene: String, cubes: int, method: String)
 
 var meter: TrafficMeter
 var link: PoseLink
@@ -119,20 +119,20 @@ func _on_connect_timeout() -> void:
 		_close("No answer from the server at %s:%d." % [_options.address, _options.port])
 
 
-func _on_welcomed(cubes: int, p_method: String) -> void:
-	if link != null or cubes < 1 or not Options.METHODS.has(p_method):
+func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
+	if link != null or cubes < 1 or not Options.METHODS.has(p_method) or not Options.SCENES.has(scene):
 		return
 	cube_count = cubes
 	method = p_method
 	link = _make_link.call(method)
-	link.open_receiver(cubes + Simulation.SLOTS)
+	link.open_receiver(cubes + Simulation.SLOTS, cubes)
 	var motors := link as MotorLink
 	if motors != null and _options.loss + _options.jitter > 0.0:
 		motors.impairment = Impairment.new(_options.loss, _options.jitter, _options.seed_value)
 	_recorder = PoseRecorder.new(_options.record, cubes + Simulation.SLOTS)
 	_input = PlayerInput.new(_session, _options.autopilot)
 	add_child(_input)
-	opened.emit(cubes, method)
+	opened.emit(scene, cubes, method)
 	_session.enter.rpc_id(1, _options.player_name)
 
 

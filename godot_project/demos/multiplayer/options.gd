@@ -6,6 +6,7 @@ const Options := preload("res://demos/multiplayer/options.gd")
 
 const DEFAULT_PORT := 24816
 const ROLES: PackedStringArray = ["", "server", "client"]
+const SCENES: PackedStringArray = ["cubes", "push"]
 const METHODS: PackedStringArray = ["motors", "synchronizer"]
 
 ## "server", "client", or empty: ask the user.
@@ -13,6 +14,8 @@ var role := ""
 ## The server's address, as a client uses it.
 var address := "127.0.0.1"
 var port := DEFAULT_PORT
+## "cubes" or "push"; a client is told by the server.
+var scene := "cubes"
 ## Number of cubes; a client is told by the server.
 var cubes := 250
 ## "motors" or "synchronizer"; a client is told by the server.
@@ -59,6 +62,8 @@ func _take(argument: String) -> void:
 			pass
 		"role":
 			role = _choice(argument, value, ROLES)
+		"scene":
+			scene = _choice(argument, value, SCENES)
 		"method":
 			method = _choice(argument, value, METHODS)
 		"autopilot":

@@ -50,7 +50,7 @@ func open() -> String:
 	_session.entered.connect(_on_entered)
 	_session.steered.connect(_on_steered)
 	_session.kicked.connect(_on_kicked)
-	_simulation = Simulation.new(_options.cubes, _options.life)
+	_simulation = Simulation.new(_options.scene, _options.cubes, _options.life)
 	add_child(_simulation)
 	var body_count := _options.cubes + Simulation.SLOTS
 	_link.open_sender(body_count)
@@ -119,7 +119,7 @@ func _on_peer_connected(peer: int) -> void:
 	connection.set_timeout(32, TIMEOUT_LEAST, TIMEOUT_MOST)
 	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
 	connection.throttle_configure(5000, 32, 0)
-	_session.welcome.rpc_id(peer, _options.cubes, _options.method)
+	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method)
 
 
 func _on_peer_disconnected(peer: int) -> void:

@@ -3,8 +3,8 @@ extends Node
 ## begins and ends. Each message becomes a signal at the other side; the server checks what it
 ## gets before it acts on it.
 
-## At a client: the server tells what it plays, with how many cubes, by which method.
-signal welcomed(cubes: int, method: String)
+## At a client: the server tells which scene it plays, with how many cubes, by which method.
+signal welcomed(scene: String, cubes: int, method: String)
 ## At a client: why the server does not let it in.
 signal refused(reason: String)
 ## At a client: all players, as [slot, peer, name] each.
@@ -24,8 +24,8 @@ const LONGEST_NAME := 24
 
 
 @rpc("authority", "call_remote", "reliable")
-func welcome(cubes: int, method: String) -> void:
-	welcomed.emit(cubes, method)
+func welcome(scene: String, cubes: int, method: String) -> void:
+	welcomed.emit(scene, cubes, method)
 
 
 @rpc("authority", "call_remote", "reliable")

@@ -46,7 +46,7 @@ func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void:
 	pose_count = _sender.sent_poses
 
 
-func open_receiver(body_count: int) -> void:
+func open_receiver(body_count: int, _present_count: int) -> void:
 	_receiver = MotorReceiver.new(body_count)
 
 

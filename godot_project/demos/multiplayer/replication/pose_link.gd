@@ -33,8 +33,8 @@ var pose_count := 0
 @abstract func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void
 
 
-## Client: begins, with numbers below [param body_count].
-@abstract func open_receiver(body_count: int) -> void
+## Client: begins, with numbers below [param body_count], of which the first [param present_count] are never absent.
+@abstract func open_receiver(body_count: int, present_count: int) -> void
 
 
 ## Client: brings what is shown to [param local] seconds, and writes it down if a recorder is given.

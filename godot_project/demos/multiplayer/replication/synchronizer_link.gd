@@ -8,6 +8,8 @@ var _bodies: Array[Node3D] = []
 var _synchronizers: Array[MultiplayerSynchronizer] = []
 var _present: Dictionary[int, bool] = {}
 var _receivers: Array[int] = []
+## At a client: bodies of which nothing has arrived yet.
+var _awaited: Dictionary[int, bool] = {}
 var _rows := PackedFloat32Array()
 
 
@@ -43,11 +45,13 @@ func publish(_tick: int, poses: Dictionary[int, Transform3D]) -> void:
 		_bodies[id].transform = poses[id]
 
 
-func open_receiver(body_count: int) -> void:
+func open_receiver(body_count: int, present_count: int) -> void:
 	_add_nodes(body_count)
 	_rows.resize(body_count * 12)
-	for synchronizer: MultiplayerSynchronizer in _synchronizers:
-		synchronizer.synchronized.connect(func() -> void: pose_count += 1)
+	for id: int in present_count:
+		_awaited[id] = true
+	for id: int in body_count:
+		_synchronizers[id].synchronized.connect(_on_synchronized.bind(id))
 
 
 func advance(_local: float, recorder: PoseRecorder) -> void:
@@ -77,7 +81,7 @@ func forget(_id: int) -> void:
 
 
 func is_ready() -> bool:
-	return pose_count > 0
+	return pose_count > 0 and _awaited.is_empty()
 
 
 func get_delay_ms(_local: float) -> float:
@@ -90,6 +94,11 @@ func get_shown_tick() -> float:
 
 func get_counts() -> Dictionary[String, int]:
 	return {"late": 0, "rejected": 0}
+
+
+func _on_synchronized(id: int) -> void:
+	pose_count += 1
+	_awaited.erase(id)
 
 
 func _add_nodes(count: int) -> void:

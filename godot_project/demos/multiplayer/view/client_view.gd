@@ -54,12 +54,12 @@ func _unhandled_input(event: InputEvent) -> void:
 		_client.get_input().kick(cube, direction)
 
 
-func _on_opened(cubes: int, method: String) -> void:
-	var layout := Layout.new(cubes)
+func _on_opened(scene: String, cubes: int, method: String) -> void:
+	var layout := Layout.new(scene, cubes)
 	var instance := CubesView.new(layout, _client.link.get_body_count())
 	_multimesh = instance.multimesh
 	add_child(instance)
-	add_child(Stage.new(layout.half_extent))
+	add_child(Stage.new(scene, layout.half_extent))
 	_rig = CameraRig.new(layout.half_extent)
 	add_child(_rig)
 	_hud.show_message("")

@@ -59,10 +59,10 @@ func _process(delta: float) -> void:
 
 ## The scene as it begins.
 func _add_picture() -> void:
-	var layout := Layout.new(_options.cubes)
+	var layout := Layout.new(_options.scene, _options.cubes)
 	_rig = CameraRig.new(layout.half_extent)
 	_rig.camera.h_offset = -layout.half_extent * 0.45
-	add_child(Stage.new(layout.half_extent))
+	add_child(Stage.new(_options.scene, layout.half_extent))
 	add_child(CubesView.new(layout, layout.poses.size()))
 	add_child(_rig)
 
@@ -81,7 +81,7 @@ func _on_host() -> void:
 	if OS.has_feature("editor"):
 		arguments.append_array(["--path", ProjectSettings.globalize_path("res://")])
 	arguments.append_array([SCENE, "--", "--role=server", "--quit-when-empty=on", "--port=%d" % _options.port,
-			"--cubes=%d" % _options.cubes, "--method=%s" % _options.method])
+			"--scene=%s" % _options.scene, "--cubes=%d" % _options.cubes, "--method=%s" % _options.method])
 	OS.create_process(OS.get_executable_path(), arguments)
 	_options.address = "127.0.0.1"
 	_play()

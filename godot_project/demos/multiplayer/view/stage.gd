@@ -9,10 +9,10 @@ const RIM_WIDTH := 0.22
 const FLOOR_MARGIN := 160.0
 
 
-func _init(half_extent: float) -> void:
+func _init(scene: String, half_extent: float) -> void:
 	add_child(_make_environment())
 	_add_lights(half_extent)
-	add_child(_make_floor(half_extent))
+	add_child(_make_floor(half_extent, scene != "push"))
 	for side: float in [-1.0, 1.0]:
 		var at := side * (half_extent + RIM_WIDTH * 0.5)
 		var length := 2.0 * (half_extent + RIM_WIDTH)
@@ -67,14 +67,14 @@ func _add_lights(half_extent: float) -> void:
 	add_child(rim)
 
 
-func _make_floor(half_extent: float) -> MeshInstance3D:
+func _make_floor(half_extent: float, has_lifts: bool) -> MeshInstance3D:
 	var mesh := PlaneMesh.new()
 	mesh.size = Vector2.ONE * 2.0 * (half_extent + FLOOR_MARGIN)
 	var material := ShaderMaterial.new()
 	material.shader = preload("floor.gdshader")
 	material.set_shader_parameter("base", Palette.FLOOR)
 	material.set_shader_parameter("line", Palette.FLOOR.lightened(0.45))
-	material.set_shader_parameter("lift", Palette.LIFT)
+	material.set_shader_parameter("lift", Palette.LIFT if has_lifts else Color.BLACK)
 	material.set_shader_parameter("half_extent", half_extent)
 	var lifts := PackedVector2Array()
 	for i: int in Scenario.LIFT_COUNT:

@@ -1,6 +1,7 @@
 extends RefCounted
-## Where each cube begins and which colour it has: a round tower, a wall, a pyramid and a cloud
-## of falling cubes, repeated for every 250 cubes. The same on the server and on every client.
+## Where each cube begins and which colour it has, the same on the server and on every client.
+## Scene "cubes": a round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250.
+## Scene "push": a field of cubes on the floor.
 
 ## Edge of a cube, in metres.
 const EDGE := 0.5
@@ -10,6 +11,7 @@ const PITCH := EDGE * 1.04
 
 const TOWER_RING := 16
 const WALL_WIDTH := 14
+const FIELD_PITCH := 0.8
 ## Shares of a set; the rest falls from the sky.
 const TOWER_SHARE := 0.38
 const WALL_SHARE := 0.25
@@ -19,6 +21,7 @@ const TOWER_COLORS: Array[Color] = [Color("1f7a8c"), Color("3ec6b8")]
 const WALL_COLORS: Array[Color] = [Color("d9622b"), Color("ffb454")]
 const PYRAMID_COLORS: Array[Color] = [Color("b23a6b"), Color("f28ba8")]
 const CLOUD_COLORS: Array[Color] = [Color("e9e4d8"), Color("f7f5ef")]
+const FIELD_COLORS: Array[Color] = [Color("ff8a3d"), Color("2fb8b0")]
 
 var poses: Array[Transform3D] = []
 var colors := PackedColorArray()
@@ -26,7 +29,14 @@ var colors := PackedColorArray()
 var half_extent := 0.0
 
 
-func _init(count: int) -> void:
+func _init(scene: String, count: int) -> void:
+	if scene == "push":
+		_add_field(count)
+	else:
+		_add_sets(count)
+
+
+func _add_sets(count: int) -> void:
 	var sets := ceili(count / float(SET_SIZE))
 	var columns := ceili(sqrt(sets))
 	half_extent = 11.0 + SET_SPACING * 0.5 * (columns - 1)
@@ -34,6 +44,16 @@ func _init(count: int) -> void:
 		var column := i % columns - (columns - 1) * 0.5
 		var row := floorf(i / float(columns)) - (ceilf(sets / float(columns)) - 1.0) * 0.5
 		_add_set(Vector3(column, 0.0, row) * SET_SPACING, mini(SET_SIZE, count - i * SET_SIZE))
+
+
+func _add_field(count: int) -> void:
+	var side := ceili(sqrt(count))
+	var reach := (side - 1) * 0.5
+	half_extent = maxf(11.0, reach * FIELD_PITCH + 4.0)
+	for i: int in count:
+		var cell := Vector3(i % side - reach, 0.0, floorf(i / float(side)) - reach)
+		var away := cell.length() / maxf(reach * sqrt(2.0), 1.0)
+		_add(Transform3D(Basis.IDENTITY, cell * FIELD_PITCH + Vector3(0.0, EDGE * 0.5, 0.0)), FIELD_COLORS, away)
 
 
 func _add_set(center: Vector3, count: int) -> void:

@@ -1,7 +1,7 @@
 extends RefCounted
 ## What keeps the scene alive without any player: a heavy ball that rolls in a figure of
-## eight through everything, and lifts in the floor that throw up what lies on them. It depends on the
-## scene's time alone, so each run sees the same.
+## eight through everything, and, in scene "cubes", lifts in the floor that throw up what lies on them.
+## It depends on the scene's time alone, so each run sees the same.
 
 const BALL_RADIUS := 1.0
 const BALL_TURN := 0.55
@@ -13,12 +13,14 @@ const LIFT_RING := 5.2
 const LIFT_COUNT := 5
 
 var _reach: float
+var _has_lifts: bool
 var _next_lift := LIFT_PAUSE
 var _lift := 0
 
 
-func _init(half_extent: float) -> void:
+func _init(scene: String, half_extent: float) -> void:
 	_reach = half_extent - 3.2
+	_has_lifts = scene != "push"
 
 
 ## The pose of the ball at [param seconds] of the scene.
@@ -39,7 +41,7 @@ static func get_lift_position(index: int) -> Vector3:
 
 ## Throws up what lies on the lift whose turn it is.
 func act(seconds: float, cubes: Array[RigidBody3D]) -> void:
-	if seconds < _next_lift:
+	if not _has_lifts or seconds < _next_lift:
 		return
 	_next_lift += LIFT_PAUSE
 	_lift = (_lift + 2) % LIFT_COUNT

@@ -20,8 +20,8 @@ var _balls: Array[PhysicsBody3D] = []
 var _scenario: Scenario
 
 
-func _init(cube_count: int, life: bool) -> void:
-	layout = Layout.new(cube_count)
+func _init(scene: String, cube_count: int, life: bool) -> void:
+	layout = Layout.new(scene, cube_count)
 	_balls.resize(SLOTS)
 	_add_arena()
 	var shape := BoxShape3D.new()
@@ -29,7 +29,7 @@ func _init(cube_count: int, life: bool) -> void:
 	for pose: Transform3D in layout.poses:
 		_add_cube(pose, shape)
 	if life:
-		_scenario = Scenario.new(layout.half_extent)
+		_scenario = Scenario.new(scene, layout.half_extent)
 		_add_scripted_ball()
 
 
