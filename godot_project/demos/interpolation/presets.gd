@@ -38,10 +38,10 @@ static func list() -> Array[Preset]:
 				DemoPose.new(Vector3(1.3, 2.2, 0.4), Vector3(0, 165, 0), 1.4)),
 		Preset.new("Growing without turning",
 				"No rotation: all paths are straight, but the screw path's steps grow with size.",
-				DemoPose.new(Vector3(-2.0, 0.4, 0), Vector3(0, 30, 0), 0.5),
+				DemoPose.new(Vector3(-1.6, 0.4, 0), Vector3(0, 30, 0), 0.5),
 				DemoPose.new(Vector3(1.8, 0.9, 0), Vector3(0, 30, 0), 2.5)),
 		Preset.new("Moving only",
 				"Neither turn nor scale: the three paths are one.",
-				DemoPose.new(Vector3(-2.0, 0.5, 0.8), Vector3(0, 30, 0), 1.4),
+				DemoPose.new(Vector3(-1.7, 0.5, 0.8), Vector3(0, 30, 0), 1.4),
 				DemoPose.new(Vector3(2.0, 1.0, -0.8), Vector3(0, 30, 0), 1.4)),
 	]
