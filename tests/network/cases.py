@@ -140,6 +140,7 @@ def wrong_arguments_and_taken_ports_are_told(run):
     wait_until(lambda: not second.is_running(), START_SECONDS, "the second server on the port did not end")
     expect(second.process.returncode == 1 and "Cannot listen on UDP port" in second.log(),
            f"second server: {second.process.returncode}, {second.last_words()}")
+    expect("SCRIPT ERROR" not in second.log(), "the second server ended with a script error")
     wrong = run.start_client("--cubes=many")
     wait_until(lambda: not wrong.is_running(), START_SECONDS, "the client with a wrong argument did not end")
     expect(wrong.process.returncode == 2 and re.search(r"--cubes=many: use a number", wrong.log()) is not None,

@@ -44,6 +44,7 @@ var _bytes_at_begin := 0
 var _packets_at_begin := 0
 var _last_tick := -1
 var _report_values: Dictionary = {}
+var _own_id := 0
 var _is_closed := false
 
 
@@ -78,7 +79,7 @@ func open() -> String:
 ## The slot of this client's ball, or -1 before it has one.
 func get_own_slot() -> int:
 	for player: Array in roster:
-		if player[1] == multiplayer.get_unique_id():
+		if player[1] == _own_id:
 			return player[0]
 	return -1
 
@@ -109,6 +110,7 @@ func _process(_delta: float) -> void:
 
 
 func _on_connected() -> void:
+	_own_id = multiplayer.get_unique_id()
 	var connection := _peer.get_peer(1)
 	connection.set_timeout(32, TIMEOUT_LEAST, TIMEOUT_MOST)
 	connection.throttle_configure(5000, 32, 0)
@@ -177,6 +179,8 @@ func _close(reason: String) -> void:
 		return
 	_is_closed = true
 	print(reason)
+	if _input != null:
+		_input.process_mode = Node.PROCESS_MODE_DISABLED
 	if _recorder != null:
 		_recorder.close()
 	_peer.close()

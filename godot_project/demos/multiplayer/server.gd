@@ -65,7 +65,8 @@ func open() -> String:
 
 
 func _exit_tree() -> void:
-	_recorder.close()
+	if _recorder != null:
+		_recorder.close()
 	_peer.close()
 
 

@@ -27,6 +27,7 @@ func _init(client: Client, options: Options) -> void:
 	_client = client
 	_options = options
 	client.opened.connect(_on_opened)
+	client.closed.connect(_on_closed)
 	add_child(_hud)
 	_hud.show_message("Connecting to %s:%d …" % [options.address, options.port])
 
@@ -66,6 +67,11 @@ func _on_opened(scene: String, cubes: int, method: String) -> void:
 	_hud.show_session(cubes, method)
 	if not _options.picture.is_empty():
 		get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
+
+
+func _on_closed(reason: String) -> void:
+	process_mode = Node.PROCESS_MODE_DISABLED
+	_hud.show_message(reason)
 
 
 func _update_balls() -> void:
