@@ -1,5 +1,6 @@
 """The suites of tools/test --sanitize: C++ tests and the engine's, built with one sanitizer after the other."""
 
+import glob
 import os
 import shutil
 import subprocess
@@ -64,8 +65,10 @@ def copy_project(sanitizer):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(checkout.PROJECT, folder)
     libraries = os.path.join(folder, ADDON_LIBRARIES)
-    for name in os.listdir(libraries):
-        shutil.copy2(os.path.join(checkout.variant(sanitizer), name), os.path.join(libraries, name))
+    shutil.rmtree(libraries)
+    os.mkdir(libraries)
+    for path in glob.glob(os.path.join(checkout.variant(sanitizer), "libga_godot.*")):
+        shutil.copy2(path, libraries)
     return folder
 
 

@@ -8,6 +8,7 @@ the next.
 import argparse
 import os
 import signal
+import subprocess
 import sys
 import time
 from contextlib import ExitStack
@@ -56,17 +57,20 @@ def run_suite(suite):
     started = time.monotonic()
     passed = failed = 0
     problems = []
-    with ExitStack() as stack:
-        env = stack.enter_context(display()) if suite.display else {}
-        for program in suite.programs():
-            program.env.update(env)
-            outcome = suite_process.run(program)
-            passed += outcome.passed
-            failed += outcome.failed + len(outcome.problems)
-            problems += [f"{os.path.basename(program.argv[0])}: {problem}" for problem in outcome.problems]
-    if passed + failed == 0:
-        failed = 1
+    try:
+        with ExitStack() as stack:
+            env = stack.enter_context(display()) if suite.display else {}
+            for program in suite.programs():
+                program.env.update(env)
+                outcome = suite_process.run(program)
+                passed += outcome.passed
+                failed += outcome.failed
+                problems += [f"{os.path.basename(program.argv[0])}: {problem}" for problem in outcome.problems]
+    except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
+        problems.append(f"could not be run: {error}")
+    if passed + failed + len(problems) == 0:
         problems.append("the suite has no test")
+    failed += len(problems)
     for problem in problems:
         print(f"{suite.name}: {problem}", flush=True)
     return passed, failed, time.monotonic() - started
