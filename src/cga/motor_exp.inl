@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cga/axis_angle.hpp"
 #include "cga/similarity_phi.hpp"
 
 namespace cga {

@@ -1,9 +1,13 @@
 #include "cga/pose_block.hpp"
 
+#include "cga/axis_angle.hpp"
 #include "cga/pose_motion.hpp"
+#include "cga/similarity_phi.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace cga {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cga/similarity_phi.hpp"
+#include "cga/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -26,7 +26,8 @@ def check(library, report):
         bound = BOUNDS[kind]
         logs = grid(np.random.default_rng(30)).astype(kind)
         images = [exponential(log) for log in logs]
-        report.check(f"mpmath: exp in {name}", [pose_error(ours, *exact) for ours, exact in zip(library.exp(logs, kind), images)], bound)
+        errors = [pose_error(pose, *exact) for pose, exact in zip(library.exp(logs, kind), images)]
+        report.check(f"mpmath: exp in {name}", errors, bound)
 
         # What the log is asked about is the rounded pose, so its exact log is the answer.
         poses = np.array([rounded_pose(log) for log in logs]).astype(kind)
@@ -41,7 +42,8 @@ def check(library, report):
             ours = library.power(poses, np.full(len(poses), alpha), kind)
             images = [exponential([mpf(float(alpha)) * number for number in exact]) for exact in exact_logs]
             # Where a power all but undoes the translation, as the square of half a turn does, its size is the pose's.
-            errors = [pose_error(power, *exact, size=float(np.linalg.norm(pose[:3]))) for power, pose, exact in zip(ours, poses, images)]
+            sizes = np.linalg.norm(poses[:, :3], axis=1)
+            errors = [pose_error(power, *exact, size) for power, exact, size in zip(ours, images, sizes)]
             report.check(f"mpmath: power {exponent:g} in {name}", errors, bound)
 
 
@@ -57,13 +59,13 @@ def grid(random):
     return np.array(logs)
 
 
-def exact(numbers):
+def to_mpf(numbers):
     return [number if isinstance(number, mpf) else mpf(float(number)) for number in numbers]
 
 
 def linear_part(log):
     """sigma 1 + [w]x"""
-    w1, w2, w3, _, _, _, sigma = exact(log)
+    w1, w2, w3, _, _, _, sigma = to_mpf(log)
     return mpmath.matrix([[sigma, -w3, w2], [w3, sigma, -w1], [-w2, w1, sigma]])
 
 
@@ -71,7 +73,7 @@ def exponential(log):
     """(scale times rotation, translation) of a logarithm."""
     generator = mpmath.zeros(4)
     generator[:3, :3] = linear_part(log)
-    for row, velocity in enumerate(exact(log)[3:6]):
+    for row, velocity in enumerate(to_mpf(log)[3:6]):
         generator[row, 3] = velocity
     image = mp.expm(generator)
     return image[:3, :3], image[:3, 3]
@@ -79,7 +81,7 @@ def exponential(log):
 
 def logarithm(pose):
     """w, v, sigma of a pose of doubles (the quaternion normalised exactly), turning the short way."""
-    t1, t2, t3, w, x, y, z, scale = exact(pose)
+    t1, t2, t3, w, x, y, z, scale = to_mpf(pose)
     if w < 0:
         w, x, y, z = -w, -x, -y, -z
     sine = mpmath.sqrt(x * x + y * y + z * z)
@@ -110,7 +112,7 @@ def rounded_pose(log):
 
 def pose_error(pose, linear, translation, size=0):
     """Of t relative to |t|, or to `size` if that is larger; of scale times rotation relative to the scale."""
-    t1, t2, t3, w, x, y, z, scale = exact(pose)
+    t1, t2, t3, w, x, y, z, scale = to_mpf(pose)
     rotation = mpmath.matrix([
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -122,6 +124,6 @@ def pose_error(pose, linear, translation, size=0):
 
 def relative(ours, wanted, size=0):
     """|ours - wanted| / |wanted|, or / `size` if that is larger; 0 / 0 is 0."""
-    difference = mpmath.norm([a - b for a, b in zip(exact(ours), wanted)])
+    difference = mpmath.norm([a - b for a, b in zip(to_mpf(ours), wanted)])
     size = max(mpmath.norm(list(wanted)), size)
     return float(difference / size) if size else float(difference)

@@ -66,7 +66,7 @@ def check_screw(library, report, begin, end, weights):
     chosen = np.linspace(0, PAIRS - 1, EXACT_PAIRS).astype(int)
     worst = []
     for i in chosen:
-        first, second = exponentials.exact(begin[i]), exponentials.exact(end[i])
+        first, second = exponentials.to_mpf(begin[i]), exponentials.to_mpf(end[i])
         shift = [b - a for a, b in zip(first[:3], second[:3])]
         turn = product(second[3:7], [first[3], -first[4], -first[5], -first[6]])
         length = mp.sqrt(sum(x * x for x in turn))
@@ -89,9 +89,11 @@ def check_file(path, report):
         if not chosen:
             report.check(f"engine: {mode}", [], 1e-5)
             continue
-        begin, end, ours = (np.array([case[key] for case in chosen], float).reshape(-1, 3, 4) for key in ("from", "to", "result"))
+        begin, end, ours = (np.array([case[key] for case in chosen], float).reshape(-1, 3, 4)
+                            for key in ("from", "to", "result"))
         weights = np.array([case["weight"] for case in chosen], float)
-        report.check(f"engine: {mode}", matrix_errors(ours, REFERENCES[mode](begin, end, weights), begin, end), 1e-5)
+        wanted = REFERENCES[mode](begin, end, weights)
+        report.check(f"engine: {mode}", matrix_errors(ours, wanted, begin, end), 1e-5)
 
 
 def errors(ours, wanted, begin, end):

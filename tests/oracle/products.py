@@ -21,16 +21,19 @@ def check(library, report):
     basis = np.eye(BLADES)
     every_left, every_right = np.repeat(basis, BLADES, axis=0), np.tile(basis, (BLADES, 1))
     left, right = random.standard_normal((2, RANDOM_PAIRS, BLADES))
+    sizes = np.linalg.norm(left, axis=1) * np.linalg.norm(right, axis=1)
     for name, function in PRODUCTS.items():
         exact = np.array([function(a, b) for a, b in zip(every_left, every_right)])
         ours = library.product(name, every_left, every_right)
         report.check(f"clifford: {name} product of basis blades", np.abs(ours - exact).max(axis=1), 0.0)
         exact = np.array([function(a, b) for a, b in zip(left, right)])
-        report.check(f"clifford: {name} product of random elements", relative(library.product(name, left, right), exact), BOUND)
+        errors = relative(library.product(name, left, right), exact, sizes)
+        report.check(f"clifford: {name} product of random elements", errors, BOUND)
     for name, function in OPERATIONS.items():
         operands = np.concatenate([basis, left])
         exact = np.array([function(element(x)).value for x in operands])
-        report.check(f"clifford: {name}", relative(library.operation(name, operands), exact), BOUND)
+        errors = relative(library.operation(name, operands), exact, np.linalg.norm(operands, axis=1))
+        report.check(f"clifford: {name}", errors, BOUND)
     check_versors(library, report, random)
     check_motors(library, report, random)
 
@@ -51,9 +54,10 @@ def check_versors(library, report, random):
         operands.append(operand.value)
         inverses.append(inverse.value)
         images.append((versor * (operand.gradeInvol() if factors % 2 else operand) * inverse).value)
-    exact = np.array(inverses)
-    report.check("clifford: inverse of versors", relative(library.operation("inverse", versors), exact), BOUND)
-    report.check("clifford: sandwich with even and odd versors", relative(library.sandwich(versors, operands), np.array(images)), BOUND)
+    errors = relative(library.operation("inverse", versors), np.array(inverses))
+    report.check("clifford: inverse of versors", errors, BOUND)
+    errors = relative(library.sandwich(versors, operands), np.array(images))
+    report.check("clifford: sandwich with even and odd versors", errors, BOUND)
 
 
 def check_motors(library, report, random):
@@ -80,9 +84,9 @@ def element(value):
     return clifford.MultiVector(LAYOUT, np.array(value, float))
 
 
-def relative(ours, exact):
-    """The largest difference of each row relative to its largest coefficient."""
-    return np.abs(ours - exact).max(axis=1) / np.maximum(np.abs(exact).max(axis=1), 1e-300)
+def relative(ours, exact, sizes=1e-300):
+    """The largest difference of each row relative to its largest coefficient, or to the size of the factors."""
+    return np.abs(ours - exact).max(axis=1) / np.maximum(np.abs(exact).max(axis=1), sizes)
 
 
 def fat_dot(left, right):
