@@ -108,7 +108,7 @@ def loss_and_jitter_heal(run):
     run.wait(30)
     run.check_logs()
     expect_same_end(run, client, 80)
-    expect_errors_within(run, client, 80, p99=0.25, most=3.0)
+    expect_errors_within(run, client, 80, p99=0.2, most=1.5)
 
 
 def stopped_server_ends_the_clients_with_a_message(run):

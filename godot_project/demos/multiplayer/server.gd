@@ -37,6 +37,7 @@ func _init(options: Options, session: Session, link: PoseLink) -> void:
 	_options = options
 	_session = session
 	_link = link
+	set_physics_process(false)
 
 
 ## Opens the port. Returns what is wrong, or an empty text.
@@ -60,6 +61,7 @@ func open() -> String:
 	_rows.resize(body_count * 12)
 	PhysicsServer3D.space_set_active(_simulation.get_world_3d().space, false)
 	print("Server on port %d: %d cubes, method %s." % [_options.port, _options.cubes, _options.method])
+	set_physics_process(true)
 	_begin_if_complete()
 	return ""
 
