@@ -1,6 +1,7 @@
 #include <godot_cpp/classes/wrapped.hpp>
 
 #include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/godot.hpp>
 
 #include <mutex>

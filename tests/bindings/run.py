@@ -24,8 +24,10 @@ sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
 from engine_log import problems_of  # noqa: E402
 
-FLAGS = ["-std=c++17", "-O1", "-fPIC", "-fno-exceptions", "-fvisibility=hidden", "-fvisibility-inlines-hidden", "-fno-gnu-unique", "-Wall", "-Wextra", "-Werror"]
+FLAGS = ["-std=c++17", "-O1", "-fPIC", "-fno-exceptions", "-fno-gnu-unique", "-Wall", "-Wextra", "-Werror"]
+FLAGS += ["-fvisibility=hidden", "-fvisibility-inlines-hidden"]
 LINK_FLAGS = ["-shared", "-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL", "-Wl,--no-undefined"]
+TELLING = re.compile(r"\[expect\]|FAIL|.*ERROR|.*[Ll]eaked|.*[Oo]rphan|\s+at: ")
 RESULT = re.compile(r"^\[bindings\] (\d+) passed, (\d+) failed$", re.M)
 
 
@@ -37,7 +39,8 @@ def fail(message):
 
 def run(command, **options):
     """A program's exit code and all it printed."""
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", **options)
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "errors": "replace"}
+    done = subprocess.run(command, **pipes, **options)
     return done.returncode, done.stdout
 
 
@@ -78,10 +81,12 @@ class Sample:
         with open(exports, "w", encoding="utf-8") as file:
             file.write("{ global: sample_init; local: *; };\n")
         library = os.path.join(self.project, "sample.so")
-        code, output = run([compiler, *LINK_FLAGS, f"-Wl,--version-script={exports}", *[target for _, target in jobs], *self.libraries, "-o", library])
+        inputs = [f"-Wl,--version-script={exports}", *(target for _, target in jobs), *self.libraries]
+        code, output = run([compiler, *LINK_FLAGS, *inputs, "-o", library])
         if code != 0:
             fail(f"{self.name}: the sample does not link:\n{output}")
-        print(f"{self.name}: {len(stale)} of {len(jobs)} files compiled in {time.monotonic() - started:.1f} s, library of {os.path.getsize(library) // 1024} KiB", flush=True)
+        seconds, size = time.monotonic() - started, os.path.getsize(library) // 1024
+        print(f"{self.name}: {len(stale)} of {len(jobs)} files compiled in {seconds:.1f} s, {size} KiB", flush=True)
 
     def check(self, engine):
         """Runs the checks; (passed, failed)."""
@@ -95,8 +100,8 @@ class Sample:
         if problems:
             print(output)
         code, output = self.start(engine, "--verbose", "--script", "res://checks.gd")
-        # Verbose engines list what leaks; of the rest of their talk only the checks' own lines matter.
-        print("\n".join(line for line in output.splitlines() if re.match(r"\[expect\]|FAIL|.*ERROR|.*[Ll]eaked|.*[Oo]rphan|\s+at: ", line)))
+        # Verbose engines list what leaks; of the rest of what they tell only the checks' own lines matter.
+        print("\n".join(line for line in output.splitlines() if TELLING.match(line)))
         problems += problems_of(output)
         counts = RESULT.findall(output)
         if not counts:
@@ -109,11 +114,14 @@ class Sample:
         return passed, failed + len(problems)
 
     def start(self, engine, *arguments):
-        """Runs the engine in the sample's project."""
+        """Runs the engine in the sample's project, with folders of its own for what it keeps."""
+        places = {name: self.folder for name in ("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")}
+        command = [*engine, "--headless", "--path", self.project, *arguments]
         try:
-            return run([*engine, "--headless", "--path", self.project, *arguments], timeout=120, env=dict(os.environ, HOME=self.folder, XDG_DATA_HOME=self.folder, XDG_CONFIG_HOME=self.folder, XDG_CACHE_HOME=self.folder))
+            return run(command, timeout=120, env={**os.environ, **places})
         except subprocess.TimeoutExpired as expired:
-            return 124, (expired.stdout or b"").decode(errors="replace") if isinstance(expired.stdout, bytes) else expired.stdout or ""
+            output = expired.stdout or ""
+            return 124, output if isinstance(output, str) else output.decode(errors="replace")
 
 
 def digest(paths, start=""):
@@ -134,7 +142,12 @@ def generate(engine, folder):
     if code != 0:
         fail(f"the engine did not dump its API (exit code {code}):\n{output}")
     generated = os.path.join(folder, "generated")
-    code, output = run([sys.executable, os.path.join(BINDINGS, "generate.py"), "--api", os.path.join(dump, "extension_api.json"), "--interface", os.path.join(dump, "gdextension_interface.h"), "--profile", os.path.join(BINDINGS, "build_profile.json"), "--output", generated])
+    code, output = run([
+        sys.executable, os.path.join(BINDINGS, "generate.py"), "--output", generated,
+        "--api", os.path.join(dump, "extension_api.json"),
+        "--interface", os.path.join(dump, "gdextension_interface.h"),
+        "--profile", os.path.join(BINDINGS, "build_profile.json"),
+    ])
     if code != 0:
         fail(output)
     return generated
@@ -144,7 +157,8 @@ def against_bindings(engine, folder):
     generated = generate(engine, folder)
     includes = [os.path.join(BINDINGS, "include"), os.path.join(generated, "include")]
     sample = Sample("bindings", folder, ["-fno-rtti"] + [f"-I{include}" for include in includes], [])
-    sample.sources += sorted(glob.glob(os.path.join(BINDINGS, "src", "*.cpp")) + glob.glob(os.path.join(generated, "src", "*.cpp")))
+    for place in (BINDINGS, generated):
+        sample.sources += sorted(glob.glob(os.path.join(place, "src", "*.cpp")))
     for include in includes:
         sample.headers += glob.glob(os.path.join(include, "**", "*.h*"), recursive=True)
     return sample
@@ -155,14 +169,17 @@ def against_godot_cpp(folder, godot_cpp):
     if not libraries:
         fail(f"{godot_cpp} holds no built godot-cpp: bin/libgodot-cpp.*.a is missing")
     # Its casts need RTTI; HOT_RELOAD_ENABLED is its default in debug builds and changes its classes.
-    flags = ["-DDEBUG_ENABLED", "-DHOT_RELOAD_ENABLED", "-DTHREADS_ENABLED", "-DLINUX_ENABLED", "-DUNIX_ENABLED"]
-    return Sample("godot-cpp", folder, flags + [f"-isystem{os.path.join(godot_cpp, include)}" for include in ("include", "gen/include")], libraries)
+    flags = [f"-D{name}_ENABLED" for name in ("DEBUG", "HOT_RELOAD", "THREADS", "LINUX", "UNIX")]
+    flags += [f"-isystem{os.path.join(godot_cpp, include)}" for include in ("include", "gen/include")]
+    return Sample("godot-cpp", folder, flags, libraries)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("engine", nargs="?", default=os.path.join(ROOT, "tools", "godot"), help="the engine's command (default: tools/godot)")
-    parser.add_argument("build_dir", nargs="?", default=os.path.join(ROOT, "build", "bindings_sample"), help="where to build (default: build/bindings_sample)")
+    parser.add_argument("engine", nargs="?", default=os.path.join(ROOT, "tools", "godot"),
+                        help="the engine's command (default: tools/godot)")
+    parser.add_argument("build_dir", nargs="?", default=os.path.join(ROOT, "build", "bindings_sample"),
+                        help="where to build (default: build/bindings_sample)")
     parser.add_argument("--godot-cpp", metavar="DIR", help="a built godot-cpp to check against too")
     options = parser.parse_args()
     engine = shlex.split(options.engine)

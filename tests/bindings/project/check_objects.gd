@@ -33,6 +33,8 @@ func check_destructors_run() -> void:
 	same(SampleValues.count_alive(), before + 10)
 	more.clear()
 	same(SampleValues.count_alive(), before)
+	SampleValues.make_and_drop(5)
+	same(SampleValues.count_alive(), before)
 
 
 func check_resources() -> void:

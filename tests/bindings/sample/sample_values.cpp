@@ -17,6 +17,15 @@ int64_t SampleValues::count_alive() {
 	return _alive;
 }
 
+void SampleValues::make_and_drop(int64_t p_count) {
+	for (int64_t i = 0; i < p_count; i++) {
+		Ref<SampleValues> dropped;
+		dropped.instantiate();
+		const Ref<SampleValues> also = memnew(SampleValues);
+		dropped = also;
+	}
+}
+
 bool SampleValues::negate(bool p_value) const {
 	return !p_value;
 }
@@ -266,6 +275,7 @@ void SampleValues::_bind_methods() {
 	BIND_CONSTANT(LIMIT);
 
 	ClassDB::bind_static_method("SampleValues", D_METHOD("count_alive"), &SampleValues::count_alive);
+	ClassDB::bind_static_method("SampleValues", D_METHOD("make_and_drop", "count"), &SampleValues::make_and_drop);
 	ClassDB::bind_method(D_METHOD("negate", "value"), &SampleValues::negate);
 	ClassDB::bind_method(D_METHOD("add_up", "a", "b", "c", "d"), &SampleValues::add_up);
 	ClassDB::bind_method(D_METHOD("halve", "value"), &SampleValues::halve);

@@ -26,6 +26,8 @@ public:
 	~SampleValues() { _alive--; }
 	/// How many objects of this class there are.
 	static int64_t count_alive();
+	/// Makes objects and drops them, without that the engine sees a reference to one.
+	static void make_and_drop(int64_t p_count);
 
 	bool negate(bool p_value) const;
 	int64_t add_up(int8_t p_a, uint16_t p_b, int32_t p_c, int64_t p_d) const;

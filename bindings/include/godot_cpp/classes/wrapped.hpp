@@ -31,6 +31,15 @@ public:
 	// Whether this is of that class or of one derived from it.
 	virtual bool _is_a(const StringName &p_class) const = 0;
 
+	template <typename T>
+	static T *cast_to(Wrapped *p_object) {
+		return p_object && p_object->_is_a(T::get_class_static()) ? static_cast<T *>(p_object) : nullptr;
+	}
+	template <typename T>
+	static const T *cast_to(const Wrapped *p_object) {
+		return cast_to<T>(const_cast<Wrapped *>(p_object));
+	}
+
 	// The extension class to build, or null for a class of the engine's own.
 	static const StringName *_extension_class_name() { return nullptr; }
 

@@ -71,11 +71,11 @@ Variant call_vararg_method(GDExtensionMethodBindPtr p_method, GDExtensionObjectP
 }
 
 template <typename... Args>
-void call_utility_function(GDExtensionPtrUtilityFunction p_function, const Args &...p_args) {
+void call_utility_function(const char *p_function, int64_t p_hash, const Args &...p_args) {
 	const auto call = [&](const auto &...p_variants) {
 		const GDExtensionConstTypePtr pointers[] = { p_variants._native_ptr()... };
-		if (likely(p_function)) {
-			p_function(nullptr, pointers, sizeof...(Args));
+		if (const GDExtensionPtrUtilityFunction function = find_utility_function(p_function, p_hash)) {
+			function(nullptr, pointers, sizeof...(Args));
 		}
 	};
 	call(Variant(p_args)...);
