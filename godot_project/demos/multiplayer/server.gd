@@ -37,6 +37,9 @@ func _init(options: Options, session: Session, link: PoseLink) -> void:
 	_options = options
 	_session = session
 	_link = link
+
+
+func _ready() -> void:
 	set_physics_process(false)
 
 
