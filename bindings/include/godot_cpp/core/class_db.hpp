@@ -49,7 +49,10 @@ public:
 	template <typename T>
 	static void register_class() {
 		static_assert(std::is_same_v<T, typename T::self_type>, "The class has no GDCLASS.");
-		static_assert(&T::_bind_methods != &T::parent_type::_bind_methods, "The class has no static void _bind_methods().");
+		// As types: with -fsanitize=undefined the compiler takes a comparison of functions for no constant.
+		using Own = std::integral_constant<void (*)(), &T::_bind_methods>;
+		using Inherited = std::integral_constant<void (*)(), &T::parent_type::_bind_methods>;
+		static_assert(!std::is_same_v<Own, Inherited>, "The class has no static void _bind_methods().");
 		GDExtensionClassCreationInfo5 info{};
 		info.notification_func = &T::_notify;
 		info.to_string_func = std::is_same_v<decltype(T::_to_string_method()), decltype(Wrapped::_to_string_method())> ? nullptr : &T::_describe;
