@@ -114,8 +114,8 @@ class Sample:
         return passed, failed + len(problems)
 
     def start(self, engine, *arguments):
-        """Runs the engine in the sample's project, with folders of its own for what it keeps."""
-        places = {name: self.folder for name in ("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")}
+        """Runs the engine in the sample's project, with folders of its own for data and settings."""
+        places = {"XDG_DATA_HOME": self.folder, "XDG_CONFIG_HOME": self.folder}
         command = [*engine, "--headless", "--path", self.project, *arguments]
         try:
             return run(command, timeout=120, env={**os.environ, **places})
