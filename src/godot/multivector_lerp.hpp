@@ -18,7 +18,8 @@ class MultivectorLerp : public godot::Node {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	enum Mode {
+	/// Signed and of fixed type: a script may pass any number, and an error message shows it.
+	enum Mode : int {
 		LINEAR,
 		SCREW,
 		SEPARATE,
