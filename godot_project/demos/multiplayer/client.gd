@@ -3,7 +3,10 @@ extends Node
 
 ## Why the client is no longer connected, in words for the player.
 signal closed(reason: String)
+## Emitted when the server has told what it plays; the link is open.
+signal opened(scene: String, cubes: int, method: String)
 
+const Connection := preload("connection.gd")
 const Impairment := preload("replication/impairment.gd")
 const MotorLink := preload("replication/motor_link.gd")
 const Options := preload("options.gd")
@@ -14,15 +17,9 @@ const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
 const TrafficMeter := preload("traffic_meter.gd")
 
-const CHANNELS := 4
-const TIMEOUT_LEAST := 3000
-const TIMEOUT_MOST := 6000
 ## Seconds to wait for the server's answer.
 const CONNECT_SECONDS := 8.0
 const HEADLESS_FRAMES_PER_SECOND := 60
-
-## Emitted when the server has told what it plays; the link is open.
-signal opened(scene: String, cubes: int, method: String)
 
 var meter: TrafficMeter
 var link: PoseLink
@@ -57,7 +54,7 @@ func _init(options: Options, session: Session, make_link: Callable) -> void:
 
 ## Starts to connect. Returns what is wrong, or an empty text.
 func open() -> String:
-	if _peer.create_client(_options.address, _options.port, CHANNELS) != OK:
+	if _peer.create_client(_options.address, _options.port, Connection.CHANNELS) != OK:
 		return "Cannot connect to %s:%d." % [_options.address, _options.port]
 	if DisplayServer.get_name() == "headless":
 		Engine.max_fps = HEADLESS_FRAMES_PER_SECOND
@@ -111,9 +108,7 @@ func _process(_delta: float) -> void:
 
 func _on_connected() -> void:
 	_own_id = multiplayer.get_unique_id()
-	var connection := _peer.get_peer(1)
-	connection.set_timeout(32, TIMEOUT_LEAST, TIMEOUT_MOST)
-	connection.throttle_configure(5000, 32, 0)
+	Connection.prepare(_peer.get_peer(1))
 
 
 func _on_connect_timeout() -> void:

@@ -48,6 +48,8 @@ func _start_server() -> void:
 	if not problem.is_empty():
 		printerr(problem)
 		get_tree().quit(1)
+	elif _has_window():
+		_say("Server on port %d. It runs until this window is closed." % _options.port)
 
 
 func _start_client() -> void:
@@ -100,6 +102,14 @@ func _make_link(method: String) -> PoseLink:
 	link.name = "Link"
 	add_child(link)
 	return link
+
+
+func _say(text: String) -> void:
+	var label := Label.new()
+	label.text = text
+	label.theme_type_variation = &"HeadingLabel"
+	label.position = Vector2(32.0, 32.0)
+	add_child(label)
 
 
 func _has_window() -> bool:

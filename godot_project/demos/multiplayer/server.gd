@@ -1,18 +1,14 @@
 extends Node
 ## The server: runs the simulation, decides what players do to it, and publishes the poses of every tick.
 
+const Connection := preload("connection.gd")
 const Options := preload("options.gd")
 const PoseLink := preload("replication/pose_link.gd")
 const PoseRecorder := preload("pose_recorder.gd")
 const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
 
-## Channels of ENet that the RPCs use besides the engine's own.
-const CHANNELS := 4
 const MOST_CLIENTS := 6
-## Milliseconds without an answer after which a peer is gone.
-const TIMEOUT_LEAST := 3000
-const TIMEOUT_MOST := 6000
 ## Frames a second of the main loop without a window: often enough for punctual ticks.
 const FRAMES_PER_SECOND := 120
 ## Seconds between the end of the scene and the server's.
@@ -45,7 +41,7 @@ func _ready() -> void:
 
 ## Opens the port. Returns what is wrong, or an empty text.
 func open() -> String:
-	if _peer.create_server(_options.port, MOST_CLIENTS, CHANNELS) != OK:
+	if _peer.create_server(_options.port, MOST_CLIENTS, Connection.CHANNELS) != OK:
 		return "Cannot listen on UDP port %d: it is in use, or not allowed." % _options.port
 	Engine.max_fps = FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
@@ -121,10 +117,7 @@ func _finish() -> void:
 
 
 func _on_peer_connected(peer: int) -> void:
-	var connection := _peer.get_peer(peer)
-	connection.set_timeout(32, TIMEOUT_LEAST, TIMEOUT_MOST)
-	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
-	connection.throttle_configure(5000, 32, 0)
+	Connection.prepare(_peer.get_peer(peer))
 	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method)
 
 
