@@ -43,10 +43,6 @@ Pose<double> interpolate_linear(const Pose<double> &from, const Pose<double> &to
 
 // M^a TR_from D_from, M the motion with the ratio of the scales, about the position of `from`.
 Pose<double> interpolate_screw(const Pose<double> &from, const Pose<double> &to, double weight) {
-	// Started from the larger pose, no intermediate result exceeds the result.
-	if (to.scale > from.scale) {
-		return interpolate_screw(to, from, 1.0 - weight);
-	}
 	const bool positive = to.scale > 0.0 && from.scale > 0.0;
 	const PoseMotion motion = motion_between(from, to);
 	const Pose<double> power = power_of_pose(Pose<double>{ motion.shift, motion.turn, positive ? to.scale / from.scale : 1.0 }, weight);

@@ -19,8 +19,8 @@ enum class Mode {
 //   as the identity). q and -q mean the same and give the same path. Exactly 180 degrees apart, both ways are
 //   equally short: the one of the quaternions' own signs is taken.
 // - Scales are positive by contract. If one is not, SCREW blends scale linearly beside the rigid screw.
-// - Finite input gives finite output. Where a result would leave the range of T (extrapolation far out),
-//   the end pose nearer in weight is returned.
+// - Finite input gives finite output. Where a result would leave the range of T (extrapolation far out, double
+//   scales more than 1e308 apart), the end pose nearer in weight is returned.
 // - Computed in double for either T, relative to `from`: precision does not depend on the distance from the origin.
 template <class T>
 [[nodiscard]] Pose<T> interpolate(const Pose<T> &from, const Pose<T> &to, T weight, Mode mode) noexcept;

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace cga;
@@ -243,6 +244,22 @@ TEST_CASE_TEMPLATE("no finite input gives anything but a finite pose of unit rot
 	CHECK(poses.size() == 294);
 	CHECK(bad == 0);
 	CHECK(not_unit == 0);
+}
+
+TEST_CASE("scales as far apart as float has them meet in the geometric middle") {
+	const Pose<float> from{ { 0.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f, 0.0f }, 1e-30f };
+	const Pose<float> to{ { 8.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f, 0.0f }, 1e30f };
+	for (const auto &ends : { std::pair(from, to), std::pair(to, from) }) {
+		const Pose<float> middle = interpolate(ends.first, ends.second, 0.5f, Mode::SCREW);
+		CHECK(middle.scale == doctest::Approx(1.0).epsilon(1e-6));
+		CHECK(middle.translation.x == doctest::Approx(0.0).epsilon(1e-6)); // all of the way is near the larger end
+		CHECK(angle_between(pose_cast<double>(middle).rotation, QuaternionD(1.0, 0.0, 0.0, 0.0)) == doctest::Approx(PI / 2.0).epsilon(1e-6));
+	}
+	// Beyond the range of double's ratios, the nearer end.
+	const PoseD tiny{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1e-200 };
+	const PoseD vast{ { 8.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1e200 };
+	CHECK(interpolate(tiny, vast, 0.4, Mode::SCREW).scale == 1e-200);
+	CHECK(interpolate(tiny, vast, 0.6, Mode::SCREW).scale == 1e200);
 }
 
 TEST_CASE("a scale that is not positive is blended linearly beside the rigid screw") {

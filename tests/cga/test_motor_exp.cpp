@@ -61,6 +61,25 @@ TEST_CASE("log undoes exp for angles up to pi") {
 	}
 }
 
+TEST_CASE("small angles and small dilations lose no digits") {
+	for (const double angle : { 0.0, 1e-9, 1e-7, 1e-5 }) {
+		for (const double dilation : { 0.0, 1e-12, -1e-9, 1e-7, -1e-5 }) {
+			// phi(z) = 1 + z/2 + z^2/6 + z^3/24, for z this small; its real and imaginary parts.
+			const double d2 = dilation * dilation;
+			const double a2 = angle * angle;
+			const double real = 1.0 + dilation / 2.0 + (d2 - a2) / 6.0 + (dilation * d2 - 3.0 * dilation * a2) / 24.0;
+			const double imaginary = angle / 2.0 + dilation * angle / 3.0 + (3.0 * d2 * angle - angle * a2) / 24.0;
+			const PoseD pose = exp_to_pose<double>({ { 0.0, 0.0, angle }, { 1.0, 0.0, 0.0 }, dilation });
+			CAPTURE(angle);
+			CAPTURE(dilation);
+			CHECK(std::abs(pose.translation.x - real) < 1e-15);
+			CHECK(std::abs(pose.translation.y - imaginary) < 1e-15);
+			CHECK(pose.translation.z == 0.0);
+			CHECK(std::abs(pose.scale - 1.0 - std::expm1(dilation)) < 1e-15);
+		}
+	}
+}
+
 TEST_CASE("exp undoes log for random poses, in double and float") {
 	Random random(33);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
