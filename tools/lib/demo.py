@@ -101,6 +101,7 @@ def measure(engine, folder, options):
         arm_folder = os.path.join(folder, method)
         os.mkdir(arm_folder)
         arms[method] = run_arm(engine, arm_folder, options, method)
+    progress("")
     print_table(arms, options)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
@@ -111,16 +112,16 @@ def measure(engine, folder, options):
 def run_arm(engine, folder, options, method):
     """One run with one method; returns its figures."""
     with DemoRun(engine, folder) as run:
-        progress(f"{method}: starting the server")
+        progress(f"{method}: a server and {options.clients} clients for {options.seconds} s ...")
         run.start_server(f"--method={method}", f"--scene={options.scene}", f"--cubes={options.cubes}",
                          f"--seconds={options.seconds}", f"--clients={options.clients}")
         for number in range(options.clients):
             run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", f"--seed={number + 1}",
                              f"--seconds={options.seconds}", window=number if options.window else None)
         run.wait(options.seconds + SPARE_SECONDS,
-                 lambda elapsed: progress(f"{method}: {options.clients} clients, {elapsed:.0f} s"))
+                 lambda elapsed: progress(f"{method}: a server and {options.clients} clients,", f" {elapsed:.0f} s"))
         run.check_logs()
-        progress(f"{method}: comparing what the clients showed with the server")
+        progress(f"{method}: comparing what the clients showed with the server ...")
         return evaluate(run, options, method)
 
 

@@ -141,7 +141,9 @@ class DemoRun:
                            [f"--port={self.port}", f"--record={record}", *arguments], window, self.project)
 
 
-def progress(text):
-    """Shows a line that the next one replaces; nothing where the output is no terminal."""
+def progress(phase, detail=""):
+    """Shows a line that the next one replaces; where the output is no terminal, each phase once."""
     if sys.stderr.isatty():
-        print("\r\033[K" + text, end="", file=sys.stderr, flush=True)
+        print("\r\033[K" + phase + detail, end="", file=sys.stderr, flush=True)
+    elif phase and not detail:
+        print(phase, file=sys.stderr, flush=True)
