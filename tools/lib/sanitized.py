@@ -64,6 +64,10 @@ def copy_project(sanitizer):
     folder = os.path.join(checkout.variant(sanitizer), "project")
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(checkout.PROJECT, folder)
+    # Tests read the guides, beside the project.
+    docs = os.path.join(checkout.variant(sanitizer), "docs")
+    if not os.path.islink(docs):
+        os.symlink(os.path.join(checkout.ROOT, "docs"), docs)
     libraries = os.path.join(folder, ADDON_LIBRARIES)
     shutil.rmtree(libraries)
     os.mkdir(libraries)
