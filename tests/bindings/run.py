@@ -99,17 +99,20 @@ class Sample:
         problems += problems_of(output)
         if problems:
             print(output)
-        code, output = self.start(engine, "--verbose", "--script", "res://checks.gd")
-        # Verbose engines list what leaks; of the rest of what they tell only the checks' own lines matter.
-        print("\n".join(line for line in output.splitlines() if TELLING.match(line)))
-        problems += problems_of(output)
-        counts = RESULT.findall(output)
-        if not counts:
-            print(output)
-            problems.append(f"the checks did not come to their end (exit code {code})")
+        passed = failed = 0
+        for script in ("checks.gd", "reload.gd"):
+            code, output = self.start(engine, "--verbose", "--script", f"res://{script}")
+            # Verbose engines list what leaks; of the rest of what they tell only the checks' own lines matter.
+            print("\n".join(line for line in output.splitlines() if TELLING.match(line)))
+            problems += problems_of(output)
+            counts = RESULT.findall(output)
+            if not counts:
+                print(output)
+                problems.append(f"{script} did not come to its end (exit code {code})")
+            passed += sum(int(count[0]) for count in counts)
+            failed += sum(int(count[1]) for count in counts)
         for problem in problems:
             print(f"FAIL {self.name}: {problem}")
-        passed, failed = map(int, counts[-1]) if counts else (0, 0)
         print(f"{self.name}: {passed} checks passed, {failed + len(problems)} failed", flush=True)
         return passed, failed + len(problems)
 

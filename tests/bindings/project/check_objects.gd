@@ -109,6 +109,22 @@ func check_engine_resources() -> void:
 	values.fill_multimesh(null, buffer)
 
 
+func check_threads() -> void:
+	var threads: Array[Thread] = []
+	for i: int in 4:
+		threads.append(Thread.new())
+		threads[i].start(chain_notes.bind(500))
+	for thread: Thread in threads:
+		same(thread.wait_to_finish(), 1250.0)
+
+
+func chain_notes(count: int) -> float:
+	var sum: float = 0.0
+	for i: int in count:
+		sum += values.new_note("x").joined(SampleNote.make("y", 1.5)).weight
+	return sum
+
+
 func check_singletons() -> void:
 	same(SampleValues.is_editor(), Engine.is_editor_hint())
 	same(SampleValues.is_editor(), false)

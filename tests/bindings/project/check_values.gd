@@ -96,6 +96,11 @@ func check_typed_arrays() -> void:
 	# An untyped array with elements of the right type is taken as well.
 	moved = values.call("move_all", [Transform3D.IDENTITY], Vector3.UP)
 	same(moved[0].origin, Vector3.UP)
+	var untyped: Array = [Transform3D.IDENTITY]
+	same(values.move_all(untyped, Vector3.UP)[0].origin, Vector3.UP)
+	var wrong: Array = ["text"]
+	expect_error("Unable to convert array index 0 from \"String\" to \"Transform3D\".")
+	same(values.move_all(wrong, Vector3.UP).size(), 0)
 	same(values.move_all([], Vector3.UP).get_typed_builtin(), TYPE_TRANSFORM3D)
 
 

@@ -1,0 +1,32 @@
+## Unloads the library and loads it again: nothing may stay behind. Names no class of it, which would hold it.
+extends SceneTree
+
+const EXTENSION: String = "res://sample.gdextension"
+
+
+func _initialize() -> void:
+	var passed: int = 0
+	var failed: int = 0
+	for i: int in 3:
+		var values: RefCounted = ClassDB.instantiate("SampleValues")
+		var results: Array = [values.call("repeat", "a"), values.call("is_editor"), values.call("type_of", []), is_mapped()]
+		values = null
+		var unloaded: bool = GDExtensionManager.unload_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		unloaded = unloaded and not ClassDB.class_exists("SampleValues") and not is_mapped()
+		var loaded: bool = GDExtensionManager.load_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		for good: bool in [results == ["a-a", false, "Array", true], unloaded, loaded]:
+			passed += int(good)
+			failed += int(not good)
+	if failed > 0:
+		print("FAIL res://reload.gd: the library was not unloaded and loaded again")
+	print("[bindings] %d passed, %d failed" % [passed, failed])
+	quit()
+
+
+## Whether the system still has the library in this process. Line by line: the file does not tell its length.
+func is_mapped() -> bool:
+	var maps: FileAccess = FileAccess.open("/proc/self/maps", FileAccess.READ)
+	while not maps.eof_reached():
+		if maps.get_line().ends_with("/sample.so"):
+			return true
+	return false
