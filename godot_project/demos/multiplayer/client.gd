@@ -19,6 +19,9 @@ const TrafficMeter := preload("traffic_meter.gd")
 
 ## Seconds to wait for the server's answer.
 const CONNECT_SECONDS := 8.0
+## Seconds without a byte after which the server is gone; ENet itself may take twice as long to find out.
+const SILENCE_SECONDS := 5.0
+const LOST := "The server has closed the session or cannot be reached."
 const HEADLESS_FRAMES_PER_SECOND := 60
 
 var meter: TrafficMeter
@@ -34,6 +37,8 @@ var _input: PlayerInput
 var _peer := ENetMultiplayerPeer.new()
 var _recorder: PoseRecorder
 var _make_link: Callable
+var _heard_at := 0.0
+var _heard_bytes := 0
 var _begun_at := -1.0
 var _ended_at := -1.0
 var _poses_at_begin := 0
@@ -63,7 +68,7 @@ func open() -> String:
 	multiplayer.connected_to_server.connect(_on_connected)
 	multiplayer.connection_failed.connect(_close.bind("No answer from the server at %s:%d." % [
 			_options.address, _options.port]))
-	multiplayer.server_disconnected.connect(_close.bind("The server has closed the session."))
+	multiplayer.server_disconnected.connect(_close.bind(LOST))
 	_session.welcomed.connect(_on_welcomed)
 	_session.refused.connect(_close)
 	_session.roster_changed.connect(_on_roster_changed)
@@ -99,6 +104,12 @@ func _process(_delta: float) -> void:
 	if _peer.host != null:
 		meter.update()
 	if link == null:
+		return
+	if meter.bytes != _heard_bytes:
+		_heard_bytes = meter.bytes
+		_heard_at = local
+	elif local - _heard_at > SILENCE_SECONDS:
+		_close(LOST)
 		return
 	link.advance(local, _recorder)
 	if _last_tick >= 0 and (link.get_shown_tick() >= _last_tick):
