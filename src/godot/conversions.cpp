@@ -1,6 +1,6 @@
 #include "godot/conversions.hpp"
 
-#include "cga/matrix_pose.hpp"
+#include "cga/motor/matrix_pose.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cga/interpolate.hpp"
-#include "cga/pose.hpp"
+#include "cga/motor/interpolate.hpp"
+#include "cga/motor/pose.hpp"
 
 #include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/transform3d.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cga/pose_block.hpp"
+#include "cga/batch/pose_block.hpp"
 #include "godot/multivector.hpp"
 #include "godot/multivector_lerp.hpp"
 

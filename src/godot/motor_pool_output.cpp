@@ -1,6 +1,6 @@
 #include "godot/motor_pool.hpp"
 
-#include "cga/motor_multivector.hpp"
+#include "cga/motor/motor_multivector.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>

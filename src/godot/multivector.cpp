@@ -1,7 +1,7 @@
 #include "godot/multivector.hpp"
 
-#include "cga/blade.hpp"
-#include "cga/motor_multivector.hpp"
+#include "cga/algebra/blade.hpp"
+#include "cga/motor/motor_multivector.hpp"
 #include "godot/conversions.hpp"
 
 #include <godot_cpp/core/class_db.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cga/multivector.hpp"
-#include "cga/pose.hpp"
+#include "cga/algebra/multivector.hpp"
+#include "cga/motor/pose.hpp"
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>

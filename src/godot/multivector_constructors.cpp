@@ -1,8 +1,8 @@
 #include "godot/multivector.hpp"
 
-#include "cga/blade.hpp"
-#include "cga/motor_multivector.hpp"
-#include "cga/versor.hpp"
+#include "cga/algebra/blade.hpp"
+#include "cga/motor/motor_multivector.hpp"
+#include "cga/motor/versor.hpp"
 #include "godot/conversions.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>

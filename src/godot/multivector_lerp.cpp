@@ -1,6 +1,6 @@
 #include "godot/multivector_lerp.hpp"
 
-#include "cga/motor_multivector.hpp"
+#include "cga/motor/motor_multivector.hpp"
 #include "godot/conversions.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cga/interpolate.hpp"
+#include "cga/motor/interpolate.hpp"
 #include "godot/multivector.hpp"
 
 #include <godot_cpp/classes/node.hpp>

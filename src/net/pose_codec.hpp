@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cga/pose.hpp"
+#include "cga/motor/pose.hpp"
 #include "net/quantisation.hpp"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 // 12 floats (a MultiMesh's transforms) out, on one core, compiled with the same flags. Names read
 // case/subject/n; tools/bench turns the medians into rows of ns/pose.
 
-#include "cga/pose_block.hpp"
+#include "cga/batch/pose_block.hpp"
 
 #include <benchmark/benchmark.h>
 

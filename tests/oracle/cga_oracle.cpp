@@ -1,10 +1,10 @@
 // The algebra behind a C interface, for the oracles in Python. Arrays hold `count` elements one after the other:
 // a multivector is 32 doubles, a pose t1 t2 t3 qw qx qy qz s, a logarithm w1 w2 w3 v1 v2 v3 sigma.
 
-#include "cga/interpolate.hpp"
-#include "cga/motor_multivector.hpp"
-#include "cga/multivector.hpp"
-#include "cga/pose_block.hpp"
+#include "cga/motor/interpolate.hpp"
+#include "cga/motor/motor_multivector.hpp"
+#include "cga/algebra/multivector.hpp"
+#include "cga/batch/pose_block.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -11,8 +11,6 @@ from build import LIBRARY
 from suite_process import Program
 
 PYTHON = sys.executable or "python3"
-# Folders of tests/ that are not a doctest program named after them.
-NO_PROGRAM = {"bench", "fuzz", "oracle"}
 
 
 @dataclass
@@ -27,12 +25,12 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest program of every folder of tests/ that has C++ sources."""
-    folders = sorted({os.path.basename(os.path.dirname(path))
-                      for path in glob.glob(os.path.join(checkout.ROOT, "tests", "*", "*.cpp"))})
+    """The doctest programs: one for each folder of src/ that tests/ mirrors in C++."""
+    tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
     return [Program([os.path.join(place, f"{name}_tests")], seconds=600 if sanitizer else 120, engine=False)
-            for name in folders if name not in NO_PROGRAM]
+            for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
+            if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
 
 
 def engine_programs():

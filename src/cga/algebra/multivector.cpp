@@ -1,0 +1,242 @@
+#include "cga/algebra/multivector.hpp"
+
+#include "cga/algebra/multivector_product.hpp"
+#include "cga/motor/versor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cga {
+
+namespace {
+
+// Below this fraction of the sum of squares, a norm is the rounding of zero.
+constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
+
+constexpr Multivector pseudoscalar(double value) {
+	Multivector result;
+	result[BLADE_COUNT - 1] = value;
+	return result;
+}
+
+// I^2, a sign, from the table.
+constexpr double PSEUDOSCALAR_SQUARED = product_sign(BLADE_COUNT - 1, BLADE_COUNT - 1);
+
+// `x` with a sign for each grade.
+template <class SignOfGrade>
+Multivector signed_by_grade(const Multivector &x, SignOfGrade sign_of_grade) {
+	Multivector result = x;
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		if (sign_of_grade(blade_grade(index)) < 0) {
+			result[index] = -result[index];
+		}
+	}
+	return result;
+}
+
+// The largest absolute coefficient among grades of one parity.
+double max_abs_of_parity(const Multivector &x, int parity) {
+	double largest = 0.0;
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		if (blade_grade(index) % 2 == parity) {
+			largest = std::max(largest, std::abs(x[index]));
+		}
+	}
+	return largest;
+}
+
+} // namespace
+
+Multivector Multivector::scalar(double value) {
+	return basis_blade(0, value);
+}
+
+Multivector Multivector::basis_blade(int index, double value) {
+	Multivector result;
+	result[index] = value;
+	return result;
+}
+
+std::optional<Multivector> Multivector::basis(std::string_view name) {
+	if (name == "eo") {
+		return e_origin();
+	}
+	if (name == "einf") {
+		return e_infinity();
+	}
+	if (name == "E") {
+		return e_infinity().outer_product(e_origin());
+	}
+	if (name == "I") {
+		return pseudoscalar(1.0);
+	}
+	if (const std::optional<SignedBlade> blade = parse_blade(name)) {
+		return basis_blade(blade->index, blade->sign);
+	}
+	return std::nullopt;
+}
+
+Multivector &Multivector::operator+=(const Multivector &other) {
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		(*this)[index] += other[index];
+	}
+	return *this;
+}
+
+Multivector &Multivector::operator-=(const Multivector &other) {
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		(*this)[index] -= other[index];
+	}
+	return *this;
+}
+
+Multivector &Multivector::operator*=(double factor) {
+	for (double &coefficient : _coefficients) {
+		coefficient *= factor;
+	}
+	return *this;
+}
+
+Multivector Multivector::geometric_product(const Multivector &right) const {
+	return multiply<Product::GEOMETRIC>(*this, right);
+}
+
+Multivector Multivector::outer_product(const Multivector &right) const {
+	return multiply<Product::OUTER>(*this, right);
+}
+
+Multivector Multivector::inner_product(const Multivector &right) const {
+	return multiply<Product::INNER>(*this, right);
+}
+
+Multivector Multivector::left_contraction(const Multivector &right) const {
+	return multiply<Product::LEFT_CONTRACTION>(*this, right);
+}
+
+Multivector Multivector::right_contraction(const Multivector &right) const {
+	return multiply<Product::RIGHT_CONTRACTION>(*this, right);
+}
+
+double Multivector::scalar_product(const Multivector &right) const {
+	return multiply<Product::SCALAR>(*this, right)[0];
+}
+
+// (-1)^(k (k - 1) / 2)
+Multivector Multivector::reverse() const {
+	return signed_by_grade(*this, [](int k) { return k * (k - 1) / 2 % 2 == 0 ? 1 : -1; });
+}
+
+// (-1)^k
+Multivector Multivector::grade_involution() const {
+	return signed_by_grade(*this, [](int k) { return k % 2 == 0 ? 1 : -1; });
+}
+
+// (-1)^(k (k + 1) / 2)
+Multivector Multivector::clifford_conjugate() const {
+	return signed_by_grade(*this, [](int k) { return k * (k + 1) / 2 % 2 == 0 ? 1 : -1; });
+}
+
+// I^-1 = I / I^2
+Multivector Multivector::dual() const {
+	return geometric_product(pseudoscalar(PSEUDOSCALAR_SQUARED));
+}
+
+Multivector Multivector::undual() const {
+	return geometric_product(pseudoscalar(1.0));
+}
+
+Multivector Multivector::grade(int k) const {
+	Multivector result;
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		if (blade_grade(index) == k) {
+			result[index] = (*this)[index];
+		}
+	}
+	return result;
+}
+
+double Multivector::norm_squared() const {
+	return scalar_product(reverse());
+}
+
+double Multivector::norm() const {
+	return std::sqrt(std::abs(norm_squared()));
+}
+
+double Multivector::max_abs() const {
+	return std::max(max_abs_of_parity(*this, 0), max_abs_of_parity(*this, 1));
+}
+
+std::optional<Multivector> Multivector::inverse_of_versor(double tolerance) const {
+	const double size = max_abs();
+	if (!(size > 0.0) || !is_finite()) {
+		return std::nullopt;
+	}
+	// At unit size, squares neither overflow nor vanish.
+	const Multivector unit = *this * (1.0 / size);
+	const Multivector square = unit.geometric_product(unit.reverse());
+	const double weight = square[0];
+	double sum_of_squares = 0.0;
+	for (const double coefficient : unit._coefficients) {
+		sum_of_squares += coefficient * coefficient;
+	}
+	const double rounding = ROUNDING * sum_of_squares;
+	const double residue = (square - scalar(weight)).max_abs();
+	if (std::abs(weight) <= rounding || residue > std::max(rounding, tolerance * std::abs(weight))) {
+		return std::nullopt;
+	}
+	return unit.reverse() * (1.0 / weight / size);
+}
+
+std::optional<Multivector> Multivector::sandwich(const Multivector &x, double tolerance) const {
+	const std::optional<Multivector> inverse = inverse_of_versor(tolerance);
+	const bool even = is_even(tolerance);
+	if (!inverse || !(even || is_odd(tolerance))) {
+		return std::nullopt;
+	}
+	return geometric_product(even ? x : x.grade_involution()).geometric_product(*inverse);
+}
+
+bool Multivector::is_equal_approx(const Multivector &other, double tolerance) const {
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		if (!(std::abs((*this)[index] - other[index]) <= tolerance)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+bool Multivector::is_finite() const {
+	return std::all_of(_coefficients.begin(), _coefficients.end(), [](double coefficient) { return std::isfinite(coefficient); });
+}
+
+bool Multivector::is_even(double tolerance) const {
+	return max_abs_of_parity(*this, 1) <= tolerance * max_abs();
+}
+
+bool Multivector::is_odd(double tolerance) const {
+	return max_abs_of_parity(*this, 0) <= tolerance * max_abs();
+}
+
+Multivector operator+(Multivector left, const Multivector &right) {
+	return left += right;
+}
+
+Multivector operator-(Multivector left, const Multivector &right) {
+	return left -= right;
+}
+
+Multivector operator-(Multivector operand) {
+	return operand *= -1.0;
+}
+
+Multivector operator*(Multivector left, double factor) {
+	return left *= factor;
+}
+
+Multivector operator*(double factor, Multivector right) {
+	return right *= factor;
+}
+
+} // namespace cga

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "cga/algebra/blade.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace cga {
+
+// An element of Cl(4,1): 32 coefficients, indexed as BLADES (blade.hpp): 1, e1 .. e5, e12 .. e45, e123 .. e12345.
+class Multivector {
+public:
+	using Coefficients = std::array<double, BLADE_COUNT>;
+
+	constexpr Multivector() = default;
+	constexpr explicit Multivector(const Coefficients &coefficients) :
+			_coefficients(coefficients) {}
+
+	[[nodiscard]] static Multivector scalar(double value);
+	// `index` 0..31.
+	[[nodiscard]] static Multivector basis_blade(int index, double value = 1.0);
+	// "1", "e12", "e21" (which is -e12), "eo", "einf", "E", "I". Empty for other names.
+	[[nodiscard]] static std::optional<Multivector> basis(std::string_view name);
+
+	[[nodiscard]] constexpr double operator[](int index) const { return _coefficients[size_t(index)]; }
+	[[nodiscard]] constexpr double &operator[](int index) { return _coefficients[size_t(index)]; }
+	[[nodiscard]] constexpr const Coefficients &coefficients() const { return _coefficients; }
+
+	Multivector &operator+=(const Multivector &other);
+	Multivector &operator-=(const Multivector &other);
+	Multivector &operator*=(double factor);
+
+	[[nodiscard]] Multivector geometric_product(const Multivector &right) const;
+	[[nodiscard]] Multivector outer_product(const Multivector &right) const;
+	// The fat dot: of the parts of grades i and j the part of grade |i - j|, scalars included.
+	[[nodiscard]] Multivector inner_product(const Multivector &right) const;
+	// The part of grade j - i.
+	[[nodiscard]] Multivector left_contraction(const Multivector &right) const;
+	// The part of grade i - j.
+	[[nodiscard]] Multivector right_contraction(const Multivector &right) const;
+	// The scalar part of the geometric product.
+	[[nodiscard]] double scalar_product(const Multivector &right) const;
+
+	// The signs of grades 0..5: + + - - + +.
+	[[nodiscard]] Multivector reverse() const;
+	// + - + - + -.
+	[[nodiscard]] Multivector grade_involution() const;
+	// + - - + + -: the two above together.
+	[[nodiscard]] Multivector clifford_conjugate() const;
+	// X I^-1.
+	[[nodiscard]] Multivector dual() const;
+	// X I, so that undual(dual(X)) = X.
+	[[nodiscard]] Multivector undual() const;
+	// The part of grade k; zero if k is not in 0..5.
+	[[nodiscard]] Multivector grade(int k) const;
+
+	// The scalar part of X X~; negative and zero are possible in this metric.
+	[[nodiscard]] double norm_squared() const;
+	// sqrt(|norm_squared|); zero for null elements.
+	[[nodiscard]] double norm() const;
+	// The largest coefficient's absolute value: the size to which tolerances relate.
+	[[nodiscard]] double max_abs() const;
+
+	// X^-1 = X~ / (X X~) where X X~ is a number other than zero, which all versors and blades but null ones meet.
+	// Empty elsewhere. (The inverse of other elements needs more and is not this function's.)
+	[[nodiscard]] std::optional<Multivector> inverse_of_versor(double tolerance = 1e-10) const;
+	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection
+	// keeps the orientation of what it does not turn. Empty if V is neither or has no inverse.
+	[[nodiscard]] std::optional<Multivector> sandwich(const Multivector &x, double tolerance = 1e-10) const;
+
+	// Every coefficient within `tolerance` of the other's.
+	[[nodiscard]] bool is_equal_approx(const Multivector &other, double tolerance = 1e-9) const;
+	[[nodiscard]] bool is_finite() const;
+	// Whether all coefficients of odd (even) grade are within `tolerance` times max_abs of zero.
+	[[nodiscard]] bool is_even(double tolerance = 1e-10) const;
+	[[nodiscard]] bool is_odd(double tolerance = 1e-10) const;
+
+	friend bool operator==(const Multivector &left, const Multivector &right) { return left._coefficients == right._coefficients; }
+	friend bool operator!=(const Multivector &left, const Multivector &right) { return !(left == right); }
+
+private:
+	Coefficients _coefficients{};
+};
+
+[[nodiscard]] Multivector operator+(Multivector left, const Multivector &right);
+[[nodiscard]] Multivector operator-(Multivector left, const Multivector &right);
+[[nodiscard]] Multivector operator-(Multivector operand);
+[[nodiscard]] Multivector operator*(Multivector left, double factor);
+[[nodiscard]] Multivector operator*(double factor, Multivector right);
+
+} // namespace cga

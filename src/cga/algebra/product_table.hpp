@@ -1,0 +1,57 @@
+#pragma once
+
+#include "cga/algebra/blade.hpp"
+
+// The products of Cl(4,1) as tables made at compile time. Every product is the geometric product with some of the
+// 32 x 32 terms left out, so one sign for each pair of basis blades, in {-1, 0, 1}, tells all of them apart.
+
+namespace cga {
+
+enum class Product {
+	GEOMETRIC, // all terms
+	OUTER, // grade i + j
+	INNER, // grade |i - j|, scalars included
+	LEFT_CONTRACTION, // grade j - i
+	RIGHT_CONTRACTION, // grade i - j
+	SCALAR, // grade 0
+};
+
+// Whether the product of blades of grades i and j keeps their geometric product, which is of grade k.
+[[nodiscard]] constexpr bool keeps_grade(Product product, int i, int j, int k) {
+	switch (product) {
+		case Product::GEOMETRIC:
+			return true;
+		case Product::OUTER:
+			return k == i + j;
+		case Product::INNER:
+			return k == (i > j ? i - j : j - i);
+		case Product::LEFT_CONTRACTION:
+			return k == j - i;
+		case Product::RIGHT_CONTRACTION:
+			return k == i - j;
+		case Product::SCALAR:
+			return k == 0;
+	}
+	return false;
+}
+
+// For each left bitmap and each bitmap of the *result*, the sign of the term; the right bitmap is left ^ result.
+using SignTable = std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>;
+
+[[nodiscard]] constexpr SignTable make_sign_table(Product product) {
+	SignTable table{};
+	for (unsigned left = 0; left < BLADE_COUNT; ++left) {
+		for (unsigned result = 0; result < BLADE_COUNT; ++result) {
+			const unsigned right = left ^ result;
+			if (keeps_grade(product, grade_of_bitmap(left), grade_of_bitmap(right), grade_of_bitmap(result))) {
+				table[left][result] = int8_t(product_sign(left, right));
+			}
+		}
+	}
+	return table;
+}
+
+template <Product product>
+inline constexpr SignTable SIGN_TABLE = make_sign_table(product);
+
+} // namespace cga

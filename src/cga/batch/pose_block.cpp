@@ -1,0 +1,130 @@
+#include "cga/batch/pose_block.hpp"
+
+#include "cga/motor/axis_angle.hpp"
+#include "cga/motor/pose_motion.hpp"
+#include "cga/motor/similarity_phi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace cga {
+
+namespace {
+
+void store(PoseBlock::Row (&rows)[4], int lane, const Quaternion<float> &quaternion) {
+	rows[0][lane] = quaternion.w;
+	rows[1][lane] = quaternion.x;
+	rows[2][lane] = quaternion.y;
+	rows[3][lane] = quaternion.z;
+}
+
+void store(PoseBlock::Row (&rows)[3], int lane, const Vector3<float> &vector) {
+	rows[0][lane] = vector.x;
+	rows[1][lane] = vector.y;
+	rows[2][lane] = vector.z;
+}
+
+Quaternion<float> load(const PoseBlock::Row (&rows)[4], int lane) {
+	return { rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
+}
+
+Vector3<float> load(const PoseBlock::Row (&rows)[3], int lane) {
+	return { rows[0][lane], rows[1][lane], rows[2][lane] };
+}
+
+// A shift that the kernels can still multiply and add within float's range.
+float bounded(double shift) {
+	constexpr double LIMIT = double(std::numeric_limits<float>::max()) / 16.0;
+	return float(std::clamp(shift, -LIMIT, LIMIT));
+}
+
+// 1 / (exp(z) - 1), or the factor of a plain weight where z is too small for float to tell the two apart.
+struct PowerFactor {
+	std::complex<double> factor{ 0.0 };
+	double linear = 0.0;
+};
+
+PowerFactor power_factor(const std::complex<double> &z) {
+	constexpr double SMALL = 1e-7;
+	if (std::abs(z) < SMALL) {
+		return { 0.0, 1.0 };
+	}
+	return { 1.0 / (z * phi(z)), 0.0 };
+}
+
+// Everything that depends on both poses.
+void prepare(PoseBlock &block, int lane) {
+	const Pose<double> from = pose_cast<double>(block.get_from(lane));
+	const Pose<double> to = pose_cast<double>(block.get_to(lane));
+	const PoseMotion motion = motion_between(from, to);
+	store(block.turn, lane, Quaternion<float>(float(motion.turn.w), float(motion.turn.x), float(motion.turn.y), float(motion.turn.z)));
+	store(block.shift, lane, { bounded(motion.shift.x), bounded(motion.shift.y), bounded(motion.shift.z) });
+
+	// A turn whose inverse sine would leave float's range is none.
+	constexpr double SMALLEST_SINE = 1e-30;
+	const double sine = detail::length(vector_part(motion.turn));
+	const double half_angle = sine > SMALLEST_SINE ? std::atan2(sine, motion.turn.w) : 0.0;
+	block.half_angle[lane] = float(half_angle);
+	block.inverse_sine[lane] = sine > SMALLEST_SINE ? float(1.0 / sine) : 0.0f;
+
+	const bool positive = from.scale > 0.0 && to.scale > 0.0;
+	const double log_scale = positive ? std::log(to.scale / from.scale) : 0.0;
+	block.log_scale[lane] = float(log_scale);
+	block.scale_change[lane] = positive ? 0.0f : bounded(to.scale - from.scale);
+
+	const PowerFactor across = power_factor({ log_scale, 2.0 * half_angle });
+	block.across[0][lane] = float(across.factor.real());
+	block.across[1][lane] = float(across.factor.imag());
+	block.across_linear[lane] = float(across.linear);
+	const PowerFactor along = power_factor(log_scale);
+	block.along[lane] = float(along.factor.real());
+	block.along_linear[lane] = float(along.linear);
+}
+
+void store_from(PoseBlock &block, int lane, const Pose<float> &from) {
+	store(block.from_rotation, lane, unit_rotation(from.rotation));
+	store(block.from_translation, lane, from.translation);
+	block.from_scale[lane] = from.scale;
+}
+
+void store_to(PoseBlock &block, int lane, const Pose<float> &to) {
+	store(block.to_rotation, lane, unit_rotation(to.rotation));
+	store(block.to_translation, lane, to.translation);
+	block.to_scale[lane] = to.scale;
+}
+
+} // namespace
+
+PoseBlock::PoseBlock() noexcept {
+	for (int lane = 0; lane < LANES; ++lane) {
+		set(lane, Pose<float>(), Pose<float>());
+	}
+}
+
+void PoseBlock::set(int lane, const Pose<float> &from, const Pose<float> &to) noexcept {
+	store_from(*this, lane, from);
+	store_to(*this, lane, to);
+	prepare(*this, lane);
+}
+
+void PoseBlock::set_from(int lane, const Pose<float> &from) noexcept {
+	store_from(*this, lane, from);
+	prepare(*this, lane);
+}
+
+void PoseBlock::set_to(int lane, const Pose<float> &to) noexcept {
+	store_to(*this, lane, to);
+	prepare(*this, lane);
+}
+
+Pose<float> PoseBlock::get_from(int lane) const noexcept {
+	return { load(from_translation, lane), load(from_rotation, lane), from_scale[lane] };
+}
+
+Pose<float> PoseBlock::get_to(int lane) const noexcept {
+	return { load(to_translation, lane), load(to_rotation, lane), to_scale[lane] };
+}
+
+} // namespace cga

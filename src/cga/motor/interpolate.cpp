@@ -1,0 +1,100 @@
+#include "cga/motor/interpolate.hpp"
+
+#include "cga/motor/motor_exp.hpp"
+#include "cga/motor/pose_motion.hpp"
+
+#include <cmath>
+
+namespace cga {
+
+namespace {
+
+template <class T>
+bool is_finite(const Pose<T> &pose) {
+	return std::isfinite(pose.translation.x) && std::isfinite(pose.translation.y) && std::isfinite(pose.translation.z) &&
+			std::isfinite(pose.rotation.w) && std::isfinite(pose.rotation.x) && std::isfinite(pose.rotation.y) &&
+			std::isfinite(pose.rotation.z) && std::isfinite(pose.scale);
+}
+
+double lerp(double from, double to, double weight) {
+	return from * (1.0 - weight) + to * weight;
+}
+
+// (1 - a) TR_from + a TR_to, extracted by to_pose()'s formulas. With TR_to = M TR_from, M the motion between them,
+// this is ((1 - a) + a M) TR_from, and about the position of `from`:
+//   A = (1 - a) + a turn
+//   t = t_from + a ((a + (1 - a) w) d + (1 - a) (d x turn_v)) / |A|^2     (d the shift, w = turn's scalar part)
+//   q = A q_from / |A|
+// w >= 0 makes |A|^2 >= 1/2. The scale is blended by itself.
+Pose<double> interpolate_linear(const Pose<double> &from, const Pose<double> &to, double weight) {
+	const PoseMotion motion = motion_between(from, to);
+	const double rest = 1.0 - weight;
+	Quaternion<double> blend = motion.turn * weight;
+	blend.w += rest;
+	const double squared = glm::dot(blend, blend);
+	const Vector3<double> turned = glm::cross(motion.shift, vector_part(motion.turn));
+
+	Pose<double> pose;
+	pose.translation = from.translation + (motion.shift * (weight + rest * motion.turn.w) + turned * rest) * (weight / squared);
+	pose.rotation = blend * unit_rotation(from.rotation) / std::sqrt(squared);
+	pose.scale = lerp(from.scale, to.scale, weight);
+	return pose;
+}
+
+// M^a TR_from D_from, M the motion with the ratio of the scales, about the position of `from`.
+Pose<double> interpolate_screw(const Pose<double> &from, const Pose<double> &to, double weight) {
+	const bool positive = to.scale > 0.0 && from.scale > 0.0;
+	const PoseMotion motion = motion_between(from, to);
+	const Pose<double> power = power_of_pose(Pose<double>{ motion.shift, motion.turn, positive ? to.scale / from.scale : 1.0 }, weight);
+
+	Pose<double> pose;
+	pose.translation = from.translation + power.translation;
+	pose.rotation = power.rotation * unit_rotation(from.rotation);
+	pose.scale = positive ? from.scale * power.scale : lerp(from.scale, to.scale, weight);
+	return pose;
+}
+
+// slerp is the power of the rotation alone.
+Pose<double> interpolate_separate(const Pose<double> &from, const Pose<double> &to, double weight) {
+	const PoseMotion motion = motion_between(from, to);
+	const Pose<double> power = power_of_pose(Pose<double>{ Vector3<double>(0.0), motion.turn, 1.0 }, weight);
+
+	Pose<double> pose;
+	pose.translation = from.translation + motion.shift * weight;
+	pose.rotation = power.rotation * unit_rotation(from.rotation);
+	pose.scale = lerp(from.scale, to.scale, weight);
+	return pose;
+}
+
+Pose<double> interpolate_inside(const Pose<double> &from, const Pose<double> &to, double weight, Mode mode) {
+	switch (mode) {
+		case Mode::LINEAR:
+			return interpolate_linear(from, to, weight);
+		case Mode::SCREW:
+			return interpolate_screw(from, to, weight);
+		case Mode::SEPARATE:
+			return interpolate_separate(from, to, weight);
+	}
+	return from;
+}
+
+} // namespace
+
+template <class T>
+Pose<T> interpolate(const Pose<T> &from, const Pose<T> &to, T weight, Mode mode) noexcept {
+	const bool extrapolates = mode == Mode::SCREW;
+	if (weight == T(0) || (weight < T(0) && !extrapolates)) {
+		return with_unit_rotation(from);
+	}
+	if (weight == T(1) || (weight > T(1) && !extrapolates)) {
+		return with_unit_rotation(to);
+	}
+	const Pose<double> inside = interpolate_inside(pose_cast<double>(from), pose_cast<double>(to), double(weight), mode);
+	const Pose<T> pose = pose_cast<T>(inside);
+	return is_finite(pose) ? pose : with_unit_rotation(weight < T(0.5) ? from : to);
+}
+
+template Pose<float> interpolate(const Pose<float> &, const Pose<float> &, float, Mode) noexcept;
+template Pose<double> interpolate(const Pose<double> &, const Pose<double> &, double, Mode) noexcept;
+
+} // namespace cga

@@ -1,0 +1,119 @@
+#include "cga/motor/motor_multivector.hpp"
+
+#include "cga/motor/versor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cga {
+
+namespace {
+
+// The coefficients of a quaternion of the minimal form, in its order (w, x, y, z), of A and B: half their sum is the
+// coefficient of `euclidean`, half their difference that of `with_e45`, each with the sign of the packing.
+struct PackedPair {
+	int euclidean;
+	int with_e45;
+	double sign;
+};
+
+constexpr PackedPair PAIRS[4] = {
+	{ blade_index("1"), blade_index("e45"), 1.0 },
+	{ blade_index("e23"), blade_index("e2345"), -1.0 },
+	{ blade_index("e13"), blade_index("e1345"), 1.0 },
+	{ blade_index("e12"), blade_index("e1245"), -1.0 },
+};
+
+// The coefficients of V in its order (w, x, y, z): those with e4 and with e5 are equal in a motor.
+struct NullPair {
+	int with_e4;
+	int with_e5;
+};
+
+constexpr NullPair NULL_PAIRS[4] = {
+	{ blade_index("e1234"), blade_index("e1235") },
+	{ blade_index("e14"), blade_index("e15") },
+	{ blade_index("e24"), blade_index("e25") },
+	{ blade_index("e34"), blade_index("e35") },
+};
+
+using Four = std::array<double, 4>;
+
+Four unpack(const Quaternion<double> &quaternion) {
+	return { quaternion.w, quaternion.x, quaternion.y, quaternion.z };
+}
+
+Quaternion<double> pack(const Four &four) {
+	return { four[0], four[1], four[2], four[3] };
+}
+
+double largest(const Quaternion<double> &quaternion) {
+	double result = 0.0;
+	for (const double component : unpack(quaternion)) {
+		result = std::max(result, std::abs(component));
+	}
+	return result;
+}
+
+} // namespace
+
+Multivector to_multivector(const Motor<double> &motor) {
+	const Four a = unpack(motor.a);
+	const Four b = unpack(motor.b);
+	const Four v = unpack(motor.v);
+	Multivector result;
+	for (size_t i = 0; i < 4; ++i) {
+		result[PAIRS[i].euclidean] = PAIRS[i].sign * 0.5 * (a[i] + b[i]);
+		result[PAIRS[i].with_e45] = PAIRS[i].sign * 0.5 * (a[i] - b[i]);
+		result[NULL_PAIRS[i].with_e4] = v[i];
+		result[NULL_PAIRS[i].with_e5] = v[i];
+	}
+	return result;
+}
+
+Multivector to_multivector(const MotorLog<double> &log) {
+	const Multivector rotation = rotor({ 0.0, log.rotation.x, log.rotation.y, log.rotation.z }); // -(w1 e23 - w2 e13 + w3 e12)
+	const Multivector velocity = euclidean(log.velocity).geometric_product(e_infinity());
+	const Multivector dilation = e_infinity().outer_product(e_origin()) * log.dilation;
+	return (rotation - velocity - dilation) * 0.5;
+}
+
+std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
+	Four a;
+	Four b;
+	Four v;
+	double null_residue = 0.0;
+	for (size_t i = 0; i < 4; ++i) {
+		a[i] = PAIRS[i].sign * (x[PAIRS[i].euclidean] + x[PAIRS[i].with_e45]);
+		b[i] = PAIRS[i].sign * (x[PAIRS[i].euclidean] - x[PAIRS[i].with_e45]);
+		v[i] = 0.5 * (x[NULL_PAIRS[i].with_e4] + x[NULL_PAIRS[i].with_e5]);
+		null_residue = std::max(null_residue, std::abs(x[NULL_PAIRS[i].with_e4] - x[NULL_PAIRS[i].with_e5]));
+	}
+	Motor<double> motor;
+	motor.a = pack(a);
+	motor.b = pack(b);
+	motor.v = pack(v);
+
+	const double size_a = largest(motor.a);
+	const double size_b = largest(motor.b);
+	const double size_v = largest(motor.v);
+	const double size = std::max(size_a, size_b);
+	if (!x.is_finite() || !(size_a > 0.0) || !(size_b > 0.0)) {
+		return std::nullopt;
+	}
+	const double odd_residue = (x - x.grade_involution()).max_abs() * 0.5;
+	if (odd_residue > tolerance * size || null_residue > tolerance * std::max(size, size_v)) {
+		return std::nullopt;
+	}
+
+	// M M~ = (a conj(b), b conj(a), v conj(b) + b conj(v)): positive, and nothing beside the number a . b.
+	const Quaternion<double> product = (motor.a / size_a) * glm::conjugate(motor.b / size_b);
+	const double square_residue = largest({ 0.0, product.x, product.y, product.z });
+	const double cross_residue = size_v > 0.0 ? std::abs(glm::dot(motor.v / size_v, motor.b / size_b)) : 0.0;
+	if (!(product.w > 0.0) || square_residue > tolerance || cross_residue > tolerance) {
+		return std::nullopt;
+	}
+	return motor;
+}
+
+} // namespace cga

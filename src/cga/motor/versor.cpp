@@ -1,0 +1,68 @@
+#include "cga/motor/versor.hpp"
+
+#include <cmath>
+
+namespace cga {
+
+namespace {
+
+constexpr int E1 = blade_index("e1");
+constexpr int E2 = blade_index("e2");
+constexpr int E3 = blade_index("e3");
+constexpr int E4 = blade_index("e4");
+constexpr int E5 = blade_index("e5");
+constexpr int E12 = blade_index("e12");
+constexpr int E13 = blade_index("e13");
+constexpr int E23 = blade_index("e23");
+
+} // namespace
+
+Multivector e_infinity() {
+	return Multivector::basis_blade(E4) + Multivector::basis_blade(E5);
+}
+
+Multivector e_origin() {
+	return (Multivector::basis_blade(E5) - Multivector::basis_blade(E4)) * 0.5;
+}
+
+Multivector euclidean(const Vector3<double> &vector) {
+	Multivector result;
+	result[E1] = vector.x;
+	result[E2] = vector.y;
+	result[E3] = vector.z;
+	return result;
+}
+
+Multivector point(const Vector3<double> &position) {
+	return euclidean(position) + e_infinity() * (0.5 * glm::dot(position, position)) + e_origin();
+}
+
+std::optional<Vector3<double>> position_of(const Multivector &point) {
+	const double weight = -e_infinity().scalar_product(point);
+	const Vector3<double> position = Vector3<double>(point[E1], point[E2], point[E3]) / weight;
+	if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+		return std::nullopt;
+	}
+	return position;
+}
+
+Multivector translator(const Vector3<double> &offset) {
+	return Multivector::scalar(1.0) - euclidean(offset).geometric_product(e_infinity()) * 0.5;
+}
+
+Multivector rotor(const Quaternion<double> &rotation) {
+	Multivector result = Multivector::scalar(rotation.w);
+	result[E12] = -rotation.z;
+	result[E13] = rotation.y;
+	result[E23] = -rotation.x;
+	return result;
+}
+
+// cosh(g/2) and sinh(g/2) of g = ln s are (r + 1/r)/2 and (r - 1/r)/2 of r = sqrt(s).
+Multivector dilator(double scale) {
+	const double root = std::sqrt(scale);
+	const Multivector minkowski_plane = e_infinity().outer_product(e_origin());
+	return Multivector::scalar(0.5 * (root + 1.0 / root)) - minkowski_plane * (0.5 * (root - 1.0 / root));
+}
+
+} // namespace cga
