@@ -2,7 +2,7 @@
 
 import unittest
 
-from engine_log import problems_of
+from engine_log import EngineLog, problems_of
 
 # output, problems
 CASES = {
@@ -35,3 +35,11 @@ class EngineLogTest(unittest.TestCase):
         for name, (output, problems) in CASES.items():
             with self.subTest(name):
                 self.assertEqual(problems_of(output), problems)
+
+    def test_announced_errors_are_not_shown(self):
+        announced = ["[expect] bad", "ERROR: bad", "   at: f (a.cpp:1)", "   GDScript backtrace (most recent call first):",
+                     "       [0] _ready (res://a.gd:1)"]
+        surprise = ["ERROR: worse", "   at: f (a.cpp:1)", "all well"]
+        log = EngineLog()
+        self.assertEqual([line for line in announced + surprise + announced[1:3] if log.feed(line)],
+                         surprise + announced[1:3])

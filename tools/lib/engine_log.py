@@ -22,6 +22,8 @@ LEAK = re.compile(
     r"|StringName was orphaned|runtime error: |Program crashed|Segmentation fault",
     re.IGNORECASE,
 )
+# What the engine prints below an error.
+ORIGIN = re.compile(r"^\s+(at: |GDScript backtrace|C\+\+ backtrace|\[\d+\] )")
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -32,19 +34,27 @@ class EngineLog:
         self._announced = Counter()
         self._errors = Counter()
         self._leaks = Counter()
+        self._below_announced = False
 
     def feed(self, line):
-        """Takes one line, with or without its end."""
+        """Takes one line, with or without its end. True if it tells a reader something:
+        announcements and the errors that they announced do not."""
         line = COLOUR.sub("", line).rstrip()
+        if self._below_announced and ORIGIN.match(line):
+            return False
+        self._below_announced = False
         announcement = ANNOUNCEMENT.match(line)
         if announcement:
             self._announced[announcement.group(1)] += 1
-            return
+            return False
         error = ERROR.search(line)
         if error:
-            self._errors[error.group(1).strip()] += 1
+            message = error.group(1).strip()
+            self._below_announced = self._errors[message] < self._announced[message]
+            self._errors[message] += 1
         elif LEAK.search(line):
             self._leaks[line.strip()] += 1
+        return not self._below_announced
 
     def problems(self):
         """One line for each error that no test announced, announced error that did not come, and leak."""

@@ -55,9 +55,9 @@ def run(program):
     try:
         for line in process.stdout:
             watch.heard()
-            print(line, end="", flush=True)
+            if log.feed(line) or not program.engine:
+                print(line, end="", flush=True)
             counts = read_counts(line) or counts
-            log.feed(line)
         process.wait()
     finally:
         watch.end()
