@@ -24,5 +24,5 @@ class Report:
 
     def end(self):
         """The line that tools/test reads; the exit code."""
-        print(f"[oracle] {self.passed} passed, {self.failed} failed", flush=True)
+        print(f"[algebra] {self.passed} passed, {self.failed} failed", flush=True)
         return 1 if self.failed or not self.passed else 0

@@ -24,6 +24,7 @@ class SetupOracleTest(unittest.TestCase):
         self.addCleanup(self.machine.close)
         self.machine.program("python3", PYTHON)
         self.pin("clifford==1.5.1\n")
+        self.machine.write("checkout/tests/oracle/requirements_alone.txt", "pytransform3d==3.17.0\n")
 
     def pin(self, text):
         self.machine.write("checkout/tests/oracle/requirements.txt", text)
@@ -44,6 +45,12 @@ class SetupOracleTest(unittest.TestCase):
         self.machine.run("setup", "--print", "oracle")
         self.assertEqual(len(self.environments()), 2)
 
+    def test_other_pins_alone_make_another(self):
+        self.machine.run("setup", "--print", "oracle")
+        self.machine.write("checkout/tests/oracle/requirements_alone.txt", "pytransform3d==3.16.0\n")
+        self.machine.run("setup", "--print", "oracle")
+        self.assertEqual(len(self.environments()), 2)
+
     def test_no_network(self):
         done = self.machine.run("setup", "--print", "oracle", FAKE_NETWORK="down")
         self.assertNotEqual(done.returncode, 0)
@@ -52,7 +59,8 @@ class SetupOracleTest(unittest.TestCase):
         self.assertEqual(self.machine.cached(), [])
 
     def test_incomplete_checkout(self):
-        os.unlink(os.path.join(self.machine.folder, "checkout/tests/oracle/requirements.txt"))
-        done = self.machine.run("setup", "--print", "oracle")
-        self.assertIn("checkout is not complete", done.stderr)
-        self.assertEqual(done.returncode, 1)
+        for name in ("requirements_alone.txt", "requirements.txt"):
+            os.unlink(os.path.join(self.machine.folder, "checkout/tests/oracle", name))
+            done = self.machine.run("setup", "--print", "oracle")
+            self.assertIn(f"{name} is missing: this checkout is not complete", done.stderr)
+            self.assertEqual(done.returncode, 1)

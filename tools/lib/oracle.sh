@@ -2,18 +2,22 @@
 # The Python environment of the oracle tests, with the packages that they pin.
 
 oracle_requirements=$tools/../tests/oracle/requirements.txt
+# Packages of which the tests use no part that needs the packages they ask for.
+oracle_alone=$tools/../tests/oracle/requirements_alone.txt
 
 # Sets oracle_python to the environment's interpreter; makes the environment if
 # it is not there. Its name holds what it was made from, so other pins or
 # another Python get another one.
 ensure_oracle() {
-    if [ ! -r "$oracle_requirements" ]; then
-        fail "tests/oracle/requirements.txt is missing: this checkout is not complete"
-    fi
+    for oracle_list in "$oracle_requirements" "$oracle_alone"; do
+        if [ ! -r "$oracle_list" ]; then
+            fail "tests/oracle/${oracle_list##*/} is missing: this checkout is not complete"
+        fi
+    done
     ensure_system_packages python
     oracle_key=$({
         python3 -c 'import sys; print(sys.version, sys.prefix)'
-        cat "$oracle_requirements"
+        cat "$oracle_requirements" "$oracle_alone"
     } | sha256sum | cut -c 1-16)
     oracle_folder=$cache/oracle-$oracle_key
     oracle_python=$oracle_folder/bin/python
@@ -35,6 +39,10 @@ ensure_oracle() {
 }
 
 install_oracle_packages() {
-    exec "$work/oracle/bin/python" -m pip install --disable-pip-version-check --no-input \
-        --requirement "$oracle_requirements"
+    oracle_pip --requirement "$oracle_requirements" &&
+        oracle_pip --no-deps --requirement "$oracle_alone"
+}
+
+oracle_pip() {
+    "$work/oracle/bin/python" -m pip install --disable-pip-version-check --no-input "$@"
 }

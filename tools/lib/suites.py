@@ -44,15 +44,15 @@ def runner(folder, *arguments, seconds, python=PYTHON, engine=True):
     return [Program([python, path, *arguments], seconds=seconds, engine=engine)]
 
 
-def oracle_programs():
-    """Runs in the environment that has the packages to compare with."""
-    return runner("oracle", seconds=300, python=checkout.setup_path("oracle"))
+def algebra_programs():
+    """The oracles, in the environment that has the packages to compare with."""
+    return runner("oracle", seconds=400, python=checkout.setup_path("oracle"))
 
 
 SUITES = (
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
-    Suite("oracle", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), oracle_programs),
+    Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
