@@ -18,16 +18,16 @@ LOG_SCALES = [0.0] + [sign * size for size in (1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 0.
 EXPONENTS = [0.5, 0.01, -1.0, 2.0]
 
 
-def check(library, report):
+def check(library, report, seed):
     """Everything of this file, in double and in float."""
     mp.dps = DIGITS
     for kind in (np.float64, np.float32):
         name = "double" if kind is np.float64 else "float"
         bound = BOUNDS[kind]
-        logs = grid(np.random.default_rng(30)).astype(kind)
+        logs = grid(np.random.default_rng([seed, 30])).astype(kind)
         images = [exponential(log) for log in logs]
         errors = [pose_error(pose, *exact) for pose, exact in zip(library.exp(logs, kind), images)]
-        report.check(f"mpmath: exp in {name}", errors, bound)
+        report.check(f"mpmath, {name}", "exp of poses", errors, bound)
 
         # What the log is asked about is the rounded pose, so its exact log is the answer.
         poses = np.array([rounded_pose(log) for log in logs]).astype(kind)
@@ -35,7 +35,7 @@ def check(library, report):
         ours = library.log(poses, kind)
         for part, numbers in (("rotation", slice(0, 3)), ("translation", slice(3, 6)), ("scale", slice(6, 7))):
             errors = [relative(log[numbers], exact[numbers]) for log, exact in zip(ours, exact_logs)]
-            report.check(f"mpmath: log in {name}, {part}", errors, bound)
+            report.check(f"mpmath, {name}", f"log of poses, {part}", errors, bound)
 
         for exponent in EXPONENTS:
             alpha = kind(exponent)
@@ -44,7 +44,7 @@ def check(library, report):
             # Where a power all but undoes the translation, as the square of half a turn does, its size is the pose's.
             sizes = np.linalg.norm(poses[:, :3], axis=1)
             errors = [pose_error(power, *exact, size) for power, exact, size in zip(ours, images, sizes)]
-            report.check(f"mpmath: power {exponent:g} in {name}", errors, bound)
+            report.check(f"mpmath, {name}", f"power {exponent:g} of poses", errors, bound)
 
 
 def grid(random):

@@ -19,9 +19,9 @@ EXACT_PAIRS = 200
 DISTANCE = 1e4  # m
 
 
-def check(library, report):
+def check(library, report, seed):
     """Everything of the C++ library."""
-    random = np.random.default_rng(40)
+    random = np.random.default_rng([seed, 40])
     begin, end = random_poses(random, PAIRS), random_poses(random, PAIRS)
     end[::2, 3:7] *= -1.0  # the other sign of the same rotation
     weights = random.uniform(0.0, 1.0, PAIRS)
@@ -29,14 +29,14 @@ def check(library, report):
     for mode in MODES:
         wanted = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights)
         ours = matrices_of(library.interpolate(mode, begin, end, weights, np.float64))
-        report.check(f"numpy: {mode} in double", errors(ours, wanted, begin, end), 1e-13)
+        report.check("numpy, double", mode, errors(ours, wanted, begin, end), 1e-13)
 
         rounded = [array.astype(np.float32) for array in (begin, end, weights)]
         wanted = REFERENCES[mode](*map(matrices_of, rounded[:2]), rounded[2].astype(float))
         ours = matrices_of(library.interpolate(mode, *rounded, np.float32))
-        report.check(f"numpy: {mode} in float", errors(ours, wanted, begin, end), 1e-6)
+        report.check("numpy, float", mode, errors(ours, wanted, begin, end), 1e-6)
         ours = library.interpolate_blocks(mode, *rounded).reshape(-1, 3, 4)
-        report.check(f"numpy: {mode} in blocks", errors(ours, wanted, begin, end), 1e-5)
+        report.check("numpy, float", f"{mode} in blocks", errors(ours, wanted, begin, end), 1e-5)
     check_far(library, report, random)
     check_screw(library, report, begin, end, weights)
 
@@ -56,7 +56,7 @@ def check_far(library, report, random):
         blocks = library.interpolate_blocks(mode, begin, end, weights).reshape(-1, 3, 4)
         for name, ours in (("float", single), ("blocks", blocks)):
             metres = np.abs(ours[:, :, 3] - wanted[:, :, 3]).max(axis=1)
-            report.check(f"numpy: {mode} in {name}, 10 km away, in metres", metres, 1e-3)
+            report.check("numpy, metres", f"{mode} in {name}, 10 km away", metres, 1e-3)
 
 
 def check_screw(library, report, begin, end, weights):
@@ -77,7 +77,7 @@ def check_screw(library, report, begin, end, weights):
         wanted[0, :, :3] = np.array(linear.tolist(), float) @ start[:, :3]
         wanted[0, :, 3] = [float(a + b) for a, b in zip(first[:3], moved)]
         worst += list(errors(ours[i : i + 1], wanted, begin[i : i + 1], end[i : i + 1]))
-    report.check("mpmath: SCREW in double", worst, 1e-13)
+    report.check("mpmath, double", "SCREW", worst, 1e-13)
 
 
 def check_file(path, report):
@@ -87,13 +87,13 @@ def check_file(path, report):
     for mode in MODES:
         chosen = [case for case in cases if case["mode"] == mode]
         if not chosen:
-            report.check(f"engine: {mode}", [], 1e-5)
+            report.check("engine", mode, [], 1e-5)
             continue
         begin, end, ours = (np.array([case[key] for case in chosen], float).reshape(-1, 3, 4)
                             for key in ("from", "to", "result"))
         weights = np.array([case["weight"] for case in chosen], float)
         wanted = REFERENCES[mode](begin, end, weights)
-        report.check(f"engine: {mode}", matrix_errors(ours, wanted, begin, end), 1e-5)
+        report.check("engine", mode, matrix_errors(ours, wanted, begin, end), 1e-5)
 
 
 def errors(ours, wanted, begin, end):

@@ -1,59 +1,93 @@
 """Compares the algebra with independent programs; README.md of this folder says with which, and how to call it."""
 
 import argparse
+import concurrent.futures
+import importlib
 import os
 import subprocess
 import sys
 import tempfile
+import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
+
+# Longest first: they run side by side.
+LIBRARY_CHECKS = ("exponentials", "products", "interpolation")
+DEFAULT_SEED = 1
+ENGINE = "engine"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--library", metavar="PATH", help="check this libcga_oracle.so only")
     parser.add_argument("--poses", metavar="FILE", help="check this file of poses only")
+    parser.add_argument("--only", metavar="CHECK", action="append", choices=[*LIBRARY_CHECKS, ENGINE],
+                        help="run this check alone (repeatable): " + ", ".join([*LIBRARY_CHECKS, ENGINE]))
+    parser.add_argument("--seed", metavar="N", type=int, default=DEFAULT_SEED,
+                        help="draw other random cases (default: %(default)s)")
     arguments = parser.parse_args()
-    everything = not arguments.library and not arguments.poses
+    jobs = []
+    with tempfile.TemporaryDirectory() as folder:
+        if arguments.library or not arguments.poses:
+            path = os.path.abspath(arguments.library or built_library())
+            if not os.path.isfile(path):
+                sys.exit(f"{path} is missing: build it with `scons tests`")
+            jobs = [(name, path, arguments.seed) for name in LIBRARY_CHECKS]
+        if arguments.poses:
+            jobs.append((ENGINE, arguments.poses, None))
+        elif not arguments.library:
+            jobs.insert(0, (ENGINE, os.path.join(folder, "poses.json"), "dump"))
+        return run([job for job in jobs if not arguments.only or job[0] in arguments.only])
 
-    # After the arguments: these take seconds to load.
-    from report import Report
 
+def run(jobs):
+    """Runs the checks in as many processes as there are cores; prints their lines in order, and the table."""
+    import report
+
+    lines = []
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        for name, found in zip([job[0] for job in jobs], pool.map(run_job, jobs)):
+            for line in found:
+                print(line, flush=True)
+            lines += found or [report.Line(name, "has no check", 0, float("nan"), 0.0)]
+    print("\n" + report.table(lines) + "\n")
+    text, code = report.summary(lines)
+    print(text, flush=True)
+    return code
+
+
+def run_job(job):
+    """The lines of one check; runs in a process of its own."""
+    from report import Line, Report
+
+    name, path, choice = job
     report = Report()
-    if arguments.library or everything:
-        check_library(arguments.library or built_library(), report)
-    if arguments.poses:
-        check_poses(arguments.poses, report)
-    if everything:
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "poses.json")
-            dump_poses(path)
-            check_poses(path, report)
-    return report.end()
+    try:
+        if name == ENGINE:
+            check_poses(path, choice, report)
+        else:
+            from library import Library
+
+            importlib.import_module(name).check(Library(path), report, choice)
+    except Exception:
+        traceback.print_exc()
+        report.lines.append(Line(name, "ended by an error", 0, float("nan"), 0.0))
+    return report.lines
 
 
-def check_library(path, report):
-    if not os.path.isfile(path):
-        sys.exit(f"{path} is missing: build it with `scons tests`")
-    import exponentials
-    import interpolation
-    import products
-    from library import Library
-
-    library = Library(os.path.abspath(path))
-    for oracle in (products, exponentials, interpolation):
-        oracle.check(library, report)
-
-
-def check_poses(path, report):
+def check_poses(path, choice, report):
+    """Interpolation as the engine did it."""
     import interpolation
 
+    if choice == "dump":
+        dump_poses(path)
     if os.path.isfile(path):
         interpolation.check_file(path, report)
     else:
-        report.check("engine: poses", [], 0.0)
+        report.check(ENGINE, "poses", [], 0.0)
 
 
 def built_library():
