@@ -49,6 +49,7 @@ case " $* " in
         if [ "${FAKE_PACKAGE:-}" = absent ]; then echo "E: Unable to locate package" >&2; exit 100; fi
         case " $* " in *" --simulate "*) exit ;; esac
         for package in "$@"; do
+            case $package in ca-certificates) touch "$GA_GODOT_CERTIFICATES" ;; esac
             case $package in scons | python3 | g++) ln -sf "$FAKE_PROGRAM" "$FAKE_BIN/$package" ;; esac
         done
         ;;
@@ -96,6 +97,7 @@ class Machine:
         self.as_user(0)
         self.environment = {
             "PATH": self.bin, "HOME": self.folder, "GA_GODOT_CACHE": self.cache,
+            "GA_GODOT_CERTIFICATES": self.write("certificates", ""),
             "GA_GODOT_OS_RELEASE": os.path.join(self.folder, "os-release"),
             "FAKE_LOG": self.log, "FAKE_BIN": self.bin, "FAKE_SITE": "debian", "FAKE_DEB": self.make_package(),
             "FAKE_PROGRAM": self.write("program", SUCCEEDS, executable=True),

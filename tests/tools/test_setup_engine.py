@@ -47,6 +47,14 @@ class SetupEngineTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         self.assertEqual(machine.apt_calls("update"), 0)
 
+    def test_certificates_come_with_the_fetched_engine(self):
+        machine = self.machine()
+        for _ in range(2):
+            os.unlink(machine.environment["GA_GODOT_CERTIFICATES"])
+            done = machine.run("setup", "engine")
+            self.fetched(machine, done)
+            self.assertIn("installing ca-certificates", done.stderr)
+
     def test_given_engine_comes_first(self):
         machine = self.machine(FEDORA)
         path = machine.write("mine/godot", engine_script("4.7.stable.official"), executable=True)

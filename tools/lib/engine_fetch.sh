@@ -9,13 +9,20 @@ engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 
 
 engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
 
+# The file from which Debian's engine reads the authorities it trusts, at every start.
+certificates=${GA_GODOT_CERTIFICATES:-/etc/ssl/certs/ca-certificates.crt}
+
 ensure_engine() {
     if find_engine; then
+        if [ "$engine_path" = "$engine_cached" ]; then
+            ensure_system_packages certificates
+        fi
         return
     fi
     if ! has_apt; then
         fail "Godot $engine_minimum or newer is missing: setup can fetch it on Debian only; on $(os_name) install it and put it on PATH or give its path by GODOT="
     fi
+    ensure_system_packages certificates
     open_cache
     if find_engine; then
         return # another setup fetched it while this one waited

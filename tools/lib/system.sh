@@ -58,6 +58,9 @@ missing_for() {
         graphics)
             /sbin/ldconfig -p 2>/dev/null | grep -q 'libGL\.so\.1' || echo libgl1 libgl1-mesa-dri
             ;;
+        certificates)
+            [ -e "$certificates" ] || echo ca-certificates
+            ;;
         venv)
             python3 -c 'import ensurepip, venv' 2>/dev/null || echo python3-venv
             ;;
