@@ -1,7 +1,7 @@
 #include "cga/algebra/multivector.hpp"
 
 #include "cga/algebra/multivector_product.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/algebra/null_basis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,21 @@ namespace {
 // Below this fraction of the sum of squares, a norm is the rounding of zero.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
-constexpr Multivector pseudoscalar(double value) {
-	Multivector result;
-	result[BLADE_COUNT - 1] = value;
-	return result;
-}
+// The pseudoscalar I as a bitmap.
+constexpr unsigned PSEUDOSCALAR = BLADE_COUNT - 1;
 
 // I^2, a sign, from the table.
-constexpr double PSEUDOSCALAR_SQUARED = product_sign(BLADE_COUNT - 1, BLADE_COUNT - 1);
+constexpr int PSEUDOSCALAR_SQUARED = product_sign(PSEUDOSCALAR, PSEUDOSCALAR);
+
+// X I times a sign: each blade becomes its complement.
+Multivector times_pseudoscalar(const Multivector &x, int sign) {
+	Multivector result;
+	for (unsigned bitmap = 0; bitmap < BLADE_COUNT; ++bitmap) {
+		const double coefficient = x[BLADE_INDICES[bitmap]];
+		result[BLADE_INDICES[bitmap ^ PSEUDOSCALAR]] = sign * product_sign(bitmap, PSEUDOSCALAR) > 0 ? coefficient : -coefficient;
+	}
+	return result;
+}
 
 // `x` with a sign for each grade.
 template <class SignOfGrade>
@@ -69,7 +76,7 @@ std::optional<Multivector> Multivector::basis(std::string_view name) {
 		return e_infinity().outer_product(e_origin());
 	}
 	if (name == "I") {
-		return pseudoscalar(1.0);
+		return basis_blade(BLADE_INDICES[PSEUDOSCALAR]);
 	}
 	if (const std::optional<SignedBlade> blade = parse_blade(name)) {
 		return basis_blade(blade->index, blade->sign);
@@ -118,6 +125,15 @@ Multivector Multivector::right_contraction(const Multivector &right) const {
 	return multiply<Product::RIGHT_CONTRACTION>(*this, right);
 }
 
+// undual(dual(A) ^ dual(B))
+Multivector Multivector::regressive_product(const Multivector &right) const {
+	return dual().outer_product(right.dual()).undual();
+}
+
+Multivector Multivector::commutator_product(const Multivector &right) const {
+	return multiply<Product::COMMUTATOR>(*this, right);
+}
+
 double Multivector::scalar_product(const Multivector &right) const {
 	return multiply<Product::SCALAR>(*this, right)[0];
 }
@@ -139,11 +155,11 @@ Multivector Multivector::clifford_conjugate() const {
 
 // I^-1 = I / I^2
 Multivector Multivector::dual() const {
-	return geometric_product(pseudoscalar(PSEUDOSCALAR_SQUARED));
+	return times_pseudoscalar(*this, PSEUDOSCALAR_SQUARED);
 }
 
 Multivector Multivector::undual() const {
-	return geometric_product(pseudoscalar(1.0));
+	return times_pseudoscalar(*this, 1);
 }
 
 Multivector Multivector::grade(int k) const {

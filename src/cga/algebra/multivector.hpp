@@ -39,6 +39,10 @@ public:
 	[[nodiscard]] Multivector left_contraction(const Multivector &right) const;
 	// The part of grade i - j.
 	[[nodiscard]] Multivector right_contraction(const Multivector &right) const;
+	// A & B, dual to the outer product: undual(dual(A) ^ dual(B)). The meet of what spans the whole space together.
+	[[nodiscard]] Multivector regressive_product(const Multivector &right) const;
+	// (A B - B A) / 2.
+	[[nodiscard]] Multivector commutator_product(const Multivector &right) const;
 	// The scalar part of the geometric product.
 	[[nodiscard]] double scalar_product(const Multivector &right) const;
 
@@ -63,7 +67,7 @@ public:
 	[[nodiscard]] double max_abs() const;
 
 	// X^-1 = X~ / (X X~) where X X~ is a number other than zero, which all versors and blades but null ones meet.
-	// Empty elsewhere. (The inverse of other elements needs more and is not this function's.)
+	// Empty elsewhere; inverse.hpp has the inverse of any element.
 	[[nodiscard]] std::optional<Multivector> inverse_of_versor(double tolerance = 1e-10) const;
 	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection
 	// keeps the orientation of what it does not turn. Empty if V is neither or has no inverse.

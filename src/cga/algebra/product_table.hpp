@@ -13,6 +13,7 @@ enum class Product {
 	INNER, // grade |i - j|, scalars included
 	LEFT_CONTRACTION, // grade j - i
 	RIGHT_CONTRACTION, // grade i - j
+	COMMUTATOR, // (A B - B A) / 2: the terms of blades that anticommute
 	SCALAR, // grade 0
 };
 
@@ -29,6 +30,9 @@ enum class Product {
 			return k == j - i;
 		case Product::RIGHT_CONTRACTION:
 			return k == i - j;
+		case Product::COMMUTATOR:
+			// Blades with n vectors in common swap with the sign (-1)^(i j - n), and k = i + j - 2 n.
+			return (i * j - (i + j - k) / 2) % 2 != 0;
 		case Product::SCALAR:
 			return k == 0;
 	}

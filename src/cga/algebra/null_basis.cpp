@@ -1,0 +1,31 @@
+#include "cga/algebra/null_basis.hpp"
+
+namespace cga {
+
+namespace {
+
+constexpr int E1 = blade_index("e1");
+constexpr int E2 = blade_index("e2");
+constexpr int E3 = blade_index("e3");
+constexpr int E4 = blade_index("e4");
+constexpr int E5 = blade_index("e5");
+
+} // namespace
+
+Multivector e_infinity() {
+	return Multivector::basis_blade(E4) + Multivector::basis_blade(E5);
+}
+
+Multivector e_origin() {
+	return (Multivector::basis_blade(E5) - Multivector::basis_blade(E4)) * 0.5;
+}
+
+Multivector euclidean(const Vector3<double> &vector) {
+	Multivector result;
+	result[E1] = vector.x;
+	result[E2] = vector.y;
+	result[E3] = vector.z;
+	return result;
+}
+
+} // namespace cga

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "cga/algebra/multivector.hpp"
+#include "cga/result.hpp"
+
+namespace cga {
+
+// exp(X) = 1 + X + X^2 / 2 + X^3 / 6 + ...
+//
+// - Bivectors of motors, L = -(1/2) (w1 e23 - w2 e13 + w3 e12 + v e_inf + sigma E): by motor_exp.hpp.
+// - Any other bivector B, a number k beside it or not: with B^2 = s + W of grades 0 and 4,
+//   exp(k + B) = exp(k) (cosh(sqrt(s + W)) + B sinh(sqrt(s + W)) / sqrt(s + W)).
+// - Any other element by its series, scaled and squared.
+//
+// The exponential of a bivector is a versor of unit weight. An error where X is not finite or exp(X) leaves the range
+// of double.
+Result<Multivector> exp(const Multivector &x);
+
+} // namespace cga
