@@ -1,6 +1,7 @@
 extends "res://tests/framework/test_case.gd"
 ## The test framework itself: an expectation that does not hold must fail, or no test means anything.
 
+const CodeSample := preload("res://tests/framework/code_sample.gd")
 const TestCase := preload("res://tests/framework/test_case.gd")
 
 
@@ -60,6 +61,27 @@ func test_an_announced_error_is_none() -> void:
 	push_error("announced")
 	push_error("announced")
 	expect_equal(error_log.take_faults().size(), 0)
+
+
+func test_a_warning_nobody_announced_is_a_fault() -> void:
+	push_warning("unannounced")
+	expect_equal(error_log.take_faults().size(), 1, "number of faults")
+	expect_warning("announced")
+	push_warning("announced")
+	expect_equal(error_log.take_faults().size(), 0, "number of faults after the announcement")
+
+
+func test_samples_print_what_they_say() -> void:
+	var sample := "for i in 2:\n\tassert(i < 2)\nprint(1 + 1, \"!\") # %s\n"
+	expect_equal(CodeSample.count_prints(sample), 1, "number of checked prints")
+	expect_equal(CodeSample.find_faults(sample % "2!"), PackedStringArray())
+	expect_equal(CodeSample.find_faults(sample % "3!"), PackedStringArray(["prints 2! where it says print(1 + 1, \"!\") # 3!"]))
+	expect_equal(CodeSample.find_faults("if false:\n\tprint(1) # 1\n"), PackedStringArray(["prints nothing where it says print(1) # 1"]))
+
+
+func test_samples_that_do_not_run_are_faults() -> void:
+	expect_error("Parse Error: Identifier \"nonsense\" not declared in the current scope.")
+	expect_equal(CodeSample.find_faults("nonsense\n"), PackedStringArray(["does not compile:\nnonsense\n"]))
 
 
 func _probe() -> TestCase:

@@ -1,6 +1,8 @@
 extends "res://tests/framework/test_case.gd"
 ## The code samples of the guides compile, run, and their assertions hold.
 
+const CodeSample := preload("res://tests/framework/code_sample.gd")
+
 const GUIDES := "docs/guides"
 const FENCE := "```gdscript\n"
 
@@ -9,7 +11,7 @@ func test_the_interpolation_guide() -> void:
 	var samples := _samples("interpolation.md")
 	expect_equal(samples.size(), 3, "number of samples")
 	for sample in samples:
-		_run(sample)
+		expect_equal(CodeSample.find_faults(sample), PackedStringArray(), "faults")
 
 
 func _samples(guide: String) -> PackedStringArray:
@@ -20,12 +22,3 @@ func _samples(guide: String) -> PackedStringArray:
 	for part in text.split(FENCE).slice(1):
 		samples.append(part.get_slice("```", 0))
 	return samples
-
-
-## As the body of a function that returns 1 at its end; an assertion that fails ends it earlier.
-func _run(sample: String) -> void:
-	var script := GDScript.new()
-	script.source_code = "extends RefCounted\n\n\nfunc run() -> int:\n%s\treturn 1\n" % sample.indent("\t")
-	expect_equal(script.reload(), OK, "compiling:\n%s" % sample)
-	var instance: RefCounted = script.new()
-	expect_equal(instance.call(&"run"), 1, "result of:\n%s" % sample)

@@ -1,6 +1,9 @@
 extends Logger
-## Hears every error of the engine, of the extension and of scripts while tests run, and tells those
-## that a test announced from those that nobody expected. Errors may come from any thread.
+## Hears every error and warning of the engine, of the extension and of scripts while tests run, and
+## tells those that a test announced from those that nobody expected. They may come from any thread.
+
+## Stands before a warning's text, as in the engine's output.
+const WARNING := "WARNING: "
 
 var _mutex := Mutex.new()
 var _expected: Array[String] = []
@@ -8,9 +11,9 @@ var _unexpected := PackedStringArray()
 
 
 func _log_error(function: String, file: String, line: int, code: String, rationale: String, _editor_notify: bool, error_type: int, script_backtraces: Array[ScriptBacktrace]) -> void:
-	if error_type == Logger.ERROR_TYPE_WARNING:
-		return
 	var message := code if rationale.is_empty() else rationale
+	if error_type == Logger.ERROR_TYPE_WARNING:
+		message = WARNING + message
 	_mutex.lock()
 	var index := _expected.find(message)
 	if index >= 0:
@@ -20,14 +23,14 @@ func _log_error(function: String, file: String, line: int, code: String, rationa
 	_mutex.unlock()
 
 
-## Announces one error with exactly this message.
+## Announces one error with exactly this message; a warning's begins with WARNING.
 func expect(message: String) -> void:
 	_mutex.lock()
 	_expected.append(message)
 	_mutex.unlock()
 
 
-## What went wrong since the last call: errors nobody announced, and announced ones that never came.
+## What went wrong since the last call: what nobody announced, and announced errors that never came.
 func take_faults() -> PackedStringArray:
 	_mutex.lock()
 	var faults := _unexpected.duplicate()

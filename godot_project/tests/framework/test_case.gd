@@ -1,7 +1,7 @@
 extends RefCounted
 ## The base of every test file: each method whose name begins with test_ is one test, run on a fresh
-## object. A test may await; it fails if an expectation fails, if an error nobody announced is
-## logged, if an announced one is not, or if it expects nothing at all.
+## object. A test may await; it fails if an expectation fails, if an error or a warning nobody
+## announced is logged, if an announced one is not, or if it expects nothing at all.
 
 const ErrorLog := preload("res://tests/framework/error_log.gd")
 
@@ -80,6 +80,12 @@ func expect_error(message: String, times := 1) -> void:
 	for i in times:
 		print("[expect] %s" % message)
 		error_log.expect(message)
+
+
+## Announces that the next line logs exactly this warning.
+func expect_warning(message: String) -> void:
+	_expectations += 1
+	error_log.expect(ErrorLog.WARNING + message)
 
 
 func fail(reason: String) -> void:

@@ -1,0 +1,41 @@
+extends RefCounted
+## A sample of GDScript from a guide or from the class reference: it must compile, run to its end, and
+## print what the comments behind its print() calls say.
+
+## `print(EXPRESSION) # TEXT`: EXPRESSION must print TEXT.
+const PRINT := "(?m)^(\\t*)print\\((.*)\\) # (.*)$"
+const SCRIPT := """extends RefCounted
+
+
+var printed := PackedStringArray()
+
+
+func run() -> bool:
+%s
+	return true
+"""
+
+
+## How many print() calls say what they print.
+static func count_prints(sample: String) -> int:
+	return RegEx.create_from_string(PRINT).search_all(sample).size()
+
+
+## What is wrong with a sample, in words. An assertion that fails, or any other error, ends its run.
+static func find_faults(sample: String) -> PackedStringArray:
+	var pattern := RegEx.create_from_string(PRINT)
+	var script := GDScript.new()
+	script.source_code = SCRIPT % pattern.sub(sample, "$1printed.append(str($2))", true).indent("\t")
+	if script.reload() != OK:
+		return ["does not compile:\n%s" % sample]
+	var instance: RefCounted = script.new()
+	if instance.call(&"run") != true:
+		return ["does not run to its end:\n%s" % sample]
+	var faults := PackedStringArray()
+	var printed: PackedStringArray = instance.get(&"printed")
+	var calls := pattern.search_all(sample)
+	for i in calls.size():
+		var text := printed[i] if i < printed.size() else "nothing"
+		if text != calls[i].get_string(3):
+			faults.append("prints %s where it says %s" % [text, calls[i].get_string().strip_edges()])
+	return faults
