@@ -1,0 +1,102 @@
+#include "cga/text/text.hpp"
+
+#include "cga/algebra/null_coefficients.hpp"
+#include "cga/text/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace cga {
+
+namespace {
+
+// How one kind of text writes the parts of a sum.
+struct Style {
+	std::string (*number)(double);
+	std::string (*blade)(int index, bool null_basis); // "" for the scalar
+};
+
+std::string plain_number(double value) {
+	std::string text;
+	append_number(text, value);
+	return text;
+}
+
+// "1.5e-07" as "1.5 \times 10^{-7}".
+std::string latex_number(double value) {
+	std::string text = plain_number(value);
+	const size_t mark = text.find('e');
+	if (mark == std::string::npos) {
+		return text;
+	}
+	const std::string sign = text[mark + 1] == '-' ? "-" : "";
+	const size_t exponent = text.find_first_not_of('0', mark + 2);
+	return text.substr(0, mark) + " \\times 10^{" + sign + text.substr(exponent) + "}";
+}
+
+// A blade as the outer product of a blade of unlike digits, "12", and of e_inf and e_o, joined by `wedge`.
+std::string blade_text(int index, bool null_basis, std::string_view before, std::string_view after, std::string_view infinity, std::string_view origin, std::string_view wedge) {
+	const BladeName name = blade_name(index);
+	std::string digits(name.view().substr(1));
+	std::string text;
+	if (!null_basis) {
+		return digits.empty() ? text : std::string(before) + digits + std::string(after);
+	}
+	const size_t euclidean = std::min(digits.find_first_of("45"), digits.size());
+	if (euclidean > 0) {
+		text = std::string(before) + digits.substr(0, euclidean) + std::string(after);
+	}
+	for (const char digit : digits.substr(euclidean)) {
+		text += text.empty() ? "" : wedge;
+		text += digit == '4' ? infinity : origin;
+	}
+	return text;
+}
+
+std::string plain_blade(int index, bool null_basis) {
+	return blade_text(index, null_basis, "e", "", "einf", "eo", "^");
+}
+
+std::string latex_blade(int index, bool null_basis) {
+	return blade_text(index, null_basis, "\\mathbf{e}_{", "}", "\\mathbf{e}_{\\infty}", "\\mathbf{e}_{o}", " \\wedge ");
+}
+
+std::string sum(const Multivector &x, bool null_basis, const Style &style) {
+	Multivector::Coefficients coefficients = null_basis ? to_null_coefficients(x) : x.coefficients();
+	if (null_basis && !Multivector(coefficients).is_finite()) {
+		return sum(x, false, style);
+	}
+	std::string text;
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		const double value = coefficients[size_t(index)];
+		if (value == 0.0) {
+			continue;
+		}
+		if (text.empty()) {
+			text = value < 0.0 ? "-" : "";
+		} else {
+			text += value < 0.0 ? " - " : " + ";
+		}
+		const double size = std::abs(value);
+		const std::string blade = style.blade(index, null_basis);
+		if (size != 1.0 || blade.empty()) {
+			text += style.number(size);
+			text += blade.empty() ? "" : " ";
+		}
+		text += blade;
+	}
+	return text.empty() ? "0" : text;
+}
+
+} // namespace
+
+std::string to_text(const Multivector &x, bool null_basis) {
+	return sum(x, null_basis, { plain_number, plain_blade });
+}
+
+std::string to_latex(const Multivector &x, bool null_basis) {
+	return sum(x, null_basis, { latex_number, latex_blade });
+}
+
+} // namespace cga
