@@ -131,6 +131,19 @@ func test_contractions() -> void:
 	expect_coefficients(e1.right_contraction(e12), {})
 
 
+func test_regressive_product() -> void:
+	# What the dual of the outer product of the duals is: of blades that span the whole space together their meet.
+	expect_coefficients(_regressive("I", "e12"), {E12: 1.0})
+	expect_coefficients(_regressive("e1234", "e2345"), {22: -1.0})
+	expect_coefficients(_regressive("e12", "e23"), {})
+
+
+func test_commutator_product() -> void:
+	expect_coefficients(Multivector.basis("e12").commutator_product(Multivector.basis("e23")), {7: 1.0})
+	expect_coefficients(Multivector.basis("e12").commutator_product(Multivector.basis("e45")), {})
+	expect_coefficients(Multivector.basis("e1").commutator_product(Multivector.basis("e2")), {E12: 1.0})
+
+
 func test_scalar_product() -> void:
 	expect_near(Multivector.basis("eo").scalar_product(Multivector.basis("einf")), -1.0, 0.0)
 	expect_near(Multivector.basis("e1").scalar_product(Multivector.basis("e2")), 0.0, 0.0)
@@ -138,7 +151,7 @@ func test_scalar_product() -> void:
 
 func test_products_reject_null() -> void:
 	var e1 := Multivector.basis("e1")
-	for method: String in ["add", "subtract", "geometric_product", "outer_product", "inner_product", "left_contraction", "right_contraction"]:
+	for method: String in ["add", "subtract", "geometric_product", "outer_product", "inner_product", "left_contraction", "right_contraction", "regressive_product", "commutator_product"]:
 		expect_error("Multivector.%s: the other multivector is null." % method)
 		var result: Multivector = e1.call(method, null)
 		expect_null(result, method)
@@ -218,6 +231,10 @@ func test_is_equal_approx() -> void:
 	expect_true(e1.is_equal_approx(e1.scaled(1.0 + 1e-12)), "equality within rounding")
 	expect_true(not e1.is_equal_approx(e1.scaled(1.0 + 1e-6)), "difference of a millionth")
 	expect_true(not e1.is_equal_approx(Multivector.basis("e2")), "difference of e1 and e2")
+
+
+func _regressive(left: String, right: String) -> Multivector:
+	return Multivector.basis(left).regressive_product(Multivector.basis(right))
 
 
 func _product(left: String, right: String) -> Multivector:

@@ -2,9 +2,11 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "cga/motor/pose.hpp"
+#include "cga/result.hpp"
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -22,6 +24,7 @@ class Multivector : public godot::Resource {
 public:
 	using Handle = godot::Ref<Multivector>;
 
+	/// Null and an error if a coefficient is not finite.
 	static Handle make(const cga::Multivector &p_value);
 	const cga::Multivector &get_value() const { return _value; }
 	/// Goes up with each change in place, so that users of a multivector can keep what they computed from it.
@@ -35,7 +38,9 @@ public:
 	static Handle scalar(double p_value);
 	static Handle basis_blade(int64_t p_index);
 	static Handle basis(const godot::String &p_name);
+
 	static Handle point(const godot::Vector3 &p_position);
+
 	static Handle translator(const godot::Vector3 &p_offset);
 	static Handle rotor(const godot::Quaternion &p_quaternion);
 	static Handle dilator(double p_scale);
@@ -50,6 +55,8 @@ public:
 	Handle inner_product(const Handle &p_right) const;
 	Handle left_contraction(const Handle &p_right) const;
 	Handle right_contraction(const Handle &p_right) const;
+	Handle regressive_product(const Handle &p_right) const;
+	Handle commutator_product(const Handle &p_right) const;
 	double scalar_product(const Handle &p_right) const;
 	Handle sandwich(const Handle &p_x) const;
 
@@ -59,10 +66,11 @@ public:
 	Handle dual() const;
 	Handle undual() const;
 	Handle grade(int64_t p_grade) const;
-	Handle inverse() const;
-	Handle normalized() const;
+
 	double norm() const;
 	double norm_squared() const;
+	Handle normalized() const;
+	Handle inverse() const;
 
 	bool is_equal_approx(const Handle &p_other) const;
 	bool is_motor() const;
@@ -78,7 +86,9 @@ protected:
 
 private:
 	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
-	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_name) const;
+	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_method) const;
+	// The value, or null and the reason why there is none, as an error of that method.
+	static Handle make(const cga::Result<cga::Multivector> &p_result, const char *p_method);
 
 	cga::Multivector _value;
 	uint64_t _revision = 0;

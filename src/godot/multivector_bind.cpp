@@ -1,0 +1,63 @@
+#include "godot/multivector.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+// What scripts see of Multivector. The order is that of the class's header.
+
+namespace ga_godot {
+
+void Multivector::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+	using godot::PropertyInfo;
+	using godot::Variant;
+
+	ClassDB::bind_method(D_METHOD("set_coefficients", "coefficients"), &Multivector::set_coefficients);
+	ClassDB::bind_method(D_METHOD("get_coefficients"), &Multivector::get_coefficients);
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT64_ARRAY, "coefficients"), "set_coefficients", "get_coefficients");
+
+	ClassDB::bind_static_method("Multivector", D_METHOD("scalar", "value"), &Multivector::scalar);
+	ClassDB::bind_static_method("Multivector", D_METHOD("basis_blade", "index"), &Multivector::basis_blade);
+	ClassDB::bind_static_method("Multivector", D_METHOD("basis", "name"), &Multivector::basis);
+	ClassDB::bind_static_method("Multivector", D_METHOD("point", "position"), &Multivector::point);
+	ClassDB::bind_static_method("Multivector", D_METHOD("translator", "offset"), &Multivector::translator);
+	ClassDB::bind_static_method("Multivector", D_METHOD("rotor", "quaternion"), &Multivector::rotor);
+	ClassDB::bind_static_method("Multivector", D_METHOD("dilator", "scale"), &Multivector::dilator);
+	ClassDB::bind_static_method("Multivector", D_METHOD("motor", "transform"), &Multivector::motor);
+	ClassDB::bind_static_method("Multivector", D_METHOD("motor_from", "translation", "rotation", "scale"), &Multivector::motor_from);
+
+	ClassDB::bind_method(D_METHOD("add", "other"), &Multivector::add);
+	ClassDB::bind_method(D_METHOD("subtract", "other"), &Multivector::subtract);
+	ClassDB::bind_method(D_METHOD("scaled", "factor"), &Multivector::scaled);
+	ClassDB::bind_method(D_METHOD("geometric_product", "right"), &Multivector::geometric_product);
+	ClassDB::bind_method(D_METHOD("outer_product", "right"), &Multivector::outer_product);
+	ClassDB::bind_method(D_METHOD("inner_product", "right"), &Multivector::inner_product);
+	ClassDB::bind_method(D_METHOD("left_contraction", "right"), &Multivector::left_contraction);
+	ClassDB::bind_method(D_METHOD("right_contraction", "right"), &Multivector::right_contraction);
+	ClassDB::bind_method(D_METHOD("regressive_product", "right"), &Multivector::regressive_product);
+	ClassDB::bind_method(D_METHOD("commutator_product", "right"), &Multivector::commutator_product);
+	ClassDB::bind_method(D_METHOD("scalar_product", "right"), &Multivector::scalar_product);
+	ClassDB::bind_method(D_METHOD("sandwich", "x"), &Multivector::sandwich);
+
+	ClassDB::bind_method(D_METHOD("reverse"), &Multivector::reverse);
+	ClassDB::bind_method(D_METHOD("grade_involution"), &Multivector::grade_involution);
+	ClassDB::bind_method(D_METHOD("clifford_conjugate"), &Multivector::clifford_conjugate);
+	ClassDB::bind_method(D_METHOD("dual"), &Multivector::dual);
+	ClassDB::bind_method(D_METHOD("undual"), &Multivector::undual);
+	ClassDB::bind_method(D_METHOD("grade", "k"), &Multivector::grade);
+	ClassDB::bind_method(D_METHOD("inverse"), &Multivector::inverse);
+	ClassDB::bind_method(D_METHOD("normalized"), &Multivector::normalized);
+	ClassDB::bind_method(D_METHOD("norm"), &Multivector::norm);
+	ClassDB::bind_method(D_METHOD("norm_squared"), &Multivector::norm_squared);
+
+	ClassDB::bind_method(D_METHOD("is_equal_approx", "other"), &Multivector::is_equal_approx);
+	ClassDB::bind_method(D_METHOD("is_motor"), &Multivector::is_motor);
+	ClassDB::bind_method(D_METHOD("to_transform"), &Multivector::to_transform);
+	ClassDB::bind_method(D_METHOD("get_translation"), &Multivector::get_translation);
+	ClassDB::bind_method(D_METHOD("get_rotation"), &Multivector::get_rotation);
+	ClassDB::bind_method(D_METHOD("get_scale"), &Multivector::get_scale);
+	ClassDB::bind_method(D_METHOD("transform_point", "point"), &Multivector::transform_point);
+}
+
+} // namespace ga_godot
