@@ -180,17 +180,25 @@ double Multivector::norm() const {
 	return std::sqrt(std::abs(norm_squared()));
 }
 
+Multivector Multivector::times_power_of_two(int exponent) const {
+	Multivector result;
+	for (int index = 0; index < BLADE_COUNT; ++index) {
+		result[index] = std::ldexp((*this)[index], exponent);
+	}
+	return result;
+}
+
 double Multivector::max_abs() const {
 	return std::max(max_abs_of_parity(*this, 0), max_abs_of_parity(*this, 1));
 }
 
 std::optional<Multivector> Multivector::inverse_of_versor(double tolerance) const {
-	const double size = max_abs();
-	if (!(size > 0.0) || !is_finite()) {
+	if (!(max_abs() > 0.0) || !is_finite()) {
 		return std::nullopt;
 	}
 	// At unit size, squares neither overflow nor vanish.
-	const Multivector unit = *this * (1.0 / size);
+	const int exponent = std::ilogb(max_abs());
+	const Multivector unit = times_power_of_two(-exponent);
 	const Multivector square = unit.geometric_product(unit.reverse());
 	const double weight = square[0];
 	double sum_of_squares = 0.0;
@@ -202,7 +210,11 @@ std::optional<Multivector> Multivector::inverse_of_versor(double tolerance) cons
 	if (std::abs(weight) <= rounding || residue > std::max(rounding, tolerance * std::abs(weight))) {
 		return std::nullopt;
 	}
-	return unit.reverse() * (1.0 / weight / size);
+	const Multivector inverse = (unit.reverse() * (1.0 / weight)).times_power_of_two(-exponent);
+	if (!inverse.is_finite()) {
+		return std::nullopt;
+	}
+	return inverse;
 }
 
 std::optional<Multivector> Multivector::sandwich(const Multivector &x, double tolerance) const {

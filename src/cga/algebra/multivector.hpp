@@ -63,6 +63,8 @@ public:
 	[[nodiscard]] double norm_squared() const;
 	// sqrt(|norm_squared|); zero for null elements.
 	[[nodiscard]] double norm() const;
+	// X 2^exponent, without rounding within the range of double.
+	[[nodiscard]] Multivector times_power_of_two(int exponent) const;
 	// The largest coefficient's absolute value: the size to which tolerances relate.
 	[[nodiscard]] double max_abs() const;
 

@@ -20,6 +20,9 @@ template <class T>
 // The logarithm of the shorter way round, angle 0..pi. Unit rotation and positive scale.
 template <class T>
 [[nodiscard]] MotorLog<T> log_of_pose(const Pose<T> &pose) noexcept;
+// The same of a pose whose ln of the scale is known, which for scales near 1 has more digits than the scale.
+template <class T>
+[[nodiscard]] MotorLog<T> log_of_similarity(const Vector3<T> &translation, const Quaternion<T> &rotation, T dilation) noexcept;
 // pose^exponent = exp(exponent log(pose)), without the detour.
 template <class T>
 [[nodiscard]] Pose<T> power_of_pose(const Pose<T> &pose, T exponent) noexcept;

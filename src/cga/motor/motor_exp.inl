@@ -42,13 +42,18 @@ Pose<T> exp_to_pose(const MotorLog<T> &log) noexcept {
 
 // q flipped to w >= 0; theta = 2 atan2(|q_v|, w), n = q_v / |q_v|, sigma = ln s, v from t by 1 / phi.
 template <class T>
-MotorLog<T> log_of_pose(const Pose<T> &pose) noexcept {
-	const AxisAngle<T> turn = short_axis_angle(pose.rotation);
+MotorLog<T> log_of_similarity(const Vector3<T> &translation, const Quaternion<T> &rotation, T dilation) noexcept {
+	const AxisAngle<T> turn = short_axis_angle(rotation);
 	MotorLog<T> log;
 	log.rotation = turn.axis * turn.angle;
-	log.dilation = std::log(pose.scale);
-	log.velocity = detail::scale_and_turn(turn.axis, pose.translation, T(1) / phi(std::complex<T>(log.dilation, turn.angle)), T(1) / phi(log.dilation));
+	log.dilation = dilation;
+	log.velocity = detail::scale_and_turn(turn.axis, translation, T(1) / phi(std::complex<T>(dilation, turn.angle)), T(1) / phi(dilation));
 	return log;
+}
+
+template <class T>
+MotorLog<T> log_of_pose(const Pose<T> &pose) noexcept {
+	return log_of_similarity(pose.translation, pose.rotation, std::log(pose.scale));
 }
 
 // The factors on t are (exp(alpha z) - 1) / (exp(z) - 1) = alpha phi(alpha z) / phi(z), with lambda across n and

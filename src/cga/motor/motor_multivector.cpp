@@ -116,4 +116,24 @@ std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
 	return motor;
 }
 
+std::optional<MotorLog<double>> to_motor_log(const Multivector &bivector, double tolerance) {
+	MotorLog<double> log;
+	log.rotation = { -2.0 * bivector[blade_index("e23")], 2.0 * bivector[blade_index("e13")], -2.0 * bivector[blade_index("e12")] };
+	log.dilation = -2.0 * bivector[blade_index("e45")];
+	double velocity_residue = 0.0;
+	double velocity = 0.0;
+	for (int axis = 0; axis < 3; ++axis) {
+		const double with_e4 = bivector[NULL_PAIRS[axis + 1].with_e4];
+		const double with_e5 = bivector[NULL_PAIRS[axis + 1].with_e5];
+		log.velocity[axis] = -(with_e4 + with_e5);
+		velocity = std::max(velocity, std::abs(with_e4));
+		velocity_residue = std::max(velocity_residue, std::abs(with_e4 - with_e5));
+	}
+	const double other_grades = (bivector - bivector.grade(2)).max_abs();
+	if (!bivector.is_finite() || velocity_residue > tolerance * velocity || other_grades > tolerance * bivector.max_abs()) {
+		return std::nullopt;
+	}
+	return log;
+}
+
 } // namespace cga

@@ -15,4 +15,8 @@ namespace cga {
 // positive number; each within `tolerance` relative to the size of the coefficients that it is made of.
 [[nodiscard]] std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance = 1e-9);
 
+// The bivector L of a motor back in its parts. Empty unless `bivector` is within the seven coefficients that it needs:
+// the rest within `tolerance` relative to the largest, those with e4 and e5 equal within `tolerance` relative to them.
+[[nodiscard]] std::optional<MotorLog<double>> to_motor_log(const Multivector &bivector, double tolerance = 1e-9);
+
 } // namespace cga

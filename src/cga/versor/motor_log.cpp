@@ -1,0 +1,51 @@
+#include "cga/versor/motor_log.hpp"
+
+#include "cga/motor/versor.hpp"
+
+#include <cmath>
+
+namespace cga {
+
+namespace {
+
+constexpr int E12 = blade_index("e12");
+constexpr int E13 = blade_index("e13");
+constexpr int E23 = blade_index("e23");
+constexpr int E45 = blade_index("e45");
+constexpr int E1245 = blade_index("e1245");
+constexpr int E1345 = blade_index("e1345");
+constexpr int E2345 = blade_index("e2345");
+
+} // namespace
+
+// exp(L) = T R D
+//   R D = R (cosh(sigma/2) - sinh(sigma/2) E)
+//   T R D - R D is the motor of a = b = 0, v = -(1/2) t q exp(-sigma/2)
+Multivector motor_exp(const MotorLog<double> &log) {
+	const Pose<double> pose = exp_to_pose(log);
+	const double half = 0.5 * log.dilation;
+	const Multivector turn_and_scale = rotor(pose.rotation).geometric_product(Multivector::scalar(std::cosh(half)) - e_infinity().outer_product(e_origin()) * std::sinh(half));
+	Motor<double> shift;
+	shift.a = shift.b = { 0.0, 0.0, 0.0, 0.0 };
+	shift.v = pure(pose.translation * -0.5) * (pose.rotation * std::exp(-half));
+	return turn_and_scale + to_multivector(shift);
+}
+
+// With p = (a + b) / 2 the quaternion of the coefficients of 1, e12, e13, e23 and d = (a - b) / 2 that of the same
+// with e45, a = q / sqrt(s) and b = q sqrt(s) up to weight:
+//   q = p / |p|
+//   sinh(sigma) = (|b|^2 - |a|^2) / (2 |a| |b|) = -2 p . d / (|a| |b|)
+std::optional<WeightedMotorLog> motor_log(const Multivector &x, double tolerance) {
+	const std::optional<Motor<double>> motor = to_motor(x, tolerance);
+	const std::optional<Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
+	if (!pose) {
+		return std::nullopt;
+	}
+	const Quaternion<double> p(x[0], -x[E23], x[E13], -x[E12]);
+	const double p_dot_d = x[0] * x[E45] + x[E12] * x[E1245] + x[E13] * x[E1345] + x[E23] * x[E2345];
+	const double lengths = std::sqrt(glm::dot(motor->a, motor->a)) * std::sqrt(glm::dot(motor->b, motor->b));
+	const Quaternion<double> rotation = p / std::sqrt(glm::dot(p, p));
+	return WeightedMotorLog{ log_of_similarity(pose->translation, rotation, std::asinh(-2.0 * p_dot_d / lengths)), std::sqrt(motor->norm_squared()) };
+}
+
+} // namespace cga

@@ -1,0 +1,64 @@
+#include "cga/versor/normalized.hpp"
+
+#include "cga/motor/motor_multivector.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cga {
+
+namespace {
+
+// Below this fraction of the sum of squares, X X~ and its parts are rounding.
+constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
+
+// With X X~ = a + b of grades 0 and 4, a > 0, and n = sqrt(a^2 - b^2):
+//   X' = (n + a - b) X / (n sqrt(2 (a + n)))
+// from the left. Empty where n is no positive number.
+std::optional<Multivector> nearest_versor(const Multivector &x, double a, const Multivector &b) {
+	const double b_squared = b.scalar_product(b);
+	const double n_squared = a * a - b_squared;
+	if (!(n_squared > ROUNDING * (a * a + std::abs(b_squared)))) {
+		return std::nullopt;
+	}
+	const double n = std::sqrt(n_squared);
+	return (Multivector::scalar(n + a) - b).geometric_product(x) * (1.0 / (n * std::sqrt(2.0 * (a + n))));
+}
+
+} // namespace
+
+Result<Multivector> normalized(const Multivector &x) {
+	if (!x.is_finite()) {
+		return Failure{ "The element has a coefficient that is not finite, so it cannot be normalised" };
+	}
+	if (!(x.max_abs() > 0.0)) {
+		return Failure{ "Zero cannot be normalised: no multiple of it has norm 1" };
+	}
+	// At unit size, squares neither overflow nor vanish.
+	const Multivector unit = x.times_power_of_two(-std::ilogb(x.max_abs()));
+	const Multivector square = unit.geometric_product(unit.reverse());
+	const double weight = square[0];
+	double sum_of_squares = 0.0;
+	for (const double coefficient : unit.coefficients()) {
+		sum_of_squares += coefficient * coefficient;
+	}
+	const double rounding = ROUNDING * sum_of_squares;
+	if (std::abs(weight) <= rounding) {
+		// A motor that carries far has large coefficients that cancel: its minimal form has its weight.
+		const std::optional<Motor<double>> motor = to_motor(unit);
+		if (!motor) {
+			return Failure{ "The element is null (its norm is zero), so no multiple of it has norm 1; points, e_inf, tangents and directions are null: scale them by what they mean, a point to -e_inf . X = 1" };
+		}
+		return unit * (1.0 / std::sqrt(motor->norm_squared()));
+	}
+	const double sign = weight < 0.0 ? -1.0 : 1.0;
+	const bool of_one_parity = unit.is_even(0.0) || unit.is_odd(0.0);
+	if (of_one_parity && square.grade(4).max_abs() > rounding) {
+		if (const std::optional<Multivector> versor = nearest_versor(unit, sign * weight, square.grade(4) * sign)) {
+			return *versor;
+		}
+	}
+	return unit * (1.0 / std::sqrt(std::abs(weight)));
+}
+
+} // namespace cga
