@@ -41,6 +41,15 @@ godot::Transform3D to_godot(const cga::Pose<double> &p_pose) {
 	return transform;
 }
 
+std::string to_utf8(const godot::String &p_text) {
+	const godot::CharString utf8 = p_text.utf8();
+	return std::string(utf8.get_data(), size_t(utf8.length()));
+}
+
+godot::String to_godot(const std::string &p_utf8) {
+	return godot::String::utf8(p_utf8.data(), int64_t(p_utf8.size()));
+}
+
 bool is_finite(const godot::Vector3 &p_vector) {
 	return std::isfinite(p_vector.x) && std::isfinite(p_vector.y) && std::isfinite(p_vector.z);
 }

@@ -4,8 +4,11 @@
 #include "cga/motor/pose.hpp"
 
 #include <godot_cpp/variant/quaternion.hpp>
+#include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/vector3.hpp>
+
+#include <string>
 
 // Between the engine's types and those of src/cga. Poses are double here: the engine's floats go in and come out,
 // nothing is rounded between.
@@ -19,6 +22,10 @@ cga::Quaternion<double> to_glm(const godot::Quaternion &p_quaternion);
 godot::Vector3 to_godot(const cga::Vector3<double> &p_vector);
 godot::Quaternion to_godot(const cga::Quaternion<double> &p_quaternion);
 godot::Transform3D to_godot(const cga::Pose<double> &p_pose);
+
+/// Text in UTF-8, as src/cga reads and writes it.
+std::string to_utf8(const godot::String &p_text);
+godot::String to_godot(const std::string &p_utf8);
 
 bool is_finite(const godot::Vector3 &p_vector);
 bool is_finite(const godot::Quaternion &p_quaternion);

@@ -47,6 +47,8 @@ public:
 	static Handle motor(const godot::Transform3D &p_transform);
 	static Handle motor_from(const godot::Vector3 &p_translation, const godot::Quaternion &p_rotation, double p_scale);
 
+	static Handle from_json(const godot::String &p_text);
+
 	Handle add(const Handle &p_other) const;
 	Handle subtract(const Handle &p_other) const;
 	Handle scaled(double p_factor) const;
@@ -80,6 +82,10 @@ public:
 	godot::Quaternion get_rotation() const;
 	double get_scale() const;
 	godot::Vector3 transform_point(const godot::Vector3 &p_point) const;
+
+	godot::String to_text(bool p_null_basis) const;
+	godot::String to_latex() const;
+	godot::String to_json() const;
 
 protected:
 	static void _bind_methods();

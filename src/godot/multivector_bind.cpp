@@ -27,6 +27,8 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_static_method("Multivector", D_METHOD("motor", "transform"), &Multivector::motor);
 	ClassDB::bind_static_method("Multivector", D_METHOD("motor_from", "translation", "rotation", "scale"), &Multivector::motor_from);
 
+	ClassDB::bind_static_method("Multivector", D_METHOD("from_json", "text"), &Multivector::from_json);
+
 	ClassDB::bind_method(D_METHOD("add", "other"), &Multivector::add);
 	ClassDB::bind_method(D_METHOD("subtract", "other"), &Multivector::subtract);
 	ClassDB::bind_method(D_METHOD("scaled", "factor"), &Multivector::scaled);
@@ -58,6 +60,10 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_rotation"), &Multivector::get_rotation);
 	ClassDB::bind_method(D_METHOD("get_scale"), &Multivector::get_scale);
 	ClassDB::bind_method(D_METHOD("transform_point", "point"), &Multivector::transform_point);
+
+	ClassDB::bind_method(D_METHOD("to_text", "null_basis"), &Multivector::to_text, DEFVAL(false));
+	ClassDB::bind_method(D_METHOD("to_latex"), &Multivector::to_latex);
+	ClassDB::bind_method(D_METHOD("to_json"), &Multivector::to_json);
 }
 
 } // namespace ga_godot
