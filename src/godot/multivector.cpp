@@ -1,6 +1,7 @@
 #include "godot/multivector.hpp"
 
-#include "cga/motor/motor_multivector.hpp"
+#include "cga/algebra/is_blade.hpp"
+#include "cga/versor/is_versor.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
@@ -57,8 +58,16 @@ bool Multivector::is_equal_approx(const Handle &p_other) const {
 	return _value.is_equal_approx(p_other->_value, EQUALITY * size);
 }
 
+bool Multivector::is_blade() const {
+	return cga::is_blade(_value);
+}
+
+bool Multivector::is_versor() const {
+	return cga::is_versor(_value);
+}
+
 bool Multivector::is_motor() const {
-	return cga::to_motor(_value).has_value();
+	return cga::is_motor(_value);
 }
 
 } // namespace ga_godot

@@ -73,8 +73,14 @@ public:
 	double norm_squared() const;
 	Handle normalized() const;
 	Handle inverse() const;
+	Handle exp() const;
+	Handle log() const;
+	Handle sqrt() const;
+	Handle power(double p_exponent) const;
 
 	bool is_equal_approx(const Handle &p_other) const;
+	bool is_blade() const;
+	bool is_versor() const;
 	bool is_motor() const;
 
 	godot::Transform3D to_transform() const;

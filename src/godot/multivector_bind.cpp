@@ -48,13 +48,21 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("dual"), &Multivector::dual);
 	ClassDB::bind_method(D_METHOD("undual"), &Multivector::undual);
 	ClassDB::bind_method(D_METHOD("grade", "k"), &Multivector::grade);
-	ClassDB::bind_method(D_METHOD("inverse"), &Multivector::inverse);
-	ClassDB::bind_method(D_METHOD("normalized"), &Multivector::normalized);
+
 	ClassDB::bind_method(D_METHOD("norm"), &Multivector::norm);
 	ClassDB::bind_method(D_METHOD("norm_squared"), &Multivector::norm_squared);
+	ClassDB::bind_method(D_METHOD("normalized"), &Multivector::normalized);
+	ClassDB::bind_method(D_METHOD("inverse"), &Multivector::inverse);
+	ClassDB::bind_method(D_METHOD("exp"), &Multivector::exp);
+	ClassDB::bind_method(D_METHOD("log"), &Multivector::log);
+	ClassDB::bind_method(D_METHOD("sqrt"), &Multivector::sqrt);
+	ClassDB::bind_method(D_METHOD("power", "exponent"), &Multivector::power);
 
 	ClassDB::bind_method(D_METHOD("is_equal_approx", "other"), &Multivector::is_equal_approx);
+	ClassDB::bind_method(D_METHOD("is_blade"), &Multivector::is_blade);
+	ClassDB::bind_method(D_METHOD("is_versor"), &Multivector::is_versor);
 	ClassDB::bind_method(D_METHOD("is_motor"), &Multivector::is_motor);
+
 	ClassDB::bind_method(D_METHOD("to_transform"), &Multivector::to_transform);
 	ClassDB::bind_method(D_METHOD("get_translation"), &Multivector::get_translation);
 	ClassDB::bind_method(D_METHOD("get_rotation"), &Multivector::get_rotation);

@@ -1,12 +1,17 @@
 #include "godot/multivector.hpp"
 
+#include "cga/algebra/inverse.hpp"
+#include "cga/versor/exponential.hpp"
+#include "cga/versor/logarithm.hpp"
+#include "cga/versor/normalized.hpp"
+#include "cga/versor/power.hpp"
+
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
-#include <optional>
 
-// Functions of one multivector: norms and inverse.
+// Functions of one multivector: norms, inverse, exponential, logarithm and powers.
 
 namespace ga_godot {
 
@@ -22,16 +27,29 @@ double Multivector::norm_squared() const {
 	return norm_squared;
 }
 
-Multivector::Handle Multivector::inverse() const {
-	const std::optional<cga::Multivector> inverse = _value.inverse_of_versor();
-	ERR_FAIL_COND_V_MSG(!inverse, Handle(), "Multivector.inverse: there is none that this version finds; versors and blades that are not null have one.");
-	return make(*inverse);
+Multivector::Handle Multivector::normalized() const {
+	return make(cga::normalized(_value), "normalized");
 }
 
-Multivector::Handle Multivector::normalized() const {
-	const double length = norm();
-	ERR_FAIL_COND_V_MSG(!(length > 0.0), Handle(), "Multivector.normalized: the norm is zero (a null element, like a point), so it cannot become 1.");
-	return make(_value * (1.0 / length));
+Multivector::Handle Multivector::inverse() const {
+	return make(cga::inverse(_value), "inverse");
+}
+
+Multivector::Handle Multivector::exp() const {
+	return make(cga::exp(_value), "exp");
+}
+
+Multivector::Handle Multivector::log() const {
+	return make(cga::log(_value), "log");
+}
+
+Multivector::Handle Multivector::sqrt() const {
+	return make(cga::sqrt(_value), "sqrt");
+}
+
+Multivector::Handle Multivector::power(double p_exponent) const {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_exponent), Handle(), "Multivector.power: the exponent is not finite.");
+	return make(cga::power(_value, p_exponent), "power");
 }
 
 } // namespace ga_godot
