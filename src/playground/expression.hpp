@@ -27,7 +27,7 @@ enum class NodeKind : uint8_t {
 	LEFT_CONTRACTION,
 	RIGHT_CONTRACTION,
 	REGRESSIVE,
-	CALL, // `index` into FUNCTIONS (functions.hpp), `arguments` of them
+	CALL, // `index` into functions() (functions.hpp); its `arguments` begin at argument_offsets()[first_argument]...
 };
 
 // One step of the computation. `offset` and `length` (bytes) are the part of the text that an error names: the
@@ -38,6 +38,7 @@ struct Node {
 	uint16_t index = 0;
 	uint32_t offset = 0;
 	uint32_t length = 0;
+	uint32_t first_argument = 0;
 	double number = 0.0;
 };
 
@@ -59,6 +60,8 @@ public:
 	[[nodiscard]] const std::vector<NameUse> &uses() const { return _uses; }
 	// The values of the constants that it uses.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
+	// Where the arguments of calls begin, in bytes; those of one call follow each other.
+	[[nodiscard]] const std::vector<uint32_t> &argument_offsets() const { return _argument_offsets; }
 	// The values that evaluation holds at once, at most.
 	[[nodiscard]] int stack_size() const { return _stack_size; }
 
@@ -74,6 +77,7 @@ private:
 	std::vector<std::string> _variables;
 	std::vector<NameUse> _uses;
 	std::vector<cga::Multivector> _constants;
+	std::vector<uint32_t> _argument_offsets;
 	int _stack_size = 0;
 };
 

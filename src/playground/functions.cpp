@@ -1,0 +1,168 @@
+#include "playground/functions.hpp"
+
+#include "cga/algebra/null_basis.hpp"
+#include "cga/motor/versor.hpp"
+#include "playground/function_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace playground {
+
+namespace {
+
+using cga::Multivector;
+
+// Coefficients below this fraction of the largest are the rounding of zero.
+constexpr double ROUNDING = 1e-12;
+// A point's square is the difference of squares of its coefficients: below this fraction of them it is zero.
+constexpr double NULL_ROUNDING = 1e-13;
+
+// Whether only the coefficients that `is_kept` names are other than zero within rounding.
+template <class IsKept>
+bool has_only(const Multivector &x, IsKept is_kept) {
+	const double largest = x.max_abs() * ROUNDING;
+	for (int index = 0; index < cga::BLADE_COUNT; ++index) {
+		if (!is_kept(index) && std::abs(x[index]) > largest) {
+			return false;
+		}
+	}
+	return true;
+}
+
+bool is_vector(const Multivector &x) {
+	return has_only(x, [](int index) { return index >= 1 && index <= 3; });
+}
+
+bool is_point(const Multivector &x) {
+	if (!has_only(x, [](int index) { return cga::blade_grade(index) == 1; })) {
+		return false;
+	}
+	const Multivector unit = x * (1.0 / x.max_abs());
+	double sum_of_squares = 0.0;
+	for (const double coefficient : unit.coefficients()) {
+		sum_of_squares += coefficient * coefficient;
+	}
+	return std::abs(unit.scalar_product(unit)) <= NULL_ROUNDING * sum_of_squares && cga::position_of(x).has_value();
+}
+
+// w - z e12 + y e13 - x e23
+cga::Quaternion<double> rotor_quaternion(const Multivector &x) {
+	constexpr int E12 = cga::blade_index("e12");
+	constexpr int E13 = cga::blade_index("e13");
+	constexpr int E23 = cga::blade_index("e23");
+	return { x[0], -x[E23], x[E13], -x[E12] };
+}
+
+bool is_rotor(const Multivector &x) {
+	constexpr unsigned E4_E5 = 0b11000;
+	return x.max_abs() > 0.0 && has_only(x, [](int index) { return cga::blade_grade(index) % 2 == 0 && (cga::BLADE_BITMAPS[size_t(index)] & E4_E5) == 0; });
+}
+
+std::vector<Function> collect(std::initializer_list<FunctionTable> tables) {
+	std::map<std::string_view, Function> by_name;
+	for (const FunctionTable &table : tables) {
+		for (const Overload *overload = table.first; overload != table.first + table.count; ++overload) {
+			Function &function = by_name[overload->name];
+			function.name = overload->name;
+			function.overloads.push_back(overload);
+		}
+	}
+	std::vector<Function> functions;
+	for (auto &entry : by_name) {
+		functions.push_back(std::move(entry.second));
+	}
+	return functions;
+}
+
+} // namespace
+
+cga::Vector3<double> Arguments::vector(size_t index) const {
+	const Multivector &x = _values[index];
+	return { x[1], x[2], x[3] };
+}
+
+cga::Vector3<double> Arguments::location(size_t index) const {
+	return is_vector(_values[index]) ? vector(index) : *cga::position_of(_values[index]);
+}
+
+cga::Quaternion<double> Arguments::rotation(size_t index) const {
+	const Multivector &x = _values[index];
+	return glm::normalize(rotor_quaternion(x * (1.0 / x.max_abs())));
+}
+
+cga::Vector3<double> Arguments::numbers(size_t index) const {
+	return { number(index), number(index + 1), number(index + 2) };
+}
+
+std::string Overload::signature() const {
+	return std::string(name) + "(" + std::string(parameters) + ")";
+}
+
+bool Function::takes(size_t count) const {
+	return std::any_of(overloads.begin(), overloads.end(), [count](const Overload *overload) { return overload->count == count; });
+}
+
+size_t Function::most_arguments() const {
+	return (*std::max_element(overloads.begin(), overloads.end(), [](const Overload *left, const Overload *right) { return left->count < right->count; }))->count;
+}
+
+std::string Function::counts() const {
+	std::string text;
+	const size_t most = most_arguments();
+	for (size_t count = 1; count <= most; ++count) {
+		if (takes(count)) {
+			text += (text.empty() ? "" : (count == most ? " or " : ", ")) + std::to_string(count);
+		}
+	}
+	return text + (most == 1 ? " argument" : " arguments");
+}
+
+const std::vector<Function> &functions() {
+	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions() });
+	return all;
+}
+
+std::optional<size_t> find_function(std::string_view name) {
+	const std::vector<Function> &all = functions();
+	const auto found = std::lower_bound(all.begin(), all.end(), name, [](const Function &function, std::string_view wanted) { return function.name < wanted; });
+	if (found == all.end() || found->name != name) {
+		return std::nullopt;
+	}
+	return size_t(found - all.begin());
+}
+
+bool is_of_kind(const Multivector &value, ArgumentKind kind) {
+	switch (kind) {
+		case ArgumentKind::ANY:
+			return true;
+		case ArgumentKind::NUMBER:
+			return has_only(value, [](int index) { return index == 0; });
+		case ArgumentKind::VECTOR:
+			return is_vector(value);
+		case ArgumentKind::LOCATION:
+			return is_vector(value) || is_point(value);
+		case ArgumentKind::ROTATION:
+			return is_rotor(value);
+	}
+	return false;
+}
+
+std::string_view kind_text(ArgumentKind kind) {
+	switch (kind) {
+		case ArgumentKind::ANY:
+			return "a multivector";
+		case ArgumentKind::NUMBER:
+			return "a number";
+		case ArgumentKind::VECTOR:
+			return "a vector (of e1, e2, e3)";
+		case ArgumentKind::LOCATION:
+			return "a point or a vector (of e1, e2, e3)";
+		case ArgumentKind::ROTATION:
+			return "a rotor about the origin";
+	}
+	return {};
+}
+
+} // namespace playground

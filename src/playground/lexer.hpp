@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+// Splits the text of an expression into numbers, names and operators.
+
+namespace playground {
+
+enum class TokenKind : uint8_t {
+	NUMBER,
+	NAME,
+	PLUS, // +
+	MINUS, // -
+	STAR, // *
+	SLASH, // /
+	WEDGE, // ^
+	BAR, // |
+	SHIFT_LEFT, // <<
+	SHIFT_RIGHT, // >>
+	AMPERSAND, // &
+	TILDE, // ~
+	EXCLAMATION, // !
+	OPEN, // (
+	CLOSE, // )
+	COMMA, // ,
+	END, // of the text
+	INVALID, // Lexer::error() says why
+};
+
+struct Token {
+	TokenKind kind = TokenKind::END;
+	size_t offset = 0; // bytes
+	size_t length = 0;
+	double number = 0.0; // of NUMBER
+};
+
+class Lexer {
+public:
+	explicit Lexer(std::string_view text) :
+			_text(text) {}
+
+	// The next token; END again and again after the last, INVALID again and again after the first that is wrong.
+	[[nodiscard]] Token next();
+	// What is wrong with an INVALID token, at its offset.
+	[[nodiscard]] const std::string &error() const { return _error; }
+
+private:
+	Token read_number();
+	Token read_symbol();
+	size_t digits_from(size_t offset) const;
+	char at(size_t offset) const { return offset < _text.size() ? _text[offset] : '\0'; }
+	Token take(TokenKind kind, size_t length);
+	Token fail(size_t offset, std::string message);
+
+	std::string_view _text;
+	size_t _position = 0;
+	std::string _error;
+};
+
+} // namespace playground
