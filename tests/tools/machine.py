@@ -3,7 +3,7 @@
 Only the programs that are put there exist. apt-get, apt-cache and dpkg are
 small stand-ins that take their behaviour from environment variables:
 
-  FAKE_NETWORK=down      every update fails
+  FAKE_NETWORK=down      every update fails; gone: updates only warn, as apt does, and installing fails
   FAKE_SIGNATURE=bad     every update fails for its signature; expired: for its age
   FAKE_VERSION=4.6.3     what the suites carry
   FAKE_SLOW=SECONDS      a download takes this long
@@ -48,6 +48,9 @@ case " $* " in
         if [ "${FAKE_LISTS:-}" = old ] && [ ! -e "$FAKE_LOG.updated" ]; then exit 100; fi
         if [ "${FAKE_PACKAGE:-}" = absent ]; then echo "E: Unable to locate package" >&2; exit 100; fi
         case " $* " in *" --simulate "*) exit ;; esac
+        if [ "${FAKE_NETWORK:-}" = gone ]; then
+            echo "E: Failed to fetch a.deb  Temporary failure resolving 'packages.invalid'" >&2; exit 100
+        fi
         for package in "$@"; do
             case $package in ca-certificates) touch "$GA_GODOT_CERTIFICATES" ;; esac
             case $package in scons | python3 | g++) ln -sf "$FAKE_PROGRAM" "$FAKE_BIN/$package" ;; esac

@@ -79,6 +79,11 @@ class SetupPackagesTest(unittest.TestCase):
         self.fails(done, "package lists cannot be read", "network")
         self.assertEqual(machine.cached(), [])
 
+    def test_network_that_goes_away(self):
+        machine = self.machine(present=("python3", "g++"))
+        done = machine.run("setup", "build", FAKE_NETWORK="gone")
+        self.fails(done, "could not install scons", "no network; connect and run the same command again")
+
     def test_package_that_no_source_has(self):
         machine = self.machine(present=("python3", "g++"))
         self.fails(machine.run("setup", "build", FAKE_PACKAGE="absent"), "not in this system's sources: scons")

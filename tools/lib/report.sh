@@ -79,14 +79,24 @@ show_step() {
     fi
 }
 
-# fail_step WHAT HOW: the one line for a step that failed. A full disk is named
-# as such whatever the step was; the whole output stays in the cache's log.
+# fail_step WHAT HOW: the one line for a step that failed. A full disk and a
+# missing network are named as such whatever the step was; the whole output stays
+# in the cache's log.
 fail_step() {
     if grep -qi 'no space left on device\|enough free space' "$work/log" 2>/dev/null; then
         fail "$1: the disk is full; free some space and run the same command again"
     fi
+    step_remedy=$2
+    case $step_remedy in
+        *network*) ;;
+        *)
+            if grep -qi 'temporary failure\|could not resolve\|could not connect\|network is unreachable\|no route to host' "$work/log" 2>/dev/null; then
+                step_remedy="no network; connect and run the same command again"
+            fi
+            ;;
+    esac
     if cp "$work/log" "$cache/setup.log" 2>/dev/null; then
-        fail "$1: $2 (details: $cache/setup.log)"
+        step_remedy="$step_remedy (details: $cache/setup.log)"
     fi
-    fail "$1: $2"
+    fail "$1: $step_remedy"
 }
