@@ -135,6 +135,9 @@ private:
 	void fail_expected(const std::string &what) {
 		const std::string found = _token.kind == TokenKind::END ? "the end" : "'" + text_of(_token) + "'";
 		std::string message = "expected " + what + ", found " + found;
+		if (!_wants_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN)) {
+			message += "; write '*' to multiply";
+		}
 		const auto open = std::find_if(_waiting.rbegin(), _waiting.rend(), [](const Waiting &waiting) { return waiting.kind != Waiting::OPERATOR; });
 		if (_token.kind == TokenKind::END && open != _waiting.rend()) {
 			message += "; the '(' at column " + std::to_string(cga::text_error(_expression._text, open->token.offset, {}).column) + " is still open";
@@ -267,7 +270,7 @@ private:
 		Token name = call.token;
 		name.offset = call.node.offset;
 		const std::string given = count > function.most_arguments() ? "more" : (count == 0 ? "none" : std::to_string(count));
-		fail(name, std::string(function.name) + " takes " + function.counts() + ", here are " + given);
+		fail(name, std::string(function.name) + " takes " + function.counts() + ", not " + given);
 	}
 
 	// An operator, the end of an argument, of a bracket or of all.

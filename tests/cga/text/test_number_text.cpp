@@ -1,0 +1,100 @@
+#include "cga/text/number_text.hpp"
+
+#include "../random_poses.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <limits>
+
+using namespace cga;
+
+namespace {
+
+std::string text_of(double value) {
+	std::string text;
+	append_number(text, value);
+	return text;
+}
+
+std::string text_by_stream(double value) {
+	std::string text;
+	detail::append_number_by_stream(text, value);
+	return text;
+}
+
+uint64_t bits_of(double value) {
+	uint64_t bits = 0;
+	std::memcpy(&bits, &value, sizeof(bits));
+	return bits;
+}
+
+double random_bits(std::mt19937_64 &engine) {
+	for (;;) {
+		const uint64_t bits = engine();
+		double value = 0.0;
+		std::memcpy(&value, &bits, sizeof(value));
+		if (std::isfinite(value)) {
+			return value;
+		}
+	}
+}
+
+} // namespace
+
+TEST_CASE("numbers are written as people write them") {
+	CHECK(text_of(0.0) == "0");
+	CHECK(text_of(-0.0) == "-0");
+	CHECK(text_of(0.1) == "0.1");
+	CHECK(text_of(-2.0) == "-2");
+	CHECK(text_of(100000.0) == "100000");
+	CHECK(text_of(123456789012345.0) == "123456789012345");
+	CHECK(text_of(0.0001) == "0.0001");
+	CHECK(text_of(1.5e-7) == "1.5e-07");
+	CHECK(text_of(1e20) == "1e+20");
+	CHECK(text_of(1.0 / 3.0) == "0.3333333333333333");
+	CHECK(text_of(std::numeric_limits<double>::max()) == "1.7976931348623157e+308");
+	CHECK(text_of(std::numeric_limits<double>::denorm_min()) == "5e-324");
+}
+
+TEST_CASE("any double reads back as the same bits") {
+	std::mt19937_64 engine(1);
+	for (int repeat = 0; repeat < 20000; ++repeat) {
+		const double value = random_bits(engine);
+		CHECK(bits_of(read_number(text_of(value)).value()) == bits_of(value));
+	}
+}
+
+TEST_CASE("what older standard libraries use writes and reads the same") {
+	cga_test::Random random(2);
+	std::mt19937_64 engine(3);
+	for (int repeat = 0; repeat < 3000; ++repeat) {
+		const double value = repeat % 2 == 0 ? random_bits(engine) : random.normal() * std::pow(10.0, int(random.uniform(-8.0, 18.0)));
+		const std::string text = text_by_stream(value);
+		CHECK(bits_of(detail::read_number_by_stream(text).value()) == bits_of(value));
+		CHECK(bits_of(read_number(text).value()) == bits_of(value));
+		CHECK(text.size() == text_of(value).size());
+	}
+	for (const double value : { 0.0, 0.1, -2.0, 100000.0, 123456789012345.0, 1.5e-7, 1e20, 0.0001 }) {
+		CHECK(text_by_stream(value) == text_of(value));
+	}
+}
+
+TEST_CASE("too large is no number, too small is zero") {
+	for (const auto read : { read_number, detail::read_number_by_stream }) {
+		CHECK_FALSE(read("1e309").has_value());
+		CHECK_FALSE(read("-1e309").has_value());
+		CHECK_FALSE(read("1e999999999999").has_value());
+		CHECK_FALSE(read("1" + std::string(400, '0')).has_value());
+		CHECK_FALSE(read("0.001e312").has_value());
+		CHECK(read("1.7976931348623157e308") == std::numeric_limits<double>::max());
+		CHECK(read("1e-400") == 0.0);
+		CHECK(read("1e-999999999999") == 0.0);
+		CHECK(read("0." + std::string(400, '0') + "1") == 0.0);
+		CHECK(read("0e999999") == 0.0);
+		CHECK(read("5e-324") == std::numeric_limits<double>::denorm_min());
+	}
+	CHECK(std::signbit(*read_number("-1e-400")));
+	CHECK(read_number("1000000e-400") == 0.0);
+	CHECK_FALSE(read_number(std::string(300, '9') + "e20").has_value());
+}
