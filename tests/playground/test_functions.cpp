@@ -1,0 +1,228 @@
+#include "playground/functions.hpp"
+
+#include "cga/text/text.hpp"
+#include "playground/evaluate.hpp"
+#include "playground/parser.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace playground;
+using cga::Multivector;
+
+namespace {
+
+struct Case {
+	std::string expression;
+	std::string expected; // an expression with the same value
+};
+
+// Known values, by another way than the function that is tested.
+const std::vector<Case> CASES = {
+	{ "sin(pi / 6)", "0.5" },
+	{ "cos(pi)", "-1" },
+	{ "tan(pi / 4)", "1" },
+	{ "asin(1)", "pi / 2" },
+	{ "acos(-1)", "pi" },
+	{ "atan(1)", "pi / 4" },
+	{ "atan2(1, -1)", "3 * pi / 4" },
+	{ "atan2(0, 0)", "0" },
+	{ "sinh(1)", "1.1752011936438014" },
+	{ "cosh(1)", "1.5430806348152437" },
+	{ "tanh(1)", "0.7615941559557649" },
+	{ "exp(1)", "2.718281828459045" },
+	{ "log(exp(3))", "3" },
+	{ "sqrt(2)", "1.4142135623730951" },
+	{ "power(2, 10)", "1024" },
+	{ "power(-2, 3)", "-8" },
+	{ "power(4, -0.5)", "0.5" },
+	{ "abs(-3)", "3" },
+	{ "sign(-3) + 10 * sign(0) + 100 * sign(2)", "99" },
+	{ "floor(-1.5)", "-2" },
+	{ "ceil(-1.5)", "-1" },
+	{ "round(2.5)", "3" },
+	{ "min(2, 1) + min(1, 2, 3) + min(4, 3, 2, 1)", "3" },
+	{ "max(2, 1) + max(1, 2, 3) + max(4, 3, 2, 1)", "9" },
+	{ "clamp(5, 0, 2) + clamp(-5, 0, 2) + clamp(1, 0, 2)", "3" },
+	{ "deg_to_rad(180)", "pi" },
+	{ "deg(90)", "pi / 2" },
+	{ "rad_to_deg(pi)", "180" },
+
+	{ "scalar(3)", "3" },
+	{ "basis_blade(0) + basis_blade(6) + basis_blade(31)", "1 + e12 + e12345" },
+	{ "vector(1, 2, 3)", "e1 + 2 e2 + 3 e3" },
+	{ "add(e1, 2)", "2 + e1" },
+	{ "subtract(e1, 2)", "e1 - 2" },
+	{ "scaled(e1 + e23, 3)", "3 e1 + 3 e23" },
+	{ "geometric_product(e1, e1 + e2)", "1 + e12" },
+	{ "outer_product(e1, e1 + e2)", "e12" },
+	{ "inner_product(e1, e1 + e2)", "1" },
+	{ "inner_product(2, e12)", "2 e12" },
+	{ "left_contraction(e1, e12)", "e2" },
+	{ "right_contraction(e12, e2)", "e1" },
+	{ "left_contraction(e12, e1)", "0" },
+	{ "regressive_product(e1234, e2345)", "undual(dual(e1234) ^ dual(e2345))" },
+	{ "commutator_product(e12, e23)", "(e12 * e23 - e23 * e12) / 2" },
+	{ "scalar_product(e12, e12)", "-1" },
+	{ "reverse(1 + e1 + e12 + e123 + e1234 + I)", "1 + e1 - e12 - e123 + e1234 + I" },
+	{ "grade_involution(1 + e1 + e12 + e123 + e1234 + I)", "1 - e1 + e12 - e123 + e1234 - I" },
+	{ "clifford_conjugate(1 + e1 + e12 + e123 + e1234 + I)", "1 - e1 - e12 + e123 + e1234 - I" },
+	{ "dual(e1)", "e1 * -I" },
+	{ "undual(e1)", "e1 * I" },
+	{ "grade(1 + e1 + 3 e12, 2)", "3 e12" },
+	{ "inverse(2 e5)", "-0.5 e5" },
+	{ "inverse(2 + e1)", "(2 - e1) / 3" },
+	{ "norm(3 e1 + 4 e2)", "5" },
+	{ "norm_squared(e5)", "-1" },
+	{ "normalized(3 e1 + 4 e2)", "0.6 e1 + 0.8 e2" },
+	{ "normalize(3 e12)", "e12" },
+	{ "is_equal_approx(1, 1 + 1e-10) + 10 * is_equal_approx(1, 1.1)", "1" },
+	{ "is_blade(e12 + e13) + 10 * is_blade(e12 + e34)", "1" },
+	{ "is_versor(e1 * (e2 + e3)) + 10 * is_versor(1 + e1)", "1" },
+	{ "is_motor(translator(e1)) + 10 * is_motor(e1)", "1" },
+
+	{ "translator(e1 + 2 e2)", "1 - 0.5 * (e1 + 2 e2) * einf" },
+	{ "translator(1, 2, 3)", "translator(vector(1, 2, 3))" },
+	{ "rotor(2 e3, deg(90))", "cos(pi / 4) - sin(pi / 4) * e12" },
+	{ "sandwich(rotor(e3, deg(90)), e1)", "e2" },
+	{ "rotor(0, 0, 2, 2)", "rotor(e3, deg(90))" },
+	{ "rotor(1, 0, 0, 0)", "rotor(e1, pi)" },
+	{ "dilator(2)", "cosh(log(2) / 2) - sinh(log(2) / 2) * E" },
+	{ "motor(e1, rotor(e3, 1))", "translator(e1) * rotor(e3, 1)" },
+	{ "motor(e1, -3 rotor(e3, 1), 2)", "-translator(e1) * rotor(e3, 1) * dilator(2)" },
+	{ "motor_from(vector(1, 2, 3), 1, 2)", "translator(1, 2, 3) * dilator(2)" },
+	{ "exp(-0.5 * pi / 2 * e12)", "rotor(e3, deg(90))" },
+	{ "exp(-0.5 * e1 * einf)", "translator(e1)" },
+	{ "log(rotor(e3, 1))", "-0.5 e12" },
+	{ "log(translator(1, 2, 3))", "-0.5 * vector(1, 2, 3) * einf" },
+	{ "sqrt(rotor(e1, 1))", "rotor(e1, 0.5)" },
+	{ "power(translator(1, 2, 3), 2)", "translator(2, 4, 6)" },
+	{ "sandwich(translator(1, 2, 3), eo)", "vector(1, 2, 3) + 7 einf + eo" },
+	{ "sandwich(e1, e1 + e2)", "-e1 + e2" },
+	{ "transform_point(motor(e1, rotor(e3, deg(90)), 2), e1)", "e1 + 2 e2" },
+	{ "transform_point(translator(e1), eo)", "e1" },
+	{ "get_translation(5 motor(e1 + e2, rotor(e3, 1), 2))", "e1 + e2" },
+	{ "get_rotation(motor(e1, rotor(e3, 1), 2))", "rotor(e3, 1)" },
+	{ "get_scale(-3 motor(e1, rotor(e3, 1), 2))", "2" },
+};
+
+// Arguments of the right kind that a function refuses.
+const std::vector<std::pair<std::string, std::string>> REFUSED = {
+	{ "asin(1.1)", "asin: the number must lie between -1 and 1" },
+	{ "acos(-2)", "acos: the number must lie between -1 and 1" },
+	{ "sqrt(-1)", "sqrt: a negative number has no square root" },
+	{ "log(0)", "log: only numbers above 0 have a logarithm" },
+	{ "log(-1)", "log: only numbers above 0 have a logarithm" },
+	{ "power(0, -1)", "power: zero has no negative powers" },
+	{ "power(-2, 0.5)", "power: a negative number has whole powers only" },
+	{ "clamp(1, 2, 0)", "clamp: the minimum is above the maximum; exchange them" },
+	{ "basis_blade(32)", "basis_blade: the index of a basis blade is a whole number from 0 to 31" },
+	{ "grade(1, 6)", "grade: a grade is a whole number from 0 to 5" },
+	{ "grade(1, -1)", "grade: a grade is a whole number from 0 to 5" },
+	{ "rotor(0, 1)", "rotor: the axis has length zero; give a direction" },
+	{ "rotor(0, 0, 0, 0)", "rotor: a quaternion of length zero is no rotation" },
+	{ "dilator(0)", "dilator: the scale must be above 0" },
+	{ "motor(e1, 1, -2)", "motor: the scale must be above 0" },
+	{ "sandwich(1 + e1, e2)", "sandwich: expected a versor: a product of vectors that has an inverse" },
+	{ "sandwich(einf, e2)", "sandwich: expected a versor: a product of vectors that has an inverse" },
+	{ "get_scale(e1)", "get_scale: expected a motor: a product of translators, rotors and dilators" },
+	{ "transform_point(0, e1)", "transform_point: expected a motor: a product of translators, rotors and dilators" },
+};
+
+// The names that stand before a bracket.
+std::set<std::string> called_names(const std::string &expression) {
+	const cga::TextResult<Expression> parsed = parse(expression);
+	REQUIRE_MESSAGE(parsed.has_value(), expression);
+	std::set<std::string> names;
+	for (const Node &node : parsed->nodes()) {
+		if (node.kind == NodeKind::CALL) {
+			names.insert(std::string(functions()[node.index].name) + "/" + std::to_string(node.arguments));
+		}
+	}
+	return names;
+}
+
+} // namespace
+
+TEST_CASE("each function gives what it says") {
+	for (const Case &each : CASES) {
+		CAPTURE(each.expression);
+		const cga::TextResult<Multivector> value = evaluate(each.expression);
+		REQUIRE_MESSAGE(value.has_value(), value.error().describe());
+		const Multivector expected = *evaluate(each.expected);
+		CHECK_MESSAGE(value->is_equal_approx(expected, 1e-14 * std::max(1.0, expected.max_abs())), cga::to_text(*value), " is not ", cga::to_text(expected));
+	}
+}
+
+TEST_CASE("a function says why it has no result") {
+	for (const auto &[expression, reason] : REFUSED) {
+		CAPTURE(expression);
+		const cga::TextResult<Multivector> value = evaluate(expression);
+		REQUIRE_FALSE(value.has_value());
+		CHECK(value.error().message == reason);
+		CHECK(value.error().column == 1);
+	}
+}
+
+TEST_CASE("every function is tested above, with every number of arguments") {
+	std::set<std::string> tested;
+	for (const Case &each : CASES) {
+		const std::set<std::string> names = called_names(each.expression);
+		tested.insert(names.begin(), names.end());
+	}
+	size_t overloads = 0;
+	for (const Function &function : functions()) {
+		for (const Overload *overload : function.overloads) {
+			const std::string name = std::string(function.name) + "/" + std::to_string(overload->count);
+			CHECK_MESSAGE(tested.count(name) == 1, name);
+			++overloads;
+		}
+	}
+	CHECK(overloads > 70);
+}
+
+TEST_CASE("the table is in order and each entry complete") {
+	std::string_view before;
+	for (const Function &function : functions()) {
+		CHECK(before < function.name);
+		before = function.name;
+		CHECK(find_function(function.name).has_value());
+		for (const Overload *overload : function.overloads) {
+			CAPTURE(overload->signature());
+			CHECK(overload->name == function.name);
+			CHECK(overload->count >= 1);
+			CHECK(overload->count <= MAX_ARGUMENTS);
+			const size_t commas = size_t(std::count(overload->parameters.begin(), overload->parameters.end(), ','));
+			CHECK(commas + 1 == overload->count);
+			CHECK_FALSE(overload->meaning.empty());
+		}
+	}
+	CHECK_FALSE(find_function("").has_value());
+	CHECK_FALSE(find_function("zzz").has_value());
+}
+
+TEST_CASE("kinds of arguments, with rounding") {
+	const auto is = [](std::string_view text, ArgumentKind kind) { return is_of_kind(*evaluate(text), kind); };
+	CHECK(is("3", ArgumentKind::NUMBER));
+	CHECK(is("3 + 1e-13 * e12", ArgumentKind::NUMBER));
+	CHECK_FALSE(is("3 + 1e-9 * e12", ArgumentKind::NUMBER));
+	CHECK_FALSE(is("e1", ArgumentKind::NUMBER));
+	CHECK(is("0", ArgumentKind::NUMBER));
+	CHECK(is("0", ArgumentKind::VECTOR));
+	CHECK(is("e1 - 2 e3", ArgumentKind::VECTOR));
+	CHECK_FALSE(is("e1 + e4", ArgumentKind::VECTOR));
+	CHECK(is("e1", ArgumentKind::LOCATION));
+	CHECK(is("eo", ArgumentKind::LOCATION));
+	CHECK(is("-3 * (1000 e1 + eo + 500000 einf)", ArgumentKind::LOCATION));
+	CHECK_FALSE(is("einf", ArgumentKind::LOCATION));
+	CHECK_FALSE(is("e1 + einf", ArgumentKind::LOCATION));
+	CHECK_FALSE(is("eo - 0.5 einf", ArgumentKind::LOCATION)); // a dual sphere
+	CHECK_FALSE(is("1 + eo", ArgumentKind::LOCATION));
+	CHECK(is("2 rotor(e1, 3)", ArgumentKind::ROTATION));
+	CHECK(is("1", ArgumentKind::ROTATION));
+	CHECK_FALSE(is("0", ArgumentKind::ROTATION));
+	CHECK_FALSE(is("1 + e45", ArgumentKind::ROTATION));
+	CHECK_FALSE(is("1 + e1", ArgumentKind::ROTATION));
+}
