@@ -26,20 +26,20 @@ def check(library, report, seed):
         bound = BOUNDS[kind]
         logs = grid(np.random.default_rng([seed, 30])).astype(kind)
         images = [exponential(log) for log in logs]
-        errors = [pose_error(pose, *exact) for pose, exact in zip(library.exp(logs, kind), images)]
+        errors = [pose_error(pose, *exact) for pose, exact in zip(library.exp_of_log(logs, kind), images)]
         report.check(f"mpmath, {name}", "exp of poses", errors, bound)
 
         # What the log is asked about is the rounded pose, so its exact log is the answer.
         poses = np.array([rounded_pose(log) for log in logs]).astype(kind)
         exact_logs = [logarithm(pose) for pose in poses]
-        ours = library.log(poses, kind)
+        ours = library.log_of_pose(poses, kind)
         for part, numbers in (("rotation", slice(0, 3)), ("translation", slice(3, 6)), ("scale", slice(6, 7))):
             errors = [relative(log[numbers], exact[numbers]) for log, exact in zip(ours, exact_logs)]
             report.check(f"mpmath, {name}", f"log of poses, {part}", errors, bound)
 
         for exponent in EXPONENTS:
             alpha = kind(exponent)
-            ours = library.power(poses, np.full(len(poses), alpha), kind)
+            ours = library.power_of_pose(poses, np.full(len(poses), alpha), kind)
             images = [exponential([mpf(float(alpha)) * number for number in exact]) for exact in exact_logs]
             # Where a power all but undoes the translation, as the square of half a turn does, its size is the pose's.
             sizes = np.linalg.norm(poses[:, :3], axis=1)

@@ -1,45 +1,43 @@
-"""The C++ algebra, by its C interface (cga_oracle.cpp), on numpy arrays."""
+"""The C++ algebra, by its C interface (*_oracle.cpp), on numpy arrays."""
 
 import ctypes
 
 import numpy as np
 
 BLADES = 32
-PRODUCTS = ["geometric", "outer", "inner", "left contraction", "right contraction", "scalar"]
-OPERATIONS = ["reverse", "grade involution", "clifford conjugate", "dual", "undual", "norm squared", "inverse"]
 MODES = ["LINEAR", "SCREW", "SEPARATE"]
 
 POSE_NUMBERS = 8  # t1 t2 t3 qw qx qy qz s
 LOG_NUMBERS = 7  # w1 w2 w3 v1 v2 v3 sigma
 ROW_NUMBERS = 12  # a 3 x 4 matrix, row by row
+TEXT_SIZE = 8192
 
 
 class Library:
-    """Every function takes and returns arrays with one element a row."""
+    """Every function takes and returns arrays with one element a row; NaN where there is no result."""
 
     def __init__(self, path):
         self._library = ctypes.CDLL(path)
 
-    def _call(self, name, width, kind, *inputs, choice=None):
-        """Calls oracle_NAME and returns its result: `width` numbers for each row of the inputs."""
-        arrays = [np.ascontiguousarray(array, kind) for array in inputs]
-        count = len(arrays[0])
-        result = np.full((count, width), np.nan, kind)
-        pointers = [array.ctypes.data_as(ctypes.c_void_p) for array in [*arrays, result]]
-        first = [] if choice is None else [ctypes.c_int(choice)]
-        function = getattr(self._library, name)
-        function.restype = None
-        function(*first, *pointers, ctypes.c_size_t(count))
-        return result
+    def unary(self, name, operands):
+        """A function of one multivector, of UNARY in elements_oracle.cpp."""
+        return self.unary_with_reasons(name, operands)[0]
 
-    def product(self, name, left, right):
-        return self._call("oracle_product", BLADES, np.float64, left, right, choice=PRODUCTS.index(name))
+    def unary_with_reasons(self, name, operands):
+        """The results, and for each of them None or why there is none."""
+        return self._elements("oracle_unary", name, operands)
 
-    def operation(self, name, operands):
-        return self._call("oracle_operation", BLADES, np.float64, operands, choice=OPERATIONS.index(name))
+    def binary(self, name, left, right):
+        """A function of two multivectors, of BINARY in elements_oracle.cpp."""
+        return self.binary_with_reasons(name, left, right)[0]
 
-    def sandwich(self, versors, operands):
-        return self._call("oracle_sandwich", BLADES, np.float64, versors, operands)
+    def binary_with_reasons(self, name, left, right):
+        return self._elements("oracle_binary", name, left, right)
+
+    def power(self, versors, exponents):
+        numbers = np.zeros((len(versors), BLADES))
+        numbers[:, 0] = exponents
+        return self.binary("power", versors, numbers)
 
     def motor(self, poses):
         return self._call("oracle_motor", BLADES, np.float64, poses)
@@ -47,13 +45,13 @@ class Library:
     def extract(self, motors):
         return self._call("oracle_extract", POSE_NUMBERS, np.float64, motors)
 
-    def exp(self, logs, kind):
+    def exp_of_log(self, logs, kind):
         return self._call("oracle_exp_" + suffix(kind), POSE_NUMBERS, kind, logs)
 
-    def log(self, poses, kind):
+    def log_of_pose(self, poses, kind):
         return self._call("oracle_log_" + suffix(kind), LOG_NUMBERS, kind, poses)
 
-    def power(self, poses, exponents, kind):
+    def power_of_pose(self, poses, exponents, kind):
         return self._call("oracle_power_" + suffix(kind), POSE_NUMBERS, kind, poses, exponents)
 
     def interpolate(self, mode, begin, end, weights, kind):
@@ -63,6 +61,67 @@ class Library:
     def interpolate_blocks(self, mode, begin, end, weights):
         name = "oracle_interpolate_blocks"
         return self._call(name, ROW_NUMBERS, np.float32, begin, end, weights, choice=MODES.index(mode))
+
+    def to_json(self, element):
+        return self._written("oracle_to_json", element)
+
+    def to_text(self, element, null_basis):
+        return self._written("oracle_to_text", element, ctypes.c_bool(null_basis))
+
+    def to_latex(self, element, null_basis):
+        return self._written("oracle_to_latex", element, ctypes.c_bool(null_basis))
+
+    def from_json(self, text):
+        """(32 numbers, None) or (None, what is wrong)."""
+        return self._read("oracle_from_json", text)
+
+    def evaluate(self, text):
+        """The same for an expression without variables."""
+        return self._read("oracle_evaluate", text)
+
+    def _written(self, name, element, *choices):
+        numbers = np.ascontiguousarray(element, np.float64)
+        buffer = ctypes.create_string_buffer(TEXT_SIZE)
+        function = getattr(self._library, name)
+        function.restype = None
+        function(pointer(numbers), *choices, buffer, ctypes.c_size_t(TEXT_SIZE))
+        return buffer.value.decode()
+
+    def _read(self, name, text):
+        data = text.encode() if isinstance(text, str) else text
+        numbers, error = np.empty(BLADES), ctypes.create_string_buffer(TEXT_SIZE)
+        function = getattr(self._library, name)
+        function.restype = ctypes.c_bool
+        if function(data, ctypes.c_size_t(len(data)), pointer(numbers), error, ctypes.c_size_t(TEXT_SIZE)):
+            return numbers, None
+        return None, error.value.decode(errors="replace")
+
+    def _call(self, name, width, kind, *inputs, choice=None):
+        """Calls a function and returns its result: `width` numbers for each row of the inputs."""
+        arrays = [np.ascontiguousarray(array, kind) for array in inputs]
+        count = len(arrays[0])
+        result = np.full((count, width), np.nan, kind)
+        first = [] if choice is None else [ctypes.c_int(choice)]
+        function = getattr(self._library, name)
+        function.restype = None
+        function(*first, *map(pointer, [*arrays, result]), ctypes.c_size_t(count))
+        return result
+
+    def _elements(self, function_name, name, *inputs, width=BLADES):
+        """Calls a function of a table of names."""
+        arrays = [np.ascontiguousarray(array, np.float64) for array in inputs]
+        count = len(arrays[0])
+        result = np.full((count, width), np.nan)
+        reasons = (ctypes.c_char_p * count)()
+        function = getattr(self._library, function_name)
+        function.restype = ctypes.c_bool
+        if not function(name.encode(), *map(pointer, [*arrays, result]), reasons, ctypes.c_size_t(count)):
+            raise KeyError(f"{function_name} knows no '{name}'")
+        return result, [reason.decode() if reason is not None else None for reason in reasons]
+
+
+def pointer(array):
+    return array.ctypes.data_as(ctypes.c_void_p)
 
 
 def suffix(kind):

@@ -24,16 +24,16 @@ def check(library, report, seed):
     sizes = np.linalg.norm(left, axis=1) * np.linalg.norm(right, axis=1)
     for name, function in PRODUCTS.items():
         exact = np.array([function(a, b) for a, b in zip(every_left, every_right)])
-        ours = library.product(name, every_left, every_right)
-        report.check("clifford", f"{name} product of basis blades", np.abs(ours - exact).max(axis=1), 0.0)
+        ours = library.binary(name, every_left, every_right)
+        report.check("clifford", f"{name} of basis blades", np.abs(ours - exact).max(axis=1), 0.0)
         exact = np.array([function(a, b) for a, b in zip(left, right)])
-        errors = relative(library.product(name, left, right), exact, sizes)
-        report.check("clifford", f"{name} product of random elements", errors, BOUND)
+        errors = relative(library.binary(name, left, right), exact, sizes)
+        report.check("clifford", f"{name} of random elements", errors, BOUND)
     for name, function in OPERATIONS.items():
         operands = np.concatenate([basis, left])
         exact = np.array([function(element(x)).value for x in operands])
-        errors = relative(library.operation(name, operands), exact, np.linalg.norm(operands, axis=1))
-        report.check("clifford", f"{name}", errors, BOUND)
+        errors = relative(library.unary(name, operands), exact, np.linalg.norm(operands, axis=1))
+        report.check("clifford", name, errors, BOUND)
     check_versors(library, report, random)
     check_motors(library, report, random)
 
@@ -54,9 +54,9 @@ def check_versors(library, report, random):
         operands.append(operand.value)
         inverses.append(inverse.value)
         images.append((versor * (operand.gradeInvol() if factors % 2 else operand) * inverse).value)
-    errors = relative(library.operation("inverse", versors), np.array(inverses))
+    errors = relative(library.unary("inverse", versors), np.array(inverses))
     report.check("clifford", "inverse of versors", errors, BOUND)
-    errors = relative(library.sandwich(versors, operands), np.array(images))
+    errors = relative(library.binary("sandwich", versors, operands), np.array(images))
     report.check("clifford", "sandwich with even and odd versors", errors, BOUND)
 
 
@@ -100,13 +100,21 @@ def right_contraction(left, right):
     return (~((~element(right)).lc(~element(left)))).value
 
 
+def regressive(left, right):
+    """undual(dual(A) ^ dual(B)) with clifford's products."""
+    dual = LAYOUT.pseudoScalar.inv()
+    return (((element(left) * dual) ^ (element(right) * dual)) * LAYOUT.pseudoScalar).value
+
+
 PRODUCTS = {
-    "geometric": LAYOUT.gmt_func,
-    "outer": LAYOUT.omt_func,
-    "inner": fat_dot,
+    "geometric product": LAYOUT.gmt_func,
+    "outer product": LAYOUT.omt_func,
+    "inner product": fat_dot,
     "left contraction": lambda left, right: element(left).lc(element(right)).value,
     "right contraction": right_contraction,
-    "scalar": lambda left, right: LAYOUT.gmt_func(left, right)[0] * SCALAR,
+    "scalar product": lambda left, right: LAYOUT.gmt_func(left, right)[0] * SCALAR,
+    "regressive product": regressive,
+    "commutator product": lambda left, right: element(left).commutator(element(right)).value,
 }
 
 OPERATIONS = {
@@ -116,4 +124,5 @@ OPERATIONS = {
     "dual": lambda x: x * LAYOUT.pseudoScalar.inv(),
     "undual": lambda x: x * LAYOUT.pseudoScalar,
     "norm squared": lambda x: element((x * ~x).value[0] * SCALAR),
+    "norm": lambda x: element(np.sqrt(abs((x * ~x).value[0])) * SCALAR),
 }

@@ -15,7 +15,7 @@ sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
 # Longest first: they run side by side.
-LIBRARY_CHECKS = ("exponentials", "products", "interpolation")
+LIBRARY_CHECKS = ("versors", "exponentials", "texts", "products", "screws", "interpolation")
 DEFAULT_SEED = 1
 ENGINE = "engine"
 

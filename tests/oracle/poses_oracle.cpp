@@ -1,32 +1,21 @@
-// The algebra behind a C interface, for the oracles in Python. Arrays hold `count` elements one after the other:
-// a multivector is 32 doubles, a pose t1 t2 t3 qw qx qy qz s, a logarithm w1 w2 w3 v1 v2 v3 sigma.
+// Poses and their interpolation behind a C interface: a pose is t1 t2 t3 qw qx qy qz s, a logarithm
+// w1 w2 w3 v1 v2 v3 sigma.
 
+#include "elements.hpp"
+
+#include "cga/batch/pose_block.hpp"
 #include "cga/motor/interpolate.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/algebra/multivector.hpp"
-#include "cga/batch/pose_block.hpp"
 
-#include <algorithm>
 #include <vector>
 
 using namespace cga;
+using namespace oracle;
 
 namespace {
 
 constexpr size_t POSE_NUMBERS = 8;
 constexpr size_t LOG_NUMBERS = 7;
-
-Multivector load_multivector(const double *numbers) {
-	Multivector result;
-	for (int index = 0; index < BLADE_COUNT; ++index) {
-		result[index] = numbers[index];
-	}
-	return result;
-}
-
-void store_multivector(const Multivector &multivector, double *numbers) {
-	std::copy(multivector.coefficients().begin(), multivector.coefficients().end(), numbers);
-}
 
 template <class T>
 Pose<T> load_pose(const T *n) {
@@ -73,35 +62,6 @@ void interpolate_all(int mode, const T *from, const T *to, const T *weights, T *
 }
 
 } // namespace
-
-#define ORACLE extern "C" __attribute__((visibility("default")))
-
-// `product` in the order of PRODUCTS in library.py.
-ORACLE void oracle_product(int product, const double *left, const double *right, double *result, size_t count) {
-	for (size_t i = 0; i < count; ++i) {
-		const Multivector a = load_multivector(left + i * BLADE_COUNT);
-		const Multivector b = load_multivector(right + i * BLADE_COUNT);
-		const Multivector products[] = { a.geometric_product(b), a.outer_product(b), a.inner_product(b), a.left_contraction(b), a.right_contraction(b), Multivector::scalar(a.scalar_product(b)) };
-		store_multivector(products[product], result + i * BLADE_COUNT);
-	}
-}
-
-// `operation` in the order of OPERATIONS in library.py.
-ORACLE void oracle_operation(int operation, const double *operands, double *result, size_t count) {
-	for (size_t i = 0; i < count; ++i) {
-		const Multivector x = load_multivector(operands + i * BLADE_COUNT);
-		const Multivector results[] = { x.reverse(), x.grade_involution(), x.clifford_conjugate(), x.dual(), x.undual(), Multivector::scalar(x.norm_squared()), x.inverse_of_versor().value_or(Multivector()) };
-		store_multivector(results[operation], result + i * BLADE_COUNT);
-	}
-}
-
-ORACLE void oracle_sandwich(const double *versors, const double *operands, double *result, size_t count) {
-	for (size_t i = 0; i < count; ++i) {
-		const Multivector versor = load_multivector(versors + i * BLADE_COUNT);
-		const Multivector x = load_multivector(operands + i * BLADE_COUNT);
-		store_multivector(versor.sandwich(x).value_or(Multivector()), result + i * BLADE_COUNT);
-	}
-}
 
 ORACLE void oracle_motor(const double *poses, double *result, size_t count) {
 	for (size_t i = 0; i < count; ++i) {
