@@ -13,7 +13,12 @@ namespace cga {
 
 namespace {
 
-constexpr double HALF_PI = 1.57079632679489661923;
+constexpr int E1 = blade_index("e1");
+constexpr int E2 = blade_index("e2");
+constexpr int E3 = blade_index("e3");
+constexpr int E4 = blade_index("e4");
+constexpr int E5 = blade_index("e5");
+
 constexpr double LN_2 = 0.693147180559945309417;
 
 // A weight this near to 1 is 1, rounded.
@@ -28,44 +33,63 @@ double log_of_weight(double weight, int exponent) {
 	return std::abs(whole - 1.0) <= WEIGHT_ROUNDING ? 0.0 : std::log(weight) + exponent * LN_2;
 }
 
-// The part of e_k across the vector m, m^2 = -1.
-Multivector across(int k, const Multivector &m) {
-	const Multivector vector = Multivector::basis_blade(k);
-	return vector + m * vector.scalar_product(m);
+// Three planes of the space of J (of grade 4, J^2 = 1), across each other two by two.
+//
+// J's space is what is across the vector J I^-1 = (x, y, z, w, e5's part). The vectors (-y, x, -w, z), (-z, w, x, -y) and
+// (-w, -z, y, x) are across it, across each other, and free of e5: no coefficient is above 1.
+std::array<Multivector, 3> planes_of(const Multivector &j) {
+	const Multivector normal = j.dual();
+	const bool along_e5 = normal == normal[E5] * Multivector::basis_blade(E5);
+	const double x = along_e5 ? 1.0 : normal[E1]; // any do then
+	const double y = normal[E2];
+	const double z = normal[E3];
+	const double w = normal[E4];
+	const double squared = x * x + y * y + z * z + w * w;
+	Multivector first;
+	first[E1] = -y, first[E2] = x, first[E3] = -w, first[E4] = z;
+	Multivector second;
+	second[E1] = -z, second[E2] = w, second[E3] = x, second[E4] = -y;
+	Multivector third;
+	third[E1] = -w, third[E2] = -z, third[E3] = y, third[E4] = x;
+	return { first.outer_product(second) * (1.0 / squared), first.outer_product(third) * (1.0 / squared), second.outer_product(third) * (1.0 / squared) };
 }
 
-// Of J of grade 4, J^2 = 1, the product of the half turns in any two planes b1, b2 with b1 b2 = J: (pi/2) (b1 + b2),
-// with the plane that J's space and e12 have about in common. All of it is across the vector J I^-1.
-Multivector log_of_double_half_turn(const Multivector &j) {
-	const Multivector m = j.dual();
-	Multivector plane = across(blade_index("e1"), m).outer_product(across(blade_index("e2"), m));
-	plane *= 1.0 / plane.norm();
-	return (plane - plane.geometric_product(j).grade(2)) * HALF_PI;
+// Of M = J + a little, J = M_4 / |M_4|, where h(M_0 + M_4) is near its pole. M_2 falls apart into its halves
+// K = M_2 (1 +- J) / 2, and with cos(v), cos(u) = M_0 +- |M_4| the logarithm into v K_v / sin(v) + u K_u / sin(u).
+//
+// sin(u) is small, so that K_u is made anew of the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
+// sin(u) = |c|. Rounding in c then turns the planes of rotation, which matters little, but leaves them planes. With
+// c = 0 all planes are as good.
+Multivector log_near_double_half_turn(double number, const Multivector &bivector, const Multivector &four, double length) {
+	const Multivector j = four * (1.0 / length);
+	const Multivector turned = bivector.geometric_product(j).grade(2);
+	const Multivector half_v = (bivector + turned) * 0.5;
+	const Multivector half_u = (bivector - turned) * 0.5;
+	const std::array<Multivector, 3> planes = planes_of(j);
+	Multivector plane;
+	double sine_squared = 0.0;
+	for (const Multivector &f : planes) {
+		const double c = -2.0 * half_u.scalar_product(f);
+		plane += f * c;
+		sine_squared += c * c;
+	}
+	const double sine = std::sqrt(sine_squared);
+	plane = sine > 0.0 ? plane * (1.0 / sine) : planes[0];
+	const Multivector direction = (plane - plane.geometric_product(j).grade(2)) * 0.5;
+	return half_v * arccosine_ratio(number + length) + direction * std::atan2(sine, number - length);
 }
 
 // log(M) = M_2 h(M_0 + M_4) of unit weight and M_0 >= 0.
-//
-// h is infinite at -1, which M_0 + M_4 is near if M is near a double half turn J = M_4 / |M_4|. M_2 falls apart into
-// its halves M_2 (1 +- J) / 2, of the squares -sin(v)^2 and -sin(u)^2 where cos(v), cos(u) = M_0 +- |M_4|; near u = pi
-// sin(u) is taken from the half itself.
 Multivector log_of_unit_versor(const Multivector &versor) {
 	const double number = versor[0];
 	const Multivector bivector = versor.grade(2);
 	const Multivector four = versor.grade(4);
 	const double four_squared = four.scalar_product(four);
 	const double length = std::sqrt(std::max(0.0, four_squared));
-	if (number - length > -0.5) {
-		return arccosine_ratio(number, four_squared).times(bivector, four).grade(2);
+	if (number - length < -0.5) {
+		return log_near_double_half_turn(number, bivector, four, length);
 	}
-	const Multivector j = four * (1.0 / length);
-	const Multivector turned = bivector.geometric_product(j).grade(2);
-	const Multivector half_v = (bivector + turned) * 0.5;
-	const Multivector half_u = (bivector - turned) * 0.5;
-	const double sine = std::sqrt(std::max(0.0, -2.0 * half_u.scalar_product(half_u)));
-	if (sine <= 16.0 * WEIGHT_ROUNDING * versor.max_abs()) {
-		return log_of_double_half_turn(j);
-	}
-	return half_v * arccosine_ratio(number + length) + half_u * (std::atan2(sine, number - length) / sine);
+	return arccosine_ratio(number, four_squared).times(bivector, four).grade(2);
 }
 
 } // namespace
@@ -83,7 +107,7 @@ Result<Multivector> log(const Multivector &versor) {
 	const bool versor_of_some_kind = is_versor(scaled);
 	std::optional<WeightedMotorLog> motor = motor_log(scaled, MOTOR_ROUNDING);
 	if (!motor && !versor_of_some_kind) {
-		return Failure{ "The element is no versor (a product of vectors that are not null), so it has no logarithm here; normalized() makes a versor of a noisy one" };
+		return Failure{ "The element is no versor (a product of vectors that are not null), or its weight is lost in the rounding of its coefficients, so it has no logarithm; normalized() makes a versor of a noisy one" };
 	}
 	if (!motor && scaled.is_odd()) {
 		return Failure{ "An odd versor (a reflection, an inversion) has no logarithm: no continuous motion reaches it" };

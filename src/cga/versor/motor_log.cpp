@@ -2,6 +2,7 @@
 
 #include "cga/motor/versor.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cga {
@@ -15,6 +16,21 @@ constexpr int E45 = blade_index("e45");
 constexpr int E1245 = blade_index("e1245");
 constexpr int E1345 = blade_index("e1345");
 constexpr int E2345 = blade_index("e2345");
+
+// The coefficients of a motor that are equal in pairs.
+constexpr int WITH_E4[4] = { blade_index("e14"), blade_index("e24"), blade_index("e34"), blade_index("e1234") };
+constexpr int WITH_E5[4] = { blade_index("e15"), blade_index("e25"), blade_index("e35"), blade_index("e1235") };
+
+// Whether they are, relative to themselves: beside 1, a small transversion is not the rounding of a motor.
+bool is_equal_in_pairs(const Multivector &x, double tolerance) {
+	double largest = 0.0;
+	double residue = 0.0;
+	for (size_t i = 0; i < 4; ++i) {
+		largest = std::max(largest, std::abs(x[WITH_E4[i]]));
+		residue = std::max(residue, std::abs(x[WITH_E4[i]] - x[WITH_E5[i]]));
+	}
+	return residue <= tolerance * largest;
+}
 
 } // namespace
 
@@ -38,7 +54,7 @@ Multivector motor_exp(const MotorLog<double> &log) {
 std::optional<WeightedMotorLog> motor_log(const Multivector &x, double tolerance) {
 	const std::optional<Motor<double>> motor = to_motor(x, tolerance);
 	const std::optional<Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
-	if (!pose) {
+	if (!pose || !is_equal_in_pairs(x, tolerance)) {
 		return std::nullopt;
 	}
 	const Quaternion<double> p(x[0], -x[E23], x[E13], -x[E12]);

@@ -16,7 +16,8 @@ struct WeightedMotorLog {
 	double weight = 1.0; // sqrt(M M~)
 };
 
-// The parts of log(M) of the shorter way round. Empty if `x` is no motor within `tolerance`, as to_motor() has it.
+// The parts of log(M) of the shorter way round. Empty if `x` is no motor within `tolerance`, as to_motor()
+// has it and beyond: what is no motor's must be small beside the translation, not only beside the whole.
 [[nodiscard]] std::optional<WeightedMotorLog> motor_log(const Multivector &x, double tolerance);
 
 } // namespace cga

@@ -1,0 +1,94 @@
+#include "cga/motor/motor_multivector.hpp"
+#include "cga/motor/versor.hpp"
+#include "cga/versor/exponential.hpp"
+#include "cga/versor/logarithm.hpp"
+#include "cga/versor/power.hpp"
+#include "long_multivector.hpp"
+#include "random_versors.hpp"
+
+#include <doctest/doctest.h>
+
+// What exponentials and logarithms of other libraries were found to get wrong (their names are in the cases), with
+// general multivectors; tests/cga/motor/test_motor_exp.cpp has the same of poses.
+
+using namespace cga;
+using namespace cga_test;
+
+namespace {
+
+constexpr int E12 = blade_index("e12");
+
+Multivector log_of(const Multivector &versor) {
+	const Result<Multivector> result = log(versor);
+	REQUIRE_MESSAGE(result, result.error());
+	return *result;
+}
+
+Multivector turn_about_z(double angle) {
+	return rotor({ std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle) });
+}
+
+} // namespace
+
+TEST_CASE("log of a pure translation is -(1/2) t e_inf (NaN in klein)") {
+	Random random(151);
+	for (int repeat = 0; repeat < 1000; ++repeat) {
+		const Vector3D t = random.vector(std::pow(10.0, random.uniform(-12.0, 12.0)));
+		const Multivector expected = euclidean(t).geometric_product(e_infinity()) * -0.5;
+		CHECK(relative_error(log_of(translator(t)), expected) < 1e-15);
+		CHECK(relative_error(*cga::sqrt(translator(t)), translator(t * 0.5)) < 1e-15);
+	}
+	CHECK(log_of(translator(Vector3D(0.0))) == Multivector());
+}
+
+TEST_CASE("log of angles below 1e-4 keeps every digit (NaN in klein's rotor log)") {
+	for (double angle = 1e-3; angle > 1e-300; angle *= 0.1) {
+		CAPTURE(angle);
+		CHECK(log_of(turn_about_z(angle))[E12] == doctest::Approx(-0.5 * angle).epsilon(1e-15));
+		const Multivector motor = translator({ 1.0, 2.0, 3.0 }).geometric_product(turn_about_z(angle));
+		CHECK(log_of(motor)[E12] == doctest::Approx(-0.5 * angle).epsilon(1e-15));
+	}
+}
+
+TEST_CASE("log of half a turn, alone and with translation and scale (wrong in clifford's general_logarithm)") {
+	Random random(152);
+	for (int repeat = 0; repeat < 1000; ++repeat) {
+		const Vector3D axis = glm::normalize(random.vector(1.0));
+		const double angle = repeat % 4 == 0 ? PI : PI - std::pow(10.0, random.uniform(-16.0, -1.0));
+		const Multivector turn = rotor({ angle == PI ? 0.0 : std::cos(0.5 * angle), axis.x * std::sin(0.5 * angle), axis.y * std::sin(0.5 * angle), axis.z * std::sin(0.5 * angle) });
+		const Multivector motor = translator(random.vector(5.0)).geometric_product(turn).geometric_product(dilator(repeat % 2 == 0 ? 1.0 : random.uniform(0.2, 5.0)));
+		const Multivector logarithm = log_of(motor);
+		CHECK(relative_error(*exp(logarithm), motor) < 1e-13);
+		const MotorLog<double> parts = *to_motor_log(logarithm);
+		CHECK(glm::length(parts.rotation) == doctest::Approx(angle).epsilon(1e-15));
+		CHECK(glm::length(parts.rotation - axis * angle) < 1e-14);
+	}
+}
+
+TEST_CASE("q and -q, the identity and minus it: one logarithm (NaN in GA-Unity)") {
+	Random random(153);
+	CHECK(log_of(rotor({ 1.0, 0.0, 0.0, 0.0 })) == Multivector());
+	CHECK(log_of(rotor({ -1.0, 0.0, 0.0, 0.0 })) == Multivector());
+	for (int repeat = 0; repeat < 1000; ++repeat) {
+		const QuaternionD q = random.rotation();
+		CHECK(log_of(rotor(q)) == log_of(rotor(-q)));
+		// From q to -q there is nothing to do.
+		const Multivector nothing = rotor(-q).geometric_product(rotor(q).reverse());
+		CHECK(log_of(nothing).max_abs() < 1e-15);
+	}
+}
+
+TEST_CASE("exp and log are the closed form of the whole motor, not of its translator and rotor by themselves (gafro's)") {
+	// A screw motion along z and round the axis through (1, 0, 0): all of its powers stay on the screw.
+	const Multivector turn = translator({ 1.0, 0.0, 0.0 }).geometric_product(turn_about_z(2.0)).geometric_product(translator({ -1.0, 0.0, 0.0 }));
+	const Multivector screw = translator({ 0.0, 0.0, 3.0 }).geometric_product(turn);
+	for (const double part : { 0.25, 0.5, 0.75 }) {
+		const Multivector expected = translator({ 0.0, 0.0, 3.0 * part }).geometric_product(translator({ 1.0, 0.0, 0.0 })).geometric_product(turn_about_z(2.0 * part)).geometric_product(translator({ -1.0, 0.0, 0.0 }));
+		CHECK(relative_error(*power(screw, part), expected) < 1e-15);
+	}
+	// The split form's logarithm is log T + log R, whose exponential is another motor.
+	const Motor<double> motor = *to_motor(screw);
+	const Multivector split = log_of(translator(motor.to_pose()->translation)) + log_of(rotor(motor.to_pose()->rotation));
+	CHECK(relative_error(*exp(split), screw) > 0.1);
+	CHECK(relative_error(*exp(log_of(screw)), screw) < 1e-15);
+}
