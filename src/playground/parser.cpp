@@ -1,10 +1,12 @@
 #include "playground/parser.hpp"
 
+#include "cga/text/utf8.hpp"
 #include "playground/functions.hpp"
 #include "playground/lexer.hpp"
 #include "playground/names.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace playground {
@@ -218,7 +220,7 @@ private:
 		} else {
 			node.kind = NodeKind::VARIABLE;
 			node.index = variable_index(name);
-			_expression._uses.push_back({ node.index, node.offset, cga::text_error(_expression._text, token.offset, {}).column });
+			_expression._uses.push_back({ node.index, node.offset, column_at(token.offset) });
 		}
 		_expression._nodes.push_back(node);
 		_wants_operand = false;
@@ -226,11 +228,21 @@ private:
 
 	uint16_t variable_index(const std::string &name) {
 		std::vector<std::string> &names = _expression._variables;
-		const size_t index = size_t(std::find(names.begin(), names.end(), name) - names.begin());
-		if (index == names.size()) {
+		const auto [found, is_new] = _variable_indices.emplace(name, uint16_t(names.size()));
+		if (is_new) {
 			names.push_back(name);
 		}
-		return uint16_t(index);
+		return found->second;
+	}
+
+	// The column at offsets that grow from call to call: each character is counted once.
+	int column_at(size_t offset) {
+		while (_counted < offset) {
+			const cga::Character character = cga::character_at(_expression._text, _counted);
+			_column = character.code == '\n' ? 1 : _column + 1;
+			_counted += character.length;
+		}
+		return _column;
 	}
 
 	// At the '(' after a name.
@@ -350,6 +362,9 @@ private:
 	Expression _expression;
 	std::vector<Waiting> _waiting;
 	std::optional<cga::TextError> _error;
+	std::map<std::string, uint16_t> _variable_indices;
+	size_t _counted = 0;
+	int _column = 1;
 	bool _wants_operand = true;
 	bool _is_complete = false;
 };

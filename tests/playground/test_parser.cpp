@@ -265,6 +265,8 @@ TEST_CASE("an expression knows the variables it refers to and where") {
 	CHECK_FALSE(expression.refers_to("sin"));
 	CHECK_FALSE(expression.refers_to("e1"));
 	CHECK(parse("1 + e1 * pi")->variables().empty());
+	CHECK(parse("a +\n  ä + b")->uses()[1].column == 3);
+	CHECK(parse("a +\n  ä + b")->uses()[2].column == 7);
 }
 
 TEST_CASE("renaming a variable changes nothing else") {
