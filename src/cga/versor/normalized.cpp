@@ -46,10 +46,11 @@ Result<Multivector> normalized(const Multivector &x) {
 	if (std::abs(weight) <= rounding) {
 		// A motor that carries far has large coefficients that cancel: its minimal form has its weight.
 		const std::optional<Motor<double>> motor = to_motor(unit);
-		if (!motor) {
+		const double motor_weight = motor ? motor->norm_squared() : 0.0;
+		if (!(motor_weight > std::numeric_limits<double>::min())) {
 			return Failure{ "The element is null (its norm is zero), so no multiple of it has norm 1; points, e_inf, tangents and directions are null: scale them by what they mean, a point to -e_inf . X = 1" };
 		}
-		return unit * (1.0 / std::sqrt(motor->norm_squared()));
+		return unit * (1.0 / std::sqrt(motor_weight));
 	}
 	const double sign = weight < 0.0 ? -1.0 : 1.0;
 	const bool of_one_parity = unit.is_even(0.0) || unit.is_odd(0.0);

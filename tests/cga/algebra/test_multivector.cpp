@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <string>
 
 using namespace cga;
 using cga_test::Random;
@@ -93,6 +94,23 @@ TEST_CASE("the commutator product is (A B - B A) / 2, the regressive product the
 	CHECK(std::abs(blade("e1245").regressive_product(blade("e1235"))[blade_index("e125")]) == 1.0);
 	CHECK(blade("e12").commutator_product(blade("e2")) == blade("e1"));
 	CHECK(blade("e12").commutator_product(blade("e3")) == Multivector());
+}
+
+TEST_CASE("products of motors that carry far are as precise as near the origin: e_inf e_inf cancels without rounding") {
+	Random random(14);
+	for (const double distance : { 1.0, 1e6, 1e12 }) {
+		for (int repeat = 0; repeat < 300; ++repeat) {
+			const Multivector first = translator(random.vector(distance)).geometric_product(rotor(random.rotation()));
+			const Multivector second = translator(random.vector(distance)).geometric_product(rotor(random.rotation()));
+			const Multivector product = first.geometric_product(second);
+			CHECK(product.norm_squared() == doctest::Approx(1.0).epsilon(1e-14));
+			for (const char *axis : { "1", "2", "3" }) {
+				CHECK(product[blade_index(std::string("e") + axis + "4")] == product[blade_index(std::string("e") + axis + "5")]);
+			}
+			const double turn = product[blade_index("e12")] * product[blade_index("e12")] + product[blade_index("e13")] * product[blade_index("e13")] + product[blade_index("e23")] * product[blade_index("e23")];
+			CHECK(product[0] * product[0] + turn == doctest::Approx(1.0).epsilon(1e-14));
+		}
+	}
 }
 
 TEST_CASE("powers of two round nothing") {

@@ -108,6 +108,19 @@ TEST_CASE("products of two and of four reflections and inversions") {
 	CHECK(worst < 1e-11);
 }
 
+TEST_CASE("products of motors that carry far") {
+	Random random(121);
+	double worst = 0.0;
+	for (const double distance : { 1e-6, 1.0, 1e3, 1e6, 1e9 }) {
+		for (int repeat = 0; repeat < 500; ++repeat) {
+			const Multivector motor = to_multivector(Motor<double>::from_pose(random.pose(distance)));
+			const Multivector product = translator(random.vector(distance)).geometric_product(motor).geometric_product(rotor(random.rotation()));
+			worst = std::max(worst, round_trip_error(product * random.uniform(-3.0, 3.0)));
+		}
+	}
+	CHECK(worst < 1e-13);
+}
+
 TEST_CASE("log undoes exp of random bivectors of short turns") {
 	Random random(116);
 	double worst = 0.0;
