@@ -13,7 +13,7 @@ const E45 := 15
 const NULL_ELEMENT := "The element is null (its norm is zero), so no multiple of it has norm 1; points, e_inf, tangents and directions are null: scale them by what they mean, a point to -e_inf . X = 1"
 const SINGULAR := "The element has no inverse: it is null or a divisor of zero, or too near to one for the precision of double"
 const ODD := "An odd versor (a reflection, an inversion) has no logarithm: no continuous motion reaches it"
-const NO_VERSOR := "The element is no versor (a product of vectors that are not null), so it has no logarithm here; normalized() makes a versor of a noisy one"
+const NO_VERSOR := "The element is no versor (a product of vectors that are not null), or its weight is lost in the rounding of its coefficients, so it has no logarithm; normalized() makes a versor of a noisy one"
 
 
 func test_norms() -> void:

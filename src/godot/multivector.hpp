@@ -47,6 +47,7 @@ public:
 	static Handle motor(const godot::Transform3D &p_transform);
 	static Handle motor_from(const godot::Vector3 &p_translation, const godot::Quaternion &p_rotation, double p_scale);
 
+	static Handle evaluate(const godot::String &p_expression, const godot::Dictionary &p_variables);
 	static Handle from_json(const godot::String &p_text);
 
 	Handle add(const Handle &p_other) const;

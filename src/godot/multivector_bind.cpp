@@ -1,6 +1,7 @@
 #include "godot/multivector.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 // What scripts see of Multivector. The order is that of the class's header.
@@ -27,6 +28,7 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_static_method("Multivector", D_METHOD("motor", "transform"), &Multivector::motor);
 	ClassDB::bind_static_method("Multivector", D_METHOD("motor_from", "translation", "rotation", "scale"), &Multivector::motor_from);
 
+	ClassDB::bind_static_method("Multivector", D_METHOD("evaluate", "expression", "variables"), &Multivector::evaluate, DEFVAL(godot::Dictionary()));
 	ClassDB::bind_static_method("Multivector", D_METHOD("from_json", "text"), &Multivector::from_json);
 
 	ClassDB::bind_method(D_METHOD("add", "other"), &Multivector::add);

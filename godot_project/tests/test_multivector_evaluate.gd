@@ -1,0 +1,89 @@
+extends "res://tests/framework/test_case.gd"
+## Multivector.evaluate: what expressions give, what variables can be, and where errors are.
+
+const BAD_EXPRESSIONS: Dictionary[String, String] = {
+	"": "column 1: expected a number, a name or '(', found the end",
+	"1 +": "column 4: expected a number, a name or '(', found the end",
+	"2 e12 + x": "column 9: unknown name 'x'",
+	"foo(1)": "column 1: unknown function 'foo'",
+	"1/0": "column 2: division by zero",
+	"e1 $ e2": "column 4: expected a number, a name or an operator, found '$'",
+	"(1": "column 3: expected ')' or an operator, found the end; the '(' at column 1 is still open",
+	"log(e1)": "column 1: log: An odd versor (a reflection, an inversion) has no logarithm: no continuous motion reaches it",
+	"1e400": "column 1: expected a number up to 1.8e308; this one is too large",
+}
+
+const TOO_DEEP := "expected a simpler expression; more than 256 operators and brackets inside each other here"
+
+
+func test_operators() -> void:
+	expect_coefficients(Multivector.evaluate("1 - 2 * 3 e12"), {0: 1.0, 6: -6.0})
+	expect_coefficients(Multivector.evaluate("e1 ^ e2 * 3 + ~(e1 * e2)"), {6: 2.0})
+	expect_coefficients(Multivector.evaluate("eo | einf"), {0: -1.0})
+	expect_coefficients(Multivector.evaluate("e1 << e12"), {2: 1.0})
+	expect_coefficients(Multivector.evaluate("e12 >> e1"), {2: -1.0})
+	expect_coefficients(Multivector.evaluate("I & e12"), {6: 1.0})
+	expect_coefficients(Multivector.evaluate("!I / 4"), {0: 0.25})
+	expect_coefficients(Multivector.evaluate("-pi"), {0: -PI})
+
+
+func test_functions_are_those_of_the_class() -> void:
+	expect_true(Multivector.evaluate("translator(1, 2, 3)").is_equal_approx(Multivector.translator(Vector3(1, 2, 3))), "translator")
+	expect_coefficients(Multivector.evaluate("exp(-pi/2 * e12)"), {6: -1.0})
+	expect_coefficients(Multivector.evaluate("inverse(2 e12)"), {6: -0.5})
+
+
+func test_variables() -> void:
+	var variables: Dictionary = {"v": Vector3(1, 2, 3), &"n": 4, "x": 0.5, "M": Multivector.basis("e45"), "unused": 7, "größe": 2}
+	expect_coefficients(Multivector.evaluate("v * 2 + n + x * M", variables), {0: 4.0, 1: 2.0, 2: 4.0, 3: 6.0, 15: 0.5})
+	expect_coefficients(Multivector.evaluate("größe", variables), {0: 2.0})
+	expect_equal(variables.size(), 6, "number of variables afterwards")
+
+
+func test_a_versor_moves_its_operand() -> void:
+	var motor := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 1.0)
+	var moved := Multivector.evaluate("M * X * ~M", {"M": motor, "X": Multivector.point(Vector3(4, 5, 6))})
+	expect_true(moved.is_equal_approx(motor.sandwich(Multivector.point(Vector3(4, 5, 6)))), "M X ~M being the sandwich")
+
+
+func test_text_is_read_back() -> void:
+	var generator := RandomNumberGenerator.new()
+	generator.seed = 11
+	for i in 100:
+		var numbers := PackedFloat64Array()
+		for k in 32:
+			numbers.append(generator.randfn() * pow(10.0, generator.randi_range(-30, 30)) if generator.randf() < 0.5 else 0.0)
+		var multivector := Multivector.new()
+		multivector.coefficients = numbers
+		expect_equal(Multivector.evaluate(multivector.to_text()).coefficients, numbers, "coefficients")
+
+
+func test_errors_name_the_column() -> void:
+	for expression: String in BAD_EXPRESSIONS:
+		expect_error("Multivector.evaluate: %s." % BAD_EXPRESSIONS[expression])
+		expect_null(Multivector.evaluate(expression), expression)
+
+
+func test_bad_variables() -> void:
+	for value: Variant in [null, true, "text", self, Quaternion.IDENTITY]:
+		expect_error("Multivector.evaluate: the variable \"v\" must be a Multivector, a number or a Vector3, not %s." % type_string(typeof(value)))
+		expect_null(Multivector.evaluate("1", {"v": value}))
+	for value: Variant in [NAN, Vector3(0, INF, 0)]:
+		expect_error("Multivector.evaluate: column 1: 'v' has a coefficient that is not finite.")
+		expect_null(Multivector.evaluate("v", {"v": value}))
+	expect_error("Multivector.evaluate: the name of a variable must be a string, not int.")
+	expect_null(Multivector.evaluate("1", {1: 2}))
+	expect_error("Multivector.evaluate: column 1: a variable has a wrong name: 'e1' has a fixed value; choose another name.")
+	expect_null(Multivector.evaluate("1", {"e1": 2}))
+
+
+func test_hostile_expressions_end_with_an_error() -> void:
+	var hostile: Dictionary[String, String] = {
+		"(".repeat(2000): "column 257: %s" % TOO_DEEP,
+		"-".repeat(2000) + "1": "column 257: %s" % TOO_DEEP,
+		"exp(".repeat(2000): "column 1028: %s" % TOO_DEEP,
+		"1+".repeat(9000) + "1": "column 16385: expected the end; an expression has at most 16384 bytes",
+	}
+	for expression in hostile:
+		expect_error("Multivector.evaluate: %s." % hostile[expression])
+		expect_null(Multivector.evaluate(expression))
