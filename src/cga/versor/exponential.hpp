@@ -12,6 +12,9 @@ namespace cga {
 //   exp(k + B) = exp(k) (cosh(sqrt(s + W)) + B sinh(sqrt(s + W)) / sqrt(s + W)).
 // - Any other element by its series, scaled and squared.
 //
+// Motors to 1e-14 relative to the largest coefficient; other bivectors to 1e-13 where their coefficients are of the order
+// of 1, and to about 1e-15 K^2 with K the largest of them.
+//
 // The exponential of a bivector is a versor of unit weight. An error where X is not finite or exp(X) leaves the range
 // of double.
 Result<Multivector> exp(const Multivector &x);
