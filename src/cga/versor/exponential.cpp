@@ -99,7 +99,7 @@ Multivector exp_by_series(const Multivector &x) {
 	for (const double coefficient : x.coefficients()) {
 		sum_of_sizes += std::abs(coefficient);
 	}
-	const int halvings = std::max(0, std::ilogb(sum_of_sizes) + 2);
+	const int halvings = std::max(0, std::ilogb(std::min(sum_of_sizes, std::numeric_limits<double>::max())) + 2);
 	const Multivector small = x.times_power_of_two(-halvings);
 	Multivector sum = Multivector::scalar(1.0);
 	Multivector term = sum;
