@@ -13,6 +13,8 @@ struct FunctionTable {
 
 // Numbers from numbers: sin, min, deg_to_rad, ...
 [[nodiscard]] FunctionTable number_functions();
+// Points, lines, circles, planes, spheres, and what they have to do with each other.
+[[nodiscard]] FunctionTable object_functions();
 // Products, parts, conjugations, norms.
 [[nodiscard]] FunctionTable product_functions();
 // Translators, rotors, dilators, motors; exp, log and powers; what a motor does.

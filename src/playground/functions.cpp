@@ -120,7 +120,7 @@ std::string Function::counts() const {
 }
 
 const std::vector<Function> &functions() {
-	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions() });
+	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions(), object_functions() });
 	return all;
 }
 

@@ -83,6 +83,10 @@ const std::vector<Case> CASES = {
 	{ "is_versor(e1 * (e2 + e3)) + 10 * is_versor(1 + e1)", "1" },
 	{ "is_motor(translator(e1)) + 10 * is_motor(e1)", "1" },
 
+	{ "point(1, 2, 3)", "e1 + 2 e2 + 3 e3 + 7 einf + eo" },
+	{ "point(e1 + e2)", "e1 + e2 + einf + eo" },
+	{ "point(-2 point(1, 2, 3))", "point(1, 2, 3)" },
+
 	{ "translator(e1 + 2 e2)", "1 - 0.5 * (e1 + 2 e2) * einf" },
 	{ "translator(1, 2, 3)", "translator(vector(1, 2, 3))" },
 	{ "rotor(2 e3, deg(90))", "cos(pi / 4) - sin(pi / 4) * e12" },
