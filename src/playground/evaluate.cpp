@@ -204,8 +204,11 @@ private:
 		std::string signatures;
 		for (const Overload *overload : candidates) {
 			const std::string kind(kind_text(overload->kinds[furthest]));
-			if (kinds.find(kind) == std::string::npos) {
-				kinds += (kinds.empty() ? "" : " or ") + kind;
+			// "a point or a vector" says "a vector" as well.
+			if (kind.find(kinds) != std::string::npos) {
+				kinds = kind;
+			} else if (kinds.find(kind) == std::string::npos) {
+				kinds += " or " + kind;
 			}
 			signatures += (signatures.empty() ? "" : " or ") + overload->signature();
 		}
