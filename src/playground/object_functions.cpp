@@ -1,11 +1,17 @@
 #include "playground/function_table.hpp"
 
 #include "cga/motor/versor.hpp"
+#include "playground/object_incidence.hpp"
 #include "playground/object_shapes.hpp"
 
 namespace playground {
 
 namespace {
+
+template <cga::Result<cga::Multivector> (*function)(const cga::Multivector &, const cga::Multivector &)>
+Outcome of_two(const Arguments &arguments) {
+	return function(arguments[0], arguments[1]);
+}
 
 Outcome call_line_through(const Arguments &a) {
 	return playground::line_through(a.location(0), a.location(1));
@@ -50,6 +56,12 @@ constexpr Overload TABLE[] = {
 	{ "sphere", "x, y, z, radius", 4, { N, N, N, N }, [](const Arguments &a) { return playground::sphere(a.numbers(0), a.number(3)); }, "the sphere about (x, y, z)" },
 	{ "sphere", "a, b, c, d", 4, { P, P, P, P }, call_sphere_through, "the sphere through four points" },
 	{ "sphere_through", "a, b, c, d", 4, { P, P, P, P }, call_sphere_through, "the sphere through four points; their plane, if they are on one" },
+
+	{ "meet", "x, y", 2, { X, X }, of_two<playground::meet>, "what two objects have in common" },
+	{ "join", "x, y", 2, { X, X }, of_two<playground::join>, "the smallest object that contains both" },
+	{ "project_onto", "x, onto", 2, { X, X }, of_two<playground::project_onto>, "the part of x in another object" },
+	{ "reject_from", "x, from", 2, { X, X }, of_two<playground::reject_from>, "the part of x outside of another object" },
+	{ "reflect_in", "x, mirror", 2, { X, X }, of_two<playground::reflect_in>, "x reflected in another object" },
 };
 
 } // namespace
