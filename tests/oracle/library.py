@@ -11,6 +11,11 @@ POSE_NUMBERS = 8  # t1 t2 t3 qw qx qy qz s
 LOG_NUMBERS = 7  # w1 w2 w3 v1 v2 v3 sigma
 ROW_NUMBERS = 12  # a 3 x 4 matrix, row by row
 TEXT_SIZE = 8192
+CLASS_NUMBERS = 21  # as objects_oracle.cpp stores them
+CLASS_PARTS = {"residual": slice(3, 4), "radius": slice(4, 5), "distance": slice(5, 6), "center": slice(6, 9),
+               "normal": slice(9, 12), "direction": slice(12, 15)}
+KINDS = ["scalar", "point", "point_pair", "circle", "sphere", "flat_point", "line", "plane", "direction", "tangent",
+         "rotor", "translator", "dilator", "motor", "none"]
 
 
 class Library:
@@ -38,6 +43,25 @@ class Library:
         numbers = np.zeros((len(versors), BLADES))
         numbers[:, 0] = exponents
         return self.binary("power", versors, numbers)
+
+    def construct(self, name, numbers):
+        """Objects of CONSTRUCTORS in objects_oracle.cpp; the numbers of one a row."""
+        return self.construct_with_reasons(name, numbers)[0]
+
+    def construct_with_reasons(self, name, numbers):
+        return self._elements("oracle_construct", name, numbers)
+
+    def incidence(self, name, left, right):
+        """meet, join and the others of INCIDENCE in objects_oracle.cpp."""
+        return self.incidence_with_reasons(name, left, right)[0]
+
+    def incidence_with_reasons(self, name, left, right):
+        return self._elements("oracle_incidence", name, left, right)
+
+    def classify(self, elements, ipns=False):
+        """What cga::classify says of each, as a dict of what applies."""
+        rows = self._call("oracle_classify", CLASS_NUMBERS, np.float64, elements, choice=int(ipns))
+        return [classification(row) for row in rows]
 
     def motor(self, poses):
         return self._call("oracle_motor", BLADES, np.float64, poses)
@@ -118,6 +142,16 @@ class Library:
         if not function(name.encode(), *map(pointer, [*arrays, result]), reasons, ctypes.c_size_t(count)):
             raise KeyError(f"{function_name} knows no '{name}'")
         return result, [reason.decode() if reason is not None else None for reason in reasons]
+
+
+def classification(row):
+    found = {"kind": KINDS[int(row[0])], "ipns": bool(row[1]), "imaginary": bool(row[2])}
+    for name, numbers in CLASS_PARTS.items():
+        if not np.isnan(row[numbers]).all():
+            found[name] = row[numbers] if len(row[numbers]) > 1 else row[numbers][0]
+    if not np.isnan(row[15:]).all():
+        found["points"] = [row[15:18], row[18:21]]
+    return found
 
 
 def pointer(array):

@@ -15,7 +15,8 @@ sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
 # Longest first: they run side by side.
-LIBRARY_CHECKS = ("versors", "exponentials", "texts", "products", "screws", "interpolation")
+LIBRARY_CHECKS = ("versors", "incidence", "exponentials", "texts", "products", "subspaces", "objects", "conformal", "screws",
+                  "interpolation")
 DEFAULT_SEED = 1
 ENGINE = "engine"
 

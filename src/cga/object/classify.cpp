@@ -1,0 +1,188 @@
+#include "cga/object/classify.hpp"
+
+#include "cga/algebra/is_blade.hpp"
+#include "cga/algebra/null_basis.hpp"
+#include "cga/motor/motor_multivector.hpp"
+#include "cga/object/conformal_parts.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace cga {
+
+namespace {
+
+constexpr double EPSILON = std::numeric_limits<double>::epsilon();
+// Parts this small, relative to what they were computed from, are zero, rounded.
+constexpr double ROUNDING = 64.0 * EPSILON;
+// Smaller parts of a blade of another grade are noise.
+constexpr double NOISE = 1e-10;
+// A smaller X ^ X is: what far objects come to when they are moved and multiplied.
+constexpr double BLADE_NOISE = 1e-8;
+
+using Vector = Vector3<double>;
+
+void set_attitude(Classification &found, const Multivector &attitude, int grade) {
+	if (grade == 1) {
+		found.direction = glm::normalize(vector_of(attitude));
+	} else if (grade == 2) {
+		found.normal = glm::normalize(normal_of(attitude));
+	}
+}
+
+Classification flat(const ConformalParts &parts, int grade) {
+	const int k = grade - 2;
+	const FlatParameters parameters = flat_parameters(parts, k);
+	const Vector foot = parameters.foot;
+	Classification found;
+	set_attitude(found, parameters.attitude, k);
+	if (k == 2) {
+		found.kind = Kind::plane;
+		found.distance = glm::dot(foot, *found.normal);
+	} else {
+		found.kind = k == 0 ? Kind::flat_point : Kind::line;
+		found.center = foot;
+	}
+	return found;
+}
+
+Classification round(const ConformalParts &parts, int grade) {
+	const int k = grade - 1;
+	const RoundParameters parameters = round_parameters(parts, k);
+	const Vector center = parameters.center;
+	const double squared_radius = parameters.squared_radius;
+
+	// (c^2 + r^2) / 2 is what e4 and e5 hold; the weight is their difference.
+	const double held = glm::dot(center, center) + std::abs(squared_radius);
+	const double rounding = EPSILON * (8.0 * (1.0 + held) + held * held);
+	const bool is_tangent = std::abs(squared_radius) <= rounding;
+
+	Classification found;
+	found.center = center;
+	set_attitude(found, parameters.attitude, k);
+	if (is_tangent) {
+		// e_o + c + c^2/2 e_inf is a point; its dual, the sphere of radius zero, is one in IPNS.
+		found.kind = k == 0 || k == 3 ? Kind::point : Kind::tangent;
+		found.ipns = k == 3;
+		return found;
+	}
+	found.imaginary = squared_radius < 0.0;
+	found.radius = std::sqrt(std::abs(squared_radius));
+	switch (k) {
+		case 0:
+			// A vector that is not null: e_o + c + (c^2 - r^2)/2 e_inf, a sphere in IPNS.
+			found.kind = Kind::sphere;
+			found.ipns = true;
+			found.imaginary = squared_radius > 0.0;
+			break;
+		case 1:
+			found.kind = Kind::point_pair;
+			if (!found.imaginary) {
+				const Vector to_end = *found.direction * *found.radius;
+				found.points = std::array<Vector, 2>{ center - to_end, center + to_end };
+			}
+			break;
+		case 2:
+			found.kind = Kind::circle;
+			break;
+		default:
+			found.kind = Kind::sphere;
+			break;
+	}
+	return found;
+}
+
+Classification flipped(Classification found) {
+	found.ipns = !found.ipns;
+	return found;
+}
+
+// Of an OPNS blade of grade 1 to 4.
+Classification blade(const Multivector &x, int grade) {
+	const ConformalParts parts = parts_of(x);
+	const double a = parts.euclidean.max_abs(), q = parts.infinity.max_abs(), r = parts.origin.max_abs(), d = parts.both.max_abs();
+	if (r > ROUNDING * (q + r)) {
+		return round(parts, grade);
+	}
+	const bool kills_infinity = a <= NOISE * d + ROUNDING * q; // e_inf ^ X = 0
+	const bool across_infinity = d <= NOISE * a + ROUNDING * q; // e_inf . X = 0
+	if (kills_infinity && across_infinity) {
+		Classification found;
+		found.kind = Kind::direction;
+		set_attitude(found, parts.infinity, grade - 1);
+		return found;
+	}
+	if (kills_infinity) {
+		return flat(parts, grade);
+	}
+	if (across_infinity) {
+		return flipped(flat(parts_of(x.undual()), DIMENSION - grade));
+	}
+	return {};
+}
+
+Classification motor(const Motor<double> &motor) {
+	Classification found;
+	const std::optional<Pose<double>> pose = motor.to_pose();
+	if (!pose) {
+		return found;
+	}
+	const bool turns = glm::length(vector_part(pose->rotation)) > ROUNDING;
+	const bool moves = glm::length(pose->translation) > 0.0;
+	const bool scales = std::abs(pose->scale - 1.0) > ROUNDING;
+	if (int(turns) + int(moves) + int(scales) > 1) {
+		found.kind = Kind::motor;
+	} else if (turns) {
+		found.kind = Kind::rotor;
+	} else if (scales) {
+		found.kind = Kind::dilator;
+	} else {
+		found.kind = Kind::translator;
+	}
+	return found;
+}
+
+} // namespace
+
+Classification classify(const Multivector &x, bool ipns) {
+	Classification none;
+	none.ipns = ipns;
+	if (!x.is_finite() || !(x.max_abs() > 0.0)) {
+		return none;
+	}
+	const Multivector scaled = x.times_power_of_two(-std::ilogb(x.max_abs()));
+	const std::optional<int> grade = single_grade(scaled, std::abs(scaled[0]) > 0.0 ? ROUNDING : NOISE);
+	if (!grade) {
+		const std::optional<Motor<double>> as_motor = to_motor(scaled);
+		Classification found = as_motor ? motor(*as_motor) : none;
+		found.ipns = ipns;
+		if (found.kind == Kind::none) {
+			double second = 0.0, first = 0.0;
+			for (int k = 0; k <= DIMENSION; ++k) {
+				const double size = scaled.grade(k).max_abs();
+				second = std::max(second, std::min(first, size));
+				first = std::max(first, size);
+			}
+			found.residual = second / first;
+		}
+		return found;
+	}
+	if (*grade == 0 || *grade == DIMENSION) {
+		none.kind = (*grade == 0) != ipns ? Kind::scalar : Kind::none;
+		return none;
+	}
+	const Multivector only = scaled.grade(*grade);
+	const Multivector bivector = *grade == 3 ? only.dual() : only;
+	const double residual = *grade == 2 || *grade == 3 ? bivector.outer_product(bivector).max_abs() / std::pow(only.max_abs(), 2.0) : 0.0;
+	if (residual > BLADE_NOISE) {
+		none.residual = residual;
+		return none;
+	}
+	Classification found = ipns ? flipped(blade(only.undual(), DIMENSION - *grade)) : blade(only, *grade);
+	found.residual = residual;
+	return found;
+}
+
+} // namespace cga

@@ -1,0 +1,126 @@
+#include "cga/object/conformal_parts.hpp"
+
+#include "cga/algebra/null_basis.hpp"
+#include "cga/algebra/null_coefficients.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace cga {
+
+namespace {
+
+constexpr unsigned EUCLIDEAN_BLADES = 8;
+constexpr unsigned E4 = 0b01000;
+constexpr unsigned E5 = 0b10000;
+
+double parity_sign(int grade) {
+	return grade % 2 == 0 ? 1.0 : -1.0;
+}
+
+Multivector inverse_of_euclidean(const Multivector &blade) {
+	return blade.reverse() * (1.0 / blade.norm_squared());
+}
+
+// Of a Euclidean blade.
+int grade_of(const Multivector &blade) {
+	int grade = 0;
+	double largest = 0.0;
+	for (int k = 0; k <= 3; ++k) {
+		const double size = blade.grade(k).max_abs();
+		if (size > largest) {
+			largest = size;
+			grade = k;
+		}
+	}
+	return grade;
+}
+
+} // namespace
+
+ConformalParts parts_of(const Multivector &x) {
+	const Multivector::Coefficients null = to_null_coefficients(x);
+	ConformalParts parts;
+	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
+		const int index = BLADE_INDICES[bitmap];
+		parts.euclidean[index] = null[BLADE_INDICES[bitmap]];
+		parts.infinity[index] = null[BLADE_INDICES[bitmap | E4]];
+		parts.origin[index] = null[BLADE_INDICES[bitmap | E5]];
+		parts.both[index] = null[BLADE_INDICES[bitmap | E4 | E5]];
+	}
+	return parts;
+}
+
+Multivector from_parts(const ConformalParts &parts) {
+	Multivector::Coefficients null{};
+	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
+		const int index = BLADE_INDICES[bitmap];
+		null[BLADE_INDICES[bitmap]] = parts.euclidean[index];
+		null[BLADE_INDICES[bitmap | E4]] = parts.infinity[index];
+		null[BLADE_INDICES[bitmap | E5]] = parts.origin[index];
+		null[BLADE_INDICES[bitmap | E4 | E5]] = parts.both[index];
+	}
+	return from_null_coefficients(null);
+}
+
+// A' = A + R ^ t,  R' = R,  D' = D + (-1)^k t . R,
+// Q' = Q - D ^ t + t^2/2 R - (-1)^k (t . A + (t . R) ^ t)
+ConformalParts translated(const ConformalParts &parts, const Vector3<double> &t, int k) {
+	const Multivector vector = euclidean(t);
+	const Multivector inside = vector.left_contraction(parts.origin);
+	const double sign = parity_sign(k);
+	return {
+		parts.euclidean + parts.origin.outer_product(vector),
+		parts.infinity - parts.both.outer_product(vector) + 0.5 * glm::dot(t, t) * parts.origin - sign * (vector.left_contraction(parts.euclidean) + inside.outer_product(vector)),
+		parts.origin,
+		parts.both + sign * inside,
+	};
+}
+
+ConformalParts resized(const ConformalParts &parts, double factor) {
+	return { parts.euclidean, parts.infinity * factor, parts.origin * (1.0 / factor), parts.both };
+}
+
+RoundParameters round_parameters(const ConformalParts &parts, int k) {
+	const Multivector attitude = parity_sign(k) * parts.origin;
+	const Multivector inverse = inverse_of_euclidean(attitude);
+	const Vector3<double> along = vector_of(-parts.both.geometric_product(inverse));
+	const Vector3<double> across = vector_of(parts.euclidean.geometric_product(inverse));
+	const double power = parity_sign(k) * parts.infinity.scalar_product(inverse);
+	return { along + across, attitude, 2.0 * power + glm::dot(along, along) - glm::dot(across, across) };
+}
+
+FlatParameters flat_parameters(const ConformalParts &parts, int k) {
+	const Multivector attitude = -parity_sign(k) * parts.both;
+	return { vector_of(parts.infinity.geometric_product(inverse_of_euclidean(attitude))), attitude };
+}
+
+Multivector round_blade(const Vector3<double> &center, const Multivector &attitude, double squared_radius) {
+	const Multivector c = euclidean(center);
+	const Multivector inside = c.left_contraction(attitude);
+	const double sign = parity_sign(grade_of(attitude));
+	const double b = 0.5 * (glm::dot(center, center) + squared_radius);
+	return from_parts({ c.outer_product(attitude), sign * (b * attitude - c.outer_product(inside)), sign * attitude, -inside });
+}
+
+Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude) {
+	const double sign = parity_sign(grade_of(attitude));
+	return from_parts({ {}, euclidean(place).outer_product(attitude), {}, -sign * attitude });
+}
+
+Multivector plane_across(const Vector3<double> &normal) {
+	Multivector plane;
+	plane[blade_index("e23")] = normal.x;
+	plane[blade_index("e13")] = -normal.y;
+	plane[blade_index("e12")] = normal.z;
+	return plane;
+}
+
+Vector3<double> normal_of(const Multivector &bivector) {
+	return { bivector[blade_index("e23")], -bivector[blade_index("e13")], bivector[blade_index("e12")] };
+}
+
+Vector3<double> vector_of(const Multivector &x) {
+	return { x[blade_index("e1")], x[blade_index("e2")], x[blade_index("e3")] };
+}
+
+} // namespace cga

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "cga/algebra/multivector.hpp"
+#include "cga/vector.hpp"
+
+// A blade taken apart into Euclidean blades, and put together from what it is geometrically. No step loses digits to
+// the size of e4 and e5, which for a point p are (p^2 -+ 1) / 2.
+//
+//   X = A + Q ^ e_inf + R ^ e_o + D ^ E,     A, Q, R, D of e1, e2, e3 only
+//
+// A round with centre c, attitude E_k (a Euclidean k-blade) and squared radius s is
+// (e_o + c + b e_inf) ^ T_c[E_k] with b = (c^2 + s) / 2, so that
+//   A = c ^ E_k,   D = -(c . E_k),   R = (-1)^k E_k,   Q = (-1)^k (b E_k - c ^ (c . E_k))
+// A flat through p is (e_o + p) ^ F_k ^ e_inf: D = -(-1)^k F_k, Q = p ^ F_k.
+
+namespace cga {
+
+struct ConformalParts {
+	Multivector euclidean; // A
+	Multivector infinity; // Q
+	Multivector origin; // R
+	Multivector both; // D
+};
+
+[[nodiscard]] ConformalParts parts_of(const Multivector &x);
+[[nodiscard]] Multivector from_parts(const ConformalParts &parts);
+
+// The parts of a blade of grade k, moved by t: e_o becomes e_o + t + t^2/2 e_inf, a vector u becomes u + (u . t) e_inf.
+[[nodiscard]] ConformalParts translated(const ConformalParts &parts, const Vector3<double> &t, int k);
+// All lengths times `factor`; the weight changes, too.
+[[nodiscard]] ConformalParts resized(const ConformalParts &parts, double factor);
+
+// What a round of grade k + 1 is made of; with c = (A - D) E^-1, r^2 = 2 Q E^-1 + (c along E)^2 - (c across E)^2.
+struct RoundParameters {
+	Vector3<double> center;
+	Multivector attitude;
+	double squared_radius;
+};
+// Only where R is not zero.
+[[nodiscard]] RoundParameters round_parameters(const ConformalParts &parts, int k);
+// What a flat of grade k + 2 is made of: the foot of the origin, p = Q F^-1. Only where D is not zero.
+struct FlatParameters {
+	Vector3<double> foot;
+	Multivector attitude;
+};
+[[nodiscard]] FlatParameters flat_parameters(const ConformalParts &parts, int k);
+
+// `attitude` is a Euclidean blade of grade 0..3; a negative square of the radius makes an imaginary round.
+[[nodiscard]] Multivector round_blade(const Vector3<double> &center, const Multivector &attitude, double squared_radius);
+// `attitude` is a Euclidean blade of grade 0..2.
+[[nodiscard]] Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude);
+
+// The Euclidean bivector n I3 across a vector n, right-handed (e12 for e3), and the vector of a bivector.
+[[nodiscard]] Multivector plane_across(const Vector3<double> &normal);
+[[nodiscard]] Vector3<double> normal_of(const Multivector &bivector);
+// The coefficients of e1, e2, e3.
+[[nodiscard]] Vector3<double> vector_of(const Multivector &x);
+
+} // namespace cga

@@ -1,0 +1,80 @@
+#include "cga/object/local_frame.hpp"
+
+#include "cga/object/classify.hpp"
+#include "cga/object/conformal_parts.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace cga {
+
+namespace {
+
+constexpr double EPSILON = std::numeric_limits<double>::epsilon();
+constexpr double ALWAYS = 1e-10;
+
+struct Place {
+	bool exists = false;
+	bool is_round = false;
+	Vector3<double> center{};
+	double radius = 0.0;
+};
+
+Place place_of(const Multivector &blade) {
+	const Classification found = classify(blade);
+	Place place;
+	place.is_round = found.radius || found.kind == Kind::point || found.kind == Kind::tangent;
+	place.radius = found.radius.value_or(0.0);
+	if (found.center) {
+		place.exists = true;
+		place.center = *found.center;
+	} else if (found.distance) {
+		place.exists = true;
+		place.center = *found.normal * *found.distance;
+	}
+	return place;
+}
+
+// What the coefficients of an object hold beside a weight of 1: c^2 + r^2. Of flats the distance is all.
+double held_by(const Place &place) {
+	return place.is_round ? glm::dot(place.center, place.center) + place.radius * place.radius : 0.0;
+}
+
+// Rounding of those coefficients, when c is taken away.
+double rounding_of(const Place &place, double unit) {
+	const double held = 1.0 + held_by(place);
+	return place.is_round ? 0.5 * EPSILON * held * held / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
+}
+
+} // namespace
+
+LocalFrame::LocalFrame(const Multivector &first, const Multivector &second) {
+	const Place a = place_of(first), b = place_of(second);
+	const Place &main = a.is_round || !b.is_round ? a : b;
+	_place = main.exists ? main.center : (a.exists ? a.center : b.center);
+	double size = std::max(a.radius, b.radius);
+	if (!a.is_round && !b.is_round) {
+		size = std::max(glm::length(a.center), glm::length(b.center));
+		size = size > 0.0 ? size : 1.0;
+	} else if (a.exists && b.exists && (a.is_round == b.is_round || size == 0.0)) {
+		size = std::max(size, glm::length(a.center - b.center));
+	}
+	// Smaller than this, objects are one: what is left of their differences is rounding.
+	size = std::max(size, std::sqrt(8.0 * EPSILON) * (1.0 + std::max(held_by(a), held_by(b))));
+	// A power of two changes no digit.
+	_unit = std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
+	_rounding = ALWAYS + std::max(rounding_of(a, _unit), rounding_of(b, _unit));
+}
+
+Multivector LocalFrame::enter(const Multivector &blade, int k) const {
+	const Multivector moved = from_parts(resized(translated(parts_of(blade.grade(k)), -_place, k), 1.0 / _unit));
+	return moved * (1.0 / moved.max_abs());
+}
+
+Multivector LocalFrame::leave(const Multivector &blade, int k) const {
+	return from_parts(translated(resized(parts_of(blade.grade(k)), _unit), _place, k));
+}
+
+} // namespace cga
