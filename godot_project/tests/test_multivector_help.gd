@@ -19,7 +19,7 @@ func test_every_method_is_documented_as_registered() -> void:
 
 func test_every_description_has_an_example_that_holds() -> void:
 	var descriptions := _descriptions()
-	expect_true(descriptions.size() > 45, "number of descriptions")
+	expect_true(descriptions.size() > 60, "number of descriptions")
 	for title in descriptions:
 		var samples := RegEx.create_from_string(CODE).search_all(descriptions[title])
 		expect_true(samples.size() > 0, "an example of %s" % title)

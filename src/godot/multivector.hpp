@@ -40,6 +40,16 @@ public:
 	static Handle basis(const godot::String &p_name);
 
 	static Handle point(const godot::Vector3 &p_position);
+	static Handle flat_point(const godot::Vector3 &p_position);
+	static Handle point_pair(const godot::Vector3 &p_a, const godot::Vector3 &p_b);
+	static Handle line(const godot::Vector3 &p_point, const godot::Vector3 &p_direction);
+	static Handle line_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b);
+	static Handle circle(const godot::Vector3 &p_center, const godot::Vector3 &p_normal, double p_radius);
+	static Handle circle_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c);
+	static Handle plane(const godot::Vector3 &p_normal, double p_distance);
+	static Handle plane_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c);
+	static Handle sphere(const godot::Vector3 &p_center, double p_radius);
+	static Handle sphere_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c, const godot::Vector3 &p_d);
 
 	static Handle translator(const godot::Vector3 &p_offset);
 	static Handle rotor(const godot::Quaternion &p_quaternion);
@@ -62,6 +72,12 @@ public:
 	Handle commutator_product(const Handle &p_right) const;
 	double scalar_product(const Handle &p_right) const;
 	Handle sandwich(const Handle &p_x) const;
+
+	Handle meet(const Handle &p_other) const;
+	Handle join(const Handle &p_other) const;
+	Handle project_onto(const Handle &p_onto) const;
+	Handle reject_from(const Handle &p_from) const;
+	Handle reflect_in(const Handle &p_mirror) const;
 
 	Handle reverse() const;
 	Handle grade_involution() const;
@@ -90,6 +106,8 @@ public:
 	double get_scale() const;
 	godot::Vector3 transform_point(const godot::Vector3 &p_point) const;
 
+	godot::Dictionary classify(bool p_ipns) const;
+
 	godot::String to_text(bool p_null_basis) const;
 	godot::String to_latex() const;
 	godot::String to_json() const;
@@ -100,6 +118,8 @@ protected:
 private:
 	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
 	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_method) const;
+	using BinaryFunction = cga::Result<cga::Multivector> (*)(const cga::Multivector &, const cga::Multivector &);
+	Handle binary(BinaryFunction p_function, const Handle &p_other, const char *p_method) const;
 	// The value, or null and the reason why there is none, as an error of that method.
 	static Handle make(const cga::Result<cga::Multivector> &p_result, const char *p_method);
 

@@ -22,6 +22,16 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_static_method("Multivector", D_METHOD("basis_blade", "index"), &Multivector::basis_blade);
 	ClassDB::bind_static_method("Multivector", D_METHOD("basis", "name"), &Multivector::basis);
 	ClassDB::bind_static_method("Multivector", D_METHOD("point", "position"), &Multivector::point);
+	ClassDB::bind_static_method("Multivector", D_METHOD("flat_point", "position"), &Multivector::flat_point);
+	ClassDB::bind_static_method("Multivector", D_METHOD("point_pair", "a", "b"), &Multivector::point_pair);
+	ClassDB::bind_static_method("Multivector", D_METHOD("line", "point", "direction"), &Multivector::line);
+	ClassDB::bind_static_method("Multivector", D_METHOD("line_through", "a", "b"), &Multivector::line_through);
+	ClassDB::bind_static_method("Multivector", D_METHOD("circle", "center", "normal", "radius"), &Multivector::circle);
+	ClassDB::bind_static_method("Multivector", D_METHOD("circle_through", "a", "b", "c"), &Multivector::circle_through);
+	ClassDB::bind_static_method("Multivector", D_METHOD("plane", "normal", "distance"), &Multivector::plane);
+	ClassDB::bind_static_method("Multivector", D_METHOD("plane_through", "a", "b", "c"), &Multivector::plane_through);
+	ClassDB::bind_static_method("Multivector", D_METHOD("sphere", "center", "radius"), &Multivector::sphere);
+	ClassDB::bind_static_method("Multivector", D_METHOD("sphere_through", "a", "b", "c", "d"), &Multivector::sphere_through);
 	ClassDB::bind_static_method("Multivector", D_METHOD("translator", "offset"), &Multivector::translator);
 	ClassDB::bind_static_method("Multivector", D_METHOD("rotor", "quaternion"), &Multivector::rotor);
 	ClassDB::bind_static_method("Multivector", D_METHOD("dilator", "scale"), &Multivector::dilator);
@@ -43,6 +53,12 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("commutator_product", "right"), &Multivector::commutator_product);
 	ClassDB::bind_method(D_METHOD("scalar_product", "right"), &Multivector::scalar_product);
 	ClassDB::bind_method(D_METHOD("sandwich", "x"), &Multivector::sandwich);
+
+	ClassDB::bind_method(D_METHOD("meet", "other"), &Multivector::meet);
+	ClassDB::bind_method(D_METHOD("join", "other"), &Multivector::join);
+	ClassDB::bind_method(D_METHOD("project_onto", "onto"), &Multivector::project_onto);
+	ClassDB::bind_method(D_METHOD("reject_from", "from"), &Multivector::reject_from);
+	ClassDB::bind_method(D_METHOD("reflect_in", "mirror"), &Multivector::reflect_in);
 
 	ClassDB::bind_method(D_METHOD("reverse"), &Multivector::reverse);
 	ClassDB::bind_method(D_METHOD("grade_involution"), &Multivector::grade_involution);
@@ -70,6 +86,8 @@ void Multivector::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_rotation"), &Multivector::get_rotation);
 	ClassDB::bind_method(D_METHOD("get_scale"), &Multivector::get_scale);
 	ClassDB::bind_method(D_METHOD("transform_point", "point"), &Multivector::transform_point);
+
+	ClassDB::bind_method(D_METHOD("classify", "ipns"), &Multivector::classify, DEFVAL(false));
 
 	ClassDB::bind_method(D_METHOD("to_text", "null_basis"), &Multivector::to_text, DEFVAL(false));
 	ClassDB::bind_method(D_METHOD("to_latex"), &Multivector::to_latex);
