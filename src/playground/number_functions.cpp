@@ -28,21 +28,21 @@ Outcome extreme(const Arguments &arguments) {
 
 Outcome inverse_trigonometric(double (*function)(double), double value) {
 	if (!(std::abs(value) <= 1.0)) {
-		return Failure{ "the number must lie between -1 and 1" };
+		return Failure{ "The number must lie between -1 and 1" };
 	}
 	return number(function(value));
 }
 
 Outcome square_root(const Arguments &arguments) {
 	if (arguments.number(0) < 0.0) {
-		return Failure{ "a negative number has no square root" };
+		return Failure{ "A negative number has no square root" };
 	}
 	return number(std::sqrt(arguments.number(0)));
 }
 
 Outcome logarithm(const Arguments &arguments) {
 	if (!(arguments.number(0) > 0.0)) {
-		return Failure{ "only numbers above 0 have a logarithm" };
+		return Failure{ "Only numbers above 0 have a logarithm" };
 	}
 	return number(std::log(arguments.number(0)));
 }
@@ -51,17 +51,17 @@ Outcome power(const Arguments &arguments) {
 	const double base = arguments.number(0);
 	const double exponent = arguments.number(1);
 	if (base == 0.0 && exponent < 0.0) {
-		return Failure{ "zero has no negative powers" };
+		return Failure{ "Zero has no negative powers" };
 	}
 	if (base < 0.0 && exponent != std::floor(exponent)) {
-		return Failure{ "a negative number has whole powers only" };
+		return Failure{ "A negative number has whole powers only" };
 	}
 	return number(std::pow(base, exponent));
 }
 
 Outcome clamp(const Arguments &arguments) {
 	if (arguments.number(1) > arguments.number(2)) {
-		return Failure{ "the minimum is above the maximum; exchange them" };
+		return Failure{ "The minimum is above the maximum; exchange them" };
 	}
 	return number(std::clamp(arguments.number(0), arguments.number(1), arguments.number(2)));
 }

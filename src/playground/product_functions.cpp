@@ -34,7 +34,7 @@ std::optional<int> whole_number(double value, int last) {
 Outcome grade(const Arguments &arguments) {
 	const std::optional<int> k = whole_number(arguments.number(1), cga::DIMENSION);
 	if (!k) {
-		return Failure{ "a grade is a whole number from 0 to 5" };
+		return Failure{ "A grade is a whole number from 0 to 5" };
 	}
 	return arguments[0].grade(*k);
 }
@@ -42,7 +42,7 @@ Outcome grade(const Arguments &arguments) {
 Outcome basis_blade(const Arguments &arguments) {
 	const std::optional<int> index = whole_number(arguments.number(0), cga::BLADE_COUNT - 1);
 	if (!index) {
-		return Failure{ "the index of a basis blade is a whole number from 0 to 31" };
+		return Failure{ "The index of a basis blade is a whole number from 0 to 31" };
 	}
 	return Multivector::basis_blade(*index);
 }

@@ -22,7 +22,7 @@ using cga::Pose;
 using cga::Quaternion;
 using cga::Vector3;
 
-constexpr const char *NO_MOTOR = "expected a motor: a product of translators, rotors and dilators";
+constexpr const char *NO_MOTOR = "Expected a motor: a product of translators, rotors and dilators";
 
 double largest(double a, double b, double c) {
 	return std::max({ std::abs(a), std::abs(b), std::abs(c) });
@@ -33,7 +33,7 @@ Outcome rotor_of_axis(const Arguments &arguments) {
 	const double angle = arguments.number(1);
 	const double size = largest(axis.x, axis.y, axis.z);
 	if (size == 0.0) {
-		return Failure{ "the axis has length zero; give a direction" };
+		return Failure{ "The axis has length zero; give a direction" };
 	}
 	// Brought near 1 first, so that squares neither overflow nor vanish.
 	const Vector3<double> sines = glm::normalize(axis / size) * std::sin(0.5 * angle);
@@ -46,14 +46,14 @@ Outcome rotor_of_quaternion(const Arguments &arguments) {
 	const double real = arguments.number(3);
 	const double size = std::max(largest(imaginary.x, imaginary.y, imaginary.z), std::abs(real));
 	if (size == 0.0) {
-		return Failure{ "a quaternion of length zero is no rotation" };
+		return Failure{ "A quaternion of length zero is no rotation" };
 	}
 	return cga::rotor(glm::normalize(Quaternion<double>(real / size, imaginary.x / size, imaginary.y / size, imaginary.z / size)));
 }
 
 Outcome dilator(const Arguments &arguments) {
 	if (!(arguments.number(0) > 0.0)) {
-		return Failure{ "the scale must be above 0" };
+		return Failure{ "The scale must be above 0" };
 	}
 	return cga::dilator(arguments.number(0));
 }
@@ -61,7 +61,7 @@ Outcome dilator(const Arguments &arguments) {
 // T R D
 Outcome motor(const Vector3<double> &translation, const Quaternion<double> &rotation, double scale) {
 	if (!(scale > 0.0)) {
-		return Failure{ "the scale must be above 0" };
+		return Failure{ "The scale must be above 0" };
 	}
 	return cga::to_multivector(cga::Motor<double>::from_pose({ translation, rotation, scale }));
 }
@@ -96,7 +96,7 @@ Outcome transform_point(const Arguments &arguments) {
 Outcome sandwich(const Arguments &arguments) {
 	const std::optional<Multivector> moved = arguments[0].sandwich(arguments[1]);
 	if (!moved) {
-		return Failure{ "expected a versor: a product of vectors that has an inverse" };
+		return Failure{ "Expected a versor: a product of vectors that has an inverse" };
 	}
 	return *moved;
 }

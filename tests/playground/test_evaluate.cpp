@@ -86,8 +86,8 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 		{ "sphere1", "column 1: unknown name 'sphere1'; did you mean 'Sphere1'?" },
 		{ "xyz", "column 1: unknown name 'xyz'" },
 		{ "2 * rotor", "column 5: unknown name 'rotor'; to call the function write 'rotor('" },
-		{ "1 / 0", "column 3: division by zero" },
-		{ "e1 / (e2 - e2)", "column 4: division by zero" },
+		{ "1 / 0", "column 3: Division by zero" },
+		{ "e1 / (e2 - e2)", "column 4: Division by zero" },
 		{ "2 * large", "column 3: the result of '*' is too large" },
 		{ "large e1", "column 7: expected an operator or the end, found 'e1'; write '*' to multiply" },
 		{ "1 + (large + large) * 0", "column 12: the result of '+' is too large" },
@@ -108,9 +108,9 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 		{ "sphere(e1, e2)", "column 12: expected a number as second argument of sphere(center, radius)" },
 		{ "circle(e1, e4, 1)", "column 12: expected a point or a vector (of e1, e2, e3) as second argument of circle(center, normal, radius) or circle(a, b, c)" },
 		{ "sphere(einf, 1, 1, 1)", "column 8: expected a number or a point or a vector (of e1, e2, e3) as first argument of sphere(x, y, z, radius) or sphere(a, b, c, d)" },
-		{ "1 + sqrt(-1)", "column 5: sqrt: a negative number has no square root" },
-		{ "dilator(-1)", "column 1: dilator: the scale must be above 0" },
-		{ "grade(e1, 1.5)", "column 1: grade: a grade is a whole number from 0 to 5" },
+		{ "1 + sqrt(-1)", "column 5: sqrt: A negative number has no square root" },
+		{ "dilator(-1)", "column 1: dilator: The scale must be above 0" },
+		{ "grade(e1, 1.5)", "column 1: grade: A grade is a whole number from 0 to 5" },
 	};
 	for (const auto &[text, error] : ERRORS) {
 		CAPTURE(text);
