@@ -56,7 +56,7 @@ Classification round(const ConformalParts &parts, int grade) {
 
 	// (c^2 + r^2) / 2 is what e4 and e5 hold; the weight is their difference.
 	const double held = glm::dot(center, center) + std::abs(squared_radius);
-	const double rounding = EPSILON * (8.0 * (1.0 + held) + held * held);
+	const double rounding = EPSILON * (64.0 * (1.0 + held) + held * held);
 	const bool is_tangent = std::abs(squared_radius) <= rounding;
 
 	Classification found;
@@ -102,8 +102,8 @@ Classification flipped(Classification found) {
 // Of an OPNS blade of grade 1 to 4.
 Classification blade(const Multivector &x, int grade) {
 	const ConformalParts parts = parts_of(x);
-	const double a = parts.euclidean.max_abs(), q = parts.infinity.max_abs(), r = parts.origin.max_abs(), d = parts.both.max_abs();
-	if (r > ROUNDING * (q + r)) {
+	const double a = parts.euclidean.max_abs(), q = parts.infinity.max_abs(), d = parts.both.max_abs();
+	if (is_round(parts)) {
 		return round(parts, grade);
 	}
 	const bool kills_infinity = a <= NOISE * d + ROUNDING * q; // e_inf ^ X = 0

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <limits>
+
 namespace cga {
 
 namespace {
@@ -12,6 +14,9 @@ namespace {
 constexpr unsigned EUCLIDEAN_BLADES = 8;
 constexpr unsigned E4 = 0b01000;
 constexpr unsigned E5 = 0b10000;
+
+constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double FLATNESS = 1e-12;
 
 double parity_sign(int grade) {
 	return grade % 2 == 0 ? 1.0 : -1.0;
@@ -78,6 +83,11 @@ ConformalParts translated(const ConformalParts &parts, const Vector3<double> &t,
 
 ConformalParts resized(const ConformalParts &parts, double factor) {
 	return { parts.euclidean, parts.infinity * factor, parts.origin * (1.0 / factor), parts.both };
+}
+
+bool is_round(const ConformalParts &parts) {
+	const double r = parts.origin.max_abs();
+	return r > ROUNDING * (parts.infinity.max_abs() + r) && r > FLATNESS * (parts.euclidean.max_abs() + parts.both.max_abs());
 }
 
 RoundParameters round_parameters(const ConformalParts &parts, int k) {

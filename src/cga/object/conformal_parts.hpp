@@ -30,6 +30,10 @@ struct ConformalParts {
 // All lengths times `factor`; the weight changes, too.
 [[nodiscard]] ConformalParts resized(const ConformalParts &parts, double factor);
 
+// Whether a blade with these parts is a round (or a point or tangent): R is not zero but for rounding, and its centre not
+// farther than 1e12 metres, where rounds are as good as flats.
+[[nodiscard]] bool is_round(const ConformalParts &parts);
+
 // What a round of grade k + 1 is made of; with c = (A - D) E^-1, r^2 = 2 Q E^-1 + (c along E)^2 - (c across E)^2.
 struct RoundParameters {
 	Vector3<double> center;

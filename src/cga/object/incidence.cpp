@@ -17,6 +17,8 @@ namespace cga {
 namespace {
 
 constexpr unsigned E5 = 0b10000;
+// Of one object's image, relative to its largest coefficient in the frame.
+constexpr double IMAGE_ROUNDING = 1e-10;
 
 struct Blades {
 	LocalFrame frame;
@@ -109,7 +111,7 @@ Span span(const Blades &blades) {
 
 // A blade of the frame without the parts that are rounding: a round whose radius is large beyond all digits is a flat,
 // one whose radius is rounding is what tangent objects share, a flat out of sight is a direction.
-Multivector cleaned(const Multivector &x, int grade, double rounding) {
+Multivector cleaned(const Multivector &x, int grade, double rounding, double touching) {
 	if (grade == 0 || grade == DIMENSION) {
 		return x;
 	}
@@ -117,7 +119,7 @@ Multivector cleaned(const Multivector &x, int grade, double rounding) {
 	ConformalParts parts = parts_of(blade);
 	if (parts.origin.max_abs() > rounding) {
 		const RoundParameters found = round_parameters(parts, grade - 1);
-		const bool touches = std::abs(found.squared_radius) <= 2.0 * rounding;
+		const bool touches = std::abs(found.squared_radius) <= 2.0 * touching;
 		return round_blade(found.center, found.attitude, touches ? 0.0 : found.squared_radius);
 	}
 	parts.origin = {};
@@ -137,11 +139,11 @@ Multivector cleaned(const Multivector &x, int grade, double rounding) {
 }
 
 // A result of grade k, out of the frame.
-Result<Multivector> left(const Blades &blades, const Multivector &x, int k) {
+Result<Multivector> left(const Blades &blades, const Multivector &x, int k, double rounding) {
 	if (!(x.max_abs() > 0.0)) {
 		return Multivector();
 	}
-	const Multivector result = blades.frame.leave(cleaned(x.grade(k), k, blades.frame.rounding()), k);
+	const Multivector result = blades.frame.leave(cleaned(x.grade(k), k, rounding, blades.frame.rounding()), k);
 	if (!result.is_finite()) {
 		return Failure{ "The result is too far away or too large for double; move the objects nearer to the origin" };
 	}
@@ -164,7 +166,7 @@ Result<Multivector> meet(const Multivector &a, const Multivector &b) {
 		return blades.failure();
 	}
 	const Span found = span(*blades);
-	return left(*blades, found.meet, found.meet_grade);
+	return left(*blades, found.meet, found.meet_grade, blades->frame.rounding());
 }
 
 Result<Multivector> join(const Multivector &a, const Multivector &b) {
@@ -173,7 +175,7 @@ Result<Multivector> join(const Multivector &a, const Multivector &b) {
 		return blades.failure();
 	}
 	const Span found = span(*blades);
-	return left(*blades, found.join, found.join_grade);
+	return left(*blades, found.join, found.join_grade, blades->frame.rounding());
 }
 
 Result<Multivector> project_onto(const Multivector &x, const Multivector &onto) {
@@ -185,7 +187,7 @@ Result<Multivector> project_onto(const Multivector &x, const Multivector &onto) 
 	if (!inverse) {
 		return inverse;
 	}
-	return left(*blades, blades->a.left_contraction(blades->b).geometric_product(*inverse), blades->grade_a);
+	return left(*blades, blades->a.left_contraction(blades->b).geometric_product(*inverse), blades->grade_a, IMAGE_ROUNDING);
 }
 
 Result<Multivector> reject_from(const Multivector &x, const Multivector &from) {
@@ -197,7 +199,7 @@ Result<Multivector> reject_from(const Multivector &x, const Multivector &from) {
 	if (!inverse) {
 		return inverse;
 	}
-	return left(*blades, blades->a.outer_product(blades->b).geometric_product(*inverse), blades->grade_a);
+	return left(*blades, blades->a.outer_product(blades->b).geometric_product(*inverse), blades->grade_a, IMAGE_ROUNDING);
 }
 
 Result<Multivector> reflect_in(const Multivector &x, const Multivector &mirror) {
@@ -210,7 +212,7 @@ Result<Multivector> reflect_in(const Multivector &x, const Multivector &mirror) 
 		return inverse;
 	}
 	const std::optional<Multivector> image = blades->b.dual().sandwich(blades->a);
-	return image ? left(*blades, *image, blades->grade_a) : inverse;
+	return image ? left(*blades, *image, blades->grade_a, IMAGE_ROUNDING) : inverse;
 }
 
 } // namespace cga

@@ -45,7 +45,7 @@ double held_by(const Place &place) {
 // Rounding of those coefficients, when c is taken away.
 double rounding_of(const Place &place, double unit) {
 	const double held = 1.0 + held_by(place);
-	return place.is_round ? 0.5 * EPSILON * held * held / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
+	return place.is_round ? EPSILON * held * (4.0 + 0.5 * held) / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
 }
 
 } // namespace
@@ -62,19 +62,32 @@ LocalFrame::LocalFrame(const Multivector &first, const Multivector &second) {
 		size = std::max(size, glm::length(a.center - b.center));
 	}
 	// Smaller than this, objects are one: what is left of their differences is rounding.
-	size = std::max(size, std::sqrt(8.0 * EPSILON) * (1.0 + std::max(held_by(a), held_by(b))));
+	size = std::max(size, std::sqrt(64.0 * EPSILON) * (1.0 + std::max(held_by(a), held_by(b))));
 	// A power of two changes no digit.
 	_unit = std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
 	_rounding = ALWAYS + std::max(rounding_of(a, _unit), rounding_of(b, _unit));
 }
 
+// Rounds are made anew from their centre and radius: moved as they are, rounding would tilt them.
 Multivector LocalFrame::enter(const Multivector &blade, int k) const {
-	const Multivector moved = from_parts(resized(translated(parts_of(blade.grade(k)), -_place, k), 1.0 / _unit));
+	const ConformalParts parts = parts_of(blade.grade(k));
+	Multivector moved;
+	if (is_round(parts)) {
+		const RoundParameters found = round_parameters(parts, k - 1);
+		moved = round_blade((found.center - _place) / _unit, found.attitude, found.squared_radius / (_unit * _unit));
+	} else {
+		moved = from_parts(resized(translated(parts, -_place, k), 1.0 / _unit));
+	}
 	return moved * (1.0 / moved.max_abs());
 }
 
 Multivector LocalFrame::leave(const Multivector &blade, int k) const {
-	return from_parts(translated(resized(parts_of(blade.grade(k)), _unit), _place, k));
+	const ConformalParts parts = parts_of(blade.grade(k));
+	if (is_round(parts)) {
+		const RoundParameters found = round_parameters(parts, k - 1);
+		return round_blade(_place + _unit * found.center, found.attitude, found.squared_radius * (_unit * _unit));
+	}
+	return from_parts(translated(resized(parts, _unit), _place, k));
 }
 
 } // namespace cga
