@@ -24,7 +24,7 @@ bool is_number(const Multivector &x) {
 cga::Result<Multivector> divide(const Multivector &left, const Multivector &right) {
 	if (is_number(right)) {
 		if (right[0] == 0.0) {
-			return cga::Failure{ "Division by zero" };
+			return cga::Failure{ "division by zero" };
 		}
 		Multivector quotient = left;
 		for (int index = 0; index < cga::BLADE_COUNT; ++index) {
