@@ -4,81 +4,13 @@
 #include "playground/functions.hpp"
 #include "playground/lexer.hpp"
 #include "playground/names.hpp"
+#include "playground/operators.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
 namespace playground {
-
-namespace {
-
-struct BinaryOperator {
-	NodeKind kind;
-	int level; // the higher, the tighter it binds
-};
-
-// Levels of parser.hpp's grammar: sum 1, product 2, inner 3, outer 4, prefix 5, and a number before a name 6.
-constexpr int PREFIX_LEVEL = 5;
-constexpr int NUMBER_LEVEL = 6;
-
-std::optional<BinaryOperator> binary_operator(TokenKind kind) {
-	switch (kind) {
-		case TokenKind::PLUS:
-			return BinaryOperator{ NodeKind::ADD, 1 };
-		case TokenKind::MINUS:
-			return BinaryOperator{ NodeKind::SUBTRACT, 1 };
-		case TokenKind::STAR:
-			return BinaryOperator{ NodeKind::GEOMETRIC, 2 };
-		case TokenKind::SLASH:
-			return BinaryOperator{ NodeKind::DIVIDE, 2 };
-		case TokenKind::BAR:
-			return BinaryOperator{ NodeKind::INNER, 3 };
-		case TokenKind::SHIFT_LEFT:
-			return BinaryOperator{ NodeKind::LEFT_CONTRACTION, 3 };
-		case TokenKind::SHIFT_RIGHT:
-			return BinaryOperator{ NodeKind::RIGHT_CONTRACTION, 3 };
-		case TokenKind::AMPERSAND:
-			return BinaryOperator{ NodeKind::REGRESSIVE, 3 };
-		case TokenKind::WEDGE:
-			return BinaryOperator{ NodeKind::OUTER, 4 };
-		default:
-			return std::nullopt;
-	}
-}
-
-std::optional<NodeKind> prefix_operator(TokenKind kind) {
-	switch (kind) {
-		case TokenKind::MINUS:
-			return NodeKind::NEGATE;
-		case TokenKind::TILDE:
-			return NodeKind::REVERSE;
-		case TokenKind::EXCLAMATION:
-			return NodeKind::DUAL;
-		default:
-			return std::nullopt;
-	}
-}
-
-// The values that a node takes from the stack.
-int operand_count(const Node &node) {
-	switch (node.kind) {
-		case NodeKind::NUMBER:
-		case NodeKind::CONSTANT:
-		case NodeKind::VARIABLE:
-			return 0;
-		case NodeKind::NEGATE:
-		case NodeKind::REVERSE:
-		case NodeKind::DUAL:
-			return 1;
-		case NodeKind::CALL:
-			return node.arguments;
-		default:
-			return 2;
-	}
-}
-
-} // namespace
 
 // Dijkstra's shunting yard: operators wait on a stack of their own until what binds tighter is done, so that no
 // function calls itself and a text of any shape needs only as much memory as MAX_DEPTH allows.
