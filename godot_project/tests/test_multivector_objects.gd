@@ -123,6 +123,18 @@ func test_imaginary_rounds() -> void:
 	expect_equal(Multivector.sphere(Vector3.ONE, 2.0).classify()["imaginary"], false)
 
 
+func test_nothing_that_is_read_is_nan() -> void:
+	# Whatever it is taken for. (Beyond, where doubles end, classify() says so and is "none".)
+	var generator := RandomNumberGenerator.new()
+	generator.seed = 23
+	for i in 500:
+		var element := Multivector.basis_blade(generator.randi_range(1, 30)).scaled(pow(10.0, generator.randi_range(-30, 30)))
+		element = element.add(Multivector.basis_blade(generator.randi_range(1, 30)).scaled(pow(10.0, generator.randi_range(-30, 30))))
+		for ipns: bool in [false, true]:
+			var found := element.classify(ipns)
+			expect_true(not str(found).contains("nan") and not str(found).contains("inf,"), "%s of %s" % [found, element.to_text()])
+
+
 ## In OPNS, and its dual in IPNS.
 func _expect_class(object: Multivector, kind: String, parts: Dictionary, tolerance: float) -> void:
 	for ipns: bool in [false, true]:
