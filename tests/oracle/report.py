@@ -30,7 +30,7 @@ class Line:
     def __str__(self):
         name = f"{self.oracle}: {self.name}"
         verdict = "ok" if self.good else "FAILED"
-        return f"{name:<86} {self.cases:>7,} cases  worst {self.worst:8.2g}  bound {self.bound:.0e}  {verdict}"
+        return f"{name:<92} {self.cases:>7,} cases  worst {self.worst:8.2g}  bound {self.bound:.0e}  {verdict}"
 
     def share(self):
         """How much of the bound the worst error takes; more than 1 if it failed."""

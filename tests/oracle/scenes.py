@@ -11,7 +11,7 @@ SCENES = {
     "1 km": (1e3, 1e3),
     "100 km": (1e5, 1e5),
     "1 m, 1 km away": (1.0, 1e3),
-    "1 km, 100 km away": (1e3, 1e5),
+    "1 km, 30 km away": (1e3, 3e4),
 }
 LIMIT = 0.8  # of cosines: nothing nearly parallel, where the answer itself is unsure
 

@@ -10,7 +10,8 @@ from bivectors import BLADES, LAYOUT, vector
 
 ORACLE = "subspaces"
 CASES = 40
-BOUND = 1e-12
+# The vectors are far from unit size where blades of any vectors are taken for objects.
+BOUND = 1e-8
 E_INFINITY, E_ORIGIN = vector([0, 0, 0, 1, 1]), vector([0, 0, 0, -0.5, 0.5])
 KINDS = ("any vectors", "points", "points and infinity")
 
