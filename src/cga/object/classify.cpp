@@ -54,10 +54,7 @@ Classification round(const ConformalParts &parts, int grade) {
 	const Vector center = parameters.center;
 	const double squared_radius = parameters.squared_radius;
 
-	// (c^2 + r^2) / 2 is what e4 and e5 hold; the weight is their difference.
-	const double held = glm::dot(center, center) + std::abs(squared_radius);
-	const double rounding = EPSILON * (64.0 * (1.0 + held) + held * held);
-	const bool is_tangent = std::abs(squared_radius) <= rounding;
+	const bool is_tangent = std::abs(squared_radius) <= squared_radius_rounding(parts, parameters);
 
 	Classification found;
 	found.center = center;

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace cga {
@@ -97,6 +98,12 @@ RoundParameters round_parameters(const ConformalParts &parts, int k) {
 	const Vector3<double> across = vector_of(parts.euclidean.geometric_product(inverse));
 	const double power = parity_sign(k) * parts.infinity.scalar_product(inverse);
 	return { along + across, attitude, 2.0 * power + glm::dot(along, along) - glm::dot(across, across) };
+}
+
+double squared_radius_rounding(const ConformalParts &parts, const RoundParameters &parameters) {
+	const double squares = glm::dot(parameters.center, parameters.center) + std::abs(parameters.squared_radius);
+	const double held = 2.0 * parts.infinity.max_abs() / parts.origin.max_abs();
+	return std::numeric_limits<double>::epsilon() * (1.0 + squares) * (64.0 + held);
 }
 
 FlatParameters flat_parameters(const ConformalParts &parts, int k) {

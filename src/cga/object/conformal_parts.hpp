@@ -42,6 +42,9 @@ struct RoundParameters {
 };
 // Only where R is not zero.
 [[nodiscard]] RoundParameters round_parameters(const ConformalParts &parts, int k);
+// How far rounding of coefficients alone can put r^2 off. Those of e4 and e5 hold 2 Q / R, which for objects far from
+// the origin is c^2, beside a weight R that is their difference; r^2 is a difference of squares.
+[[nodiscard]] double squared_radius_rounding(const ConformalParts &parts, const RoundParameters &parameters);
 // What a flat of grade k + 2 is made of: the foot of the origin, p = Q F^-1. Only where D is not zero.
 struct FlatParameters {
 	Vector3<double> foot;

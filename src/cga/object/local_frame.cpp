@@ -20,6 +20,8 @@ struct Place {
 	bool is_round = false;
 	Vector3<double> center{};
 	double radius = 0.0;
+	// Of the squared radius of a round.
+	double rounding = 0.0;
 };
 
 Place place_of(const Multivector &blade) {
@@ -27,6 +29,11 @@ Place place_of(const Multivector &blade) {
 	Place place;
 	place.is_round = found.radius || found.kind == Kind::point || found.kind == Kind::tangent;
 	place.radius = found.radius.value_or(0.0);
+	if (place.is_round) {
+		const ConformalParts parts = parts_of(blade);
+		const double radius = found.imaginary ? -place.radius : place.radius;
+		place.rounding = squared_radius_rounding(parts, { *found.center, {}, radius * place.radius });
+	}
 	if (found.center) {
 		place.exists = true;
 		place.center = *found.center;
@@ -37,15 +44,9 @@ Place place_of(const Multivector &blade) {
 	return place;
 }
 
-// What the coefficients of an object hold beside a weight of 1: c^2 + r^2. Of flats the distance is all.
-double held_by(const Place &place) {
-	return place.is_round ? glm::dot(place.center, place.center) + place.radius * place.radius : 0.0;
-}
-
-// Rounding of those coefficients, when c is taken away.
+// In a frame of this unit: of flats the distance is all that is held.
 double rounding_of(const Place &place, double unit) {
-	const double held = 1.0 + held_by(place);
-	return place.is_round ? EPSILON * held * (4.0 + 0.5 * held) / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
+	return place.is_round ? place.rounding / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
 }
 
 } // namespace
@@ -62,7 +63,7 @@ LocalFrame::LocalFrame(const Multivector &first, const Multivector &second) {
 		size = std::max(size, glm::length(a.center - b.center));
 	}
 	// Smaller than this, objects are one: what is left of their differences is rounding.
-	size = std::max(size, std::sqrt(64.0 * EPSILON) * (1.0 + std::max(held_by(a), held_by(b))));
+	size = std::max(size, 8.0 * std::sqrt(std::max(a.rounding, b.rounding)));
 	// A power of two changes no digit.
 	_unit = std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
 	_rounding = ALWAYS + std::max(rounding_of(a, _unit), rounding_of(b, _unit));
