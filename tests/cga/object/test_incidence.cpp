@@ -1,0 +1,133 @@
+#include "cga/object/incidence.hpp"
+
+#include "../random_poses.hpp"
+#include "cga/object/classify.hpp"
+#include "cga/object/construct.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace cga;
+using namespace cga_test;
+
+namespace {
+
+constexpr int CASES = 2000;
+
+// A random blade of grade 1 to 4: points, and e_inf among them.
+Multivector random_blade(Random &random) {
+	Multivector blade = point(random.vector(1.0));
+	const int factors = int(random.uniform(0.0, 4.0));
+	for (int i = 0; i < factors; ++i) {
+		blade = blade.outer_product(i == 0 && random.uniform(0.0, 1.0) < 0.3 ? e_infinity() : point(random.vector(1.0)));
+	}
+	return blade;
+}
+
+Kind kind_of(const Result<Multivector> &x) {
+	REQUIRE_MESSAGE(x, x.error());
+	return classify(*x).kind;
+}
+
+double relative(const Multivector &x, const Multivector &size) {
+	return x.max_abs() / size.max_abs();
+}
+
+// The part of X B above grade |b - x|, which is zero if X is in B.
+Multivector contained(const Multivector &x, const Multivector &b) {
+	return x.geometric_product(b) - x.left_contraction(b);
+}
+
+} // namespace
+
+TEST_CASE("every vector of the meet is in both, and every one of both in the join") {
+	Random random(1);
+	for (int i = 0; i < CASES; ++i) {
+		const Multivector a = random_blade(random), b = random_blade(random);
+		const Result<Multivector> shared = meet(a, b), spanned = join(a, b);
+		REQUIRE(shared);
+		REQUIRE(spanned);
+		// A is in the join J, and the meet M is in A: with the larger of two blades, their inner product is a product.
+		CHECK(relative(contained(a, *spanned), *spanned) < 1e-7 * a.max_abs());
+		CHECK(relative(contained(b, *spanned), *spanned) < 1e-7 * b.max_abs());
+		CHECK(relative(contained(*shared, a), a) < 1e-7 * shared->max_abs());
+		CHECK(relative(contained(*shared, b), b) < 1e-7 * shared->max_abs());
+		if (kind_of(shared) == Kind::point) {
+			CHECK(relative(shared->outer_product(a), *shared) < 1e-7 * a.max_abs());
+			CHECK(relative(shared->outer_product(b), *shared) < 1e-7 * b.max_abs());
+		}
+		const Classification pair = classify(*shared);
+		if (pair.points) {
+			for (const Vector3D &end : *pair.points) {
+				const double size = 1.0 + glm::dot(end, end);
+				CHECK(relative(point(end).outer_product(a), a) < 1e-7 * size);
+				CHECK(relative(point(end).outer_product(b), b) < 1e-7 * size);
+			}
+		}
+	}
+}
+
+TEST_CASE("every pair of kinds that degenerates") {
+	const Multivector ground = *plane({ 0, 0, 1 }, 0.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0), x_axis = *line({ 0, 0, 0 }, { 1, 0, 0 });
+	CHECK(kind_of(meet(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::flat_point);
+	CHECK(kind_of(join(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::plane);
+	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::direction);
+	CHECK(kind_of(join(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::plane);
+	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 0, 0, 1 }))) == Kind::direction);
+	CHECK(kind_of(meet(x_axis, x_axis)) == Kind::line);
+	CHECK(kind_of(meet(x_axis, ground)) == Kind::line);
+	CHECK(kind_of(join(x_axis, ground)) == Kind::plane);
+	CHECK(kind_of(meet(*plane({ 0, 0, 1 }, 1.0), ground)) == Kind::direction);
+	CHECK(kind_of(meet(unit_sphere, *plane({ 0, 0, 1 }, 1.0))) == Kind::tangent);
+	CHECK(kind_of(meet(unit_sphere, *line({ 0, 0, 1 }, { 1, 0, 0 }))) == Kind::tangent);
+	CHECK(kind_of(meet(unit_sphere, *sphere({ 3, 0, 0 }, 2.0))) == Kind::tangent);
+	CHECK(kind_of(meet(unit_sphere, unit_sphere)) == Kind::sphere);
+	CHECK(kind_of(meet(unit_sphere, point({ 0, 1, 0 }))) == Kind::point);
+	CHECK(kind_of(meet(unit_sphere, point({ 0, 2, 0 }))) == Kind::scalar);
+	CHECK(classify(*meet(unit_sphere, *sphere({ 5, 0, 0 }, 2.0))).imaginary);
+	const Classification concentric = classify(*meet(unit_sphere, *sphere({ 0, 0, 0 }, 2.0)));
+	CHECK(concentric.kind == Kind::flat_point);
+	CHECK(concentric.ipns);
+	const Multivector rim = *circle({ 0, 0, 0 }, { 0, 0, 1 }, 1.0);
+	CHECK(kind_of(meet(rim, *circle({ 1, 0, 0 }, { 0, 0, 1 }, 1.0))) == Kind::point_pair);
+	CHECK(classify(*meet(rim, *circle({ 5, 0, 0 }, { 0, 0, 1 }, 1.0))).imaginary);
+	CHECK(kind_of(meet(rim, ground)) == Kind::circle);
+	CHECK(kind_of(meet(rim, unit_sphere)) == Kind::circle);
+}
+
+TEST_CASE("projection and rejection add up to a vector, and reflecting twice changes nothing") {
+	Random random(2);
+	for (int i = 0; i < CASES; ++i) {
+		const Vector3D p = random.vector(1.0), n = glm::normalize(random.vector(1.0));
+		const Multivector mirrors[] = { *plane(n, 0.3), *sphere(random.vector(1.0), random.uniform(0.5, 2.0)), *line(random.vector(1.0), n) };
+		for (const Multivector &mirror : mirrors) {
+			const Result<Multivector> image = reflect_in(point(p), mirror);
+			REQUIRE(image);
+			const Result<Multivector> back = reflect_in(*image, mirror);
+			REQUIRE(back);
+			const std::optional<Vector3D> position = position_of(*back);
+			REQUIRE(position);
+			CHECK(glm::length(*position - p) < 1e-8 * (1.0 + glm::dot(p, p)));
+		}
+		const double distance = glm::dot(n, p) - 0.3;
+		const std::optional<Vector3D> mirrored = position_of(*reflect_in(point(p), mirrors[0]));
+		REQUIRE(mirrored);
+		CHECK(glm::length(*mirrored - (p - 2.0 * distance * n)) < 1e-12);
+	}
+}
+
+TEST_CASE("what is no blade, or null where an inverse is needed, is refused with a reason") {
+	const Multivector no_blade = Multivector::basis_blade(6) + Multivector::basis_blade(13), good = *sphere({ 0, 0, 0 }, 1.0);
+	for (const auto function : { meet, join, project_onto, reject_from, reflect_in }) {
+		for (const Multivector &bad : { no_blade, Multivector(), good * std::numeric_limits<double>::infinity(), good + Multivector::scalar(1.0) }) {
+			CHECK_FALSE(function(good, bad).has_value());
+			CHECK_FALSE(function(bad, good).has_value());
+			CHECK_FALSE(std::string(function(bad, good).error()).empty());
+		}
+	}
+	for (const auto function : { project_onto, reject_from, reflect_in }) {
+		CHECK_FALSE(function(good, point({ 1, 2, 3 })).has_value());
+		CHECK_FALSE(function(good, *direction({ 1, 0, 0 })).has_value());
+	}
+}
