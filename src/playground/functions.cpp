@@ -49,15 +49,11 @@ bool is_point(const Multivector &x) {
 
 // w - z e12 + y e13 - x e23
 cga::Quaternion<double> rotor_quaternion(const Multivector &x) {
-	constexpr int E12 = cga::blade_index("e12");
-	constexpr int E13 = cga::blade_index("e13");
-	constexpr int E23 = cga::blade_index("e23");
-	return { x[0], -x[E23], x[E13], -x[E12] };
+	return { x[0], -x[cga::E23], x[cga::E13], -x[cga::E12] };
 }
 
 bool is_rotor(const Multivector &x) {
-	constexpr unsigned E4_E5 = 0b11000;
-	return x.max_abs() > 0.0 && has_only(x, [](int index) { return cga::blade_grade(index) % 2 == 0 && (cga::BLADE_BITMAPS[size_t(index)] & E4_E5) == 0; });
+	return x.max_abs() > 0.0 && has_only(x, [](int index) { return cga::blade_grade(index) % 2 == 0 && (cga::BLADE_BITMAPS[size_t(index)] & (cga::E4_BIT | cga::E5_BIT)) == 0; });
 }
 
 std::vector<Function> collect(std::initializer_list<FunctionTable> tables) {

@@ -16,8 +16,11 @@ namespace cga {
 inline constexpr int DIMENSION = 5;
 inline constexpr int BLADE_COUNT = 1 << DIMENSION;
 
+// The bits of e4 and e5, which the null vectors e_inf and e_o are made of.
+inline constexpr unsigned E4_BIT = 0b01000;
+inline constexpr unsigned E5_BIT = 0b10000;
 // The bits of vectors that square to -1.
-inline constexpr unsigned NEGATIVE_VECTORS = 0b10000;
+inline constexpr unsigned NEGATIVE_VECTORS = E5_BIT;
 
 [[nodiscard]] constexpr int grade_of_bitmap(unsigned bitmap) {
 	int grade = 0;
@@ -136,5 +139,38 @@ struct SignedBlade {
 [[nodiscard]] constexpr int blade_index(std::string_view name) {
 	return parse_blade(name).value().index;
 }
+
+// The indices of the basis blades, by name.
+inline constexpr int E1 = blade_index("e1");
+inline constexpr int E2 = blade_index("e2");
+inline constexpr int E3 = blade_index("e3");
+inline constexpr int E4 = blade_index("e4");
+inline constexpr int E5 = blade_index("e5");
+inline constexpr int E12 = blade_index("e12");
+inline constexpr int E13 = blade_index("e13");
+inline constexpr int E14 = blade_index("e14");
+inline constexpr int E15 = blade_index("e15");
+inline constexpr int E23 = blade_index("e23");
+inline constexpr int E24 = blade_index("e24");
+inline constexpr int E25 = blade_index("e25");
+inline constexpr int E34 = blade_index("e34");
+inline constexpr int E35 = blade_index("e35");
+inline constexpr int E45 = blade_index("e45");
+inline constexpr int E123 = blade_index("e123");
+inline constexpr int E124 = blade_index("e124");
+inline constexpr int E125 = blade_index("e125");
+inline constexpr int E134 = blade_index("e134");
+inline constexpr int E135 = blade_index("e135");
+inline constexpr int E145 = blade_index("e145");
+inline constexpr int E234 = blade_index("e234");
+inline constexpr int E235 = blade_index("e235");
+inline constexpr int E245 = blade_index("e245");
+inline constexpr int E345 = blade_index("e345");
+inline constexpr int E1234 = blade_index("e1234");
+inline constexpr int E1235 = blade_index("e1235");
+inline constexpr int E1245 = blade_index("e1245");
+inline constexpr int E1345 = blade_index("e1345");
+inline constexpr int E2345 = blade_index("e2345");
+inline constexpr int E12345 = blade_index("e12345");
 
 } // namespace cga

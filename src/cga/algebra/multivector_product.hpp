@@ -15,9 +15,6 @@ namespace cga {
 
 namespace detail {
 
-// The bits of e4 and e5.
-inline constexpr size_t NULL_PAIR = 0b11000;
-
 // The product of coefficients of a left blade and of what makes it the result.
 template <size_t result, size_t left>
 CGA_FLATTEN double term(const Multivector &a, const Multivector &b) {
@@ -39,7 +36,7 @@ CGA_FLATTEN void add_signed(double &sum, double value) {
 // its code.
 template <Product product, size_t result, size_t left>
 CGA_FLATTEN void add_pair(double &sum, const Multivector &a, const Multivector &b) {
-	constexpr size_t OTHER = left ^ NULL_PAIR;
+	constexpr size_t OTHER = left ^ (E4_BIT | E5_BIT);
 	constexpr int SIGN = SIGN_TABLE<product>[left][result];
 	constexpr int OTHER_SIGN = SIGN_TABLE<product>[OTHER][result];
 	if constexpr (SIGN != 0 && OTHER_SIGN != 0) {

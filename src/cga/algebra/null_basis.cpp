@@ -2,16 +2,6 @@
 
 namespace cga {
 
-namespace {
-
-constexpr int E1 = blade_index("e1");
-constexpr int E2 = blade_index("e2");
-constexpr int E3 = blade_index("e3");
-constexpr int E4 = blade_index("e4");
-constexpr int E5 = blade_index("e5");
-
-} // namespace
-
 Multivector e_infinity() {
 	return Multivector::basis_blade(E4) + Multivector::basis_blade(E5);
 }

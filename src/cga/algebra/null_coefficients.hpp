@@ -9,8 +9,38 @@
 
 namespace cga {
 
+namespace detail {
+
+// `exchange` of each pair of coefficients whose blades differ in e4 and e5 only; all others stay.
+template <class Exchange>
+constexpr void for_each_null_pair(Multivector::Coefficients &coefficients, Exchange exchange) {
+	for (unsigned euclidean = 0; euclidean < E4_BIT; ++euclidean) {
+		exchange(coefficients[BLADE_INDICES[euclidean | E4_BIT]], coefficients[BLADE_INDICES[euclidean | E5_BIT]]);
+	}
+}
+
+} // namespace detail
+
 // A difference of coefficients above 8e307 may overflow.
-[[nodiscard]] Multivector::Coefficients to_null_coefficients(const Multivector &x);
-[[nodiscard]] Multivector from_null_coefficients(const Multivector::Coefficients &coefficients);
+[[nodiscard]] constexpr Multivector::Coefficients to_null_coefficients(const Multivector &x) {
+	Multivector::Coefficients coefficients = x.coefficients();
+	detail::for_each_null_pair(coefficients, [](double &fourth, double &fifth) {
+		const double infinity = 0.5 * fourth + 0.5 * fifth;
+		fifth = fifth - fourth;
+		fourth = infinity;
+	});
+	return coefficients;
+}
+
+// c_inf e_inf + c_o e_o = (c_inf - c_o/2) e4 + (c_inf + c_o/2) e5
+[[nodiscard]] constexpr Multivector from_null_coefficients(const Multivector::Coefficients &coefficients) {
+	Multivector::Coefficients result = coefficients;
+	detail::for_each_null_pair(result, [](double &infinity, double &origin) {
+		const double fourth = infinity - 0.5 * origin;
+		origin = infinity + 0.5 * origin;
+		infinity = fourth;
+	});
+	return Multivector(result);
+}
 
 } // namespace cga

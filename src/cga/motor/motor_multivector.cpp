@@ -1,5 +1,6 @@
 #include "cga/motor/motor_multivector.hpp"
 
+#include "cga/motor/motor_packing.hpp"
 #include "cga/motor/versor.hpp"
 
 #include <algorithm>
@@ -8,34 +9,6 @@
 namespace cga {
 
 namespace {
-
-// The coefficients of a quaternion of the minimal form, in its order (w, x, y, z), of A and B: half their sum is the
-// coefficient of `euclidean`, half their difference that of `with_e45`, each with the sign of the packing.
-struct PackedPair {
-	int euclidean;
-	int with_e45;
-	double sign;
-};
-
-constexpr PackedPair PAIRS[4] = {
-	{ blade_index("1"), blade_index("e45"), 1.0 },
-	{ blade_index("e23"), blade_index("e2345"), -1.0 },
-	{ blade_index("e13"), blade_index("e1345"), 1.0 },
-	{ blade_index("e12"), blade_index("e1245"), -1.0 },
-};
-
-// The coefficients of V in its order (w, x, y, z): those with e4 and with e5 are equal in a motor.
-struct NullPair {
-	int with_e4;
-	int with_e5;
-};
-
-constexpr NullPair NULL_PAIRS[4] = {
-	{ blade_index("e1234"), blade_index("e1235") },
-	{ blade_index("e14"), blade_index("e15") },
-	{ blade_index("e24"), blade_index("e25") },
-	{ blade_index("e34"), blade_index("e35") },
-};
 
 using Four = std::array<double, 4>;
 
@@ -63,10 +36,10 @@ Multivector to_multivector(const Motor<double> &motor) {
 	const Four v = unpack(motor.v);
 	Multivector result;
 	for (size_t i = 0; i < 4; ++i) {
-		result[PAIRS[i].euclidean] = PAIRS[i].sign * 0.5 * (a[i] + b[i]);
-		result[PAIRS[i].with_e45] = PAIRS[i].sign * 0.5 * (a[i] - b[i]);
-		result[NULL_PAIRS[i].with_e4] = v[i];
-		result[NULL_PAIRS[i].with_e5] = v[i];
+		result[MOTOR_PAIRS[i].euclidean] = MOTOR_PAIRS[i].sign * 0.5 * (a[i] + b[i]);
+		result[MOTOR_PAIRS[i].with_e45] = MOTOR_PAIRS[i].sign * 0.5 * (a[i] - b[i]);
+		result[MOTOR_NULL_PAIRS[i].with_e4] = v[i];
+		result[MOTOR_NULL_PAIRS[i].with_e5] = v[i];
 	}
 	return result;
 }
@@ -84,10 +57,10 @@ std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
 	Four v;
 	double null_residue = 0.0;
 	for (size_t i = 0; i < 4; ++i) {
-		a[i] = PAIRS[i].sign * (x[PAIRS[i].euclidean] + x[PAIRS[i].with_e45]);
-		b[i] = PAIRS[i].sign * (x[PAIRS[i].euclidean] - x[PAIRS[i].with_e45]);
-		v[i] = 0.5 * (x[NULL_PAIRS[i].with_e4] + x[NULL_PAIRS[i].with_e5]);
-		null_residue = std::max(null_residue, std::abs(x[NULL_PAIRS[i].with_e4] - x[NULL_PAIRS[i].with_e5]));
+		a[i] = MOTOR_PAIRS[i].sign * (x[MOTOR_PAIRS[i].euclidean] + x[MOTOR_PAIRS[i].with_e45]);
+		b[i] = MOTOR_PAIRS[i].sign * (x[MOTOR_PAIRS[i].euclidean] - x[MOTOR_PAIRS[i].with_e45]);
+		v[i] = 0.5 * (x[MOTOR_NULL_PAIRS[i].with_e4] + x[MOTOR_NULL_PAIRS[i].with_e5]);
+		null_residue = std::max(null_residue, std::abs(x[MOTOR_NULL_PAIRS[i].with_e4] - x[MOTOR_NULL_PAIRS[i].with_e5]));
 	}
 	Motor<double> motor;
 	motor.a = pack(a);
@@ -118,13 +91,13 @@ std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
 
 std::optional<MotorLog<double>> to_motor_log(const Multivector &bivector, double tolerance) {
 	MotorLog<double> log;
-	log.rotation = { -2.0 * bivector[blade_index("e23")], 2.0 * bivector[blade_index("e13")], -2.0 * bivector[blade_index("e12")] };
-	log.dilation = -2.0 * bivector[blade_index("e45")];
+	log.rotation = { -2.0 * bivector[E23], 2.0 * bivector[E13], -2.0 * bivector[E12] };
+	log.dilation = -2.0 * bivector[E45];
 	double velocity_residue = 0.0;
 	double velocity = 0.0;
 	for (int axis = 0; axis < 3; ++axis) {
-		const double with_e4 = bivector[NULL_PAIRS[axis + 1].with_e4];
-		const double with_e5 = bivector[NULL_PAIRS[axis + 1].with_e5];
+		const double with_e4 = bivector[MOTOR_NULL_PAIRS[axis + 1].with_e4];
+		const double with_e5 = bivector[MOTOR_NULL_PAIRS[axis + 1].with_e5];
 		log.velocity[axis] = -(with_e4 + with_e5);
 		velocity = std::max(velocity, std::abs(with_e4));
 		velocity_residue = std::max(velocity_residue, std::abs(with_e4 - with_e5));

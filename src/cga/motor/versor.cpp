@@ -4,17 +4,6 @@
 
 namespace cga {
 
-namespace {
-
-constexpr int E1 = blade_index("e1");
-constexpr int E2 = blade_index("e2");
-constexpr int E3 = blade_index("e3");
-constexpr int E12 = blade_index("e12");
-constexpr int E13 = blade_index("e13");
-constexpr int E23 = blade_index("e23");
-
-} // namespace
-
 Multivector point(const Vector3<double> &position) {
 	return euclidean(position) + e_infinity() * (0.5 * glm::dot(position, position)) + e_origin();
 }

@@ -13,8 +13,6 @@ namespace cga {
 namespace {
 
 constexpr unsigned EUCLIDEAN_BLADES = 8;
-constexpr unsigned E4 = 0b01000;
-constexpr unsigned E5 = 0b10000;
 
 constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double FLATNESS = 1e-12;
@@ -49,9 +47,9 @@ ConformalParts parts_of(const Multivector &x) {
 	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
 		const int index = BLADE_INDICES[bitmap];
 		parts.euclidean[index] = null[BLADE_INDICES[bitmap]];
-		parts.infinity[index] = null[BLADE_INDICES[bitmap | E4]];
-		parts.origin[index] = null[BLADE_INDICES[bitmap | E5]];
-		parts.both[index] = null[BLADE_INDICES[bitmap | E4 | E5]];
+		parts.infinity[index] = null[BLADE_INDICES[bitmap | E4_BIT]];
+		parts.origin[index] = null[BLADE_INDICES[bitmap | E5_BIT]];
+		parts.both[index] = null[BLADE_INDICES[bitmap | E4_BIT | E5_BIT]];
 	}
 	return parts;
 }
@@ -61,9 +59,9 @@ Multivector from_parts(const ConformalParts &parts) {
 	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
 		const int index = BLADE_INDICES[bitmap];
 		null[BLADE_INDICES[bitmap]] = parts.euclidean[index];
-		null[BLADE_INDICES[bitmap | E4]] = parts.infinity[index];
-		null[BLADE_INDICES[bitmap | E5]] = parts.origin[index];
-		null[BLADE_INDICES[bitmap | E4 | E5]] = parts.both[index];
+		null[BLADE_INDICES[bitmap | E4_BIT]] = parts.infinity[index];
+		null[BLADE_INDICES[bitmap | E5_BIT]] = parts.origin[index];
+		null[BLADE_INDICES[bitmap | E4_BIT | E5_BIT]] = parts.both[index];
 	}
 	return from_null_coefficients(null);
 }
@@ -126,18 +124,18 @@ Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude
 
 Multivector plane_across(const Vector3<double> &normal) {
 	Multivector plane;
-	plane[blade_index("e23")] = normal.x;
-	plane[blade_index("e13")] = -normal.y;
-	plane[blade_index("e12")] = normal.z;
+	plane[E23] = normal.x;
+	plane[E13] = -normal.y;
+	plane[E12] = normal.z;
 	return plane;
 }
 
 Vector3<double> normal_of(const Multivector &bivector) {
-	return { bivector[blade_index("e23")], -bivector[blade_index("e13")], bivector[blade_index("e12")] };
+	return { bivector[E23], -bivector[E13], bivector[E12] };
 }
 
 Vector3<double> vector_of(const Multivector &x) {
-	return { x[blade_index("e1")], x[blade_index("e2")], x[blade_index("e3")] };
+	return { x[E1], x[E2], x[E3] };
 }
 
 } // namespace cga

@@ -52,7 +52,7 @@ Result<Multivector> checked(const Multivector &x) {
 }
 
 Multivector volume() {
-	return Multivector::basis_blade(blade_index("e123"));
+	return Multivector::basis_blade(E123);
 }
 
 // The round with this attitude, or why there is none.

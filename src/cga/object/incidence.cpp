@@ -16,7 +16,6 @@ namespace cga {
 
 namespace {
 
-constexpr unsigned E5 = 0b10000;
 // Of one object's image, relative to its largest coefficient in the frame.
 constexpr double IMAGE_ROUNDING = 1e-10;
 
@@ -49,7 +48,7 @@ Result<Blades> enter(const Multivector &a, const Multivector &b) {
 // The left contraction in the metric where e5 squares to +1.
 Multivector contraction(const Multivector &left, const Multivector &right) {
 	Multivector mirrored = left;
-	for (unsigned bitmap = E5; bitmap < BLADE_COUNT; ++bitmap) {
+	for (unsigned bitmap = E5_BIT; bitmap < BLADE_COUNT; ++bitmap) {
 		mirrored[BLADE_INDICES[bitmap]] *= -1.0;
 	}
 	return mirrored.left_contraction(right);

@@ -13,12 +13,6 @@ namespace cga {
 
 namespace {
 
-constexpr int E1 = blade_index("e1");
-constexpr int E2 = blade_index("e2");
-constexpr int E3 = blade_index("e3");
-constexpr int E4 = blade_index("e4");
-constexpr int E5 = blade_index("e5");
-
 constexpr double LN_2 = 0.693147180559945309417;
 
 // A weight this near to 1 is 1, rounded.

@@ -1,5 +1,6 @@
 #include "cga/versor/motor_log.hpp"
 
+#include "cga/motor/motor_packing.hpp"
 #include "cga/motor/versor.hpp"
 
 #include <algorithm>
@@ -9,25 +10,14 @@ namespace cga {
 
 namespace {
 
-constexpr int E12 = blade_index("e12");
-constexpr int E13 = blade_index("e13");
-constexpr int E23 = blade_index("e23");
-constexpr int E45 = blade_index("e45");
-constexpr int E1245 = blade_index("e1245");
-constexpr int E1345 = blade_index("e1345");
-constexpr int E2345 = blade_index("e2345");
-
-// The coefficients of a motor that are equal in pairs.
-constexpr int WITH_E4[4] = { blade_index("e14"), blade_index("e24"), blade_index("e34"), blade_index("e1234") };
-constexpr int WITH_E5[4] = { blade_index("e15"), blade_index("e25"), blade_index("e35"), blade_index("e1235") };
-
-// Whether they are, relative to themselves: beside 1, a small transversion is not the rounding of a motor.
+// Whether the coefficients of a motor that are equal in pairs are so, relative to themselves: beside 1, a small
+// transversion is not the rounding of a motor.
 bool is_equal_in_pairs(const Multivector &x, double tolerance) {
 	double largest = 0.0;
 	double residue = 0.0;
-	for (size_t i = 0; i < 4; ++i) {
-		largest = std::max(largest, std::abs(x[WITH_E4[i]]));
-		residue = std::max(residue, std::abs(x[WITH_E4[i]] - x[WITH_E5[i]]));
+	for (const NullPair &pair : MOTOR_NULL_PAIRS) {
+		largest = std::max(largest, std::abs(x[pair.with_e4]));
+		residue = std::max(residue, std::abs(x[pair.with_e4] - x[pair.with_e5]));
 	}
 	return residue <= tolerance * largest;
 }

@@ -16,8 +16,6 @@ using namespace cga_test;
 
 namespace {
 
-constexpr int E12 = blade_index("e12");
-
 Multivector log_of(const Multivector &versor) {
 	const Result<Multivector> result = log(versor);
 	REQUIRE_MESSAGE(result, result.error());
