@@ -166,7 +166,7 @@ TEST_CASE("dual is X I^-1 and undual takes it back") {
 	CHECK(I.dual() == Multivector::scalar(1.0));
 	CHECK(Multivector::scalar(1.0).undual() == I);
 	Random random(4);
-	for (int repeat = 0; repeat < 100; ++repeat) {
+	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const Multivector x = random.multivector();
 		CHECK(x.dual().undual() == x);
 		CHECK(x.dual().dual() == -x);

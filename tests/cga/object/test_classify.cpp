@@ -59,6 +59,53 @@ TEST_CASE("the classification gives a constructor's parameters back, for any wei
 	}
 }
 
+TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km") {
+	Random random(2);
+	for (int i = 0; i < 3 * CASES; ++i) {
+		const double size = std::pow(10.0, random.uniform(-3.0, 5.0));
+		const Vector3D p = random.vector(size), n = glm::normalize(random.vector(1.0));
+		const double radius = random.uniform(0.5, 3.0) * size;
+		// Coefficients of e4 and e5 hold p^2 beside 1.
+		const double squares = 1.0 + (glm::dot(p, p) + radius * radius) / (size * size);
+		const double rounding = 2e-15 * squares * (size * size + 1.0 / (size * size) + 1.0);
+		CAPTURE(size);
+		const auto check_round = [&](const Result<Multivector> &made, Kind kind, bool imaginary, bool ipns) {
+			const Classification found = classify((ipns ? made->dual() : *made) * -random.scale(), ipns);
+			CHECK(found.kind == kind);
+			CHECK(found.ipns == ipns);
+			CHECK(found.imaginary == imaginary);
+			CHECK(gap(found.center, p) < rounding * size);
+			REQUIRE(found.radius);
+			CHECK(std::abs(*found.radius - radius) < rounding * size);
+			if (kind == Kind::circle || kind == Kind::point_pair) {
+				CHECK(angle(kind == Kind::circle ? found.normal : found.direction, n) < rounding);
+			}
+		};
+		for (const bool ipns : { false, true }) {
+			check_round(circle(p, n, radius), Kind::circle, false, ipns);
+			check_round(sphere(p, radius), Kind::sphere, false, ipns);
+			check_round(point_pair(p - n * radius, p + n * radius), Kind::point_pair, false, ipns);
+			check_round(imaginary_circle(p, n, radius), Kind::circle, true, ipns);
+			check_round(imaginary_sphere(p, radius), Kind::sphere, true, ipns);
+			check_round(imaginary_point_pair(p, n, radius), Kind::point_pair, true, ipns);
+		}
+		const Vector3D foot = p - n * glm::dot(n, p);
+		const double flat_rounding = 1e-14 * squares;
+		CHECK(gap(classify(*flat_point(p)).center, p) < flat_rounding * size);
+		CHECK(gap(classify(*line(p, n)).center, foot) < flat_rounding * size);
+		CHECK(angle(classify(line(p, n)->dual(), true).direction, n) < flat_rounding);
+		CHECK(std::abs(*classify(*plane(n, radius)).distance - radius) < flat_rounding * size);
+		CHECK(glm::length(*classify(*plane(n, radius)).normal - n) < flat_rounding);
+		CHECK(angle(classify(*direction(n)).direction, n) < 1e-15);
+		CHECK(angle(classify(*direction_across(n)).normal, n) < 1e-15);
+		CHECK(gap(classify(point(p)).center, p) < rounding * size);
+		CHECK(classify(point(p)).kind == Kind::point);
+		CHECK(gap(classify(*tangent_along(p, n)).center, p) < rounding * size);
+		CHECK(classify(*tangent_along(p, n)).kind == Kind::tangent);
+		CHECK(classify(*tangent_across(p, n)).kind == Kind::tangent);
+	}
+}
+
 TEST_CASE("every kind, at scales from a millimetre to 100 km") {
 	for (const double size : { 1e-3, 1.0, 1e3, 1e5 }) {
 		const Vector3D p = Vector3D(1, -2, 0.5) * size, n = glm::normalize(Vector3D(2, 1, -1));

@@ -1,6 +1,6 @@
 #include "cga/object/incidence.hpp"
 
-#include "../random_poses.hpp"
+#include "../versor/random_versors.hpp"
 #include "cga/object/classify.hpp"
 #include "cga/object/construct.hpp"
 
@@ -64,6 +64,38 @@ TEST_CASE("every vector of the meet is in both, and every one of both in the joi
 				CHECK(relative(point(end).outer_product(a), a) < 1e-7 * size);
 				CHECK(relative(point(end).outer_product(b), b) < 1e-7 * size);
 			}
+		}
+	}
+}
+
+TEST_CASE("a versor keeps incidence: what lies on an object lies on its image, and nothing else does") {
+	Random random(3);
+	for (int i = 0; i < CASES; ++i) {
+		const Vector3D center = random.vector(1.0), normal = glm::normalize(random.vector(1.0));
+		const Vector3D across = glm::normalize(glm::cross(normal, random.vector(1.0)));
+		const double radius = random.uniform(0.3, 2.0);
+		const struct {
+			Multivector object;
+			Vector3D on;
+			Vector3D off;
+		} scenes[] = {
+			{ *point_pair(center - normal, center + normal), center + normal, center },
+			{ *circle(center, normal, radius), center + across * radius, center },
+			{ *sphere(center, radius), center - normal * radius, center },
+			{ *flat_point(center), center, center + across },
+			{ *line(center, normal), center + normal * 3.0, center + across },
+			{ *plane(normal, glm::dot(normal, center)), center + across * 3.0, center + normal },
+		};
+		// Reflections, inversions and their products: turns, motions and dilations among them.
+		const Multivector versor = random_product(random, 1 + i % 4);
+		const auto image = [&](const Multivector &x) { return *versor.sandwich(x); };
+		for (const auto &[object, on, off] : scenes) {
+			const double size = image(object).max_abs();
+			CHECK(image(point(on)).outer_product(image(object)).max_abs() < 1e-9 * size * image(point(on)).max_abs());
+			// Of any two elements the image of the outer product is that of the images.
+			const Multivector outside = image(point(off)).outer_product(image(object));
+			CHECK(relative(outside - image(point(off).outer_product(object)), outside) < 1e-9 * size);
+			CHECK(outside.max_abs() > 1e-9 * size * image(point(off)).max_abs());
 		}
 	}
 }

@@ -1,7 +1,9 @@
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/motor/versor.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
+#include "cga/versor/normalized.hpp"
 #include "cga/versor/power.hpp"
 #include "long_multivector.hpp"
 #include "random_versors.hpp"
@@ -89,4 +91,28 @@ TEST_CASE("exp and log are the closed form of the whole motor, not of its transl
 	const Multivector split = log_of(translator(motor.to_pose()->translation)) + log_of(rotor(motor.to_pose()->rotation));
 	CHECK(relative_error(*exp(split), screw) > 0.1);
 	CHECK(relative_error(*exp(log_of(screw)), screw) < 1e-15);
+}
+
+TEST_CASE("a sum of motors is no motor; normalising it from the left gives one, from the right does not") {
+	Random random(154);
+	double worst_from_the_right = 0.0;
+	for (int repeat = 0; repeat < 1000; ++repeat) {
+		const PoseD from = random.rigid_pose(1.0), to = random.rigid_pose(1.0);
+		const Multivector blend = to_multivector(Motor<double>::from_pose(from)) * 0.4 + to_multivector(Motor<double>::from_pose(to)) * 0.6;
+		CHECK_FALSE(is_motor(blend));
+		const Multivector unit = *normalized(blend);
+		CHECK(is_motor(unit));
+		// Noise in all twelve coefficients is what the side matters for.
+		const Motor<double> exact = Motor<double>::from_pose({ random.vector(1.0), random.rotation(), 2.0 });
+		const auto shake = [&](const QuaternionD &q) { return q + QuaternionD(random.normal(), random.normal(), random.normal(), random.normal()) * 1e-2; };
+		const Multivector x = to_multivector(Motor<double>{ shake(exact.a), shake(exact.b), shake(exact.v) });
+		const Multivector square = x.geometric_product(x.reverse());
+		const double n = std::sqrt(square[0] * square[0] - square.grade(4).geometric_product(square.grade(4))[0]);
+		const Multivector factor = (Multivector::scalar(n + square[0]) - square.grade(4)) * (1.0 / (n * std::sqrt(2.0 * (n + square[0]))));
+		const auto error = [](const Multivector &m) { return (m.geometric_product(m.reverse()) - Multivector::scalar(1.0)).max_abs(); };
+		CHECK(error(factor.geometric_product(x)) < 1e-13);
+		CHECK(error(*normalized(x)) < 1e-13);
+		worst_from_the_right = std::max(worst_from_the_right, error(x.geometric_product(factor)));
+	}
+	CHECK(worst_from_the_right > 1e-3);
 }
