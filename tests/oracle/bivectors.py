@@ -1,4 +1,4 @@
-"""Bivectors and versors that the oracles ask about, as arrays of 32 numbers."""
+"""Vectors, bivectors and versors that the oracles ask about, as arrays of 32 numbers."""
 
 import itertools
 
@@ -25,6 +25,13 @@ def vector(numbers):
     element = np.zeros(BLADES)
     element[1:6] = numbers
     return element
+
+
+def extent(round_):
+    """About how far a round reaches, in metres, where that is far: radius and distance from the origin."""
+    infinity = vector([0, 0, 0, 1, 1])
+    weight = np.linalg.norm(LAYOUT.omt_func(infinity, LAYOUT.lcmt_func(infinity, round_)))
+    return np.linalg.norm(round_) / weight if weight > 0.0 else 0.0
 
 
 def motor_bivector(log):
