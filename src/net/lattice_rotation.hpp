@@ -1,0 +1,66 @@
+#pragma once
+
+#include "cga/vector.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace net {
+
+/// A unit quaternion by its three components of smallest magnitude, in steps of 2^-17 (8 microradians): few enough
+/// bits to send, and the same doubles on every machine.
+struct LatticeRotation {
+	static constexpr int BITS = 18; ///< of a level, with its sign
+	static constexpr double STEPS = 131072.0;
+	static constexpr std::int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
+
+	std::uint8_t dropped = 3; ///< index of the largest component in (x, y, z, w), which is positive
+	std::int32_t level[3] = { 0, 0, 0 };
+
+	[[nodiscard]] static LatticeRotation nearest(const cga::Quaternion<double> &q) {
+		const double c[4] = { q.x, q.y, q.z, q.w };
+		LatticeRotation result;
+		for (int i = 2; i >= 0; --i) {
+			if (std::fabs(c[i]) > std::fabs(c[result.dropped])) {
+				result.dropped = std::uint8_t(i);
+			}
+		}
+		const double sign = c[result.dropped] < 0.0 ? -STEPS : STEPS;
+		for (int i = 0, slot = 0; i < 4; ++i) {
+			if (i != result.dropped) {
+				result.level[slot++] = std::int32_t(std::floor(sign * c[i] + 0.5));
+			}
+		}
+		return result;
+	}
+
+	/// False where no unit quaternion has these components.
+	[[nodiscard]] bool is_valid() const {
+		for (const std::int32_t value : level) {
+			if (value < -MAX_LEVEL || value > MAX_LEVEL) {
+				return false;
+			}
+		}
+		return dropped < 4 && rest() > 0.0;
+	}
+
+	[[nodiscard]] cga::Quaternion<double> value() const {
+		double c[4];
+		for (int i = 0, slot = 0; i < 4; ++i) {
+			c[i] = i == dropped ? std::sqrt(rest()) : double(level[slot++]) / STEPS;
+		}
+		return cga::Quaternion<double>(c[3], c[0], c[1], c[2]);
+	}
+
+private:
+	[[nodiscard]] double rest() const {
+		double sum = 1.0;
+		for (const std::int32_t value : level) {
+			const double component = double(value) / STEPS;
+			sum -= component * component;
+		}
+		return sum;
+	}
+};
+
+} // namespace net

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "cga/vector.hpp"
+
+#include <cmath>
+
+// Rotation vectors: axis times angle in radians.
+
+namespace net {
+
+/// The rotation of a vector of at most about 8 radians. Additions, products and nothing else, so that every machine
+/// finds the same bits: sine and cosine of a quarter of the half angle as series, then the angle doubled twice.
+[[nodiscard]] inline cga::Quaternion<double> exp_rotation(const cga::Vector3<double> &vector) {
+	const cga::Vector3<double> quarter = vector * 0.125;
+	const double x = quarter.x * quarter.x + quarter.y * quarter.y + quarter.z * quarter.z;
+	double scale = 1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0 * (1.0 - x / 156.0)))));
+	double w = 1.0 - x / 2.0 * (1.0 - x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0 * (1.0 - x / 132.0)))));
+	for (int i = 0; i < 2; ++i) {
+		scale = 2.0 * w * scale;
+		w = 2.0 * w * w - 1.0;
+	}
+	return cga::Quaternion<double>(w, quarter.x * scale, quarter.y * scale, quarter.z * scale);
+}
+
+/// The shortest vector of a unit quaternion's rotation.
+[[nodiscard]] inline cga::Vector3<double> log_rotation(const cga::Quaternion<double> &q) {
+	const double w = std::fabs(q.w);
+	const double sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+	double factor = sine < 1e-9 ? 2.0 : 2.0 * std::atan2(sine, w) / sine;
+	if (q.w < 0.0) {
+		factor = -factor;
+	}
+	return cga::Vector3<double>(q.x * factor, q.y * factor, q.z * factor);
+}
+
+} // namespace net

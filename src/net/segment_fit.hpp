@@ -1,0 +1,78 @@
+#pragma once
+
+#include "net/body_state.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace net {
+
+/// Where a body was at a time, in ticks.
+struct MotionSample {
+	double time = 0.0;
+	cga::Pose<double> pose;
+};
+
+/// The largest distance between two poses of a body at its centre and at the points `lever` out on its axes; in metres.
+[[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever);
+
+/// Searches for the cheapest code of a segment that passes all samples within the tolerance.
+///
+/// The path is linear in its coefficients but for the curvature of rotations, which the left Jacobian of each sample
+/// takes out: least squares give coefficients, rounding them gives a code, and single steps then make it feasible and
+/// cheap. Errors of all samples are computed side by side.
+class SegmentFit {
+public:
+	static constexpr int MOST_SAMPLES = 64;
+
+	struct Result {
+		SegmentCode code;
+		std::uint32_t cost = 0; ///< 1/256 bit
+		float error = 0.0f; ///< in steps
+	};
+
+	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
+			grid_(grid), mode_(mode) {}
+
+	/// The first `count` samples have times in (begin, begin + ticks]; up to `available` are known. True if `result` passes
+	/// the `count` within the tolerance.
+	bool fit(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, Result &result);
+	/// A code that ends at the sample as nearly as possible, whatever is between. False if none reaches it.
+	bool reach(const BodyState &state, int ticks, const MotionSample &sample, MotionModels &models, Result &result);
+
+private:
+	struct Coefficients {
+		double way[6];
+		double bend[6];
+	};
+
+	bool load(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available);
+	void pin_end(double begin, int ticks, const MotionSample &last, const MotionSample *next, const cga::Pose<double> &start);
+	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
+	void round_end(const BodyState &state, const double way[6], SegmentCode &code) const;
+	bool try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, Result &result);
+	bool improve_error(const BodyState &state, MotionModels &models, Result &result);
+	void improve_cost(const BodyState &state, MotionModels &models, Result &result);
+	[[nodiscard]] float error_of(const SegmentSteps &steps) const;
+	bool search(const BodyState &state, int ticks, MotionModels &models, Result &result);
+
+	using Row = std::array<float, MOST_SAMPLES>;
+
+	StreamGrid grid_;
+	cga::Mode mode_;
+	int count_ = 0;
+	int padded_ = 0;
+	Row u_;
+	Row w_;
+	Row target_[6]; // steps from the start
+	Row to_body_[9]; // world's axes to the body's at the sample
+	Row jacobian_[9]; // change of the rotation vector to the body's rotation at the sample
+	float tolerance_ = 0.0f; // in steps, less what the scale takes of it
+	std::int32_t scale_change_ = 0;
+	double pin_weight_ = 0.0; // of a guess of where the end is, for segments that end after their last sample
+	double pin_[6];
+};
+
+} // namespace net

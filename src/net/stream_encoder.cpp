@@ -1,0 +1,305 @@
+#include "net/stream_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace net {
+
+namespace {
+
+/// A body that nobody saw for more windows than this, and longer than this in ticks, is not taken to have moved steadily
+/// until it was seen again: it stays where it was, and jumps.
+constexpr double LONGEST_GAP_WINDOWS = 1.5;
+constexpr double LONGEST_GAP_TICKS = 6.0;
+/// The share of the tolerance within which a resting body is still no news.
+constexpr double NEWS = 0.9;
+/// Times nearer than this to a whole tick are that tick: clocks round.
+constexpr double SAME_TICK = 0.01;
+
+double longest_gap(int ticks) {
+	return std::max(LONGEST_GAP_WINDOWS * ticks, LONGEST_GAP_TICKS);
+}
+
+int tick_in_window(double time, double begin, int ticks) {
+	return int(std::clamp(std::floor(time - begin + SAME_TICK), 0.0, double(ticks)));
+}
+
+} // namespace
+
+StreamEncoder::StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
+		grid_(position_tolerance, rotation_tolerance), mode_(mode), planner_(grid_, mode) {}
+
+void StreamEncoder::set_mode(cga::Mode mode) {
+	mode_ = mode;
+	planner_ = MotionPlanner(grid_, mode);
+}
+
+bool StreamEncoder::add_body(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+	Body body;
+	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, grid_)) {
+		return false;
+	}
+	body.id = id;
+	body.added = true;
+	body.change_time = time;
+	body.seen_time = time;
+	index_[id] = bodies_.size();
+	bodies_.push_back(std::move(body));
+	news_ = true;
+	return true;
+}
+
+bool StreamEncoder::remove_body(std::uint32_t id, double time) {
+	const auto found = index_.find(id);
+	if (found == index_.end()) {
+		return false;
+	}
+	Body &body = bodies_[found->second];
+	body.removed = true;
+	body.removal_time = time;
+	index_.erase(found);
+	news_ = true;
+	return true;
+}
+
+bool StreamEncoder::jump(std::uint32_t id) {
+	const auto found = index_.find(id);
+	if (found == index_.end()) {
+		return false;
+	}
+	bodies_[found->second].jump_next = true;
+	return true;
+}
+
+bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+	const double whole = std::floor(time + 0.5);
+	if (std::fabs(time - whole) < SAME_TICK) {
+		time = whole;
+	}
+	const auto found = index_.find(id);
+	BodyState reached;
+	if (found == index_.end() || !reached.set_pose(pose, grid_)) {
+		return false;
+	}
+	Body &body = bodies_[found->second];
+	cga::Pose<double> unit = pose;
+	unit.rotation = glm::normalize(pose.rotation);
+	if (body.added && (body.jump_next || time <= body.change_time + 1e-6)) {
+		// Nobody has been told of it yet: it is simply there.
+		body.jump_next = false;
+		body.samples.clear();
+		body.state = reached;
+		return true;
+	}
+	if (body.jump_next) {
+		body.jump_next = false;
+		news_ = true;
+		if (body.jumped) {
+			// Of several jumps in a window one is shown, at the time of the first, to where the last one led.
+			const double first = body.change_time;
+			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
+			body.samples.push_back({ first, unit });
+			return true;
+		}
+		body.jumped = true;
+		body.change_time = time;
+	} else {
+		news_ = news_ || is_news(body, unit);
+	}
+	body.samples.push_back({ time, unit });
+	return true;
+}
+
+bool StreamEncoder::is_news(const Body &body, const cga::Pose<double> &pose) const {
+	return body.state.active || !body.state.settled || pose_distance(body.state.pose(grid_), pose, grid_.lever) > NEWS * StreamGrid::TOLERANCE * grid_.position;
+}
+
+void StreamEncoder::encode_window(double begin, int ticks, std::vector<std::uint8_t> &bytes) {
+	RangeEncoder coder(bytes);
+	bool same_length = ticks == last_ticks_;
+	coder.bit(models_.same_length, same_length);
+	if (!same_length) {
+		std::uint32_t less_one = std::uint32_t(ticks - 1);
+		coder.bits(less_one, 6);
+	}
+	last_ticks_ = ticks;
+	find_gaps(begin, ticks);
+	encode_changes(coder, begin, ticks);
+	bool neighbour_active = false;
+	moving_ = 0;
+	for (Body &body : bodies_) {
+		encode_motion(coder, body, begin, ticks, neighbour_active);
+		if (!body.added) {
+			moving_ += body.state.active ? 1 : 0;
+			check_ = (check_ ^ body.state.hash()) * 0x01000193u;
+		}
+	}
+	coder.finish();
+	const auto gone = [](const Body &body) { return body.removed; };
+	const auto kept = std::remove_if(bodies_.begin(), bodies_.end(), gone);
+	if (kept != bodies_.end()) {
+		bodies_.erase(kept, bodies_.end());
+		for (std::size_t i = 0; i < bodies_.size(); ++i) {
+			index_[bodies_[i].id] = i;
+		}
+	}
+	news_ = false;
+	for (const Body &body : bodies_) {
+		news_ = news_ || body.state.active || !body.state.settled || body.jumped || body.added;
+	}
+}
+
+void StreamEncoder::find_gaps(double begin, int ticks) {
+	const double most = longest_gap(ticks);
+	for (Body &body : bodies_) {
+		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.seen_time <= most) {
+			continue;
+		}
+		if (is_news(body, body.samples.front().pose)) {
+			body.jumped = true;
+			body.change_time = body.samples.front().time;
+		}
+	}
+}
+
+void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks) {
+	// Only what happened up to the window's end; the rest waits for the next one.
+	const double end = begin + ticks + 1e-6;
+	const auto is_added = [end](const Body &body) { return body.added && body.change_time <= end; };
+	const auto is_jumped = [end](const Body &body) { return body.jumped && body.change_time <= end; };
+	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || body.removed; };
+	bool has_events = std::any_of(bodies_.begin(), bodies_.end(), has_change);
+	coder.bit(models_.has_events, has_events);
+	if (!has_events) {
+		return;
+	}
+	StateCoder<RangeEncoder> state_coder(coder);
+	const auto put = [&coder](std::uint32_t value, int bits) { coder.bits(value, bits); };
+	for (std::size_t i = 0; i < bodies_.size(); ++i) {
+		Body &body = bodies_[i];
+		if (is_added(body)) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::ADDED), 2);
+			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(body.id, 31);
+			body.state.visit(state_coder);
+		} else if (is_jumped(body)) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::JUMPED), 2);
+			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			std::int32_t index = std::int32_t(i);
+			state_coder(index, INDEX_BITS);
+			BodyState reached;
+			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.change_time; });
+			if (first == body.samples.end() || !reached.set_pose(first->pose, grid_)) {
+				reached = body.state;
+				reached.rest();
+			}
+			reached.visit(state_coder);
+		}
+		if (body.removed) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::REMOVED), 2);
+			put(std::uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
+			std::int32_t index = std::int32_t(i);
+			state_coder(index, INDEX_BITS);
+		}
+	}
+	put(0, 1);
+}
+
+void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active) {
+	const double end = begin + ticks + 1e-6;
+	const std::size_t count = std::size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
+	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
+	int from = 0;
+	std::size_t first = 0;
+	if (body.added || body.jumped) {
+		if (body.change_time > end) {
+			if (body.added) {
+				return; // is not there yet
+			}
+		} else {
+			const int at = std::min(tick_in_window(body.change_time, begin, ticks), last);
+			while (first < count && body.samples[first].time < body.change_time) {
+				++first;
+			}
+			if (body.jumped) {
+				encode_span(coder, body, begin, at, 0, first, first, neighbour_active);
+				const bool seen = first < count && body.state.set_pose(body.samples[first].pose, grid_);
+				if (!seen) {
+					body.state.rest();
+				}
+			}
+			from = at;
+			body.added = false;
+			body.jumped = false;
+		}
+	}
+	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first, neighbour_active);
+	body.samples.erase(body.samples.begin(), body.samples.begin() + std::ptrdiff_t(count));
+}
+
+void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, std::size_t first, std::size_t count, std::size_t available, bool &neighbour_active) {
+	if (ticks <= 0) {
+		return;
+	}
+	const MotionSample *samples = body.samples.data() + first;
+	while (count > 0 && samples->time <= begin + 1e-6) {
+		++samples;
+		--count;
+		--available;
+	}
+	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= longest_gap(ticks)) {
+		motion_.active = true;
+		motion_.count = 1;
+		motion_.segments[0] = SegmentCode();
+		motion_.segments[0].ticks = ticks;
+	} else {
+		body.seen_time = count == 0 ? body.seen_time : samples[count - 1].time;
+		if (!planner_.plan(body.state, begin, ticks, samples, count, available, models_, motion_)) {
+			// Out of the reach of a motion: stays, and is there at the next jump.
+			motion_.active = false;
+			motion_.settles = false;
+			body.jump_next = true;
+		}
+	}
+	(void)code_motion(coder, models_, body.state, grid_, mode_, begin, ticks, neighbour_active, motion_, [](const MotionSegment &) {});
+	neighbour_active = motion_.active;
+}
+
+void StreamEncoder::encode_state(std::size_t first, std::size_t count, std::vector<std::uint8_t> &bytes) {
+	RangeEncoder coder(bytes);
+	StateCoder<RangeEncoder> state_coder(coder);
+	if (first == 0) {
+		std::uint32_t ticks = std::uint32_t(last_ticks_);
+		coder.bits(ticks, 7);
+		coder.bits(check_, 32);
+		MotionModels fresh;
+		std::vector<std::uint32_t> usual;
+		fresh.visit([&usual](AdaptiveBit &bit) { usual.push_back(bit.state()); });
+		AdaptiveBit unchanged;
+		auto expected = usual.begin();
+		models_.visit([&](AdaptiveBit &bit) {
+			bool changed = bit.state() != *expected++;
+			coder.bit(unchanged, changed);
+			if (changed) {
+				std::uint32_t state = bit.state();
+				coder.bits(state, 32);
+			}
+		});
+	}
+	for (std::size_t i = first; i < std::min(first + count, bodies_.size()); ++i) {
+		Body &body = bodies_[i];
+		bool present = !body.added;
+		AdaptiveBit even;
+		coder.bit(even, present);
+		if (present) {
+			coder.bits(body.id, 31);
+			body.state.visit(state_coder);
+		}
+	}
+	coder.finish();
+}
+
+} // namespace net

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "net/bit_stream.hpp"
+#include "net/body_state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace net {
+
+/// Ids are below this limit, so that they fit a signed 32-bit integer.
+inline constexpr std::uint32_t ID_LIMIT = 0x80000000u;
+
+/// Of the number of a body in the stream's list, as a signed number.
+inline constexpr int INDEX_BITS = 24;
+
+/// What happens to a body in a window besides motion. Ticks count from the window's begin.
+enum class BodyChange : std::uint8_t {
+	ADDED, ///< is there from the tick on
+	REMOVED, ///< is gone from the tick on
+	JUMPED, ///< is elsewhere from the tick on
+};
+
+/// Writes and reads numbers of a BodyState with a RangeEncoder or a RangeDecoder: the width in bits, then the bits.
+template <class Coder>
+class StateCoder {
+public:
+	explicit StateCoder(Coder &coder) :
+			coder_(coder) {}
+
+	template <class Number>
+	void operator()(Number &number, int bits) {
+		std::uint64_t code = zigzag(std::int64_t(number));
+		std::uint32_t width = std::uint32_t(bit_width(code));
+		const int width_bits = bit_width(std::uint64_t(bits));
+		coder_.bits(width, width_bits);
+		std::uint32_t high = std::uint32_t(code >> 32);
+		std::uint32_t low = std::uint32_t(code);
+		const int count = int(width) < bits ? int(width) : bits;
+		coder_.bits(high, count > 32 ? count - 32 : 0);
+		coder_.bits(low, count > 32 ? 32 : count);
+		code = std::uint64_t(count > 32 ? high : 0) << 32 | (count > 0 ? low : 0);
+		number = Number(unzigzag(code));
+	}
+
+private:
+	Coder &coder_;
+};
+
+} // namespace net
