@@ -29,6 +29,8 @@ struct SegmentSteps {
 
 /// The probabilities of everything in a stream of motion.
 struct MotionModels {
+	static constexpr int MOST_BITS = 1024; ///< that `visit` visits
+
 	ResidualModel end[2];
 	ResidualModel bend[2];
 	ResidualModel scale;

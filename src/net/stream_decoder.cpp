@@ -13,43 +13,36 @@ constexpr int NEVER = MOST_TICKS + 1;
 StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, std::size_t most_bodies) :
 		grid_(position_tolerance, rotation_tolerance), most_bodies_(most_bodies) {}
 
-bool StreamDecoder::read_state(const std::uint8_t *bytes, std::size_t size, bool first, std::size_t count) {
+bool StreamDecoder::read_state(const std::uint8_t *bytes, std::size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
-	if (first) {
-		bodies_.clear();
-		std::uint32_t ticks = 0;
-		coder.bits(ticks, 7);
-		coder.bits(check_, 32);
-		last_ticks_ = int(ticks);
-		models_ = MotionModels();
-		AdaptiveBit unchanged;
-		models_.visit([&](AdaptiveBit &bit) {
-			bool changed = false;
-			coder.bit(unchanged, changed);
-			if (changed) {
-				std::uint32_t state = 0;
-				coder.bits(state, 32);
-				bit.set_state(state);
-			}
-		});
+	std::uint32_t ticks = 0;
+	std::uint32_t check = 0;
+	std::uint32_t count = 0;
+	coder.bits(ticks, 7);
+	coder.bits(check, 32);
+	new_models_ = MotionModels();
+	code_models(coder, new_models_);
+	coder.bits(count, INDEX_BITS);
+	// Even a body at rest takes some bytes: a short state cannot make us hold many.
+	if (ticks > MOST_TICKS || count > most_bodies_ || count > size) {
+		return false;
 	}
-	for (std::size_t i = 0; i < count; ++i) {
-		AdaptiveBit even;
-		bool present = false;
-		coder.bit(even, present);
-		if (!present) {
-			continue;
-		}
+	new_bodies_.clear();
+	for (std::uint32_t i = 0; i < count; ++i) {
 		Body body;
 		coder.bits(body.id, 31);
 		body.state.visit(state_coder);
 		body.until = NEVER;
-		if (!body.state.is_valid() || bodies_.size() >= most_bodies_) {
+		if (!body.state.is_valid()) {
 			return false;
 		}
-		bodies_.push_back(body);
+		new_bodies_.push_back(body);
 	}
+	std::swap(models_, new_models_);
+	bodies_.swap(new_bodies_);
+	last_ticks_ = int(ticks);
+	check_ = check;
 	return true;
 }
 

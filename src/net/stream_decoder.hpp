@@ -23,8 +23,8 @@ class StreamDecoder {
 public:
 	StreamDecoder(float position_tolerance, float rotation_tolerance, std::size_t most_bodies);
 
-	/// One part of a state, `count` bodies of it; the part of the first bodies comes first.
-	[[nodiscard]] bool read_state(const std::uint8_t *bytes, std::size_t size, bool first, std::size_t count);
+	/// What StreamEncoder::encode_state wrote. False, with nothing changed, if it cannot be read.
+	[[nodiscard]] bool read_state(const std::uint8_t *bytes, std::size_t size);
 	/// The window after the last one, which begins at `begin`. Replaces `motions` by what is new, in order of time for each
 	/// body. False, with nothing changed, if it cannot be read or does not lead to `check`.
 	[[nodiscard]] bool decode_window(const std::uint8_t *bytes, std::size_t size, std::uint8_t check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks);

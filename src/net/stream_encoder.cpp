@@ -268,33 +268,18 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	neighbour_active = motion_.active;
 }
 
-void StreamEncoder::encode_state(std::size_t first, std::size_t count, std::vector<std::uint8_t> &bytes) {
+void StreamEncoder::encode_state(std::vector<std::uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
-	if (first == 0) {
-		std::uint32_t ticks = std::uint32_t(last_ticks_);
-		coder.bits(ticks, 7);
-		coder.bits(check_, 32);
-		MotionModels fresh;
-		std::vector<std::uint32_t> usual;
-		fresh.visit([&usual](AdaptiveBit &bit) { usual.push_back(bit.state()); });
-		AdaptiveBit unchanged;
-		auto expected = usual.begin();
-		models_.visit([&](AdaptiveBit &bit) {
-			bool changed = bit.state() != *expected++;
-			coder.bit(unchanged, changed);
-			if (changed) {
-				std::uint32_t state = bit.state();
-				coder.bits(state, 32);
-			}
-		});
-	}
-	for (std::size_t i = first; i < std::min(first + count, bodies_.size()); ++i) {
-		Body &body = bodies_[i];
-		bool present = !body.added;
-		AdaptiveBit even;
-		coder.bit(even, present);
-		if (present) {
+	std::uint32_t ticks = std::uint32_t(last_ticks_);
+	coder.bits(ticks, 7);
+	coder.bits(check_, 32);
+	code_models(coder, models_);
+	const auto is_known = [](const Body &body) { return !body.added; };
+	std::uint32_t count = std::uint32_t(std::count_if(bodies_.begin(), bodies_.end(), is_known));
+	coder.bits(count, INDEX_BITS);
+	for (Body &body : bodies_) {
+		if (is_known(body)) {
 			coder.bits(body.id, 31);
 			body.state.visit(state_coder);
 		}

@@ -34,9 +34,8 @@ public:
 	void encode_window(double begin, int ticks, std::vector<std::uint8_t> &bytes);
 	/// Four bits that depend on all of the state.
 	[[nodiscard]] std::uint8_t check() const { return std::uint8_t((check_ ^ check_ >> 4) & 15); }
-	/// Appends everything a receiver needs to decode the next window: bodies `first` to `first + count`, and, with
-	/// `first` 0, the models.
-	void encode_state(std::size_t first, std::size_t count, std::vector<std::uint8_t> &bytes);
+	/// Appends everything a receiver needs to decode the next window: the models and all bodies.
+	void encode_state(std::vector<std::uint8_t> &bytes);
 
 	[[nodiscard]] const StreamGrid &grid() const { return grid_; }
 	[[nodiscard]] cga::Mode mode() const { return mode_; }

@@ -47,4 +47,24 @@ private:
 	Coder &coder_;
 };
 
+/// Writes or reads the models: those that are not as they began, each with a flag.
+template <class Coder>
+void code_models(Coder &coder, MotionModels &models) {
+	MotionModels fresh;
+	AdaptiveBit *others[MotionModels::MOST_BITS];
+	int count = 0;
+	fresh.visit([&](AdaptiveBit &bit) { others[count++] = &bit; });
+	AdaptiveBit is_changed;
+	count = 0;
+	models.visit([&](AdaptiveBit &bit) {
+		std::uint32_t state = bit.state();
+		bool changed = state != others[count++]->state();
+		coder.bit(is_changed, changed);
+		if (changed) {
+			coder.bits(state, 32);
+			bit.set_state(state);
+		}
+	});
+}
+
 } // namespace net
