@@ -60,7 +60,8 @@ public:
 	/// What appeared and vanished since the last call, in order.
 	void take_events(std::vector<BodyEvent> &events);
 
-	/// Limits of the playback delay behind the newest window, in seconds of jitter margin.
+	/// The playback delay adapts to what the network needs, in seconds: at least `least`, at most the stream's max_latency
+	/// plus `most`, which is as much again before this is called.
 	void set_margin_limits(double least, double most);
 	[[nodiscard]] const StreamSettings &settings() const;
 	[[nodiscard]] StreamStatistics statistics() const;

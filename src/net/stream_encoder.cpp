@@ -145,7 +145,7 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<std::uint
 	}
 	news_ = false;
 	for (const Body &body : bodies_) {
-		news_ = news_ || body.state.active || !body.state.settled || body.jumped || body.added;
+		news_ = news_ || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_news(body, body.samples.back().pose));
 	}
 }
 

@@ -1,0 +1,80 @@
+#include "net/chunk_buffer.hpp"
+
+namespace net {
+
+void ChunkBuffer::restart(std::uint8_t next) {
+	next_ = next;
+	started_ = true;
+	broken_ = false;
+	// What came before the state, and belongs behind it, is kept.
+	for (int i = AHEAD; i < 256; ++i) {
+		slots_[std::uint8_t(next + i)].full = false;
+	}
+}
+
+void ChunkBuffer::forget() {
+	for (Slot &slot : slots_) {
+		slot.full = false;
+	}
+	started_ = false;
+	broken_ = false;
+}
+
+bool ChunkBuffer::add(const ChunkItem &chunk) {
+	Slot &slot = slots_[chunk.number];
+	if (slot.full || (started_ && std::uint8_t(chunk.number - next_) >= AHEAD)) {
+		return false;
+	}
+	slot.full = true;
+	slot.first = chunk.first;
+	slot.last = chunk.last;
+	slot.check = chunk.check;
+	slot.bytes.assign(chunk.bytes, chunk.bytes + chunk.size);
+	return true;
+}
+
+bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &check) {
+	if (!started_ || broken_) {
+		return false;
+	}
+	int count = 0;
+	for (bool last = false; !last; ++count) {
+		const Slot &slot = slots_[std::uint8_t(next_ + count)];
+		if (count == AHEAD || !slot.full) {
+			return false;
+		}
+		if (slot.first != (count == 0)) {
+			broken_ = true;
+			return false;
+		}
+		last = slot.last;
+	}
+	window.clear();
+	for (int i = 0; i < count; ++i) {
+		Slot &slot = slots_[next_++];
+		window.insert(window.end(), slot.bytes.begin(), slot.bytes.end());
+		check = slot.check;
+		slot.full = false;
+	}
+	return true;
+}
+
+AckItem ChunkBuffer::ack() const {
+	AckItem ack;
+	ack.next = next_;
+	while (slots_[ack.next].full) {
+		++ack.next;
+		if (ack.next == next_) {
+			break;
+		}
+	}
+	for (int bit = 0; bit < 64; ++bit) {
+		const std::uint8_t number = std::uint8_t(ack.next + 1 + bit);
+		if (slots_[number].full && std::uint8_t(number - next_) < AHEAD) {
+			ack.later |= std::uint64_t(1) << bit;
+		}
+	}
+	return ack;
+}
+
+} // namespace net

@@ -1,0 +1,193 @@
+#include "net/delivery.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace net {
+
+namespace {
+
+constexpr double FIRST_PATIENCE = 0.2; // seconds, before a round trip is known
+constexpr double LEAST_PATIENCE = 0.03;
+constexpr double LEAST_DEVIATION = 0.005; // frames and ticks at both ends
+constexpr double MOST_PATIENCE = 0.5;
+/// A receiver that lacks a chunk after so many repeats, or so many chunks, gets a whole state instead.
+constexpr int MOST_REPEATS = 8;
+constexpr std::uint32_t MOST_CHUNKS_BEHIND = 100;
+/// A state is not made again sooner than this.
+constexpr double STATE_PAUSE = 0.5;
+/// How much loss above this shortens the wait for an answer.
+constexpr double MUCH_LOSS = 0.05;
+constexpr double HASTE = 4.0;
+/// How much a chunk counts in the estimate of loss.
+constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+
+} // namespace
+
+void ChunkRing::push_window(const std::vector<std::uint8_t> &window, std::uint8_t check) {
+	constexpr std::size_t MOST = std::size_t(MOST_PACKET_BYTES) - CHUNK_HEADER - 8;
+	std::size_t at = 0;
+	do {
+		Chunk &chunk = chunks_[next_++ % RING];
+		const std::size_t size = std::min(MOST, window.size() - at);
+		chunk.bytes.assign(window.begin() + std::ptrdiff_t(at), window.begin() + std::ptrdiff_t(at + size));
+		chunk.first = at == 0;
+		at += size;
+		chunk.last = at == window.size();
+		chunk.check = chunk.last ? check : 0;
+	} while (at < window.size());
+}
+
+void Delivery::want_state(double time) {
+	if (time - state_made_ >= STATE_PAUSE) {
+		needs_state_ = true;
+		state_made_ = time;
+	}
+}
+
+void Delivery::start_state(std::shared_ptr<const StateSnapshot> state) {
+	needs_state_ = false;
+	state_ = std::move(state);
+	parts_.assign(state_->parts(), Sent());
+	first_missing_ = state_->next_chunk;
+	sent_until_ = state_->next_chunk;
+}
+
+double Delivery::patience() const {
+	return round_trip_ > 0.0 ? std::clamp(round_trip_ + 4.0 * std::max(deviation_, LEAST_DEVIATION), LEAST_PATIENCE, MOST_PATIENCE) : FIRST_PATIENCE;
+}
+
+void Delivery::collect_due(const ChunkRing &ring, double time) {
+	due_parts_.clear();
+	due_chunks_.clear();
+	if (needs_state_) {
+		return;
+	}
+	const double wait = patience();
+	// Where much is lost, waiting for the answer to each try takes too long.
+	const double haste = std::clamp(1.0 - HASTE * (loss_ - MUCH_LOSS), 0.25, 1.0);
+	const auto is_due = [&](Sent &sent) {
+		if (sent.arrived) {
+			return false;
+		}
+		if (sent.times == 0) {
+			sent.first = time;
+		} else if (!sent.missed && time - sent.first >= wait) {
+			sent.missed = true;
+			loss_ += (1.0 - loss_) * LOSS_WEIGHT;
+		}
+		// Each repeat waits longer than the one before.
+		if (sent.times > 0 && time - sent.time < wait * haste * std::min<int>(sent.times, 4)) {
+			return false;
+		}
+		repeated_ += sent.times > 0 ? 1 : 0;
+		sent.times = std::uint8_t(std::min<int>(sent.times + 1, 255));
+		sent.time = time;
+		return true;
+	};
+	for (std::size_t i = 0; i < parts_.size(); ++i) {
+		if (is_due(parts_[i])) {
+			due_parts_.push_back(std::uint16_t(i));
+		}
+	}
+	for (; sent_until_ < ring.next(); ++sent_until_) {
+		sent_[sent_until_ % ChunkRing::RING] = Sent();
+	}
+	const bool is_far_behind = ring.next() - first_missing_ > MOST_CHUNKS_BEHIND;
+	for (std::uint32_t number = first_missing_; number < ring.next(); ++number) {
+		Sent &sent = sent_[number % ChunkRing::RING];
+		if (is_due(sent)) {
+			due_chunks_.push_back(number);
+		}
+	}
+	const Sent &oldest = sent_[first_missing_ % ChunkRing::RING];
+	const bool is_stuck = first_missing_ < ring.next() && oldest.times > MOST_REPEATS;
+	if (is_far_behind || is_stuck) {
+		want_state(time);
+	}
+}
+
+void Delivery::accept(const PacketContent &answer, const ChunkRing &ring, double time) {
+	heard_ = time;
+	for (const AckItem &ack : answer.acks) {
+		take_ack(ack, ring, time);
+	}
+	for (const StateAckItem &ack : answer.state_acks) {
+		take_state_ack(ack);
+	}
+	if (answer.wants_state) {
+		want_state(time);
+	}
+}
+
+void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) {
+	const std::uint8_t ahead = std::uint8_t(ack.next - std::uint8_t(first_missing_));
+	if (needs_state_ || ahead > ring.next() - first_missing_) {
+		return; // an old one, or of another stream
+	}
+	if (state_ != nullptr && ack.next == std::uint8_t(first_missing_) && ack.later == 0 && !parts_.empty()) {
+		return; // the state itself is acknowledged by its parts
+	}
+	const std::uint32_t next = first_missing_ + ahead;
+	for (int bit = 0; bit < 64 && next + 1 + std::uint32_t(bit) < ring.next(); ++bit) {
+		if (((ack.later >> bit) & 1) != 0) {
+			chunk_arrived(next + 1 + std::uint32_t(bit), time);
+		}
+	}
+	for (std::uint32_t number = first_missing_; number < next; ++number) {
+		chunk_arrived(number, time);
+	}
+	first_missing_ = next;
+	while (first_missing_ < ring.next() && first_missing_ < sent_until_ && sent_[first_missing_ % ChunkRing::RING].arrived) {
+		++first_missing_;
+	}
+	if (ahead > 0) {
+		// Chunks are only counted in order once the state is there.
+		state_.reset();
+		parts_.clear();
+	}
+}
+
+void Delivery::take_state_ack(const StateAckItem &ack) {
+	if (state_ == nullptr || ack.state != state_->number) {
+		return;
+	}
+	bool complete = true;
+	for (std::size_t i = 0; i < parts_.size(); ++i) {
+		const std::size_t after = i - ack.next - 1;
+		parts_[i].arrived = parts_[i].arrived || i < ack.next || (i > ack.next && after < 32 && ((ack.later >> after) & 1) != 0);
+		complete = complete && parts_[i].arrived;
+	}
+	if (complete) {
+		state_.reset();
+		parts_.clear();
+	}
+}
+
+void Delivery::chunk_arrived(std::uint32_t number, double time) {
+	Sent &sent = sent_[number % ChunkRing::RING];
+	if (sent.arrived || sent.times == 0) {
+		return;
+	}
+	sent.arrived = true;
+	// An answer that comes too soon for the second try is one to the first.
+	if (sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_)) {
+		measure(std::max(time - sent.first, 1e-4));
+	}
+	if (!sent.missed) {
+		loss_ -= loss_ * LOSS_WEIGHT;
+	}
+}
+
+void Delivery::measure(double round_trip) {
+	// Jacobson, "Congestion avoidance and control", 1988.
+	if (round_trip_ == 0.0) {
+		round_trip_ = round_trip;
+		deviation_ = 0.5 * round_trip;
+		return;
+	}
+	deviation_ += (std::fabs(round_trip - round_trip_) - deviation_) / 4.0;
+	round_trip_ += (round_trip - round_trip_) / 8.0;
+}
+
+} // namespace net

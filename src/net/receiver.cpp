@@ -1,0 +1,360 @@
+#include "net/receiver.hpp"
+
+#include "net/chunk_buffer.hpp"
+#include "net/motion_track.hpp"
+#include "net/playback_clock.hpp"
+#include "net/state_header.hpp"
+#include "net/stream_decoder.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace net {
+
+namespace {
+
+/// A stream that has been silent for so long is asked for its state, in seconds; a request is repeated after PAUSE.
+constexpr double SILENCE = 1.5;
+constexpr double PAUSE = 0.25;
+/// Weight of a chunk in the estimate of loss.
+constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+constexpr double NOTABLE_LOSS = 0.002;
+/// Bytes that a body takes in a state at most, and the models.
+constexpr std::size_t BODY_BYTES = 96;
+constexpr std::size_t MODEL_BYTES = 8192;
+
+} // namespace
+
+struct Receiver::State {
+	explicit State(std::size_t p_most_bodies) :
+			most_bodies(p_most_bodies) {}
+
+	std::size_t most_bodies;
+	PacketContent content;
+	ChunkBuffer chunks;
+	std::unique_ptr<StreamDecoder> decoder; // null before the first state
+	StateHeader header;
+	double window_end = 0.0; // ticks
+	PlaybackClock clock;
+	std::unordered_map<std::uint32_t, MotionTrack> tracks;
+	std::vector<BodyEvent> events;
+	std::vector<BodyMotion> motions;
+	std::vector<std::uint8_t> window;
+
+	// A state that is arriving.
+	bool state_is_open = false;
+	std::uint8_t state_number = 0;
+	std::uint8_t state_next_chunk = 0;
+	std::vector<std::vector<std::uint8_t>> state_parts;
+	std::vector<bool> has_part;
+	std::size_t parts_missing = 0;
+
+	bool state_done = false; // the last one has been read
+	bool broken = false; // the stream cannot be followed without a new state
+	bool answer_due = false;
+	bool state_ack_due = false;
+	double heard = 0.0;
+	double asked = -1e9;
+	double least_margin = 0.0;
+	double most_margin = -1.0; // negative: as much as max_latency
+	StreamStatistics statistics;
+
+	std::uint8_t newest_chunk = 0;
+
+	void count_loss(std::uint8_t number, bool is_new);
+	const char *check_parts() const;
+	void take_part(const StatePartItem &part, double now);
+	const char *finish_state(double now);
+	void decode_windows(double now);
+	void show(const BodyMotion &motion);
+	void set_limits();
+	[[nodiscard]] double tick() const { return header.settings.tick; }
+};
+
+Receiver::Receiver(std::size_t most_bodies) :
+		state_(std::make_unique<State>(most_bodies)) {}
+
+Receiver::~Receiver() = default;
+
+const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, double now) {
+	State &s = *state_;
+	const char *error = read_packet(packet, size, s.content);
+	if (error == nullptr) {
+		error = s.check_parts();
+	}
+	if (error != nullptr) {
+		++s.statistics.packets_rejected;
+		return error;
+	}
+	s.statistics.bytes_received += size;
+	++s.statistics.packets_received;
+	s.heard = now;
+	if (s.content.round_trip > 0.0) {
+		s.statistics.round_trip = s.content.round_trip;
+	}
+	for (const ChunkItem &chunk : s.content.chunks) {
+		s.answer_due = true;
+		s.count_loss(chunk.number, s.chunks.add(chunk));
+	}
+	for (const StatePartItem &part : s.content.parts) {
+		s.state_ack_due = true;
+		s.take_part(part, now);
+	}
+	if (s.state_is_open && s.parts_missing == 0) {
+		error = s.finish_state(now);
+		if (error != nullptr) {
+			++s.statistics.packets_rejected;
+			return error;
+		}
+	}
+	s.set_limits();
+	s.decode_windows(now);
+	return nullptr;
+}
+
+void Receiver::State::count_loss(std::uint8_t number, bool is_new) {
+	if (!is_new) {
+		return;
+	}
+	// One that comes after a later one was lost, or was overtaken.
+	const bool is_late = std::int8_t(number - newest_chunk) < 0;
+	statistics.loss += ((is_late ? 1.0 : 0.0) - statistics.loss) * LOSS_WEIGHT;
+	newest_chunk = is_late ? newest_chunk : number;
+}
+
+const char *Receiver::State::check_parts() const {
+	const std::size_t most_parts = (most_bodies * BODY_BYTES + MODEL_BYTES) / 1280 + 1;
+	for (const StatePartItem &part : content.parts) {
+		if (part.parts == 0 || part.part >= part.parts || part.size == 0) {
+			return "a state's part has a wrong number";
+		}
+		if (part.parts > most_parts) {
+			return "the stream has more bodies than are expected";
+		}
+	}
+	return nullptr;
+}
+
+void Receiver::State::take_part(const StatePartItem &part, double) {
+	if (state_done && part.state == state_number) {
+		return;
+	}
+	if (state_is_open && std::int8_t(part.state - state_number) < 0) {
+		return; // an older one
+	}
+	if (!state_is_open || part.state != state_number || part.parts != state_parts.size()) {
+		state_is_open = true;
+		state_done = false;
+		state_number = part.state;
+		state_next_chunk = part.next_chunk;
+		state_parts.assign(part.parts, {});
+		has_part.assign(part.parts, false);
+		parts_missing = part.parts;
+	}
+	if (!has_part[part.part]) {
+		has_part[part.part] = true;
+		state_parts[part.part].assign(part.bytes, part.bytes + part.size);
+		--parts_missing;
+	}
+}
+
+const char *Receiver::State::finish_state(double now) {
+	state_is_open = false;
+	window.clear();
+	for (const std::vector<std::uint8_t> &part : state_parts) {
+		window.insert(window.end(), part.begin(), part.end());
+	}
+	StateHeader next;
+	const char *error = read_state_header(window.data(), window.size(), next);
+	if (error != nullptr) {
+		return error;
+	}
+	auto fresh = std::make_unique<StreamDecoder>(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), most_bodies);
+	if (!fresh->read_state(window.data() + StateHeader::BYTES, window.size() - StateHeader::BYTES)) {
+		return "the state cannot be read";
+	}
+	const bool is_first = decoder == nullptr;
+	const bool goes_on = !is_first && next.settings.tick == tick() && double(next.tick) >= window_end - MOST_TICKS;
+	header = next;
+	decoder = std::move(fresh);
+	window_end = double(header.tick);
+	state_done = true;
+	broken = false;
+	if (!goes_on) {
+		clock.start(window_end * tick(), double(header.window), now);
+		for (auto &track : tracks) {
+			track.second = MotionTrack();
+		}
+	}
+	set_limits();
+	clock.observe(window_end * tick(), now);
+	chunks.restart(state_next_chunk);
+	// Bodies of the state are there from now on; those that are not in it have gone.
+	std::unordered_map<std::uint32_t, bool> present;
+	for (std::size_t i = 0; i < decoder->body_count(); ++i) {
+		BodyMotion motion;
+		motion.id = decoder->id(i);
+		motion.segment.begin = window_end;
+		motion.segment.from = decoder->pose(i);
+		const auto track = tracks.find(motion.id);
+		// At the first state a body has been there before; later, one that nobody knew has appeared.
+		motion.appears = goes_on && (track == tracks.end() || track->second.is_empty());
+		present[motion.id] = true;
+		show(motion);
+	}
+	for (auto &track : tracks) {
+		if (present.count(track.first) == 0) {
+			BodyMotion motion;
+			motion.id = track.first;
+			motion.vanishes = true;
+			motion.segment.begin = window_end;
+			track.second.add(motion);
+		}
+	}
+	return nullptr;
+}
+
+void Receiver::State::show(const BodyMotion &motion) {
+	const auto entry = tracks.try_emplace(motion.id);
+	if (entry.second) {
+		events.push_back({ BodyEvent::ADDED, motion.id });
+	}
+	entry.first->second.add(motion);
+}
+
+void Receiver::State::decode_windows(double now) {
+	std::uint8_t check = 0;
+	while (decoder != nullptr && !broken && chunks.take_window(window, check)) {
+		int ticks = 0;
+		if (!decoder->decode_window(window.data(), window.size(), check, window_end, header.settings.mode, motions, ticks)) {
+			broken = true;
+			break;
+		}
+		const double begin = window_end;
+		window_end += ticks;
+		clock.observe(window_end * tick(), now);
+		double moves_from = window_end;
+		for (const BodyMotion &motion : motions) {
+			moves_from = std::min(moves_from, motion.segment.begin);
+			show(motion);
+		}
+		if (!motions.empty()) {
+			clock.observe_motion(moves_from * tick(), now);
+			if (clock.media_time() > begin * tick()) {
+				++statistics.late_windows;
+			}
+		}
+	}
+	broken = broken || chunks.is_broken() || tracks.size() > 2 * most_bodies + 64 || events.size() > 8 * most_bodies + 64;
+}
+
+void Receiver::State::set_limits() {
+	const double most = std::max(header.settings.max_latency, double(header.window)) + (most_margin < 0.0 ? header.settings.max_latency : most_margin);
+	// Where chunks get lost, the next loss is waited for: the time that the sender's windows leave for a repeat.
+	const double least = statistics.loss > NOTABLE_LOSS ? header.settings.max_latency : 0.0;
+	clock.set_limits(std::min(std::max(least_margin, least), most), most);
+}
+
+bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
+	State &s = *state_;
+	packet.clear();
+	const bool is_lost = s.broken || (s.decoder != nullptr && now - s.heard > SILENCE);
+	if (is_lost && now - s.asked > PAUSE) {
+		s.asked = now;
+		put_state_wish(packet);
+	}
+	if (s.state_ack_due) {
+		StateAckItem ack;
+		ack.state = s.state_number;
+		const std::size_t parts = s.has_part.size();
+		while (ack.next < parts && (s.state_done || s.has_part[ack.next])) {
+			++ack.next;
+		}
+		for (std::size_t bit = 0; bit < 32 && ack.next + 1 + bit < parts; ++bit) {
+			ack.later |= s.has_part[ack.next + 1 + bit] ? std::uint32_t(1) << bit : 0;
+		}
+		put_state_ack(packet, ack);
+		s.state_ack_due = false;
+	}
+	if (s.answer_due && s.decoder != nullptr && !s.broken) {
+		put_ack(packet, s.chunks.ack());
+	}
+	s.answer_due = false;
+	return !packet.empty();
+}
+
+bool Receiver::is_ready() const {
+	return state_->decoder != nullptr;
+}
+
+void Receiver::advance(double now) {
+	State &s = *state_;
+	if (s.decoder == nullptr) {
+		return;
+	}
+	s.clock.advance(now);
+	const double tick = s.clock.media_time() / s.tick();
+	for (auto track = s.tracks.begin(); track != s.tracks.end();) {
+		track->second.forget_before(tick);
+		if (track->second.is_over(tick)) {
+			s.events.push_back({ BodyEvent::REMOVED, track->first });
+			track = s.tracks.erase(track);
+		} else {
+			++track;
+		}
+	}
+	s.statistics.playback_delay = s.clock.delay_at(now);
+	s.statistics.jitter = s.clock.jitter();
+}
+
+double Receiver::media_time() const {
+	return state_->clock.media_time();
+}
+
+double Receiver::media_time_at(double now) const {
+	return state_->clock.media_time_at(now);
+}
+
+double Receiver::known_time() const {
+	return state_->window_end * state_->tick();
+}
+
+bool Receiver::pose(std::uint32_t id, cga::Pose<double> &pose) const {
+	return pose_at(id, media_time(), pose);
+}
+
+bool Receiver::pose_at(std::uint32_t id, double media_time, cga::Pose<double> &pose) const {
+	const auto track = state_->tracks.find(id);
+	return track != state_->tracks.end() && track->second.pose_at(media_time / state_->tick(), pose);
+}
+
+void Receiver::bodies(std::vector<std::uint32_t> &ids) const {
+	ids.clear();
+	cga::Pose<double> pose;
+	for (const auto &track : state_->tracks) {
+		if (track.second.pose_at(state_->clock.media_time() / state_->tick(), pose)) {
+			ids.push_back(track.first);
+		}
+	}
+}
+
+void Receiver::take_events(std::vector<BodyEvent> &events) {
+	events.clear();
+	events.swap(state_->events);
+}
+
+void Receiver::set_margin_limits(double least, double most) {
+	state_->least_margin = std::max(least, 0.0);
+	state_->most_margin = std::max(most, state_->least_margin);
+	state_->set_limits();
+}
+
+const StreamSettings &Receiver::settings() const {
+	return state_->header.settings;
+}
+
+StreamStatistics Receiver::statistics() const {
+	return state_->statistics;
+}
+
+} // namespace net

@@ -1,0 +1,337 @@
+#include "net/sender.hpp"
+
+#include "net/delivery.hpp"
+#include "net/state_header.hpp"
+#include "net/stream_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace net {
+
+namespace {
+
+/// Longest window in which nothing moves, in seconds: it tells receivers that the sender is there.
+constexpr double IDLE_WINDOW = 0.5;
+/// What receivers take at least to look at what has arrived, in seconds: half a frame on the mean.
+constexpr double FRAME = 0.008;
+/// The shortest window in relation to the longest, whatever the network.
+constexpr double LEAST_WINDOW = 0.25;
+/// Loss from which a window has to leave time for a repeat.
+constexpr double NOTABLE_LOSS = 0.004;
+constexpr double MOST_STEP = 4.0; ///< ticks between two flushes that count
+/// Ticks within which a time is at a tick.
+constexpr double SAME_TICK = 1e-5;
+
+} // namespace
+
+struct Sender::State {
+	struct Peer {
+		Delivery delivery;
+		std::uint64_t bytes_sent = 0;
+		std::uint64_t packets_sent = 0;
+	};
+
+	explicit State(const StreamSettings &p_settings) :
+			settings(p_settings) {}
+
+	StreamSettings settings;
+	std::unordered_map<std::uint32_t, cga::Pose<double>> bodies; // the last pose of each
+	std::unique_ptr<StreamEncoder> encoder; // only while there are receivers
+	ChunkRing ring;
+	std::map<std::uint32_t, Peer> peers;
+	std::vector<std::uint8_t> window;
+	std::vector<std::uint8_t> bytes;
+	std::vector<OutgoingPacket> packets;
+	PacketContent answer;
+	std::uint8_t state_number = 0;
+	double time = 0.0; // of the last flush
+	double origin = 0.0; // time of tick 0
+	bool has_origin = false;
+	std::int64_t window_begin = 0; // ticks
+	std::int64_t last_flush = 0;
+	std::int64_t news_since = -1; // tick; -1: no news
+	double step = 1.0; // ticks between flushes
+
+	[[nodiscard]] double ticks(double at) const { return (at - origin) / settings.tick; }
+	void start_encoder();
+	[[nodiscard]] double longest_window() const;
+	[[nodiscard]] bool is_window_due(std::int64_t now) const;
+	void close_window(std::int64_t end);
+	void give_states();
+	void send_all();
+};
+
+Sender::Sender(const StreamSettings &settings) :
+		state_(std::make_unique<State>(settings)) {}
+
+Sender::~Sender() = default;
+
+bool Sender::add_body(std::uint32_t id, const cga::Pose<double> &pose) {
+	State &s = *state_;
+	BodyState probe;
+	const StreamGrid grid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance));
+	if (id >= ID_LIMIT || has_body(id) || !probe.set_pose(pose, grid)) {
+		return false;
+	}
+	if (s.encoder != nullptr && !s.encoder->add_body(id, s.ticks(s.time), pose)) {
+		return false;
+	}
+	s.bodies[id] = pose;
+	return true;
+}
+
+bool Sender::remove_body(std::uint32_t id) {
+	State &s = *state_;
+	if (s.bodies.erase(id) == 0) {
+		return false;
+	}
+	if (s.encoder != nullptr) {
+		s.encoder->remove_body(id, s.ticks(s.time));
+	}
+	return true;
+}
+
+bool Sender::has_body(std::uint32_t id) const {
+	return state_->bodies.count(id) != 0;
+}
+
+std::size_t Sender::body_count() const {
+	return state_->bodies.size();
+}
+
+bool Sender::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+	State &s = *state_;
+	if (!s.has_origin) {
+		s.origin = s.time = time;
+		s.has_origin = true;
+	}
+	const auto found = s.bodies.find(id);
+	if (found == s.bodies.end() || !std::isfinite(time)) {
+		return false;
+	}
+	if (s.encoder != nullptr) {
+		if (!s.encoder->observe(id, s.ticks(time), pose)) {
+			return false;
+		}
+	} else {
+		BodyState probe;
+		if (!probe.set_pose(pose, StreamGrid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance)))) {
+			return false;
+		}
+	}
+	found->second = pose;
+	return true;
+}
+
+bool Sender::teleport(std::uint32_t id) {
+	return state_->encoder != nullptr ? state_->encoder->jump(id) : has_body(id);
+}
+
+void Sender::add_receiver(std::uint32_t receiver, double time) {
+	State &s = *state_;
+	if (!s.has_origin) {
+		s.origin = s.time = time;
+		s.has_origin = true;
+	}
+	s.peers.erase(receiver);
+	s.peers.emplace(receiver, State::Peer{ Delivery(time) });
+}
+
+void Sender::remove_receiver(std::uint32_t receiver) {
+	state_->peers.erase(receiver);
+	if (state_->peers.empty()) {
+		state_->encoder.reset();
+	}
+}
+
+bool Sender::has_receiver(std::uint32_t receiver) const {
+	return state_->peers.count(receiver) != 0;
+}
+
+void Sender::State::start_encoder() {
+	encoder = std::make_unique<StreamEncoder>(float(settings.position_tolerance), float(settings.rotation_tolerance), settings.mode);
+	std::vector<std::uint32_t> ids;
+	for (const auto &body : bodies) {
+		ids.push_back(body.first);
+	}
+	std::sort(ids.begin(), ids.end());
+	for (const std::uint32_t id : ids) {
+		(void)encoder->add_body(id, double(window_begin), bodies[id]);
+	}
+	for (auto &peer : peers) {
+		peer.second.delivery = Delivery(time);
+	}
+	news_since = -1;
+}
+
+double Sender::State::longest_window() const {
+	// What a chunk may need after its window has ended, at the receiver for which that is most.
+	double network = FRAME;
+	for (const auto &peer : peers) {
+		const Delivery &delivery = peer.second.delivery;
+		if (delivery.round_trip() > 0.0 && !delivery.is_silent(time)) {
+			const double once = std::max(4.0 * delivery.round_trip_deviation(), FRAME);
+			network = std::max(network, once + (delivery.loss() > NOTABLE_LOSS ? delivery.patience() + settings.tick : 0.0));
+		}
+	}
+	const double longest = std::max(settings.max_latency - network, settings.max_latency * LEAST_WINDOW);
+	return std::max(longest, settings.send_rate > 0.0 ? std::min(1.0 / settings.send_rate, settings.max_latency) : 0.0) / settings.tick;
+}
+
+bool Sender::State::is_window_due(std::int64_t now) const {
+	const double next = double(now) + step;
+	if (next - double(window_begin) > double(MOST_TICKS) + SAME_TICK) {
+		return true;
+	}
+	const bool is_awaited = std::any_of(peers.begin(), peers.end(), [](const auto &peer) { return peer.second.delivery.needs_state(); });
+	if (is_awaited) {
+		return true;
+	}
+	if (news_since >= 0) {
+		return next - double(news_since) > longest_window() + SAME_TICK;
+	}
+	return next - double(window_begin) > IDLE_WINDOW / settings.tick;
+}
+
+void Sender::State::close_window(std::int64_t end) {
+	while (window_begin < end) {
+		const int length = int(std::min<std::int64_t>(end - window_begin, MOST_TICKS));
+		window.clear();
+		encoder->encode_window(double(window_begin), length, window);
+		ring.push_window(window, encoder->check());
+		window_begin += length;
+	}
+	news_since = encoder->has_news() ? window_begin : -1;
+}
+
+void Sender::State::give_states() {
+	std::shared_ptr<StateSnapshot> snapshot;
+	for (auto &peer : peers) {
+		if (!peer.second.delivery.needs_state() || peer.second.delivery.is_silent(time)) {
+			continue;
+		}
+		if (snapshot == nullptr) {
+			snapshot = std::make_shared<StateSnapshot>();
+			snapshot->number = ++state_number;
+			snapshot->next_chunk = ring.next();
+			StateHeader header;
+			header.settings = settings;
+			header.tick = std::uint32_t(window_begin);
+			header.window = float(longest_window() * settings.tick);
+			put_state_header(snapshot->bytes, header);
+			encoder->encode_state(snapshot->bytes);
+		}
+		peer.second.delivery.start_state(snapshot);
+	}
+}
+
+void Sender::State::send_all() {
+	for (auto &entry : peers) {
+		Peer &peer = entry.second;
+		peer.delivery.send(ring, time, bytes, [&](std::size_t begin, std::size_t size) {
+			packets.push_back({ entry.first, begin, size });
+			peer.bytes_sent += size;
+			++peer.packets_sent;
+		});
+	}
+}
+
+void Sender::flush(double time) {
+	State &s = *state_;
+	s.bytes.clear();
+	s.packets.clear();
+	if (!s.has_origin) {
+		s.origin = time;
+		s.has_origin = true;
+	}
+	s.time = std::max(time, s.time);
+	const std::int64_t now = std::int64_t(std::floor(s.ticks(s.time) + SAME_TICK));
+	if (now > s.last_flush) {
+		// The longest of the recent steps, gaps apart: a window must be over before it is too long.
+		s.step = std::clamp(double(now - s.last_flush), 0.9 * s.step, MOST_STEP);
+	}
+	const std::int64_t before = s.last_flush;
+	s.last_flush = now;
+	if (s.peers.empty()) {
+		s.window_begin = now;
+		return;
+	}
+	if (s.encoder == nullptr) {
+		s.window_begin = now > 0 ? now - 1 : 0;
+		s.start_encoder();
+	}
+	if (s.news_since < 0 && s.encoder->has_news()) {
+		// What was idle until now is told at once, so that windows with motion are as short as they should be.
+		s.close_window(std::max(s.window_begin, std::min(before, now - 1)));
+		s.news_since = s.window_begin;
+	}
+	if (now > s.window_begin && s.is_window_due(now)) {
+		s.close_window(now);
+		s.give_states();
+	}
+	s.send_all();
+}
+
+const std::vector<OutgoingPacket> &Sender::packets() const {
+	return state_->packets;
+}
+
+const std::uint8_t *Sender::bytes() const {
+	return state_->bytes.data();
+}
+
+const char *Sender::accept(std::uint32_t receiver, const std::uint8_t *packet, std::size_t size, double time) {
+	State &s = *state_;
+	const auto found = s.peers.find(receiver);
+	if (found == s.peers.end()) {
+		return "the answer comes from nobody that poses are sent to";
+	}
+	const char *error = read_packet(packet, size, s.answer);
+	if (error != nullptr) {
+		return error;
+	}
+	found->second.delivery.accept(s.answer, s.ring, time);
+	return nullptr;
+}
+
+void Sender::set_settings(const StreamSettings &settings) {
+	State &s = *state_;
+	const StreamSettings &old = s.settings;
+	const bool restarts = old.position_tolerance != settings.position_tolerance || old.rotation_tolerance != settings.rotation_tolerance ||
+			old.mode != settings.mode || old.tick != settings.tick;
+	if (old.tick != settings.tick) {
+		s.origin = s.time;
+		s.window_begin = s.last_flush = 0;
+	}
+	s.settings = settings;
+	if (restarts) {
+		s.encoder.reset();
+	}
+}
+
+const StreamSettings &Sender::settings() const {
+	return state_->settings;
+}
+
+ReceiverStatistics Sender::statistics(std::uint32_t receiver) const {
+	ReceiverStatistics statistics;
+	const auto found = state_->peers.find(receiver);
+	if (found != state_->peers.end()) {
+		const State::Peer &peer = found->second;
+		statistics.bytes_sent = peer.bytes_sent;
+		statistics.packets_sent = peer.packets_sent;
+		statistics.chunks_repeated = peer.delivery.repeated();
+		statistics.loss = peer.delivery.loss();
+		statistics.round_trip = peer.delivery.round_trip();
+	}
+	return statistics;
+}
+
+std::size_t Sender::moving_count() const {
+	return state_->encoder != nullptr ? state_->encoder->moving_count() : 0;
+}
+
+} // namespace net
