@@ -63,7 +63,8 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	BodyState moving = state;
 	while (ticks > 0) {
 		SegmentFit::Result result;
-		if (!fit_.fit(moving, begin, ticks, samples, count, available, models, result) && !longest_segment(moving, begin, ticks, samples, count, available, models, result)) {
+		fit_.begin(moving, begin, samples, count, available);
+		if (!fit_.fit(moving, ticks, count, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
 			return false;
 		}
 		if (!moving.apply(result.code, moving.steps(result.code), grid_)) {
@@ -80,14 +81,14 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	return true;
 }
 
-bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, SegmentFit::Result &result) {
+bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, MotionModels &models, SegmentFit::Result &result) {
 	// At least up to the first sample; then halving: what fits over some ticks mostly fits over fewer.
 	const int least = std::max(1, int(std::ceil(samples[0].time - begin - SAME_TIME)));
 	int fits = least - 1;
 	for (int most = ticks; most - fits > 1;) {
 		const int length = (fits + most) / 2;
 		SegmentFit::Result other;
-		if (fit_.fit(state, begin, length, samples, count_until(samples, count, begin + length), available, models, other)) {
+		if (fit_.fit(state, length, count_until(samples, count, begin + length), models, other)) {
 			fits = length;
 			result = other;
 		} else {
@@ -98,7 +99,7 @@ bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ti
 		return true;
 	}
 	const std::size_t first = count_until(samples, count, begin + least);
-	return fit_.reach(state, least, samples[first - 1], models, result);
+	return fit_.reach(state, least, first - 1, models, result);
 }
 
 } // namespace net

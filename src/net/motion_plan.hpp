@@ -17,7 +17,7 @@ public:
 
 private:
 	bool plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, MotionCode &motion);
-	bool longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, SegmentFit::Result &result);
+	bool longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, MotionModels &models, SegmentFit::Result &result);
 	void plan_resting(const BodyState &state, const MotionSample &last, MotionCode &motion) const;
 
 	StreamGrid grid_;

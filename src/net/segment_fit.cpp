@@ -5,6 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+// The search may round differently from machine to machine, as only its result is sent: where the processor has wider
+// registers and fused operations, it uses them.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define NET_WIDE __attribute__((target_clones("avx2,fma", "default")))
+#else
+#define NET_WIDE
+#endif
+
 namespace net {
 
 namespace {
@@ -14,6 +22,9 @@ namespace {
 constexpr double PINNED_BEYOND = 0.25;
 constexpr double LAST_SEEN_WEIGHT = 0.2;
 constexpr double LONGEST_TURN = 6.0; // radians in a segment
+/// Codes whose error is at most so many times the tolerance are worth single steps towards it.
+constexpr float NEARLY = 1.15f;
+constexpr float NO_LIMIT = 1e18f;
 constexpr std::int32_t MOST_END = ResidualModel::LIMIT / 2;
 
 /// Rows of the rotation matrix of the inverse of q.
@@ -75,52 +86,29 @@ double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, dou
 	return std::sqrt(worst);
 }
 
-void SegmentFit::pin_end(double begin, int ticks, const MotionSample &last, const MotionSample *next, const cga::Pose<double> &start) {
-	const double end = begin + ticks;
-	const std::size_t k = std::size_t(count_ - 1);
-	for (std::size_t i = 0; i < 6; ++i) {
-		pin_[i] = double(target_[i][k]);
-	}
-	pin_weight_ = end - last.time > PINNED_BEYOND ? LAST_SEEN_WEIGHT : 0.0;
-	if (pin_weight_ > 0.0 && next != nullptr) {
-		const double share = (end - last.time) / (next->time - last.time);
-		const cga::Vector3<double> way = (next->pose.translation - start.translation) / grid_.position;
-		const cga::Vector3<double> before = cga::Vector3<double>(pin_[3], pin_[4], pin_[5]) * grid_.rotation;
-		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(start.rotation) * next->pose.rotation), before) / grid_.rotation;
-		for (int i = 0; i < 3; ++i) {
-			pin_[i] += share * (way[i] - pin_[i]);
-			pin_[3 + i] += share * (turn[i] - pin_[3 + i]);
-		}
-		pin_weight_ = 1.0;
-	}
-}
-
-bool SegmentFit::load(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available) {
-	const cga::Pose<double> start = state.pose(grid_);
-	const cga::Quaternion<double> back = glm::conjugate(start.rotation);
-	const std::size_t stride = (count + MOST_SAMPLES - 1) / MOST_SAMPLES;
-	const double last_scale = samples[count - 1].pose.scale;
-	const double level = std::log2(last_scale / start.scale) * BodyState::SCALE_LEVELS;
-	scale_change_ = std::fabs(level) < 1.0 ? 0 : std::int32_t(std::round(std::clamp(level, -1e6, 1e6)));
+void SegmentFit::load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
+	samples_ = samples;
+	loaded_ = std::min(count, MOST_SAMPLES);
+	known_ = available;
+	begin_ = begin;
+	start_ = state.pose(grid_);
+	const cga::Quaternion<double> back = glm::conjugate(start_.rotation);
 	cga::Vector3<double> before(0.0);
-	for (int i = 0; i < 3; ++i) {
-		before[i] = double(state.predicted(3 + i, ticks)) * grid_.rotation * (samples[0].time - begin) / ticks;
+	if (loaded_ > 0) {
+		const int ticks = std::max(1, int(std::ceil(samples[0].time - begin)));
+		for (int i = 0; i < 3; ++i) {
+			before[i] = double(state.predicted(3 + i, ticks)) * grid_.rotation;
+		}
 	}
-	double scale_error = 0.0;
-	count_ = 0;
-	for (std::size_t at = (count - 1) % stride; at < count; at += stride) {
-		const MotionSample &sample = samples[at];
-		const std::size_t k = std::size_t(count_++);
-		const double u = (sample.time - begin) / ticks;
-		u_[k] = float(u);
-		w_[k] = float(u * (1.0 - u));
-		const cga::Vector3<double> way = (sample.pose.translation - start.translation) / grid_.position;
-		const cga::Vector3<double> turn = unwrapped(log_rotation(back * sample.pose.rotation), before);
+	for (std::size_t k = 0; k < loaded_; ++k) {
+		const cga::Pose<double> &pose = samples[k].pose;
+		const cga::Vector3<double> way = (pose.translation - start_.translation) / grid_.position;
+		const cga::Vector3<double> turn = unwrapped(log_rotation(back * pose.rotation), before);
 		before = turn;
 		double jacobian[9];
 		double to_body[9];
 		right_jacobian(turn, jacobian);
-		inverse_matrix(sample.pose.rotation, to_body);
+		inverse_matrix(pose.rotation, to_body);
 		for (std::size_t i = 0; i < 3; ++i) {
 			target_[i][k] = float(way[int(i)]);
 			target_[3 + i][k] = float(turn[int(i)] / grid_.rotation);
@@ -129,19 +117,73 @@ bool SegmentFit::load(const BodyState &state, double begin, int ticks, const Mot
 			to_body_[i][k] = float(to_body[i]);
 			jacobian_[i][k] = float(jacobian[i]);
 		}
-		const double scale = start.scale * (scale_change_ == 0 ? 1.0 : std::exp2(u * scale_change_ / BodyState::SCALE_LEVELS));
-		scale_error = std::max(scale_error, std::fabs(scale - sample.pose.scale));
 	}
-	pin_end(begin, ticks, samples[count - 1], available > count ? samples + count : nullptr, start);
+	// Blocks of 8 are computed whole: what is behind the last sample must be a number.
+	for (std::size_t k = loaded_; k < (loaded_ + 7) / 8 * 8; ++k) {
+		for (Row &row : target_) {
+			row[k] = 0.0f;
+		}
+		for (std::size_t i = 0; i < 9; ++i) {
+			to_body_[i][k] = 0.0f;
+			jacobian_[i][k] = 0.0f;
+		}
+	}
+}
+
+void SegmentFit::pin_end(int ticks) {
+	const double end = begin_ + ticks;
+	const std::size_t k = std::size_t(count_ - 1);
+	const MotionSample &last = samples_[k];
+	for (std::size_t i = 0; i < 6; ++i) {
+		pin_[i] = double(target_[i][k]);
+	}
+	pin_weight_ = end - last.time > PINNED_BEYOND ? LAST_SEEN_WEIGHT : 0.0;
+	if (pin_weight_ > 0.0 && k + 1 < known_) {
+		const MotionSample &next = samples_[k + 1];
+		const double share = (end - last.time) / (next.time - last.time);
+		const cga::Vector3<double> way = (next.pose.translation - start_.translation) / grid_.position;
+		const cga::Vector3<double> before = cga::Vector3<double>(pin_[3], pin_[4], pin_[5]) * grid_.rotation;
+		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(start_.rotation) * next.pose.rotation), before) / grid_.rotation;
+		for (int i = 0; i < 3; ++i) {
+			pin_[i] += share * (way[i] - pin_[i]);
+			pin_[3 + i] += share * (turn[i] - pin_[3 + i]);
+		}
+		pin_weight_ = 1.0;
+	}
+}
+
+bool SegmentFit::set_length(const BodyState &state, int ticks, std::size_t count) {
+	count_ = int(std::min(count, loaded_));
 	padded_ = (count_ + 7) / 8 * 8;
-	const auto pad = [this](Row &row) { std::fill(row.begin() + count_, row.begin() + padded_, row[std::size_t(count_ - 1)]); };
-	pad(u_);
-	pad(w_);
-	std::for_each(target_, target_ + 6, pad);
-	std::for_each(to_body_, to_body_ + 9, pad);
-	std::for_each(jacobian_, jacobian_ + 9, pad);
+	const double level = std::log2(samples_[count_ - 1].pose.scale / start_.scale) * BodyState::SCALE_LEVELS;
+	scale_change_ = std::fabs(level) < 1.0 ? 0 : std::int32_t(std::round(std::clamp(level, -1e6, 1e6)));
+	double scale_error = 0.0;
+	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
+		const double u = (samples_[k].time - begin_) / ticks;
+		u_[k] = float(u);
+		w_[k] = float(u * (1.0 - u));
+		const double scale = start_.scale * (scale_change_ == 0 ? 1.0 : std::exp2(u * scale_change_ / BodyState::SCALE_LEVELS));
+		scale_error = std::max(scale_error, std::fabs(scale - samples_[k].pose.scale));
+	}
+	std::fill(u_.begin() + count_, u_.begin() + padded_, 0.0f);
+	std::fill(w_.begin() + count_, w_.begin() + padded_, 0.0f);
+	for (int i = 0; i < 6; ++i) {
+		predicted_[i] = state.predicted(i, ticks);
+	}
+	pin_end(ticks);
 	tolerance_ = float(StreamGrid::TOLERANCE - scale_error * grid_.lever / grid_.position);
-	return glm::dot(before, before) < LONGEST_TURN * LONGEST_TURN;
+	const std::size_t last = std::size_t(count_ - 1);
+	const double turn = double(std::max({ std::fabs(target_[3][last]), std::fabs(target_[4][last]), std::fabs(target_[5][last]) })) * grid_.rotation;
+	return turn < LONGEST_TURN && tolerance_ > 0.0f;
+}
+
+SegmentSteps SegmentFit::steps(const SegmentCode &code) const {
+	SegmentSteps steps;
+	for (int i = 0; i < 6; ++i) {
+		steps.way[i] = predicted_[i] + std::int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+		steps.bend[i] = std::int64_t(code.bend[i]) * StreamGrid::BEND;
+	}
+	return steps;
 }
 
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
@@ -151,7 +193,7 @@ void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const Seg
 	SegmentSteps straight = steps;
 	std::fill(straight.bend, straight.bend + 6, 0);
 	const MotionSegment path = state.segment(code, straight, grid_, 0.0, mode_);
-	for (std::size_t k = 0; k < std::size_t(padded_); ++k) {
+	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
 		const cga::Pose<double> pose = path.pose_at(double(u_[k]) * ticks);
 		const cga::Vector3<double> way = (pose.translation - path.from.translation - path.way * double(u_[k])) / grid_.position;
 		const cga::Vector3<double> turn = log_rotation(glm::conjugate(path.from.rotation * exp_rotation(path.turn * double(u_[k]))) * pose.rotation) / grid_.rotation;
@@ -162,7 +204,7 @@ void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const Seg
 	}
 }
 
-float SegmentFit::error_of(const SegmentSteps &steps) const {
+NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
 	float way[6];
 	float bend[6];
 	for (int i = 0; i < 6; ++i) {
@@ -198,27 +240,32 @@ float SegmentFit::error_of(const SegmentSteps &steps) const {
 			const float m1 = e0 > e1 ? e0 : e1;
 			const float m2 = e2 > e3 ? e2 : e3;
 			const float m = m1 > m2 ? m1 : m2;
-			worst[lane] = worst[lane] > m ? worst[lane] : m;
+			const float counted = u > 0.0f ? m : 0.0f; // beyond the segment u is 0
+			worst[lane] = worst[lane] > counted ? worst[lane] : counted;
+		}
+		const float most = *std::max_element(worst, worst + 8);
+		if (most > limit * limit || block + 8 >= std::size_t(padded_)) {
+			return std::sqrt(most);
 		}
 	}
-	return std::sqrt(*std::max_element(worst, worst + 8));
+	return 0.0f;
 }
 
-void SegmentFit::round_end(const BodyState &state, const double way[6], SegmentCode &code) const {
+void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
 	const double step = code.fine ? StreamGrid::HALF : StreamGrid::COARSE;
 	for (int i = 0; i < 6; ++i) {
-		const double value = (way[i] - double(state.predicted(i, code.ticks))) / step;
+		const double value = (way[i] - double(predicted_[i])) / step;
 		code.end[i] = std::int32_t(std::clamp(std::nearbyint(value), double(-MOST_END - 1), double(MOST_END + 1)));
 	}
 }
 
-bool SegmentFit::try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, Result &result) {
+bool SegmentFit::try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, float limit, Result &result) {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
 		const std::int32_t *bend = code.bend + 3 * group;
 		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
 	}
-	result.error = error_of(state.steps(result.code));
+	result.error = error_of(steps(result.code), limit);
 	if (!(result.error <= tolerance_)) {
 		return false;
 	}
@@ -229,27 +276,22 @@ bool SegmentFit::try_code(const BodyState &state, MotionModels &models, const Se
 }
 
 bool SegmentFit::improve_error(const BodyState &state, MotionModels &models, Result &result) {
-	for (int pass = 0; pass < 2; ++pass) {
-		const float before = result.error;
-		for (int i = 0; i < 12; ++i) {
-			if (i >= 6 && !result.code.bent[(i - 6) / 3]) {
-				continue;
-			}
-			for (const std::int32_t step : { -1, 1 }) {
-				SegmentCode code = result.code;
-				(i < 6 ? code.end[i] : code.bend[i - 6]) += step;
-				Result other;
-				if (try_code(state, models, code, other)) {
-					result = other;
-					return true;
-				}
-				if (other.error < result.error) {
-					result = other;
-				}
-			}
+	for (int i = 0; i < 12; ++i) {
+		if (i >= 6 && !result.code.bent[(i - 6) / 3]) {
+			continue;
 		}
-		if (!(result.error < before)) {
-			return false;
+		for (const std::int32_t step : { -1, 1 }) {
+			SegmentCode code = result.code;
+			(i < 6 ? code.end[i] : code.bend[i - 6]) += step;
+			Result other;
+			if (try_code(state, models, code, result.error, other)) {
+				result = other;
+				return true;
+			}
+			if (other.error < result.error) {
+				result = other;
+				break;
+			}
 		}
 	}
 	return false;
@@ -264,7 +306,7 @@ void SegmentFit::improve_cost(const BodyState &state, MotionModels &models, Resu
 		SegmentCode code = result.code;
 		(i < 6 ? code.end[i] : code.bend[i - 6]) += value > 0 ? -1 : 1;
 		Result other;
-		if (try_code(state, models, code, other) && other.cost < result.cost) {
+		if (try_code(state, models, code, tolerance_, other) && other.cost < result.cost) {
 			result = other;
 		}
 	}
@@ -299,9 +341,9 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 	for (int i = 0; i < 6; ++i) {
 		way[i] = uy[i] / uu;
 	}
-	round_end(state, way, straight);
-	bool found = try_code(state, models, straight, result);
-	if (!found && result.error < 1.5f * tolerance_) {
+	round_end(way, straight);
+	bool found = try_code(state, models, straight, NO_LIMIT, result);
+	if (!found && result.error < NEARLY * tolerance_) {
 		found = improve_error(state, models, result);
 	}
 	// With bends: of the translation, the rotation, both.
@@ -311,7 +353,7 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 		for (int i = 0; i < 6; ++i) {
 			way[i] = (uy[i] * ww - wy[i] * uw) / determinant;
 		}
-		round_end(state, way, bent);
+		round_end(way, bent);
 		const SegmentSteps steps = state.steps(bent);
 		for (int i = 0; i < 6; ++i) {
 			const double bend = (wy[i] - double(steps.way[i]) * uw) / ww;
@@ -326,8 +368,8 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 				}
 			}
 			Result other;
-			bool within = try_code(state, models, code, other);
-			if (!within && groups == 3 && !found && other.error < 1.5f * tolerance_) {
+			bool within = try_code(state, models, code, NO_LIMIT, other);
+			if (!within && groups == 3 && !found && other.error < NEARLY * tolerance_) {
 				within = improve_error(state, models, other);
 			}
 			if (within && (!found || other.cost < result.cost)) {
@@ -342,8 +384,8 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 		for (int i = 0; i < 6; ++i) {
 			way[i] = uy[i] / uu;
 		}
-		round_end(state, way, fine);
-		found = try_code(state, models, fine, result) || improve_error(state, models, result);
+		round_end(way, fine);
+		found = try_code(state, models, fine, NO_LIMIT, result) || improve_error(state, models, result);
 	}
 	if (found) {
 		improve_cost(state, models, result);
@@ -351,7 +393,7 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 	return found;
 }
 
-bool SegmentFit::fit(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, Result &result) {
+bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, MotionModels &models, Result &result) {
 	if (count == 0) {
 		// Nothing was seen: the motion goes on as predicted.
 		result = Result();
@@ -361,34 +403,31 @@ bool SegmentFit::fit(const BodyState &state, double begin, int ticks, const Moti
 		result.cost = meter.cost();
 		return true;
 	}
-	if (!load(state, begin, ticks, samples, count, available) || !(tolerance_ > 0.0f)) {
+	if (!set_length(state, ticks, count)) {
 		return false;
 	}
 	if (mode_ == cga::Mode::SEPARATE) {
 		return search(state, ticks, models, result);
 	}
 	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
-	SegmentSteps steps;
-	for (int i = 0; i < 6; ++i) {
-		steps.way[i] = std::int64_t(target_[i][std::size_t(count_ - 1)] / u_[std::size_t(count_ - 1)]);
+	SegmentSteps straight{};
+	for (std::size_t i = 0; i < 6; ++i) {
+		straight.way[i] = std::int64_t(target_[i][std::size_t(count_ - 1)] / u_[std::size_t(count_ - 1)]);
 	}
-	subtract_base_path(state, ticks, steps);
-	if (!search(state, ticks, models, result)) {
+	std::copy(target_, target_ + 6, base_target_);
+	subtract_base_path(state, ticks, straight);
+	const bool found = search(state, ticks, models, result);
+	std::copy(base_target_, base_target_ + 6, target_);
+	if (!found) {
 		return false;
 	}
-	const SegmentSteps found = state.steps(result.code);
-	const MotionSegment segment = state.segment(result.code, found, grid_, begin, mode_);
+	const MotionSegment segment = state.segment(result.code, state.steps(result.code), grid_, begin_, mode_);
 	const double most = StreamGrid::TOLERANCE * grid_.position * 1.02;
-	for (std::size_t i = 0; i < count; ++i) {
-		if (pose_distance(segment.pose_at(samples[i].time), samples[i].pose, grid_.lever) > most) {
-			return false;
-		}
-	}
-	return true;
+	return std::all_of(samples_, samples_ + count_, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, grid_.lever) <= most; });
 }
 
-bool SegmentFit::reach(const BodyState &state, int ticks, const MotionSample &sample, MotionModels &models, Result &result) {
-	if (!load(state, sample.time - ticks, ticks, &sample, 1, 1)) {
+bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, MotionModels &models, Result &result) {
+	if (index >= loaded_ || !set_length(state, ticks, index + 1)) {
 		return false;
 	}
 	result = Result();
@@ -398,14 +437,12 @@ bool SegmentFit::reach(const BodyState &state, int ticks, const MotionSample &sa
 	code.scaled = scale_change_ != 0;
 	code.scale = scale_change_;
 	double way[6];
-	for (int i = 0; i < 6; ++i) {
-		way[i] = double(target_[i][0]);
+	for (std::size_t i = 0; i < 6; ++i) {
+		way[i] = double(target_[i][index]);
 	}
-	round_end(state, way, code);
-	for (const std::int32_t value : code.end) {
-		if (std::abs(value) > MOST_END) {
-			return false;
-		}
+	round_end(way, code);
+	if (std::any_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) > MOST_END; })) {
+		return false;
 	}
 	CostMeter meter;
 	state.code(meter, models, code);

@@ -25,7 +25,7 @@ struct MotionSample {
 /// cheap. Errors of all samples are computed side by side.
 class SegmentFit {
 public:
-	static constexpr int MOST_SAMPLES = 64;
+	static constexpr std::size_t MOST_SAMPLES = 256;
 
 	struct Result {
 		SegmentCode code;
@@ -36,43 +36,53 @@ public:
 	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
 			grid_(grid), mode_(mode) {}
 
-	/// The first `count` samples have times in (begin, begin + ticks]; up to `available` are known. True if `result` passes
-	/// the `count` within the tolerance.
-	bool fit(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, Result &result);
-	/// A code that ends at the sample as nearly as possible, whatever is between. False if none reaches it.
-	bool reach(const BodyState &state, int ticks, const MotionSample &sample, MotionModels &models, Result &result);
+	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
+	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) { load(state, begin, samples, count, available); }
+	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
+	/// tolerance.
+	bool fit(const BodyState &state, int ticks, std::size_t count, MotionModels &models, Result &result);
+	/// A code that ends where sample `index` is as nearly as possible, whatever is between. False if none reaches it.
+	bool reach(const BodyState &state, int ticks, std::size_t index, MotionModels &models, Result &result);
 
 private:
-	struct Coefficients {
-		double way[6];
-		double bend[6];
-	};
-
-	bool load(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available);
-	void pin_end(double begin, int ticks, const MotionSample &last, const MotionSample *next, const cga::Pose<double> &start);
+	void load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
+	void pin_end(int ticks);
+	bool set_length(const BodyState &state, int ticks, std::size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
-	void round_end(const BodyState &state, const double way[6], SegmentCode &code) const;
-	bool try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, Result &result);
+	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
+	void round_end(const double way[6], SegmentCode &code) const;
+	bool try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, float limit, Result &result);
 	bool improve_error(const BodyState &state, MotionModels &models, Result &result);
 	void improve_cost(const BodyState &state, MotionModels &models, Result &result);
-	[[nodiscard]] float error_of(const SegmentSteps &steps) const;
+	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
 	bool search(const BodyState &state, int ticks, MotionModels &models, Result &result);
 
 	using Row = std::array<float, MOST_SAMPLES>;
 
 	StreamGrid grid_;
 	cga::Mode mode_;
+
+	// Of all samples that were loaded.
+	const MotionSample *samples_ = nullptr;
+	std::size_t loaded_ = 0;
+	std::size_t known_ = 0;
+	double begin_ = 0.0;
+	cga::Pose<double> start_;
+	Row target_[6]; // steps from the start
+	Row to_body_[9]; // world's axes to the body's at the sample
+	Row jacobian_[9]; // change of the rotation vector to the body's rotation at the sample
+	Row base_target_[6]; // target_ before the mode's path was subtracted
+
+	// Of a segment of some length.
 	int count_ = 0;
 	int padded_ = 0;
 	Row u_;
 	Row w_;
-	Row target_[6]; // steps from the start
-	Row to_body_[9]; // world's axes to the body's at the sample
-	Row jacobian_[9]; // change of the rotation vector to the body's rotation at the sample
-	float tolerance_ = 0.0f; // in steps, less what the scale takes of it
-	std::int32_t scale_change_ = 0;
+	std::int64_t predicted_[6];
 	double pin_weight_ = 0.0; // of a guess of where the end is, for segments that end after their last sample
 	double pin_[6];
+	float tolerance_ = 0.0f; // in steps, less what the scale takes of it
+	std::int32_t scale_change_ = 0;
 };
 
 } // namespace net

@@ -13,6 +13,8 @@ constexpr double LONGEST_GAP_WINDOWS = 1.5;
 constexpr double LONGEST_GAP_TICKS = 6.0;
 /// The share of the tolerance within which a resting body is still no news.
 constexpr double NEWS = 0.9;
+/// Poses that come sooner than this after another, in ticks, are left out.
+constexpr double LEAST_STEP = 0.12;
 /// Times nearer than this to a whole tick are that tick: clocks round.
 constexpr double SAME_TICK = 0.01;
 
@@ -105,6 +107,9 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 		body.change_time = time;
 	} else {
 		news_ = news_ || is_news(body, unit);
+	}
+	if (!body.samples.empty() && time - body.samples.back().time < LEAST_STEP) {
+		return true;
 	}
 	body.samples.push_back({ time, unit });
 	return true;
