@@ -36,6 +36,7 @@ HANDLES = {
     "String": ("string_base", "StringBase"),
     "StringName": ("string_base", "StringNameBase"),
     "NodePath": ("opaque", "Opaque<{type}, 8>"),
+    "Callable": ("opaque", "Opaque<{type}, 16>"),
     "Dictionary": ("array_base", "DictionaryBase"),
     "Array": ("array_base", "ArrayBase"),
     "PackedByteArray": packed("uint8_t"),
@@ -346,7 +347,7 @@ def write_builtin_source(output, api):
 }}
 
 """
-    output.source("builtin_types", include("godot_cpp/core/call"), body)
+    output.source("builtin_types", include("godot_cpp/core/call", "godot_cpp/core/object"), body)
 
 
 def write_global_constants(output, api):

@@ -1,5 +1,11 @@
 #include "sample_node.hpp"
 
+#include <godot_cpp/classes/multiplayer_peer.hpp>
+#include <godot_cpp/classes/multiplayer_synchronizer.hpp>
+#include <godot_cpp/classes/performance.hpp>
+#include <godot_cpp/classes/scene_multiplayer.hpp>
+#include <godot_cpp/classes/scene_replication_config.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 namespace bindings_sample {
@@ -76,6 +82,69 @@ Variant SampleNode::call_other(Object *p_other, const StringName &p_method, cons
 	return p_other ? p_other->call(p_method, p_a, p_b) : Variant();
 }
 
+void SampleNode::listen(Object *p_source, const StringName &p_signal) {
+	p_source->connect(p_signal, Callable(this, "_heard").bindv(Array{ "bound" }));
+}
+
+void SampleNode::stop_listening(Object *p_source, const StringName &p_signal) {
+	p_source->disconnect(p_signal, Callable(this, "_heard"));
+}
+
+void SampleNode::_heard(const Variant &p_what, const String &p_bound) {
+	record(vformat("%s %s", p_what, p_bound));
+}
+
+Callable SampleNode::callable_of(const StringName &p_method) {
+	return Callable(this, p_method);
+}
+
+Variant SampleNode::call_it(const Callable &p_callable, const Array &p_arguments) const {
+	return p_callable.is_valid() ? p_callable.callv(p_arguments) : Variant("invalid");
+}
+
+Array SampleNode::describe_multiplayer() const {
+	const Ref<MultiplayerAPI> api = get_multiplayer();
+	const Ref<SceneMultiplayer> scene_api = api;
+	const Ref<MultiplayerPeer> peer = scene_api->get_multiplayer_peer();
+	return Array{ api->get_class(), scene_api->get_root_path(), api->get_unique_id(), api->get_peers().size(), int64_t(peer->get_connection_status()) };
+}
+
+int64_t SampleNode::send(const PackedByteArray &p_bytes, int64_t p_peer) const {
+	const Ref<SceneMultiplayer> api = get_multiplayer();
+	return int64_t(api->send_bytes(p_bytes, int32_t(p_peer), MultiplayerPeer::TRANSFER_MODE_UNRELIABLE));
+}
+
+PackedStringArray SampleNode::names_in_group(const StringName &p_group) const {
+	PackedStringArray names;
+	const TypedArray<Node> nodes = get_tree()->get_nodes_in_group(p_group);
+	for (int64_t i = 0; i < nodes.size(); i++) {
+		names.push_back(Object::cast_to<Node>(nodes[i])->get_name());
+	}
+	return names;
+}
+
+bool SampleNode::monitor_frames(const StringName &p_name, bool p_on) {
+	Performance *performance = Performance::get_singleton();
+	if (p_on) {
+		performance->add_custom_monitor(p_name, Callable(this, "get_frames"));
+	} else {
+		performance->remove_custom_monitor(p_name);
+	}
+	return performance->has_custom_monitor(p_name);
+}
+
+PackedStringArray SampleNode::sent_properties(Node *p_synchronizer) const {
+	PackedStringArray names;
+	MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(p_synchronizer);
+	const Ref<SceneReplicationConfig> config = synchronizer->get_replication_config();
+	const TypedArray<NodePath> properties = config->get_properties();
+	for (int64_t i = 0; i < properties.size(); i++) {
+		const NodePath path = properties[i];
+		names.push_back(path.get_concatenated_subnames());
+	}
+	return names;
+}
+
 void SampleNode::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_POSTINITIALIZE:
@@ -106,6 +175,16 @@ void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("grow", "name"), &SampleNode::grow);
 	ClassDB::bind_method(D_METHOD("prune"), &SampleNode::prune);
 	ClassDB::bind_method(D_METHOD("call_other", "other", "method", "a", "b"), &SampleNode::call_other);
+	ClassDB::bind_method(D_METHOD("listen", "source", "signal"), &SampleNode::listen);
+	ClassDB::bind_method(D_METHOD("stop_listening", "source", "signal"), &SampleNode::stop_listening);
+	ClassDB::bind_method(D_METHOD("_heard", "what", "bound"), &SampleNode::_heard);
+	ClassDB::bind_method(D_METHOD("callable_of", "method"), &SampleNode::callable_of);
+	ClassDB::bind_method(D_METHOD("call_it", "callable", "arguments"), &SampleNode::call_it);
+	ClassDB::bind_method(D_METHOD("describe_multiplayer"), &SampleNode::describe_multiplayer);
+	ClassDB::bind_method(D_METHOD("send", "bytes", "peer"), &SampleNode::send);
+	ClassDB::bind_method(D_METHOD("names_in_group", "group"), &SampleNode::names_in_group);
+	ClassDB::bind_method(D_METHOD("monitor_frames", "name", "on"), &SampleNode::monitor_frames);
+	ClassDB::bind_method(D_METHOD("sent_properties", "synchronizer"), &SampleNode::sent_properties);
 	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "note", PROPERTY_HINT_RESOURCE_TYPE, "SampleNote"), "set_note", "get_note");
 	ADD_SIGNAL(MethodInfo("stepped", PropertyInfo(Variant::INT, "frame"), PropertyInfo(Variant::STRING_NAME, "who")));

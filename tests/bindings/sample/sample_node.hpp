@@ -4,6 +4,7 @@
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/callable.hpp>
 
 namespace bindings_sample {
 
@@ -31,10 +32,27 @@ public:
 	/// Calls a method of another object by name, with two arguments.
 	godot::Variant call_other(godot::Object *p_other, const godot::StringName &p_method, const godot::Variant &p_a, const godot::Variant &p_b) const;
 
+	/// Connects a signal of another object to a method here, with "bound" as last argument, and undoes it.
+	void listen(godot::Object *p_source, const godot::StringName &p_signal);
+	void stop_listening(godot::Object *p_source, const godot::StringName &p_signal);
+	godot::Callable callable_of(const godot::StringName &p_method);
+	godot::Variant call_it(const godot::Callable &p_callable, const godot::Array &p_arguments) const;
+	/// The class of the node's MultiplayerAPI, its root path, this peer's id, how many others there are, and the state
+	/// of the connection.
+	godot::Array describe_multiplayer() const;
+	/// Sends bytes to a peer; the error as a number.
+	int64_t send(const godot::PackedByteArray &p_bytes, int64_t p_peer) const;
+	godot::PackedStringArray names_in_group(const godot::StringName &p_group) const;
+	/// Registers a monitor that gives the number of frames, or removes it; whether it is there then.
+	bool monitor_frames(const godot::StringName &p_name, bool p_on);
+	/// The properties that a MultiplayerSynchronizer sends.
+	godot::PackedStringArray sent_properties(godot::Node *p_synchronizer) const;
+
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 	void record(const godot::String &p_what);
+	void _heard(const godot::Variant &p_what, const godot::String &p_bound);
 
 private:
 	godot::NodePath _target;

@@ -2,6 +2,7 @@
 
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/basis.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -122,6 +123,7 @@ public:
 	Variant(const StringName &p_value) { construct(STRING_NAME, &p_value); }
 	Variant(const NodePath &p_value) { construct(NODE_PATH, &p_value); }
 	Variant(const Object *p_value);
+	Variant(const Callable &p_value) { construct(CALLABLE, &p_value); }
 	Variant(const Dictionary &p_value) { construct(DICTIONARY, &p_value); }
 	Variant(const Array &p_value) { construct(ARRAY, &p_value); }
 	Variant(const PackedByteArray &p_value) { construct(PACKED_BYTE_ARRAY, &p_value); }
@@ -148,6 +150,7 @@ public:
 	operator Transform3D() const { return convert<Transform3D>(TRANSFORM3D); }
 	operator StringName() const { return convert<StringName>(STRING_NAME); }
 	operator NodePath() const { return convert<NodePath>(NODE_PATH); }
+	operator Callable() const { return convert<Callable>(CALLABLE); }
 	operator Dictionary() const { return convert<Dictionary>(DICTIONARY); }
 	operator Array() const { return convert<Array>(ARRAY); }
 	operator PackedByteArray() const { return convert<PackedByteArray>(PACKED_BYTE_ARRAY); }

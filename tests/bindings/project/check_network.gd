@@ -1,0 +1,84 @@
+## Callables and signals from C++, the scene tree's groups, monitors, and what carries packets.
+extends Checks
+
+
+func check_listening_to_signals() -> void:
+	var node := SampleNode.new()
+	var source := Node.new()
+	source.add_user_signal("told", [{"name": "what", "type": TYPE_STRING}])
+	node.listen(source, &"told")
+	same(source.get_signal_connection_list("told").size(), 1)
+	source.emit_signal("told", "loudly")
+	same(node.get_log()[-1], "loudly bound")
+	node.stop_listening(source, &"told")
+	same(source.get_signal_connection_list("told").size(), 0)
+	source.emit_signal("told", "in vain")
+	same(node.get_log()[-1], "loudly bound")
+	node.listen(source, &"told")
+	node.free()
+	source.emit_signal("told", "to nobody")
+	same(source.get_signal_connection_list("told").size(), 0)
+	source.free()
+
+
+func check_callables() -> void:
+	var node := SampleNode.new()
+	var callable: Callable = node.callable_of(&"get_frames")
+	same(callable, Callable(node, &"get_frames"))
+	same(callable.call(), 0)
+	same(node.call_it(func(a: int, b: int) -> int: return a * b, [6, 7]), 42)
+	same(node.call_it(Callable(), []), "invalid")
+	same(node.call("call_it", node.callable_of(&"get_log"), []), PackedStringArray(["postinitialize"]))
+	var values := SampleValues.new()
+	same(values.echo(callable), callable)
+	same(values.type_of(callable), "Callable")
+	node.free()
+	same(callable.is_valid(), false)
+
+
+func check_groups() -> void:
+	var node := SampleNode.new()
+	tree.root.add_child(node)
+	for mark: String in ["A", "B"]:
+		var member := Marker3D.new()
+		member.name = mark
+		member.add_to_group(&"marks")
+		node.add_child(member)
+	same(node.names_in_group(&"marks"), PackedStringArray(["A", "B"]))
+	same(node.names_in_group(&"nothing"), PackedStringArray())
+	node.free()
+
+
+func check_multiplayer() -> void:
+	var node := SampleNode.new()
+	tree.root.add_child(node)
+	same(node.describe_multiplayer(), ["SceneMultiplayer", ^"/root", 1, 0, MultiplayerPeer.CONNECTION_CONNECTED])
+	var branch := Node.new()
+	branch.name = "Branch"
+	tree.root.add_child(branch)
+	tree.set_multiplayer(SceneMultiplayer.new(), ^"/root/Branch")
+	node.reparent(branch)
+	same(node.describe_multiplayer()[1], ^"/root/Branch")
+	expect_error("Trying to send an empty raw packet.")
+	same(node.send(PackedByteArray(), 2), ERR_INVALID_DATA)
+	tree.set_multiplayer(null, ^"/root/Branch")
+	branch.free()
+
+
+func check_monitors() -> void:
+	var node := SampleNode.new()
+	same(node.monitor_frames(&"sample/frames", true), true)
+	same(Performance.get_custom_monitor(&"sample/frames"), 0)
+	same(node.monitor_frames(&"sample/frames", false), false)
+	node.free()
+
+
+func check_replication_configs() -> void:
+	var node := SampleNode.new()
+	var synchronizer := MultiplayerSynchronizer.new()
+	synchronizer.replication_config = SceneReplicationConfig.new()
+	synchronizer.replication_config.add_property(^"A/B:position:x")
+	synchronizer.replication_config.add_property(^".:rotation")
+	same(node.sent_properties(synchronizer), PackedStringArray(["position:x", "rotation"]))
+	synchronizer.free()
+	node.free()
