@@ -58,14 +58,18 @@ bool is_finite(const godot::Quaternion &p_quaternion) {
 	return std::isfinite(p_quaternion.x) && std::isfinite(p_quaternion.y) && std::isfinite(p_quaternion.z) && std::isfinite(p_quaternion.w);
 }
 
-const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose) {
+static glm::dmat3 to_glm(const godot::Basis &p_basis) {
 	glm::dmat3 linear;
 	for (int row = 0; row < 3; row++) {
 		for (int column = 0; column < 3; column++) {
-			linear[column][row] = p_transform.basis.rows[row][column];
+			linear[column][row] = p_basis.rows[row][column];
 		}
 	}
-	switch (cga::matrix_to_pose(linear, to_glm(p_transform.origin), r_pose)) {
+	return linear;
+}
+
+static const char *describe(MatrixFault p_fault) {
+	switch (p_fault) {
 		case MatrixFault::NOT_FINITE:
 			return "has a value that is not finite (NaN or infinity); check where it was computed";
 		case MatrixFault::NO_SIZE:
@@ -78,6 +82,17 @@ const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose
 			break;
 	}
 	return nullptr;
+}
+
+const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose) {
+	return describe(cga::matrix_to_pose(to_glm(p_transform.basis), to_glm(p_transform.origin), r_pose));
+}
+
+const char *nearest_pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose, bool &r_is_uniform) {
+	const glm::dmat3 linear = to_glm(p_transform.basis);
+	const MatrixFault fault = cga::matrix_to_pose(linear, to_glm(p_transform.origin), r_pose);
+	r_is_uniform = fault != MatrixFault::NOT_UNIFORM;
+	return describe(r_is_uniform ? fault : cga::matrix_to_nearest_pose(linear, to_glm(p_transform.origin), r_pose));
 }
 
 bool is_mode(int64_t p_mode) {

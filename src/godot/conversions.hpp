@@ -34,6 +34,9 @@ bool is_finite(const godot::Quaternion &p_quaternion);
 /// a sentence about the transform, and leaves r_pose alone; null on success.
 const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose);
 
+/// As above, but a transform that is scaled differently along its axes gives the nearest pose; r_is_uniform tells.
+const char *nearest_pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose, bool &r_is_uniform);
+
 /// Whether a script's number is one of MultivectorLerp's modes.
 bool is_mode(int64_t p_mode);
 

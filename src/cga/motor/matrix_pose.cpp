@@ -44,11 +44,35 @@ MatrixFault matrix_to_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &tr
 }
 
 template <class T>
+MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation, Pose<T> &pose) noexcept {
+	const MatrixFault fault = matrix_to_pose(linear, translation, pose);
+	if (fault != MatrixFault::NOT_UNIFORM) {
+		return fault;
+	}
+	// The rotation R of the polar decomposition linear = R P, by Newton's iteration (Higham, 1986), which converges from
+	// any matrix of positive determinant; then the scale s with the least |linear - s R| is the mean of R's share in it.
+	glm::mat<3, 3, T> rotation = linear / std::cbrt(glm::determinant(linear));
+	for (int i = 0; i < 60; i++) {
+		const glm::mat<3, 3, T> next = (rotation + glm::inverse(glm::transpose(rotation))) / T(2);
+		const glm::mat<3, 3, T> step = next - rotation;
+		rotation = next;
+		if (glm::dot(step[0], step[0]) + glm::dot(step[1], step[1]) + glm::dot(step[2], step[2]) < T(1e-24)) {
+			break;
+		}
+	}
+	pose.translation = translation;
+	pose.rotation = glm::normalize(glm::quat_cast(rotation));
+	pose.scale = (glm::dot(rotation[0], linear[0]) + glm::dot(rotation[1], linear[1]) + glm::dot(rotation[2], linear[2])) / T(3);
+	return MatrixFault::NONE;
+}
+
+template <class T>
 glm::mat<3, 3, T> linear_of_pose(const Pose<T> &pose) noexcept {
 	return glm::mat3_cast(pose.rotation) * pose.scale;
 }
 
 template MatrixFault matrix_to_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
+template MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
 template glm::mat<3, 3, double> linear_of_pose(const Pose<double> &) noexcept;
 
 } // namespace cga

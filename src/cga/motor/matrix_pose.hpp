@@ -24,11 +24,17 @@ inline constexpr double UNIFORMITY = 1e-3;
 template <class T>
 [[nodiscard]] MatrixFault matrix_to_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation, Pose<T> &pose) noexcept;
 
+// The pose nearest to x -> translation + linear x: of all rotations times a scale, the one that differs least from
+// `linear` in the sum of squares of the entries. Never NOT_UNIFORM; the other faults are as above.
+template <class T>
+[[nodiscard]] MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation, Pose<T> &pose) noexcept;
+
 // Rotation times scale: column i is where the pose carries the i-th axis, without the translation.
 template <class T>
 [[nodiscard]] glm::mat<3, 3, T> linear_of_pose(const Pose<T> &pose) noexcept;
 
 extern template MatrixFault matrix_to_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
+extern template MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
 extern template glm::mat<3, 3, double> linear_of_pose(const Pose<double> &) noexcept;
 
 } // namespace cga

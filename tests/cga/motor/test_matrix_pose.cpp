@@ -99,3 +99,43 @@ TEST_CASE("what is no pose is named, and leaves the pose alone") {
 	CHECK(fault_of(sheared) == MatrixFault::NOT_UNIFORM);
 	CHECK(fault_of(diagonal(-1.0, -1.0, 1.0)) == MatrixFault::NONE); // half a turn about z
 }
+
+TEST_CASE("the nearest pose: no rotation and scale near by differs less") {
+	cga_test::Random random(8);
+	for (int i = 0; i < 200; i++) {
+		const Pose<double> stretched = random.pose();
+		glm::dmat3 linear = linear_of_pose(stretched) * diagonal(random.uniform(0.2, 3.0), random.uniform(0.2, 3.0), random.uniform(0.2, 3.0));
+		linear[0] += 0.1 * linear[1];
+		Pose<double> nearest;
+		REQUIRE(cga::matrix_to_nearest_pose(linear, stretched.translation, nearest) == MatrixFault::NONE);
+		CHECK(nearest.translation == stretched.translation);
+		const auto distance = [&](const Pose<double> &pose) {
+			const glm::dmat3 difference = linear_of_pose(pose) - linear;
+			return glm::dot(difference[0], difference[0]) + glm::dot(difference[1], difference[1]) + glm::dot(difference[2], difference[2]);
+		};
+		for (int k = 0; k < 20; k++) {
+			Pose<double> other = nearest;
+			other.rotation = glm::normalize(glm::dquat(1.0, random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3)) * nearest.rotation);
+			other.scale *= random.uniform(0.999, 1.001);
+			CHECK(distance(other) >= distance(nearest));
+		}
+	}
+}
+
+TEST_CASE("the nearest pose of a pose's matrix is that pose") {
+	cga_test::Random random(9);
+	for (int i = 0; i < 200; i++) {
+		const Pose<double> pose = random.pose();
+		Pose<double> nearest, exact;
+		REQUIRE(cga::matrix_to_nearest_pose(linear_of_pose(pose), pose.translation, nearest) == MatrixFault::NONE);
+		REQUIRE(matrix_to_pose(linear_of_pose(pose), pose.translation, exact) == MatrixFault::NONE);
+		CHECK(nearest.rotation == exact.rotation);
+		CHECK(nearest.scale == exact.scale);
+	}
+	Pose<double> left;
+	left.scale = 7.0;
+	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, 2.0, -1.0), glm::dvec3(0.0), left) == MatrixFault::MIRRORED);
+	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, 0.0, 1.0), glm::dvec3(0.0), left) == MatrixFault::NO_SIZE);
+	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, std::nan(""), 1.0), glm::dvec3(0.0), left) == MatrixFault::NOT_FINITE);
+	CHECK(left.scale == 7.0);
+}
