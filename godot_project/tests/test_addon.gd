@@ -7,6 +7,9 @@ const CLASSES: Dictionary[StringName, StringName] = {
 	&"MultivectorLerp": &"Node",
 	&"MotorPool": &"RefCounted",
 	&"MotorCodec": &"RefCounted",
+	&"MotorSender": &"RefCounted",
+	&"MotorReceiver": &"RefCounted",
+	&"MotorSynchronizer": &"Node",
 }
 
 

@@ -4,8 +4,8 @@ extends "res://tests/framework/test_case.gd"
 const BodyTimeline := preload("res://demos/multiplayer/replication/body_timeline.gd")
 const BodyTrack := preload("res://demos/multiplayer/replication/body_track.gd")
 const Impairment := preload("res://demos/multiplayer/replication/impairment.gd")
-const MotorReceiver := preload("res://demos/multiplayer/replication/motor_receiver.gd")
-const MotorSender := preload("res://demos/multiplayer/replication/motor_sender.gd")
+const KeyReceiver := preload("res://demos/multiplayer/replication/motor_receiver.gd")
+const KeySender := preload("res://demos/multiplayer/replication/motor_sender.gd")
 const PlaybackClock := preload("res://demos/multiplayer/replication/playback_clock.gd")
 const PoseDatagram := preload("res://demos/multiplayer/replication/pose_datagram.gd")
 
@@ -110,7 +110,7 @@ func test_datagrams_are_bounded_and_come_back() -> void:
 
 func test_a_damaged_datagram_changes_nothing() -> void:
 	var sender := _make_sender()
-	var receiver := MotorReceiver.new(BODIES)
+	var receiver := KeyReceiver.new(BODIES)
 	for bytes: PackedByteArray in sender.make_state(0, _poses(0)):
 		receiver.accept(bytes, 0.0)
 	receiver.show(0.0)
@@ -124,7 +124,7 @@ func test_a_damaged_datagram_changes_nothing() -> void:
 	# Cut between two groups a datagram is whole, and the one with nothing but a header says nothing.
 	expect_true(rejected >= sound.size() - 4, "%d of %d cut datagrams being rejected" % [rejected, sound.size()])
 	expect_equal(receiver.rejected_datagrams, rejected, "rejected")
-	var foreign := MotorSender.new()
+	var foreign := KeySender.new()
 	foreign.add_body(BODIES, 4, Transform3D.IDENTITY)
 	expect_true(not receiver.accept(foreign.flush(6)[0], 0.1), "a body that does not exist being rejected")
 	receiver.show(1.0)
@@ -158,7 +158,7 @@ func test_loss_and_jitter_heal() -> void:
 ## Sends and shows the motion of [method _pose]; the largest error while it plays and at its end.
 func _play(loss: float, jitter: float) -> Vector2:
 	var sender := _make_sender()
-	var receiver := MotorReceiver.new(BODIES)
+	var receiver := KeyReceiver.new(BODIES)
 	var impairment := Impairment.new(loss, jitter, 11)
 	for bytes: PackedByteArray in sender.make_state(0, _poses(0)):
 		receiver.accept(bytes, 0.0)
@@ -185,8 +185,8 @@ func _play(loss: float, jitter: float) -> Vector2:
 	return worst
 
 
-func _make_sender() -> MotorSender:
-	var sender := MotorSender.new()
+func _make_sender() -> KeySender:
+	var sender := KeySender.new()
 	for id: int in BODIES:
 		sender.add_body(id, 0, _pose(id, 0))
 	return sender

@@ -1,6 +1,9 @@
 #include "godot/editor_help.hpp"
 #include "godot/motor_codec.hpp"
 #include "godot/motor_pool.hpp"
+#include "godot/motor_receiver.hpp"
+#include "godot/motor_sender.hpp"
+#include "godot/motor_synchronizer.hpp"
 #include "godot/multivector.hpp"
 #include "godot/multivector_lerp.hpp"
 
@@ -15,6 +18,9 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(MultivectorLerp);
 		GDREGISTER_CLASS(MotorPool);
 		GDREGISTER_CLASS(MotorCodec);
+		GDREGISTER_CLASS(MotorSender);
+		GDREGISTER_CLASS(MotorReceiver);
+		GDREGISTER_CLASS(MotorSynchronizer);
 	} else if (p_level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
 		load_editor_help();
 	}

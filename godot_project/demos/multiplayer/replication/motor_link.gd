@@ -1,22 +1,22 @@
 extends "pose_link.gd"
-## Poses as quantised motors: chosen by [MotorSender], carried as one byte array a datagram by
-## an unreliable RPC, shown by [MotorReceiver] at a playback delay.
+## Poses as quantised motors: chosen by [KeySender], carried as one byte array a datagram by
+## an unreliable RPC, shown by [KeyReceiver] at a playback delay.
 
 const Impairment := preload("impairment.gd")
-const MotorReceiver := preload("motor_receiver.gd")
-const MotorSender := preload("motor_sender.gd")
+const KeyReceiver := preload("motor_receiver.gd")
+const KeySender := preload("motor_sender.gd")
 
 ## A bad network for this client, or null.
 var impairment: Impairment
 
-var _sender: MotorSender
-var _receiver: MotorReceiver
+var _sender: KeySender
+var _receiver: KeyReceiver
 var _receivers: Array[int] = []
 var _shown := -1.0
 
 
 func open_sender(_body_count: int) -> void:
-	_sender = MotorSender.new()
+	_sender = KeySender.new()
 
 
 func add_body(id: int, tick: int, pose: Transform3D) -> void:
@@ -47,7 +47,7 @@ func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void:
 
 
 func open_receiver(body_count: int, _present_count: int) -> void:
-	_receiver = MotorReceiver.new(body_count)
+	_receiver = KeyReceiver.new(body_count)
 
 
 func advance(local: float, recorder: PoseRecorder) -> void:

@@ -1,0 +1,102 @@
+extends RefCounted
+## One peer of several in this process: a branch of the tree with a MultiplayerAPI, a MotorSynchronizer
+## and bodies of its own. Branches have the same nodes below them, as peers have.
+
+const LOCALHOST := "127.0.0.1"
+const FIRST_PORT := 27200
+const LAST_PORT := 28900
+
+var root := Node.new()
+var api := SceneMultiplayer.new()
+var world := Node3D.new()
+var synchronizer := MotorSynchronizer.new()
+## What packet_rejected said: [peer, reason] each.
+var rejections: Array[Array] = []
+## What target_added and target_removed said: "+name" and "-name".
+var changes := PackedStringArray()
+
+var _tree: SceneTree
+
+
+## The synchronizer replicates the group "bodies", and is not in the tree before [method start].
+func _init(tree: SceneTree, branch_name: String) -> void:
+	_tree = tree
+	root.name = branch_name
+	world.name = "World"
+	synchronizer.name = "Motors"
+	synchronizer.target_group = &"bodies"
+	synchronizer.packet_rejected.connect(func(peer: int, reason: String) -> void: rejections.append([peer, reason]))
+	synchronizer.target_added.connect(func(node: Node3D) -> void: changes.append("+%s" % node.name))
+	synchronizer.target_removed.connect(func(node: Node3D) -> void: changes.append("-%s" % node.name))
+	root.add_child(world)
+	tree.root.add_child(root)
+	tree.set_multiplayer(api, root.get_path())
+
+
+## Bodies in the group "bodies", "Body0" and so on, of that authority.
+func add_bodies(count: int, authority := 1) -> void:
+	for i in count:
+		add_body("Body%d" % i, authority)
+
+
+func add_body(body_name: String, authority := 1) -> Node3D:
+	var body := Node3D.new()
+	body.name = body_name
+	body.add_to_group(&"bodies")
+	body.set_multiplayer_authority(authority)
+	world.add_child(body)
+	return body
+
+
+func start() -> void:
+	world.add_child(synchronizer)
+
+
+func get_body(index: int) -> Node3D:
+	return world.get_node("Body%d" % index)
+
+
+## Opens a server on some free port, and returns the port.
+func host(websocket := false) -> int:
+	var port := randi_range(FIRST_PORT, LAST_PORT)
+	for attempt in 50:
+		var peer: MultiplayerPeer = WebSocketMultiplayerPeer.new() if websocket else ENetMultiplayerPeer.new()
+		var error: Error = peer.call(&"create_server", port)
+		if error == OK:
+			api.multiplayer_peer = peer
+			return port
+		port += 1
+	return 0
+
+
+func join(port: int, websocket := false) -> void:
+	if websocket:
+		var peer := WebSocketMultiplayerPeer.new()
+		peer.create_client("ws://%s:%d" % [LOCALHOST, port])
+		api.multiplayer_peer = peer
+	else:
+		var peer := ENetMultiplayerPeer.new()
+		peer.create_client(LOCALHOST, port)
+		api.multiplayer_peer = peer
+
+
+func is_joined() -> bool:
+	return api.multiplayer_peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED and not api.get_peers().is_empty()
+
+
+## Ends the connection at once, as a process that dies.
+func leave() -> void:
+	api.multiplayer_peer.close()
+	api.multiplayer_peer = OfflineMultiplayerPeer.new()
+
+
+## Frees everything.
+func free_all() -> void:
+	var path := root.get_path()
+	leave()
+	root.free()
+	if not is_instance_valid(synchronizer):
+		pass
+	elif not synchronizer.is_inside_tree():
+		synchronizer.free()
+	_tree.set_multiplayer(null, path)

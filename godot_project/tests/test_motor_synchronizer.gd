@@ -1,0 +1,186 @@
+extends "res://tests/framework/network_test.gd"
+## MotorSynchronizer: motion arrives over ENet and over WebSocket, at peers that come and go.
+
+
+func test_motion_over_enet() -> void:
+	await connect_peers(2, 5)
+	await expect_motion(1.0, [branches[1], branches[2]])
+	_expect_quiet()
+
+
+func test_motion_over_websocket() -> void:
+	await connect_peers(1, 5, true)
+	await expect_motion(1.0, [branches[1]])
+	_expect_quiet()
+
+
+func test_rotation_and_scale_arrive() -> void:
+	await connect_peers(1, 1)
+	var sent := Transform3D(Basis(Vector3(1, 2, 3).normalized(), 2.0).scaled(Vector3.ONE * 1.75), Vector3(4, 5, 6))
+	await move(branches[0], 1.0, func(_name: StringName, _time: float) -> Transform3D: return sent)
+	var shown := branches[1].get_body(0).transform
+	expect_vector_near(shown.origin, sent.origin, branches[0].synchronizer.position_tolerance, "position")
+	expect_transform_near(Transform3D(shown.basis), Transform3D(sent.basis), 0.05, "rotation and scale")
+
+
+func test_what_rests_keeps_its_place() -> void:
+	await connect_peers(1, 3)
+	await move(branches[0], 0.5)
+	await tree.create_timer(SETTLE).timeout
+	for i in 3:
+		var tolerance := branches[0].synchronizer.position_tolerance
+		expect_vector_near(branches[1].get_body(i).position, branches[0].get_body(i).position, tolerance, "body %d" % i)
+		# A stranger's hand does not keep it.
+		branches[1].get_body(i).position += Vector3.ONE
+	await wait_frames(3)
+	for i in 3:
+		expect_vector_near(branches[1].get_body(i).position, branches[0].get_body(i).position, 0.01, "body %d put back" % i)
+
+
+func test_a_late_peer_gets_the_whole_state() -> void:
+	await connect_peers(1, 4)
+	await move(branches[0], 0.5)
+	var late := make_branch("Late")
+	late.add_bodies(4)
+	late.start()
+	var server_peer: ENetMultiplayerPeer = branches[0].api.multiplayer_peer
+	late.join(server_peer.host.get_local_port())
+	await wait_until(late.is_joined, "the late peer being connected")
+	await expect_motion(0.5, [branches[1], late])
+	_expect_quiet()
+
+
+func test_a_late_synchronizer_gets_the_whole_state() -> void:
+	var port := make_branch("Server").host()
+	var client := make_branch("Client0")
+	client.join(port)
+	branches[0].add_bodies(2)
+	client.add_bodies(2)
+	# The receiver is there long before the sender, then comes again.
+	client.start()
+	await wait_until(client.is_joined, "the peer being connected")
+	await tree.create_timer(0.4).timeout
+	branches[0].start()
+	await expect_motion(0.4, [client])
+	client.world.remove_child(client.synchronizer)
+	var place := client.get_body(0).position
+	await move(branches[0], 0.3)
+	expect_equal(client.get_body(0).position, place, "the place without the node")
+	client.world.add_child(client.synchronizer)
+	await expect_motion(0.4, [client])
+	# And the sender comes again.
+	branches[0].world.remove_child(branches[0].synchronizer)
+	await tree.create_timer(0.2).timeout
+	branches[0].world.add_child(branches[0].synchronizer)
+	await expect_motion(0.4, [client])
+	_expect_quiet()
+
+
+func test_peers_leave_without_an_error() -> void:
+	await connect_peers(3, 2)
+	await move(branches[0], 0.5)
+	branches[1].leave()
+	branches[0].api.disconnect_peer(branches[2].api.get_unique_id())
+	await expect_motion(0.4, [branches[3]])
+	var peers: Dictionary = branches[0].synchronizer.get_statistics()["peers"]
+	expect_equal(peers.keys(), [branches[3].api.get_unique_id()], "peers that the server keeps figures of")
+
+
+func test_the_server_starts_anew() -> void:
+	await connect_peers(1, 2)
+	await move(branches[0], 0.5)
+	branches[0].leave()
+	await wait_until(func() -> bool: return not branches[1].is_joined(), "the client noticing")
+	await move(branches[0], 0.2)
+	var port := branches[0].host()
+	branches[1].join(port)
+	await wait_until(branches[1].is_joined, "the peers being connected again")
+	await expect_motion(0.4, [branches[1]])
+
+
+func test_a_teleport_is_no_streak() -> void:
+	await connect_peers(1, 1)
+	await move(branches[0], SETTLE)
+	var far := Vector3(1000, 0, 0)
+	var between := 0
+	for tick in 60:
+		if tick == 10:
+			branches[0].synchronizer.teleport(branches[0].get_body(0))
+		var offset := far if tick >= 10 else Vector3.ZERO
+		await move(branches[0], 1.0 / 60.0, func(body_name: StringName, now: float) -> Transform3D:
+			return Transform3D(Basis.IDENTITY, offset) * default_pose(body_name, now))
+		var x := branches[1].get_body(0).position.x
+		between += int(x > 2.0 and x < 998.0)
+	expect_equal(between, 0, "pictures on the way")
+	expect_true(branches[1].get_body(0).position.x > 998.0, "the body being there")
+
+
+func test_a_pause_stops_and_motion_goes_on() -> void:
+	await connect_peers(1, 2)
+	await move(branches[0], SETTLE)
+	for paused: NetworkBranch in [branches[0], branches[1]]:
+		paused.root.process_mode = Node.PROCESS_MODE_DISABLED
+		await tree.create_timer(0.6).timeout
+		paused.root.process_mode = Node.PROCESS_MODE_INHERIT
+		await expect_motion(0.4, [branches[1]])
+	tree.paused = true
+	await tree.create_timer(0.3, true).timeout
+	tree.paused = false
+	await expect_motion(0.4, [branches[1]])
+	_expect_quiet()
+
+
+func test_alone_it_does_nothing() -> void:
+	var branch := make_branch("Alone")
+	branch.add_bodies(2)
+	branch.start()
+	await move(branch, 0.2)
+	expect_equal(branch.changes, PackedStringArray(["+Body0", "+Body1"]), "targets")
+	var statistics := branch.synchronizer.get_statistics()
+	expect_equal(statistics["bytes_per_second"], 0.0, "bytes a second")
+	expect_equal(statistics["peers"], {}, "peers")
+	branch.synchronizer.teleport(branch.get_body(0))
+
+
+func test_statistics() -> void:
+	await connect_peers(1, 3)
+	await move(branches[0], 1.3)
+	var sender := branches[0].synchronizer.get_statistics()
+	var receiver := branches[1].synchronizer.get_statistics()
+	var sent: float = sender["sent_bytes_per_second"]
+	var received: float = receiver["received_bytes_per_second"]
+	expect_true(sent > 100.0 and received > 100.0, "bytes of motion: %s sent, %s received," % [sent, received])
+	expect_near(received / sent, 1.0, 0.4, "received to sent")
+	var total: float = sender["bytes_per_second"]
+	var answers: float = sender["received_bytes_per_second"]
+	expect_near(total, sent + answers, 1e-6, "both directions")
+	var packets: float = receiver["packets_per_second"]
+	expect_true(packets >= 5.0 and packets < 200.0, "%s packets a second" % packets)
+	var delay: float = receiver["playback_delay"]
+	expect_true(delay > 0.0 and delay < 0.6, "a playback delay of %s s" % delay)
+	var peers: Dictionary = receiver["peers"]
+	expect_equal(peers.keys(), [1], "peers")
+	var of_server: Dictionary = peers[1]
+	expect_equal(of_server["received_bytes_per_second"], received, "what came from the server")
+	expect_equal(receiver["rejected"], 0, "rejected")
+	var round_trip: float = sender["round_trip"]
+	expect_true(round_trip > 0.0 and round_trip < 0.5, "a round trip of %s s" % round_trip)
+
+
+func test_monitors() -> void:
+	var monitors := ["ga_godot/Motors/bytes_per_second", "ga_godot/Motors 2/bytes_per_second", "ga_godot/Motors 2/loss"]
+	await connect_peers(1, 1)
+	await move(branches[0], 0.6)
+	for monitor: StringName in monitors:
+		expect_true(Performance.has_custom_monitor(monitor), "a monitor %s" % monitor)
+	var bytes: float = Performance.get_custom_monitor(&"ga_godot/Motors/bytes_per_second")
+	expect_true(bytes > 0.0, "%s bytes a second in the debugger" % bytes)
+	for branch in branches:
+		branch.world.remove_child(branch.synchronizer)
+	for monitor: StringName in monitors:
+		expect_true(not Performance.has_custom_monitor(monitor), "no monitor %s any more" % monitor)
+
+
+func _expect_quiet() -> void:
+	for branch in branches:
+		expect_equal(branch.rejections, [] as Array[Array], "what %s rejected" % branch.root.name)

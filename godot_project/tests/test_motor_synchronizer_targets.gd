@@ -1,0 +1,172 @@
+extends "res://tests/framework/network_test.gd"
+## MotorSynchronizer: targets come and go at run time, change their place and their authority.
+
+
+func test_targets_by_path() -> void:
+	await connect_peers(1, 2)
+	for branch in branches:
+		branch.synchronizer.target_group = &""
+		branch.synchronizer.targets = [^"../Body1"]
+	await expect_motion(0.3, [branches[1]])
+	for branch in branches:
+		expect_equal(branch.synchronizer.get_active_targets(), [branch.get_body(1)] as Array[Node3D], "targets")
+		expect_equal(branch.synchronizer.targets, [^"../Body1"] as Array[NodePath], "paths")
+
+
+func test_targets_by_call() -> void:
+	await connect_peers(1, 2)
+	for branch in branches:
+		branch.synchronizer.target_group = &""
+	await wait_frames(10)
+	for branch in branches:
+		expect_equal(branch.synchronizer.get_active_targets(), [] as Array[Node3D], "targets without the group")
+		branch.changes.clear()
+		branch.synchronizer.add_target(branch.get_body(0))
+		branch.synchronizer.add_target(branch.get_body(0))
+		expect_equal(branch.changes, PackedStringArray(["+Body0"]), "what was told")
+	await expect_motion(0.3, [branches[1]])
+	branches[1].synchronizer.remove_target(branches[1].get_body(0))
+	expect_equal(branches[1].changes, PackedStringArray(["+Body0", "-Body0"]), "what was told")
+	await _expect_no_motion(branches[1], 0)
+
+
+func test_a_member_of_the_group_can_be_taken_out_and_back() -> void:
+	await connect_peers(1, 2)
+	await move(branches[0], SETTLE)
+	var body := branches[0].get_body(1)
+	branches[0].synchronizer.remove_target(body)
+	await move(branches[0], 0.4)
+	expect_equal(branches[0].synchronizer.get_active_targets(), [branches[0].get_body(0)] as Array[Node3D], "targets")
+	branches[0].synchronizer.add_target(body)
+	await expect_motion(0.3, [branches[1]])
+
+
+func test_members_join_and_leave_the_group() -> void:
+	await connect_peers(1, 1)
+	await move(branches[0], SETTLE)
+	for branch in branches:
+		branch.add_body("Body7")
+		branch.changes.clear()
+	await expect_motion(0.3, [branches[1]])
+	for branch in branches:
+		expect_equal(branch.changes, PackedStringArray(["+Body7"]), "what was told")
+		# In one frame one leaves and one comes, so that their number stays the same.
+		branch.get_body(7).remove_from_group(&"bodies")
+		branch.add_body("Body8")
+	await wait_until(func() -> bool: return branches.all(func(branch: NetworkBranch) -> bool: return branch.changes.size() == 3), "the change being noticed")
+	for branch in branches:
+		var changes := Array(branch.changes).slice(1)
+		changes.sort()
+		expect_equal(changes, ["+Body8", "-Body7"], "what was told")
+	await expect_motion(0.3, [branches[1]])
+
+
+func test_a_freed_target_is_forgotten() -> void:
+	await connect_peers(1, 3)
+	await move(branches[0], SETTLE)
+	branches[0].get_body(1).free()
+	expect_equal(branches[0].changes[-1], "-Body1", "what was told")
+	await move(branches[0], SETTLE)
+	branches[1].get_body(0).queue_free()
+	await expect_motion(0.3, [branches[1]])
+	expect_equal(branches[0].synchronizer.get_active_targets().size(), 2, "number of targets")
+	await _expect_no_motion(branches[1], 1)
+
+
+## As with a MultiplayerSpawner, which is later on other peers than on the authority.
+func test_a_target_that_is_spawned_later_here() -> void:
+	await connect_peers(1, 1)
+	branches[0].add_body("Body4")
+	await move(branches[0], SETTLE)
+	var body := branches[1].add_body("Body4")
+	await move(branches[0], 0.2)
+	expect_true(distance_from_path(body) < 0.01, "the new body being shown at once")
+	await expect_motion(0.3, [branches[1]])
+
+
+func test_a_target_goes_to_another_parent() -> void:
+	await connect_peers(1, 2)
+	await move(branches[0], SETTLE)
+	for branch in branches:
+		var raft := Node3D.new()
+		raft.name = "Raft"
+		branch.world.add_child(raft)
+		raft.position = Vector3(100, 0, 0)
+		branch.get_body(1).reparent(raft, false)
+	await expect_motion(0.3, [branches[1]])
+	var moved: Node3D = branches[1].world.get_node("Raft/Body1")
+	expect_true(moved.global_position.x > 90.0, "the parent carrying it")
+	for branch in branches:
+		# What stands above it is part of its name.
+		branch.world.get_node("Raft").name = "Boat"
+	await expect_motion(0.3, [branches[1]])
+
+
+func test_each_peer_moves_its_own() -> void:
+	await connect_peers(2, 3)
+	await wait_until(func() -> bool: return branches[1].api.get_peers().size() == 2 and branches[2].api.get_peers().size() == 2, "clients knowing each other")
+	for branch in branches:
+		for i in 3:
+			branch.get_body(i).set_multiplayer_authority(branches[i].api.get_unique_id())
+	for mover in branches:
+		for branch in branches:
+			branch.changes.clear()
+		await move(mover, SETTLE)
+		for tick in 15:
+			await move(mover, 1.0 / 60.0)
+			for watched in branches:
+				if watched != mover:
+					expect_true(distance_from_path(watched.get_body(branches.find(mover))) < 0.008, "%s showing %s's body on its path" % [watched.root.name, mover.root.name])
+		expect_true(mover.get_body(branches.find(mover)).position != Vector3.ZERO, "motion")
+	for branch in branches:
+		expect_equal(branch.rejections, [] as Array[Array], "rejections")
+
+
+func test_authority_changes_hands() -> void:
+	await connect_peers(2, 2)
+	var client: int = branches[1].api.get_unique_id()
+	await expect_motion(0.3, [branches[1], branches[2]])
+	for branch in branches:
+		branch.get_body(0).set_multiplayer_authority(client)
+	await move(branches[1], SETTLE)
+	for tick in 20:
+		await move(branches[1], 1.0 / 60.0)
+		for watched: NetworkBranch in [branches[0], branches[2]]:
+			expect_true(distance_from_path(watched.get_body(0)) < 0.008, "%s following the new authority" % watched.root.name)
+	# Body1 stayed the server's.
+	await move(branches[0], SETTLE)
+	expect_true(distance_from_path(branches[2].get_body(1)) < 0.008, "the other body following the server")
+	for branch in branches:
+		branch.get_body(0).set_multiplayer_authority(1)
+	await expect_motion(0.3, [branches[1], branches[2]])
+	for branch in branches:
+		expect_equal(branch.rejections, [] as Array[Array], "rejections")
+
+
+func test_teleport_is_the_authoritys() -> void:
+	await connect_peers(1, 1)
+	await move(branches[0], 0.1)
+	expect_error("MotorSynchronizer.teleport: Body0 belongs to peer 1; only its authority can teleport it.")
+	branches[1].synchronizer.teleport(branches[1].get_body(0))
+	expect_error("MotorSynchronizer.teleport: World is no target of Motors.")
+	branches[0].synchronizer.teleport(branches[0].world)
+	expect_error("MotorSynchronizer.teleport: the node is null.")
+	branches[0].synchronizer.teleport(null)
+
+
+func test_engine_interpolation_is_put_aside() -> void:
+	tree.physics_interpolation = true
+	await connect_peers(1, 1)
+	await move(branches[0], SETTLE)
+	var body := branches[1].get_body(0)
+	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_OFF, "mode of a body that a stream moves")
+	expect_equal(branches[0].get_body(0).physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of one's own")
+	branches[1].synchronizer.remove_target(body)
+	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of a body left alone")
+	tree.physics_interpolation = false
+
+
+func _expect_no_motion(branch: NetworkBranch, index: int) -> void:
+	var place := branch.get_body(index).position
+	await move(branches[0], 0.3)
+	expect_equal(branch.get_body(index).position, place, "place of body %d of %s" % [index, branch.root.name])
