@@ -25,12 +25,13 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs: one for each folder of src/ that tests/ mirrors in C++."""
+    """The doctest programs: one for each folder of src/ that tests/ mirrors in C++, and what the benchmarks measure with."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
+    names = [name for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
+             if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
     return [Program([os.path.join(place, f"{name}_tests")], seconds=600 if sanitizer else 120, engine=False)
-            for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
-            if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
+            for name in [*names, "network_bench"]]
 
 
 def engine_programs():

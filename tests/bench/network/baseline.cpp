@@ -1,0 +1,150 @@
+#include "baseline.hpp"
+
+#include "cga/motor/motor.hpp"
+#include "net/stream_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bench {
+
+namespace {
+
+// Share of the time between samples by which a sample may come before a multiple of the send interval and count as at
+// it: recorded times are rounded, and rates are never exactly what they are called.
+constexpr double EARLY = 0.25;
+
+cga::Pose<double> as_floats(const cga::Pose<double> &pose) {
+	return cga::pose_cast<double>(cga::pose_cast<float>(pose));
+}
+
+// The eight coefficients of a rigid motor, and the scale, in float32.
+cga::Pose<double> as_float_motor(const cga::Pose<double> &pose) {
+	cga::Pose<double> rigid = pose;
+	rigid.scale = 1.0;
+	const cga::Motor<double> motor = cga::Motor<double>::from_pose(rigid);
+	cga::Motor<double> received;
+	received.a = glm::dquat(glm::quat(motor.a));
+	received.b = received.a;
+	received.v = glm::dquat(glm::quat(motor.v));
+	cga::Pose<double> result = received.to_pose().value_or(cga::Pose<double>());
+	result.scale = float(pose.scale);
+	return result;
+}
+
+// Which samples of the trace are sent, in order of time.
+std::vector<SampleIndex> choose_samples(const Trace &trace, double rate) {
+	const double early = EARLY * std::min(trace.median_interval(), 1.0 / rate);
+	std::vector<double> next(trace.bodies.size(), trace.begin());
+	std::vector<SampleIndex> chosen;
+	for (const SampleIndex &index : trace.order) {
+		const double time = trace.sample(index).time;
+		const bool is_last = index.sample + 1 == trace.bodies[index.body].samples.size();
+		if (time + early >= next[index.body] || index.sample == 0 || is_last) {
+			chosen.push_back(index);
+			next[index.body] = trace.begin() + (std::floor((time + early - trace.begin()) * rate) + 1.0) / rate;
+		}
+	}
+	return chosen;
+}
+
+// Seconds between a body's samples sent, at most; where the source itself has no gap.
+double longest_interval(const Trace &trace, const std::vector<SampleIndex> &chosen, double rate) {
+	const double regular = 1.0 / rate + 1.5 * trace.median_interval();
+	std::vector<double> last(trace.bodies.size(), -std::numeric_limits<double>::infinity());
+	double longest = 0.0;
+	for (const SampleIndex &index : chosen) {
+		const double interval = trace.sample(index).time - last[index.body];
+		if (interval <= regular) {
+			longest = std::max(longest, interval);
+		}
+		last[index.body] = trace.sample(index).time;
+	}
+	return longest > 0.0 ? longest : 1.0 / rate;
+}
+
+// The samples of each body that the receiver has in time, as it has them.
+class ReceivedSamples {
+public:
+	explicit ReceivedSamples(const Trace &trace) :
+			samples_(trace.bodies.size()) {}
+
+	void add(std::uint32_t body, const TraceSample &sample) { samples_[body].push_back(sample); }
+
+	// What is shown of the body at a time; null before its first sample.
+	const cga::Pose<double> *show(std::uint32_t body, double time, cga::Mode path) {
+		const std::vector<TraceSample> &samples = samples_[body];
+		const auto after = std::upper_bound(samples.begin(), samples.end(), time, [](double t, const TraceSample &sample) { return t < sample.time; });
+		if (after == samples.begin()) {
+			return nullptr;
+		}
+		const TraceSample &from = *(after - 1);
+		if (after == samples.end()) {
+			return &from.pose;
+		}
+		shown_ = cga::interpolate(from.pose, after->pose, (time - from.time) / (after->time - from.time), path);
+		return &shown_;
+	}
+
+private:
+	std::vector<std::vector<TraceSample>> samples_; // by body
+	cga::Pose<double> shown_;
+};
+
+} // namespace
+
+std::vector<Baseline> baselines() {
+	std::vector<Baseline> all;
+	for (const int rate : { 5, 10, 15, 20, 30, 60 }) {
+		all.push_back({ "pqs_float32_" + std::to_string(rate) + "hz", double(rate), 40, cga::Mode::SEPARATE, as_floats });
+	}
+	for (const int rate : { 5, 10, 15, 30 }) {
+		all.push_back({ "paper_motor_float32_" + std::to_string(rate) + "hz", double(rate), 36, cga::Mode::LINEAR, as_float_motor });
+	}
+	return all;
+}
+
+MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, std::uint64_t seed) {
+	const std::vector<SampleIndex> chosen = choose_samples(trace, baseline.rate);
+	const double delay = longest_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
+	const std::size_t bodies_per_datagram = std::size_t(net::MOST_PACKET_BYTES) / baseline.pose_bytes;
+	ReceivedSamples received(trace);
+	LinkModel model(link, seed);
+	for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {
+		const double time = trace.sample(chosen[begin]).time;
+		while (end < chosen.size() && end - begin < bodies_per_datagram && trace.sample(chosen[end]).time == time) {
+			++end;
+		}
+		const DatagramFate fate = model.fate(time, (end - begin) * baseline.pose_bytes);
+		const auto in_time = [&](double arrival) { return arrival <= time + delay; };
+		if (std::none_of(fate.arrivals.begin(), fate.arrivals.begin() + fate.copies, in_time)) {
+			continue;
+		}
+		for (std::size_t i = begin; i < end; ++i) {
+			received.add(chosen[i].body, { time, baseline.as_received(trace.sample(chosen[i]).pose) });
+		}
+	}
+
+	MethodResult result;
+	result.subject = baseline.subject;
+	result.bytes_per_second = double(chosen.size() * baseline.pose_bytes) / trace.duration();
+	result.packets_per_second = double(model.sent_count()) / trace.duration();
+	result.delay_median = result.delay_max = delay;
+	ErrorSummary errors;
+	for (std::uint32_t body = 0; body < trace.bodies.size(); ++body) {
+		const std::vector<TraceSample> &samples = trace.bodies[body].samples;
+		const std::vector<bool> moving = moving_samples(trace.bodies[body]);
+		for (std::size_t i = 0; i < samples.size(); ++i) {
+			if (const cga::Pose<double> *shown = received.show(body, samples[i].time, baseline.path)) {
+				errors.add(lever_distance(*shown, samples[i].pose), moving[i]);
+			} else {
+				++result.unseen;
+			}
+		}
+	}
+	result.errors = errors.figures();
+	return result;
+}
+
+} // namespace bench

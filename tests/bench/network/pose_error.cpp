@@ -1,0 +1,59 @@
+#include "pose_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+
+double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b) {
+	const glm::dvec3 centre = a.translation - b.translation;
+	const glm::dmat3 axes = glm::mat3_cast(a.rotation) * (LEVER * a.scale) - glm::mat3_cast(b.rotation) * (LEVER * b.scale);
+	double squared = glm::dot(centre, centre);
+	for (int axis = 0; axis < 3; ++axis) {
+		const glm::dvec3 point = centre + axes[axis];
+		const double further = glm::dot(point, point);
+		squared = further <= squared ? squared : further; // a NaN is kept
+	}
+	return std::sqrt(squared);
+}
+
+std::vector<bool> moving_samples(const TraceBody &body) {
+	std::vector<bool> moving(body.samples.size());
+	for (std::size_t i = 1; i < moving.size(); ++i) {
+		const TraceSample &before = body.samples[i - 1];
+		const TraceSample &sample = body.samples[i];
+		moving[i] = lever_distance(before.pose, sample.pose) > MOVING_SPEED * (sample.time - before.time);
+	}
+	return moving;
+}
+
+void ErrorSummary::add(double error, bool moving) {
+	(moving ? moving_ : resting_).push_back(std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+}
+
+double percentile(std::vector<double> &values, double share) {
+	if (values.empty()) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	std::sort(values.begin(), values.end());
+	const double place = share * double(values.size() - 1);
+	const std::size_t below = std::size_t(place);
+	const std::size_t above = std::min(below + 1, values.size() - 1);
+	const double weight = place - double(below);
+	// Not across infinities, whose difference is no number.
+	return weight == 0.0 || values[above] == values[below] ? values[below] : values[below] + (values[above] - values[below]) * weight;
+}
+
+ErrorFigures ErrorSummary::figures() {
+	ErrorFigures figures;
+	figures.moving_count = moving_.size();
+	figures.resting_count = resting_.size();
+	figures.p50 = percentile(moving_, 0.5);
+	figures.p99 = percentile(moving_, 0.99);
+	figures.max = percentile(moving_, 1.0);
+	figures.rest_p99 = percentile(resting_, 0.99);
+	figures.rest_max = percentile(resting_, 1.0);
+	return figures;
+}
+
+} // namespace bench

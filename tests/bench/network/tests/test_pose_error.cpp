@@ -1,0 +1,110 @@
+#include "../pose_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace bench;
+
+namespace {
+
+using Pose = cga::Pose<double>;
+
+Pose at(double x, double y, double z) {
+	Pose pose;
+	pose.translation = { x, y, z };
+	return pose;
+}
+
+Pose turned(double degrees, const glm::dvec3 &axis) {
+	Pose pose;
+	pose.rotation = glm::angleAxis(glm::radians(degrees), axis);
+	return pose;
+}
+
+TraceBody body_of(const std::vector<double> &times, const std::vector<Pose> &poses) {
+	TraceBody body;
+	for (std::size_t i = 0; i < times.size(); ++i) {
+		body.samples.push_back({ times[i], poses[i] });
+	}
+	return body;
+}
+
+} // namespace
+
+TEST_CASE("pose error: known distances") {
+	CHECK(lever_distance(at(1, 2, 3), at(1, 2, 3)) == 0.0);
+	CHECK(lever_distance(at(1, 2, 3), at(1, 5, 7)) == doctest::Approx(5.0));
+	// A turn by an angle about z carries the points on x and y along a chord: 2 * 0.25 sin(angle / 2).
+	for (const double degrees : { 0.01, 1.0, 90.0, 180.0 }) {
+		const double chord = 0.5 * std::sin(glm::radians(degrees) / 2.0);
+		CHECK(lever_distance(Pose(), turned(degrees, { 0, 0, 1 })) == doctest::Approx(chord));
+	}
+	// About (1, 1, 1) all three points go sqrt(2/3) as far as they would at right angles.
+	CHECK(lever_distance(Pose(), turned(90, glm::normalize(glm::dvec3(1)))) == doctest::Approx(0.5 * std::sqrt(2.0 / 3.0) * std::sin(glm::radians(45.0))));
+	// A turn about z and a shift along y by the same: the point on x is carried by both, that on -x not looked at.
+	Pose both = turned(2.0, { 0, 0, 1 });
+	both.translation.y = 0.25 * std::sin(glm::radians(2.0));
+	CHECK(lever_distance(Pose(), both) == doctest::Approx(0.5 * std::sin(glm::radians(2.0))).epsilon(1e-3));
+	// q and -q are the same; the scale moves lever points, not the centre.
+	Pose negative = turned(40, { 0, 1, 0 });
+	negative.rotation = -negative.rotation;
+	CHECK(lever_distance(turned(40, { 0, 1, 0 }), negative) == doctest::Approx(0.0));
+	Pose large;
+	large.scale = 1.2;
+	CHECK(lever_distance(Pose(), large) == doctest::Approx(0.05));
+	// Symmetric.
+	CHECK(lever_distance(both, large) == doctest::Approx(lever_distance(large, both)));
+}
+
+TEST_CASE("pose error: what is not a number is never a small error") {
+	const double nan = std::nan("");
+	Pose broken;
+	broken.rotation.x = nan;
+	CHECK(std::isnan(lever_distance(Pose(), broken)));
+	CHECK(std::isnan(lever_distance(at(nan, 0, 0), Pose())));
+	ErrorSummary summary;
+	summary.add(nan, true);
+	summary.add(0.001, true);
+	CHECK(std::isinf(summary.figures().max));
+	CHECK(std::isinf(summary.figures().p99));
+}
+
+TEST_CASE("pose error: a body moves above 1 mm/s at its centre or a lever point") {
+	const auto moves = [](const Pose &pose, double seconds) -> bool { return moving_samples(body_of({ 0, seconds }, { Pose(), pose }))[1]; };
+	CHECK(moves(at(0.0011, 0, 0), 1.0));
+	CHECK_FALSE(moves(at(0.0009, 0, 0), 1.0));
+	CHECK(moves(at(0.0009, 0, 0), 0.5));
+	// 0.25 m times the angle: 1 mm at 0.2292 degrees.
+	CHECK(moves(turned(0.23, { 0, 0, 1 }), 1.0));
+	CHECK_FALSE(moves(turned(0.228, { 0, 0, 1 }), 1.0));
+	const std::vector<bool> moving = moving_samples(body_of({ 0, 1, 2, 3 }, { at(0, 0, 0), at(1, 0, 0), at(1, 0, 0), at(2, 0, 0) }));
+	CHECK(moving == std::vector<bool>{ false, true, false, true });
+}
+
+TEST_CASE("pose error: percentiles lie between values in proportion") {
+	std::vector<double> values = { 4, 1, 3, 2, 5 };
+	CHECK(percentile(values, 0.0) == 1.0);
+	CHECK(percentile(values, 0.5) == 3.0);
+	CHECK(percentile(values, 0.99) == doctest::Approx(4.96));
+	CHECK(percentile(values, 1.0) == 5.0);
+	std::vector<double> none;
+	CHECK(std::isnan(percentile(none, 0.5)));
+}
+
+TEST_CASE("pose error: resting samples are counted apart") {
+	ErrorSummary summary;
+	for (int i = 0; i < 900; ++i) {
+		summary.add(0.0, false);
+	}
+	for (int i = 0; i <= 100; ++i) {
+		summary.add(0.001 * i, true);
+	}
+	const ErrorFigures figures = summary.figures();
+	CHECK(figures.p50 == doctest::Approx(0.05));
+	CHECK(figures.p99 == doctest::Approx(0.099));
+	CHECK(figures.max == doctest::Approx(0.1));
+	CHECK(figures.rest_p99 == 0.0);
+	CHECK(figures.moving_count == 101);
+	CHECK(figures.resting_count == 900);
+}

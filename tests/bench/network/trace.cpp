@@ -1,0 +1,202 @@
+#include "trace.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <unordered_map>
+
+namespace bench {
+
+namespace {
+
+constexpr std::array<const char *, 9> FIELDS = { "t", "id", "x", "y", "z", "qw", "qx", "qy", "qz" };
+// Quaternions are written with four digits or more.
+constexpr double LONGEST_NORM_ERROR = 0.01;
+constexpr std::uint32_t LARGEST_ID = 0x7fffffffu;
+
+struct Line {
+	double time = 0.0;
+	std::uint32_t id = 0;
+	cga::Pose<double> pose;
+};
+
+std::string_view without_blanks(std::string_view text) {
+	constexpr const char *BLANKS = " \t\r";
+	const std::size_t first = text.find_first_not_of(BLANKS);
+	return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(BLANKS) - first + 1);
+}
+
+// A part of a line for a message: short, and without what would upset a terminal.
+std::string quoted(std::string_view text) {
+	std::string result = "'";
+	for (const char c : text.substr(0, 40)) {
+		result += c >= ' ' && c <= '~' ? c : '?';
+	}
+	return result + (text.size() > 40 ? "...'" : "'");
+}
+
+template <class Number>
+bool parse_number(std::string_view text, Number &number) {
+	const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), number);
+	return result.ec == std::errc() && result.ptr == text.data() + text.size();
+}
+
+// Empty, or what is wrong with the line.
+std::string parse_line(std::string_view text, Line &line) {
+	std::array<double, 9> values{};
+	for (std::size_t i = 0; i < FIELDS.size(); ++i) {
+		const std::size_t comma = text.find(',');
+		if ((comma == std::string_view::npos) != (i + 1 == FIELDS.size())) {
+			return comma == std::string_view::npos ? "ends before the field " + std::string(FIELDS[i + 1]) : "has more than 9 fields";
+		}
+		const std::string_view field = without_blanks(text.substr(0, comma));
+		text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+		const bool is_id = i == 1;
+		if (is_id ? !parse_number(field, line.id) || line.id > LARGEST_ID : !parse_number(field, values[i]) || !std::isfinite(values[i])) {
+			return std::string(FIELDS[i]) + " is " + quoted(field) + ", not a " + (is_id ? "whole number from 0 to 2147483647" : "finite number");
+		}
+	}
+	line.time = values[0];
+	line.pose.translation = { values[2], values[3], values[4] };
+	line.pose.rotation = glm::dquat(values[5], values[6], values[7], values[8]);
+	const double norm = glm::length(line.pose.rotation);
+	if (!(std::abs(norm - 1.0) <= LONGEST_NORM_ERROR)) {
+		return "the quaternion's length is " + std::to_string(norm) + ", not 1";
+	}
+	line.pose.rotation /= norm;
+	return {};
+}
+
+// Takes lines in order of time; sorts by body at the end.
+class TraceBuilder {
+public:
+	explicit TraceBuilder(Trace &trace) :
+			trace_(trace) {}
+
+	std::string add(const Line &line) {
+		std::vector<TraceFrame> &frames = trace_.frames;
+		if (!frames.empty() && line.time < frames.back().time) {
+			return "time goes back from " + std::to_string(frames.back().time) + " to " + std::to_string(line.time);
+		}
+		const auto [place, is_new] = index_.try_emplace(line.id, std::uint32_t(trace_.bodies.size()));
+		if (is_new) {
+			trace_.bodies.push_back({ line.id, {} });
+		}
+		std::vector<TraceSample> &samples = trace_.bodies[place->second].samples;
+		if (!samples.empty() && samples.back().time == line.time) {
+			samples.back().pose = line.pose;
+			return {};
+		}
+		if (frames.empty() || frames.back().time != line.time) {
+			frames.push_back({ line.time, trace_.order.size(), trace_.order.size() });
+		}
+		trace_.order.push_back({ place->second, std::uint32_t(samples.size()) });
+		frames.back().end = trace_.order.size();
+		samples.push_back({ line.time, line.pose });
+		return {};
+	}
+
+	void sort_bodies() {
+		std::vector<std::uint32_t> by_id(trace_.bodies.size());
+		for (std::size_t i = 0; i < by_id.size(); ++i) {
+			by_id[i] = std::uint32_t(i);
+		}
+		std::sort(by_id.begin(), by_id.end(), [this](std::uint32_t a, std::uint32_t b) { return trace_.bodies[a].id < trace_.bodies[b].id; });
+		std::vector<TraceBody> sorted(by_id.size());
+		std::vector<std::uint32_t> place(by_id.size());
+		for (std::size_t i = 0; i < by_id.size(); ++i) {
+			sorted[i] = std::move(trace_.bodies[by_id[i]]);
+			place[by_id[i]] = std::uint32_t(i);
+		}
+		trace_.bodies = std::move(sorted);
+		for (SampleIndex &index : trace_.order) {
+			index.body = place[index.body];
+		}
+	}
+
+private:
+	Trace &trace_;
+	std::unordered_map<std::uint32_t, std::uint32_t> index_;
+};
+
+double median(std::vector<double> &values) {
+	const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+	std::nth_element(values.begin(), middle, values.end());
+	return *middle;
+}
+
+} // namespace
+
+double Trace::median_interval() const {
+	std::vector<double> intervals;
+	for (const TraceBody &body : bodies) {
+		for (std::size_t i = 1; i < body.samples.size(); ++i) {
+			intervals.push_back(body.samples[i].time - body.samples[i - 1].time);
+		}
+	}
+	for (std::size_t i = 1; intervals.empty() && i < frames.size(); ++i) {
+		intervals.push_back(frames[i].time - frames[i - 1].time);
+	}
+	return median(intervals);
+}
+
+std::string parse_trace(std::string_view text, const std::string &name, Trace &trace) {
+	trace = Trace();
+	TraceBuilder builder(trace);
+	std::size_t number = 0;
+	bool maybe_names = true;
+	constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
+	if (text.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK) {
+		text.remove_prefix(BYTE_ORDER_MARK.size());
+	}
+	while (!text.empty()) {
+		const std::size_t end = text.find('\n');
+		const std::string_view content = without_blanks(text.substr(0, end));
+		text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+		++number;
+		if (content.empty()) {
+			continue;
+		}
+		if (maybe_names && content.substr(0, 2) == "t,") {
+			maybe_names = false;
+			continue;
+		}
+		maybe_names = false;
+		Line line;
+		std::string problem = parse_line(content, line);
+		if (problem.empty()) {
+			problem = builder.add(line);
+		}
+		if (!problem.empty()) {
+			return name + ":" + std::to_string(number) + ": " + problem;
+		}
+	}
+	if (trace.frames.size() < 2) {
+		return name + ": " + (trace.frames.empty() ? "no sample" : "all samples are of one time") + "; lines are t,id,x,y,z,qw,qx,qy,qz";
+	}
+	builder.sort_bodies();
+	return {};
+}
+
+std::string read_trace(const std::string &path, Trace &trace) {
+	const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+	std::string text;
+	if (file) {
+		std::array<char, 65536> block;
+		errno = 0;
+		while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+			text.append(block.data(), count);
+		}
+	}
+	if (!file || std::ferror(file.get())) {
+		return path + ": cannot be read (" + std::strerror(errno) + ")";
+	}
+	return parse_trace(text, path, trace);
+}
+
+} // namespace bench
