@@ -19,24 +19,24 @@ double scale_of(std::int32_t level) {
 
 } // namespace
 
-bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) {
-	const double level = pose.scale > 0.0 ? std::round(std::log2(pose.scale) * SCALE_LEVELS) : MOST_SCALE + 1.0;
+bool BodyState::can_hold(const cga::Pose<double> &pose, const StreamGrid &grid) {
 	const double norm = glm::dot(pose.rotation, pose.rotation);
-	if (!(std::fabs(level) <= MOST_SCALE) || !(norm > 1e-12 && norm < 1e12)) {
+	const double reach = double(MOST_STEPS) * grid.position;
+	const cga::Vector3<double> &at = pose.translation;
+	// A comparison with what is not a number fails.
+	return std::fabs(at.x) < reach && std::fabs(at.y) < reach && std::fabs(at.z) < reach && norm > 1e-12 && norm < 1e12 && pose.scale >= LEAST_SCALE && pose.scale <= 1.0 / LEAST_SCALE;
+}
+
+bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) {
+	if (!can_hold(pose, grid)) {
 		return false;
 	}
-	std::int64_t position[3];
-	for (int i = 0; i < 3; ++i) {
-		const double steps = std::floor(pose.translation[i] / grid.position + 0.5);
-		if (!(std::fabs(steps) < double(MOST_STEPS))) {
-			return false;
-		}
-		position[i] = std::int64_t(steps);
-	}
 	*this = BodyState();
-	std::copy(position, position + 3, position_);
-	rotation_ = LatticeRotation::nearest(pose.rotation * (1.0 / std::sqrt(norm)));
-	scale_ = std::int32_t(level);
+	for (int i = 0; i < 3; ++i) {
+		position_[i] = std::int64_t(std::floor(pose.translation[i] / grid.position + 0.5));
+	}
+	rotation_ = LatticeRotation::nearest(glm::normalize(pose.rotation));
+	scale_ = pose.scale == 1.0 ? 0 : std::int32_t(std::round(std::log2(pose.scale) * SCALE_LEVELS));
 	return true;
 }
 
@@ -129,12 +129,16 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 		return false;
 	}
 	for (int group = 0; group < 2; ++group) {
+		std::int64_t error[PREDICTORS] = { 0, 0, 0, 0 };
+		for (int i = 3 * group; i < 3 * group + 3; ++i) {
+			const std::int64_t steady = predicted_by(STEADY, i, code.ticks);
+			error[HOLD] += std::abs(steps.way[i]);
+			error[STEADY] += std::abs(steps.way[i] - steady);
+			error[DAMPED] += std::abs(steps.way[i] - steady / 2);
+			error[ACCELERATED] += std::abs(steps.way[i] - predicted_by(ACCELERATED, i, code.ticks));
+		}
 		for (int predictor = 0; predictor < PREDICTORS; ++predictor) {
-			std::int64_t error = 0;
-			for (int i = 3 * group; i < 3 * group + 3; ++i) {
-				error += std::abs(steps.way[i] - predicted_by(predictor, i, code.ticks));
-			}
-			score_[group][predictor] += (std::int32_t(std::min<std::int64_t>(error, MOST_SCORE)) * 16 - score_[group][predictor]) / 4;
+			score_[group][predictor] += (std::int32_t(std::min<std::int64_t>(error[predictor], MOST_SCORE)) * 16 - score_[group][predictor]) / 4;
 		}
 	}
 	for (int i = 0; i < 6; ++i) {

@@ -70,8 +70,11 @@ class BodyState {
 public:
 	static constexpr std::int64_t MOST_STEPS = std::int64_t(1) << 46; ///< of a position on an axis
 	static constexpr std::int32_t MOST_SCALE = 16 * 4096;
+	static constexpr double LEAST_SCALE = 1.0 / 65536.0;
 	static constexpr double SCALE_LEVELS = 4096.0; ///< in an octave
 
+	/// True for finite poses within 2^46 steps of the origin, of a rotation that is not zero and a scale of 2^-16 to 2^16.
+	[[nodiscard]] static bool can_hold(const cga::Pose<double> &pose, const StreamGrid &grid);
 	/// The nearest state to a pose, at rest. False if the pose is out of range.
 	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
 	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;

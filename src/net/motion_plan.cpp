@@ -64,7 +64,7 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	while (ticks > 0) {
 		SegmentFit::Result result;
 		fit_.begin(moving, begin, samples, count, available);
-		if (!fit_.fit(moving, ticks, count, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
+		if (!fit_.fit(moving, ticks, count, true, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
 			return false;
 		}
 		if (!moving.apply(result.code, moving.steps(result.code), grid_)) {
@@ -88,7 +88,7 @@ bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ti
 	for (int most = ticks; most - fits > 1;) {
 		const int length = (fits + most) / 2;
 		SegmentFit::Result other;
-		if (fit_.fit(state, length, count_until(samples, count, begin + length), models, other)) {
+		if (fit_.fit(state, length, count_until(samples, count, begin + length), false, models, other)) {
 			fits = length;
 			result = other;
 		} else {
@@ -96,10 +96,14 @@ bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ti
 		}
 	}
 	if (fits >= least) {
+		SegmentFit::Result better;
+		if (fit_.fit(state, fits, count_until(samples, count, begin + fits), true, models, better)) {
+			result = better;
+		}
 		return true;
 	}
 	const std::size_t first = count_until(samples, count, begin + least);
-	return fit_.reach(state, least, first - 1, models, result);
+	return fit_.reach(state, least, first - 1, result);
 }
 
 } // namespace net

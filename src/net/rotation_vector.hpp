@@ -24,9 +24,15 @@ namespace net {
 
 /// The shortest vector of a unit quaternion's rotation.
 [[nodiscard]] inline cga::Vector3<double> log_rotation(const cga::Quaternion<double> &q) {
-	const double w = std::fabs(q.w);
-	const double sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
-	double factor = sine < 1e-9 ? 2.0 : 2.0 * std::atan2(sine, w) / sine;
+	const double x = q.x * q.x + q.y * q.y + q.z * q.z;
+	double factor = 0.0;
+	if (x < 0.01) {
+		// The series of asin(s) / s in x = s^2: the next term is below 2e-16.
+		factor = 2.0 + x * (1.0 / 3.0 + x * (3.0 / 20.0 + x * (5.0 / 56.0 + x * (35.0 / 576.0 + x * (63.0 / 1408.0 + x * (231.0 / 6656.0 + x * (143.0 / 5120.0)))))));
+	} else {
+		const double sine = std::sqrt(x);
+		factor = 2.0 * std::atan2(sine, std::fabs(q.w)) / sine;
+	}
 	if (q.w < 0.0) {
 		factor = -factor;
 	}

@@ -155,7 +155,8 @@ void SegmentFit::pin_end(int ticks) {
 bool SegmentFit::set_length(const BodyState &state, int ticks, std::size_t count) {
 	count_ = int(std::min(count, loaded_));
 	padded_ = (count_ + 7) / 8 * 8;
-	const double level = std::log2(samples_[count_ - 1].pose.scale / start_.scale) * BodyState::SCALE_LEVELS;
+	const double ratio = samples_[count_ - 1].pose.scale / start_.scale;
+	const double level = ratio == 1.0 ? 0.0 : std::log2(ratio) * BodyState::SCALE_LEVELS;
 	scale_change_ = std::fabs(level) < 1.0 ? 0 : std::int32_t(std::round(std::clamp(level, -1e6, 1e6)));
 	double scale_error = 0.0;
 	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
@@ -259,23 +260,24 @@ void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
 	}
 }
 
-bool SegmentFit::try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, float limit, Result &result) {
+bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
 		const std::int32_t *bend = code.bend + 3 * group;
 		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
 	}
 	result.error = error_of(steps(result.code), limit);
-	if (!(result.error <= tolerance_)) {
-		return false;
-	}
-	CostMeter meter;
-	state.code(meter, models, result.code);
-	result.cost = meter.cost();
-	return true;
+	return result.error <= tolerance_;
 }
 
-bool SegmentFit::improve_error(const BodyState &state, MotionModels &models, Result &result) {
+std::uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code) {
+	CostMeter meter;
+	SegmentCode counted = code;
+	state.code(meter, models, counted);
+	return meter.cost();
+}
+
+bool SegmentFit::improve_error(Result &result) const {
 	for (int i = 0; i < 12; ++i) {
 		if (i >= 6 && !result.code.bent[(i - 6) / 3]) {
 			continue;
@@ -284,7 +286,7 @@ bool SegmentFit::improve_error(const BodyState &state, MotionModels &models, Res
 			SegmentCode code = result.code;
 			(i < 6 ? code.end[i] : code.bend[i - 6]) += step;
 			Result other;
-			if (try_code(state, models, code, result.error, other)) {
+			if (try_code(code, result.error, other)) {
 				result = other;
 				return true;
 			}
@@ -297,7 +299,8 @@ bool SegmentFit::improve_error(const BodyState &state, MotionModels &models, Res
 	return false;
 }
 
-void SegmentFit::improve_cost(const BodyState &state, MotionModels &models, Result &result) {
+void SegmentFit::improve_cost(Result &result) const {
+	// A number nearer to zero is cheaper: what the models say would not change the choice often enough to ask them.
 	for (int i = 0; i < 12; ++i) {
 		const std::int32_t value = i < 6 ? result.code.end[i] : result.code.bend[i - 6];
 		if (value == 0) {
@@ -306,13 +309,13 @@ void SegmentFit::improve_cost(const BodyState &state, MotionModels &models, Resu
 		SegmentCode code = result.code;
 		(i < 6 ? code.end[i] : code.bend[i - 6]) += value > 0 ? -1 : 1;
 		Result other;
-		if (try_code(state, models, code, tolerance_, other) && other.cost < result.cost) {
+		if (try_code(code, tolerance_, other)) {
 			result = other;
 		}
 	}
 }
 
-bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models, Result &result) {
+bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result) {
 	double uu = 0.0;
 	double uw = 0.0;
 	double ww = 0.0;
@@ -342,9 +345,9 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 		way[i] = uy[i] / uu;
 	}
 	round_end(way, straight);
-	bool found = try_code(state, models, straight, NO_LIMIT, result);
-	if (!found && result.error < NEARLY * tolerance_) {
-		found = improve_error(state, models, result);
+	bool found = try_code(straight, NO_LIMIT, result);
+	if (!found && thoroughly && result.error < NEARLY * tolerance_) {
+		found = improve_error(result);
 	}
 	// With bends: of the translation, the rotation, both.
 	const double determinant = uu * ww - uw * uw;
@@ -359,7 +362,8 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 			const double bend = (wy[i] - double(steps.way[i]) * uw) / ww;
 			bent.bend[i] = std::int32_t(std::clamp(std::nearbyint(bend / StreamGrid::BEND), double(-MOST_END), double(MOST_END)));
 		}
-		for (const int groups : { 1, 2, 3 }) {
+		std::uint32_t least_cost = 0;
+		for (int groups = thoroughly ? 1 : 3; groups <= 3; ++groups) {
 			SegmentCode code = straight;
 			for (int i = 0; i < 6; ++i) {
 				if (((groups >> (i / 3)) & 1) != 0) {
@@ -368,13 +372,17 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 				}
 			}
 			Result other;
-			bool within = try_code(state, models, code, NO_LIMIT, other);
-			if (!within && groups == 3 && !found && other.error < NEARLY * tolerance_) {
-				within = improve_error(state, models, other);
+			bool within = try_code(code, NO_LIMIT, other);
+			if (!within && thoroughly && groups == 3 && !found && other.error < NEARLY * tolerance_) {
+				within = improve_error(other);
 			}
-			if (within && (!found || other.cost < result.cost)) {
-				result = other;
-				found = true;
+			if (within) {
+				const std::uint32_t cost = cost_of(state, models, other.code);
+				if (!found || cost < least_cost) {
+					result = other;
+					least_cost = cost;
+					found = true;
+				}
 			}
 		}
 	}
@@ -385,29 +393,26 @@ bool SegmentFit::search(const BodyState &state, int ticks, MotionModels &models,
 			way[i] = uy[i] / uu;
 		}
 		round_end(way, fine);
-		found = try_code(state, models, fine, NO_LIMIT, result) || improve_error(state, models, result);
+		found = try_code(fine, NO_LIMIT, result) || improve_error(result);
 	}
-	if (found) {
-		improve_cost(state, models, result);
+	if (found && thoroughly) {
+		improve_cost(result);
 	}
 	return found;
 }
 
-bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, MotionModels &models, Result &result) {
+bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result) {
 	if (count == 0) {
 		// Nothing was seen: the motion goes on as predicted.
 		result = Result();
 		result.code.ticks = ticks;
-		CostMeter meter;
-		state.code(meter, models, result.code);
-		result.cost = meter.cost();
 		return true;
 	}
 	if (!set_length(state, ticks, count)) {
 		return false;
 	}
 	if (mode_ == cga::Mode::SEPARATE) {
-		return search(state, ticks, models, result);
+		return search(state, ticks, thoroughly, models, result);
 	}
 	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
 	SegmentSteps straight{};
@@ -416,7 +421,7 @@ bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, Motio
 	}
 	std::copy(target_, target_ + 6, base_target_);
 	subtract_base_path(state, ticks, straight);
-	const bool found = search(state, ticks, models, result);
+	const bool found = search(state, ticks, thoroughly, models, result);
 	std::copy(base_target_, base_target_ + 6, target_);
 	if (!found) {
 		return false;
@@ -426,7 +431,7 @@ bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, Motio
 	return std::all_of(samples_, samples_ + count_, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, grid_.lever) <= most; });
 }
 
-bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, MotionModels &models, Result &result) {
+bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, Result &result) {
 	if (index >= loaded_ || !set_length(state, ticks, index + 1)) {
 		return false;
 	}
@@ -444,9 +449,6 @@ bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, Mot
 	if (std::any_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) > MOST_END; })) {
 		return false;
 	}
-	CostMeter meter;
-	state.code(meter, models, code);
-	result.cost = meter.cost();
 	return true;
 }
 

@@ -29,7 +29,6 @@ public:
 
 	struct Result {
 		SegmentCode code;
-		std::uint32_t cost = 0; ///< 1/256 bit
 		float error = 0.0f; ///< in steps
 	};
 
@@ -39,10 +38,10 @@ public:
 	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
 	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) { load(state, begin, samples, count, available); }
 	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
-	/// tolerance.
-	bool fit(const BodyState &state, int ticks, std::size_t count, MotionModels &models, Result &result);
+	/// tolerance; `thoroughly`: and is as cheap as can be found.
+	bool fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result);
 	/// A code that ends where sample `index` is as nearly as possible, whatever is between. False if none reaches it.
-	bool reach(const BodyState &state, int ticks, std::size_t index, MotionModels &models, Result &result);
+	bool reach(const BodyState &state, int ticks, std::size_t index, Result &result);
 
 private:
 	void load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
@@ -51,11 +50,13 @@ private:
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
 	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
 	void round_end(const double way[6], SegmentCode &code) const;
-	bool try_code(const BodyState &state, MotionModels &models, const SegmentCode &code, float limit, Result &result);
-	bool improve_error(const BodyState &state, MotionModels &models, Result &result);
-	void improve_cost(const BodyState &state, MotionModels &models, Result &result);
+	bool try_code(const SegmentCode &code, float limit, Result &result) const;
+	/// In 1/256 bit.
+	static std::uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
+	bool improve_error(Result &result) const;
+	void improve_cost(Result &result) const;
 	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
-	bool search(const BodyState &state, int ticks, MotionModels &models, Result &result);
+	bool search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result);
 
 	using Row = std::array<float, MOST_SAMPLES>;
 

@@ -71,9 +71,8 @@ Sender::~Sender() = default;
 
 bool Sender::add_body(std::uint32_t id, const cga::Pose<double> &pose) {
 	State &s = *state_;
-	BodyState probe;
 	const StreamGrid grid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance));
-	if (id >= ID_LIMIT || has_body(id) || !probe.set_pose(pose, grid)) {
+	if (id >= ID_LIMIT || has_body(id) || !BodyState::can_hold(pose, grid)) {
 		return false;
 	}
 	if (s.encoder != nullptr && !s.encoder->add_body(id, s.ticks(s.time), pose)) {
@@ -116,11 +115,8 @@ bool Sender::observe(std::uint32_t id, double time, const cga::Pose<double> &pos
 		if (!s.encoder->observe(id, s.ticks(time), pose)) {
 			return false;
 		}
-	} else {
-		BodyState probe;
-		if (!probe.set_pose(pose, StreamGrid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance)))) {
-			return false;
-		}
+	} else if (!BodyState::can_hold(pose, StreamGrid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance)))) {
+		return false;
 	}
 	found->second = pose;
 	return true;

@@ -79,8 +79,7 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 		time = whole;
 	}
 	const auto found = index_.find(id);
-	BodyState reached;
-	if (found == index_.end() || !reached.set_pose(pose, grid_)) {
+	if (found == index_.end() || !BodyState::can_hold(pose, grid_)) {
 		return false;
 	}
 	Body &body = bodies_[found->second];
@@ -90,8 +89,7 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 		// Nobody has been told of it yet: it is simply there.
 		body.jump_next = false;
 		body.samples.clear();
-		body.state = reached;
-		return true;
+		return body.state.set_pose(pose, grid_);
 	}
 	if (body.jump_next) {
 		body.jump_next = false;
