@@ -1,0 +1,99 @@
+#pragma once
+
+#include "../cga/random_poses.hpp"
+#include "net/segment_fit.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Motions that bodies make, as functions of time, and what tests ask of how they are shown.
+
+namespace net_test {
+
+using cga_test::PI;
+using cga_test::PoseD;
+using cga_test::QuaternionD;
+using cga_test::Vector3D;
+
+using Path = std::function<PoseD(double)>; // of seconds
+
+struct Motion {
+	std::string name;
+	Path path;
+};
+
+inline PoseD turned_at(const Vector3D &place, const Vector3D &axis, double angle, double scale = 1.0) {
+	return { place, cga_test::axis_angle(axis, angle), scale };
+}
+
+/// Bounces on y = 0 from a height, with a kink each time.
+inline double bounce(double time, double height) {
+	double fall = std::sqrt(2.0 * height / 9.81);
+	if (time < fall) {
+		return height - 0.5 * 9.81 * time * time;
+	}
+	time -= fall;
+	for (double speed = 0.7 * 9.81 * fall; speed > 0.05; speed *= 0.7) {
+		const double up = 2.0 * speed / 9.81;
+		if (time < up) {
+			return speed * time - 0.5 * 9.81 * time * time;
+		}
+		time -= up;
+	}
+	return 0.0;
+}
+
+/// A number of either sign up to 1 that depends on nothing but its arguments.
+inline double noise(std::int64_t index, int axis) {
+	std::uint64_t x = std::uint64_t(index) * 0x9e3779b97f4a7c15u + std::uint64_t(axis) * 0xd1b54a32d192ed03u;
+	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+	x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+	return double(x >> 11) / 4503599627370496.0 - 1.0;
+}
+
+/// All kinds of motion around a place.
+inline std::vector<Motion> motions(const Vector3D &place) {
+	const Vector3D y(0.0, 1.0, 0.0);
+	const Vector3D tilted(1.0, 2.0, -0.5);
+	return {
+		{ "rest", [=](double) { return turned_at(place, tilted, 0.3); } },
+		{ "line", [=](double t) { return turned_at(place + Vector3D(3.1, -0.2, 1.0) * t, y, 0.7); } },
+		{ "parabola", [=](double t) { return turned_at(place + Vector3D(2.0, 5.0, 0.0) * t - y * (4.905 * t * t), tilted, 1.3 * t); } },
+		{ "slow spin", [=](double t) { return turned_at(place, tilted, 0.2 * t); } },
+		{ "spin", [=](double t) { return turned_at(place, tilted, 6.0 * t); } },
+		{ "fast spin", [=](double t) { return turned_at(place, y, 25.0 * t); } },
+		{ "tumble", [=](double t) { PoseD pose = turned_at(place, Vector3D(std::cos(t), 1.0, std::sin(2.0 * t)), 4.0 * t); return pose; } },
+		{ "wheel", [=](double t) { return turned_at(place + Vector3D(std::cos(3.0 * t), 0.0, std::sin(3.0 * t)) * 2.0, y, -3.0 * t); } },
+		{ "bounce", [=](double t) { return turned_at(place + Vector3D(0.5 * t, bounce(t, 2.0), 0.0), tilted, 2.0 * t); } },
+		{ "collision", [=](double t) { return turned_at(place + Vector3D(t < 0.77 ? 6.0 * t : 4.62 - 3.0 * (t - 0.77), 0.0, 0.0), y, t < 0.77 ? 0.0 : 11.0 * (t - 0.77)); } },
+		{ "noise", [=](double t) { const std::int64_t i = std::llround(t * 1000.0); return turned_at(place + Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.02, tilted, 0.05 * noise(i, 3)); } },
+		{ "growth", [=](double t) { return turned_at(place + y * t, y, t, std::exp2(std::sin(2.0 * t))); } },
+		{ "stop and go", [=](double t) { const double whole = std::floor(t / 0.8); const double rest = t - 0.8 * whole; return turned_at(place + Vector3D(whole + (rest < 0.4 ? rest * 2.5 : 1.0), 0.0, 0.0), y, 0.0); } },
+	};
+}
+
+/// Times of samples: at a rate, irregular, with pauses.
+inline std::vector<double> regular_times(double rate, double seconds) {
+	std::vector<double> times;
+	for (int i = 1; i <= int(seconds * rate + 1e-9); ++i) {
+		times.push_back(i / rate);
+	}
+	return times;
+}
+
+inline std::vector<double> irregular_times(unsigned seed, double seconds) {
+	cga_test::Random random(seed);
+	std::vector<double> times;
+	for (double t = 0.0; (t += random.uniform(0.004, 0.04)) <= seconds;) {
+		times.push_back(t);
+	}
+	return times;
+}
+
+/// The error that a stream promises to bound, in shares of the tolerance.
+inline double error_share(const PoseD &shown, const PoseD &truth, const net::StreamGrid &grid) {
+	return net::pose_distance(shown, truth, grid.lever) / (net::StreamGrid::TOLERANCE * grid.position);
+}
+
+} // namespace net_test
