@@ -76,14 +76,15 @@ cga::Vector3<double> unwrapped(const cga::Vector3<double> &vector, const cga::Ve
 } // namespace
 
 double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever) {
+	// The bound of the rotation is an angle, whatever the size: levers are not scaled, and the scales' difference is added.
 	const cga::Vector3<double> offset = a.translation - b.translation;
-	const glm::dmat3 difference = glm::mat3_cast(a.rotation) * a.scale - glm::mat3_cast(b.rotation) * b.scale;
+	const glm::dmat3 difference = glm::mat3_cast(a.rotation) - glm::mat3_cast(b.rotation);
 	double worst = glm::dot(offset, offset);
 	for (int i = 0; i < 3; ++i) {
 		const cga::Vector3<double> point = offset + lever * difference[i];
 		worst = std::max(worst, glm::dot(point, point));
 	}
-	return std::sqrt(worst);
+	return std::sqrt(worst) + lever * std::fabs(a.scale - b.scale);
 }
 
 void SegmentFit::load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
@@ -175,7 +176,7 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, std::size_t count
 	tolerance_ = float(StreamGrid::TOLERANCE - scale_error * grid_.lever / grid_.position);
 	const std::size_t last = std::size_t(count_ - 1);
 	const double turn = double(std::max({ std::fabs(target_[3][last]), std::fabs(target_[4][last]), std::fabs(target_[5][last]) })) * grid_.rotation;
-	return turn < LONGEST_TURN && tolerance_ > 0.0f;
+	return turn < LONGEST_TURN;
 }
 
 SegmentSteps SegmentFit::steps(const SegmentCode &code) const {
@@ -408,7 +409,7 @@ bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, bool 
 		result.code.ticks = ticks;
 		return true;
 	}
-	if (!set_length(state, ticks, count)) {
+	if (count > loaded_ || !set_length(state, ticks, count) || !(tolerance_ > 0.0f)) {
 		return false;
 	}
 	if (mode_ == cga::Mode::SEPARATE) {
@@ -443,7 +444,8 @@ bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, Res
 	code.scale = scale_change_;
 	double way[6];
 	for (std::size_t i = 0; i < 6; ++i) {
-		way[i] = double(target_[i][index]);
+		// Where the next sample is known, the end lies on the way to it.
+		way[i] = pin_weight_ == 1.0 ? pin_[i] : double(target_[i][index]);
 	}
 	round_end(way, code);
 	if (std::any_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) > MOST_END; })) {
