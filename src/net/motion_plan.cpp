@@ -12,6 +12,10 @@ namespace {
 /// Shares of the tolerance within which a body that moved comes to rest, and one that rests stays so.
 constexpr double COMES_TO_REST = 0.6;
 constexpr double STAYS_AT_REST = 0.9;
+/// A body whose samples are nearer together than this does not move: it rests wherever the tolerance let it end (with a
+/// per cent for rounding), and settles.
+constexpr double STILL = 0.1;
+constexpr double STOPPED = 1.01;
 
 /// Ticks within which times are the same.
 constexpr double SAME_TIME = 1e-6;
@@ -33,7 +37,10 @@ bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 	if (count == 0) {
 		return true;
 	}
-	const double tolerance = StreamGrid::TOLERANCE * grid_.position * (state.active ? COMES_TO_REST : STAYS_AT_REST);
+	const double most = StreamGrid::TOLERANCE * grid_.position;
+	const cga::Pose<double> &last = samples[count - 1].pose;
+	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, grid_.lever) <= STILL * most; });
+	const double tolerance = most * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
 	const cga::Pose<double> held = state.pose(grid_);
 	for (std::size_t i = count; i > 0; --i) {
 		if (pose_distance(held, samples[i - 1].pose, grid_.lever) > tolerance) {
