@@ -21,6 +21,7 @@ using Path = std::function<PoseD(double)>; // of seconds
 struct Motion {
 	std::string name;
 	Path path;
+	bool has_kinks = false;
 };
 
 inline PoseD turned_at(const Vector3D &place, const Vector3D &axis, double angle, double scale = 1.0) {
@@ -65,11 +66,13 @@ inline std::vector<Motion> motions(const Vector3D &place) {
 		{ "fast spin", [=](double t) { return turned_at(place, y, 25.0 * t); } },
 		{ "tumble", [=](double t) { PoseD pose = turned_at(place, Vector3D(std::cos(t), 1.0, std::sin(2.0 * t)), 4.0 * t); return pose; } },
 		{ "wheel", [=](double t) { return turned_at(place + Vector3D(std::cos(3.0 * t), 0.0, std::sin(3.0 * t)) * 2.0, y, -3.0 * t); } },
-		{ "bounce", [=](double t) { return turned_at(place + Vector3D(0.5 * t, bounce(t, 2.0), 0.0), tilted, 2.0 * t); } },
-		{ "collision", [=](double t) { return turned_at(place + Vector3D(t < 0.77 ? 6.0 * t : 4.62 - 3.0 * (t - 0.77), 0.0, 0.0), y, t < 0.77 ? 0.0 : 11.0 * (t - 0.77)); } },
-		{ "noise", [=](double t) { const std::int64_t i = std::llround(t * 1000.0); return turned_at(place + Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.02, tilted, 0.05 * noise(i, 3)); } },
+		{ "bounce", [=](double t) { return turned_at(place + Vector3D(0.5 * t, bounce(t, 2.0), 0.0), tilted, 2.0 * t); }, true },
+		{ "collision", [=](double t) { return turned_at(place + Vector3D(t < 0.77 ? 6.0 * t : 4.62 - 3.0 * (t - 0.77), 0.0, 0.0), y, t < 0.77 ? 0.0 : 11.0 * (t - 0.77)); }, true },
+		{ "noise", [=](double t) { const std::int64_t i = std::llround(t * 1000.0); return turned_at(place + Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.02, tilted, 0.05 * noise(i, 3)); }, true },
 		{ "growth", [=](double t) { return turned_at(place + y * t, y, t, std::exp2(std::sin(2.0 * t))); } },
-		{ "stop and go", [=](double t) { const double whole = std::floor(t / 0.8); const double rest = t - 0.8 * whole; return turned_at(place + Vector3D(whole + (rest < 0.4 ? rest * 2.5 : 1.0), 0.0, 0.0), y, 0.0); } },
+		{ "small", [=](double t) { return turned_at(place, tilted, 0.5 * t, 0.01); } },
+		{ "large", [=](double t) { return turned_at(place + y * t, tilted, 0.5 * t, 4.0); } },
+		{ "stop and go", [=](double t) { const double whole = std::floor(t / 0.8); const double rest = t - 0.8 * whole; return turned_at(place + Vector3D(whole + (rest < 0.4 ? rest * 2.5 : 1.0), 0.0, 0.0), y, 0.0); }, true },
 	};
 }
 
@@ -91,9 +94,16 @@ inline std::vector<double> irregular_times(unsigned seed, double seconds) {
 	return times;
 }
 
-/// The error that a stream promises to bound, in shares of the tolerance.
+/// The error that a stream bounds, in shares of the tolerance: how far the centre and the points at the lever on the
+/// axes are off, and what the scale's error adds there.
 inline double error_share(const PoseD &shown, const PoseD &truth, const net::StreamGrid &grid) {
-	return net::pose_distance(shown, truth, grid.lever) / (net::StreamGrid::TOLERANCE * grid.position);
+	const Vector3D offset = shown.translation - truth.translation;
+	double worst = glm::length(offset);
+	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0), Vector3D(0, 0, 1) }) {
+		worst = std::max(worst, glm::length(offset + grid.lever * (shown.rotation * axis - truth.rotation * axis)));
+	}
+	worst += grid.lever * std::abs(shown.scale - truth.scale);
+	return worst / (net::StreamGrid::TOLERANCE * grid.position);
 }
 
 } // namespace net_test
