@@ -19,7 +19,7 @@ func test_motion_from_a_peer_that_owns_nothing() -> void:
 		branches[1].api.send_bytes(packet, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 	await _bombard(branches[1], branches[0], 300, MOTION)
 	await _expect_unmoved(branches[0])
-	_expect_rejections(branches[0], branches[1], "A packet moves bodies, but its sender is the authority of no target here (", 300 + _seen.size())
+	_expect_rejections(branches[0], branches[1], "Packet refused: its sender is the authority of no target here (", 300 + _seen.size())
 	# The other client notices nothing.
 	await expect_motion(0.3, [branches[2]])
 	expect_equal(branches[2].rejections, [] as Array[Array], "what the other client rejected")
@@ -37,27 +37,28 @@ func test_nonsense_from_the_authority() -> void:
 		for variant: PackedByteArray in [packet.slice(0, maxi(5, packet.size() / 2)), _damaged(packet, random), packet + PackedByteArray([1, 2, 3, 4, 5, 6])]:
 			branches[0].api.send_bytes(variant, branches[1].api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 			sent += 1
-	expect_true(sent >= 30, "%d damaged packets" % sent)
+	expect_true(sent >= 12, "%d damaged packets" % sent)
 	await expect_motion(0.4, [branches[1]])
 	for body: Node3D in branches[1].synchronizer.get_active_targets():
 		expect_true(body.transform.is_finite(), "a finite transform of %s" % body.name)
 
 
 func test_answers_and_goodbyes_from_a_stranger() -> void:
-	await connect_peers(2, 2)
-	# One client makes no use of the synchronizer.
-	branches[2].world.remove_child(branches[2].synchronizer)
-	await move(branches[0], 2.5)
-	branches[0].rejections.clear()
-	await _bombard(branches[2], branches[0], 50, ANSWER)
-	await _bombard(branches[2], branches[0], 50, BYE)
+	await connect_peers(1, 2)
+	# A client that makes no use of the synchronizer.
+	var stranger := make_branch("Stranger")
+	var server_peer: ENetMultiplayerPeer = branches[0].api.multiplayer_peer
+	stranger.join(server_peer.host.get_local_port())
+	await wait_until(stranger.is_joined, "the stranger being connected")
+	await _bombard(stranger, branches[0], 50, ANSWER)
+	await _bombard(stranger, branches[0], 50, BYE)
 	await wait_until(func() -> bool: return branches[0].rejections.size() >= 2, "two reports", 3.0)
 	var reasons := ""
 	for rejection in branches[0].rejections:
-		expect_equal(rejection[0], branches[2].api.get_unique_id(), "the peer")
+		expect_equal(rejection[0], stranger.api.get_unique_id(), "the peer")
 		var reason: String = rejection[1]
 		reasons += reason
-	expect_true(reasons.contains("malformed") or reasons.contains("answers a stream that its sender does not get"), "reasons: %s" % reasons)
+	expect_true(reasons.contains("it answers a stream that its sender does not get") and reasons.contains("it is malformed"), "reasons: %s" % reasons)
 	await expect_motion(0.3, [branches[1]])
 
 
@@ -65,7 +66,7 @@ func test_a_stranger_that_asks_again_and_again_gets_one_stream() -> void:
 	await connect_peers(1, 40)
 	await move(branches[0], SETTLE)
 	var before: float = branches[0].synchronizer.get_statistics()["sent_bytes_per_second"]
-	for second in 75:
+	for tick in 45:
 		for i in 20:
 			var hello := _envelope(branches[0], HELLO)
 			hello[3] = randi_range(0, 255)
@@ -73,6 +74,8 @@ func test_a_stranger_that_asks_again_and_again_gets_one_stream() -> void:
 		await move(branches[0], 1.0 / 60.0)
 	var after: float = branches[0].synchronizer.get_statistics()["sent_bytes_per_second"]
 	expect_true(after < 8.0 * before + 20000.0, "%d bytes a second, %d before," % [after, before])
+	# What the stranger took from itself it asks for again.
+	await move(branches[0], 1.0)
 	await expect_motion(0.3, [branches[1]])
 
 
@@ -83,7 +86,7 @@ func test_another_version_is_told() -> void:
 	packet[0] = packet[0] ^ 0x08
 	branches[1].api.send_bytes(packet, 1)
 	await wait_until(func() -> bool: return not branches[0].rejections.is_empty(), "a report")
-	expect_equal(branches[0].rejections, [[branches[1].api.get_unique_id(), "A packet is of another version of GA-Godot; use the same on all peers (1 since the last report)."]] as Array[Array])
+	expect_equal(branches[0].rejections, [[branches[1].api.get_unique_id(), "Packet refused: it is of another version of GA-Godot; use the same on all peers (1 since the last report)."]] as Array[Array])
 
 
 func test_what_is_somebody_elses_is_left_alone() -> void:
@@ -99,7 +102,7 @@ func test_what_is_somebody_elses_is_left_alone() -> void:
 		foreign[1] = foreign[1] ^ 1
 		branches[1].api.send_bytes(foreign, 1)
 		branches[1].api.send_bytes(PackedByteArray([MOTION]), 1)
-	await move(branches[0], 0.6)
+	await move(branches[0], 0.2)
 	expect_equal(heard.size(), 30, "messages of the game's own")
 	expect_equal(branches[0].synchronizer.get_statistics()["rejected"], 0, "rejected")
 
@@ -139,8 +142,8 @@ func _listen(client: NetworkBranch) -> void:
 	client.api.peer_packet.connect(func(_peer: int, packet: PackedByteArray) -> void:
 		if packet[0] == MOTION and _seen.size() < 60:
 			_seen.append(packet))
-	await move(branches[0], SETTLE + 0.5)
-	expect_true(_seen.size() >= 10, "%d packets that the client saw" % _seen.size())
+	await move(branches[0], 0.9)
+	expect_true(_seen.size() >= 4, "%d packets that the client saw" % _seen.size())
 
 
 ## Packets with the synchronizer's mark and random content.
@@ -153,8 +156,8 @@ func _bombard(from: NetworkBranch, to: NetworkBranch, count: int, kind: int) -> 
 			packet.append(random.randi_range(0, 255))
 		from.api.send_bytes(packet, to.api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 		if i % 50 == 49:
-			await move(branches[0], 0.05)
-	await move(branches[0], 0.2)
+			await move(branches[0], 0.02)
+	await move(branches[0], 0.1)
 
 
 ## The first four bytes of a packet of that kind; 255 is a link that nobody has.

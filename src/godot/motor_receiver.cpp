@@ -25,9 +25,7 @@ MotorReceiver::MotorReceiver() {
 
 void MotorReceiver::clear() {
 	_receiver = std::make_unique<net::Receiver>(std::size_t(_most_bodies));
-	if (_least_margin >= 0.0) {
-		_receiver->set_margin_limits(_least_margin, _most_margin);
-	}
+	limits_changed();
 }
 
 void MotorReceiver::set_most_bodies(int64_t p_count) {
@@ -101,11 +99,8 @@ double MotorReceiver::get_known_time() const {
 	return _receiver->is_ready() ? _receiver->known_time() : 0.0;
 }
 
-void MotorReceiver::set_margin_limits(double p_least, double p_most) {
-	ERR_FAIL_COND_MSG(!std::isfinite(p_most) || !(p_least >= 0.0) || !(p_most >= p_least), vformat("MotorReceiver.set_margin_limits: seconds, 0 <= least <= most, not %f and %f.", p_least, p_most));
-	_least_margin = p_least;
-	_most_margin = p_most;
-	_receiver->set_margin_limits(p_least, p_most);
+void MotorReceiver::limits_changed() {
+	limit(*_receiver);
 }
 
 Dictionary MotorReceiver::get_statistics() const {
@@ -132,6 +127,7 @@ void MotorReceiver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_most_bodies", "count"), &MotorReceiver::set_most_bodies);
 	ClassDB::bind_method(D_METHOD("get_most_bodies"), &MotorReceiver::get_most_bodies);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "most_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"), "set_most_bodies", "get_most_bodies");
+	bind_playback_properties();
 	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
 	ClassDB::bind_method(D_METHOD("take_answer", "now"), &MotorReceiver::take_answer);
 	ClassDB::bind_method(D_METHOD("is_ready"), &MotorReceiver::is_ready);
@@ -141,7 +137,6 @@ void MotorReceiver::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_bodies"), &MotorReceiver::get_bodies);
 	ClassDB::bind_method(D_METHOD("get_media_time"), &MotorReceiver::get_media_time);
 	ClassDB::bind_method(D_METHOD("get_known_time"), &MotorReceiver::get_known_time);
-	ClassDB::bind_method(D_METHOD("set_margin_limits", "least", "most"), &MotorReceiver::set_margin_limits);
 	ClassDB::bind_method(D_METHOD("clear"), &MotorReceiver::clear);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorReceiver::get_statistics);
 	ADD_SIGNAL(MethodInfo("body_added", PropertyInfo(Variant::INT, "id")));

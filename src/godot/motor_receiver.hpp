@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/playback_properties.hpp"
 #include "net/receiver.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -16,8 +17,9 @@
 namespace ga_godot {
 
 /// The receiving half of MotorSynchronizer, for any transport; doc_classes/MotorReceiver.xml documents it.
-class MotorReceiver : public godot::RefCounted {
+class MotorReceiver : public godot::RefCounted, public PlaybackProperties<MotorReceiver> {
 	GDCLASS(MotorReceiver, godot::RefCounted)
+	friend class PlaybackProperties<MotorReceiver>;
 
 public:
 	MotorReceiver();
@@ -35,7 +37,6 @@ public:
 	godot::PackedInt32Array get_bodies() const;
 	double get_media_time() const;
 	double get_known_time() const;
-	void set_margin_limits(double p_least, double p_most);
 	void clear();
 	godot::Dictionary get_statistics() const;
 
@@ -43,11 +44,10 @@ protected:
 	static void _bind_methods();
 
 private:
+	void limits_changed();
+
 	std::unique_ptr<net::Receiver> _receiver;
 	int64_t _most_bodies = 65536;
-	// As set by set_margin_limits; negative while they are the stream's own.
-	double _least_margin = -1.0;
-	double _most_margin = -1.0;
 	// Kept between calls, so that a steady stream allocates only what it returns.
 	std::vector<std::uint8_t> _answer;
 	std::vector<net::BodyEvent> _events;

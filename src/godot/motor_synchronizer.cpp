@@ -125,4 +125,12 @@ void MotorSynchronizer::settings_changed() {
 	}
 }
 
+void MotorSynchronizer::limits_changed() {
+	for (auto &[id, peer] : _peers) {
+		if (peer.stream) {
+			limit(*peer.stream);
+		}
+	}
+}
+
 } // namespace ga_godot

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/playback_properties.hpp"
 #include "godot/stream_properties.hpp"
 #include "godot/traffic_meter.hpp"
 #include "net/envelope.hpp"
@@ -34,9 +35,10 @@ namespace ga_godot {
 ///
 /// Its files: _targets (what is replicated), _links (who gets what from whom), _packets, _poses (from nodes to streams and
 /// back), _statistics, _warnings, _properties.
-class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer> {
+class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer> {
 	GDCLASS(MotorSynchronizer, godot::Node)
 	friend class StreamProperties<MotorSynchronizer>;
+	friend class PlaybackProperties<MotorSynchronizer>;
 
 public:
 	MotorSynchronizer();
@@ -75,6 +77,7 @@ private:
 		int32_t own_interpolation = -1; // its physics_interpolation_mode, put aside while a stream moves it
 		godot::Transform3D transform;
 		cga::Pose<double> pose;
+		cga::Pose<double> sent_pose; // the last that _sender took
 	};
 
 	/// What there is between this node and the one of another peer. Only connected peers have one.
@@ -173,6 +176,7 @@ private:
 	void physics_tick();
 	void frame();
 	void settings_changed();
+	void limits_changed();
 
 	godot::TypedArray<godot::NodePath> _paths;
 	godot::StringName _group;

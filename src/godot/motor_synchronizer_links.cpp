@@ -166,6 +166,7 @@ void MotorSynchronizer::open_stream(Peer &r_peer) {
 	r_peer.link = ++last_link;
 	r_peer.most_bodies = 2 * _targets.size() + SPARE_BODIES;
 	r_peer.stream = std::make_unique<net::Receiver>(r_peer.most_bodies);
+	limit(*r_peer.stream);
 	r_peer.hello_due = 0.0;
 }
 

@@ -59,7 +59,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 		peer->received.add(size, now);
 	}
 	if (envelope.version != net::ENVELOPE_VERSION) {
-		reject(id, "is of another version of GA-Godot; use the same on all peers");
+		reject(id, "it is of another version of GA-Godot; use the same on all peers");
 		return;
 	}
 	bytes += net::ENVELOPE_BYTES;
@@ -73,7 +73,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 			if (length == 1 && bytes[0] <= 1) {
 				take_bye(id, peer, envelope.link, bytes[0] == 1);
 			} else {
-				reject(id, "is malformed");
+				reject(id, "it is malformed");
 			}
 			break;
 		case net::PacketKind::MOTION:
@@ -84,7 +84,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 					peer->hello_due = now + SILENCE;
 				}
 			} else if (!is_aftermath) {
-				reject(id, peer != nullptr && peer->stream ? "belongs to a stream that was not asked for" : "moves bodies, but its sender is the authority of no target here");
+				reject(id, peer != nullptr && peer->stream ? "it belongs to a stream that was not asked for" : "its sender is the authority of no target here");
 			}
 			break;
 		case net::PacketKind::ANSWER:
@@ -95,7 +95,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 					reject(id, fault);
 				}
 			} else if (!is_aftermath) {
-				reject(id, "answers a stream that its sender does not get");
+				reject(id, "it answers a stream that its sender does not get");
 			}
 			break;
 	}
@@ -127,7 +127,7 @@ void MotorSynchronizer::report_rejections() {
 	std::vector<std::pair<int32_t, String>> reports;
 	for (auto &[id, peer] : _peers) {
 		if (peer.unreported > 0 && _now - peer.reported_at >= REPORT_INTERVAL) {
-			reports.emplace_back(id, vformat("A packet %s (%d since the last report).", peer.reason, int64_t(peer.unreported)));
+			reports.emplace_back(id, vformat("Packet refused: %s (%d since the last report).", peer.reason, int64_t(peer.unreported)));
 			peer.unreported = 0;
 			peer.reported_at = _now;
 		}

@@ -50,14 +50,18 @@ void MotorSynchronizer::set_authority(Target &r_target, Node3D *p_node, int32_t 
 }
 
 void MotorSynchronizer::sample(Target &r_target, const Node3D *p_node) {
-	if (!read_pose(r_target, p_node)) {
-		return;
-	}
-	const bool was_sent = r_target.sent;
-	r_target.sent = was_sent || _sender->add_body(r_target.body, r_target.pose);
-	if (!r_target.sent || !_sender->observe(r_target.body, media_time(), r_target.pose)) {
+	if (read_pose(r_target, p_node)) {
+		const bool fits = (r_target.sent || _sender->add_body(r_target.body, r_target.pose)) && _sender->observe(r_target.body, media_time(), r_target.pose);
+		if (fits) {
+			r_target.sent = true;
+			r_target.sent_pose = r_target.pose;
+			return;
+		}
 		r_target.faulty = true;
 		ERR_PRINT(vformat("MotorSynchronizer %s: the transform of %s is farther out, or its scale is larger or smaller, than a stream can say. What others see of it stays as it was.", get_path(), p_node->get_path()));
+	}
+	if (r_target.sent) {
+		_sender->observe(r_target.body, media_time(), r_target.sent_pose);
 	}
 }
 

@@ -54,6 +54,7 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_target_group"), &MotorSynchronizer::get_target_group);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "target_group"), "set_target_group", "get_target_group");
 	bind_stream_properties();
+	bind_playback_properties();
 	ClassDB::bind_method(D_METHOD("set_channel", "channel"), &MotorSynchronizer::set_channel);
 	ClassDB::bind_method(D_METHOD("get_channel"), &MotorSynchronizer::get_channel);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "channel", godot::PROPERTY_HINT_RANGE, "0,255,1"), "set_channel", "get_channel");

@@ -4,7 +4,7 @@ extends RefCounted
 
 ## `print(EXPRESSION) # TEXT`: EXPRESSION must print TEXT.
 const PRINT := "(?m)^(\\t*)print\\((.*)\\) # (.*)$"
-const SCRIPT := """extends RefCounted
+const SCRIPT := """extends %s
 
 
 var printed := PackedStringArray()
@@ -22,17 +22,24 @@ static func count_prints(sample: String) -> int:
 
 
 ## What is wrong with a sample, in words. An assertion that fails, or any other error, ends its run.
-static func find_faults(sample: String) -> PackedStringArray:
+## Given a parent, the sample is one of a node, below that parent; what it adds is freed with it.
+static func find_faults(sample: String, parent: Node = null) -> PackedStringArray:
 	var pattern := RegEx.create_from_string(PRINT)
 	var script := GDScript.new()
-	script.source_code = SCRIPT % pattern.sub(sample, "$1printed.append(str($2))", true).indent("\t")
+	var base := "RefCounted" if parent == null else "Node"
+	script.source_code = SCRIPT % [base, pattern.sub(sample, "$1printed.append(str($2))", true).indent("\t")]
 	if script.reload() != OK:
 		return ["does not compile:\n%s" % sample]
-	var instance: RefCounted = script.new()
-	if instance.call(&"run") != true:
+	var instance: Object = script.new()
+	if parent != null:
+		parent.add_child(instance as Node)
+	var ended: bool = instance.call(&"run") == true
+	var printed: PackedStringArray = instance.get(&"printed")
+	if parent != null:
+		instance.free()
+	if not ended:
 		return ["does not run to its end:\n%s" % sample]
 	var faults := PackedStringArray()
-	var printed: PackedStringArray = instance.get(&"printed")
 	var calls := pattern.search_all(sample)
 	for i in calls.size():
 		var text := printed[i] if i < printed.size() else "nothing"

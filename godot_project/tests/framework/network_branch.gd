@@ -25,6 +25,8 @@ func _init(tree: SceneTree, branch_name: String) -> void:
 	world.name = "World"
 	synchronizer.name = "Motors"
 	synchronizer.target_group = &"bodies"
+	# So that tests need not wait long until motion is shown.
+	synchronizer.max_latency = 0.1
 	synchronizer.packet_rejected.connect(func(peer: int, reason: String) -> void: rejections.append([peer, reason]))
 	synchronizer.target_added.connect(func(node: Node3D) -> void: changes.append("+%s" % node.name))
 	synchronizer.target_removed.connect(func(node: Node3D) -> void: changes.append("-%s" % node.name))

@@ -1,0 +1,150 @@
+extends "res://tests/framework/test_case.gd"
+## MotorSender and MotorReceiver without an engine's network between them.
+
+const TICK := 1.0 / 60.0
+
+var _sender := MotorSender.new()
+var _receiver := MotorReceiver.new()
+var _tick := 0
+
+
+func test_properties() -> void:
+	expect_near(_sender.position_tolerance, 0.005, 1e-9, "position_tolerance")
+	expect_near(_sender.rotation_tolerance, 1.4, 1e-9, "rotation_tolerance")
+	expect_near(_sender.max_latency, 0.2, 1e-9, "max_latency")
+	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
+	expect_near(_sender.ticks_per_second, 60.0, 1e-9, "ticks_per_second")
+	expect_equal(_sender.mode, MultivectorLerp.SEPARATE, "mode")
+	expect_equal(_receiver.most_bodies, 65536, "most_bodies")
+	expect_near(_receiver.least_delay, 0.0, 1e-9, "least_delay")
+	expect_near(_receiver.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
+	expect_error("MotorSender: ticks_per_second is positive, not %f." % 0.0)
+	_sender.ticks_per_second = 0.0
+	expect_error("MotorSender: send_rate is in packets a second and positive, not %f." % -2.0)
+	_sender.send_rate = -2.0
+	expect_error("MotorReceiver: most_bodies is at least 1, not 0.")
+	_receiver.most_bodies = 0
+	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
+
+
+func test_bodies_come_move_and_go() -> void:
+	var heard := PackedStringArray()
+	_receiver.body_added.connect(func(id: int) -> void: heard.append("+%d" % id))
+	_receiver.body_removed.connect(func(id: int) -> void: heard.append("-%d" % id))
+	expect_true(not _receiver.is_ready(), "nothing to show yet")
+	_start(3)
+	var worst := 0.0
+	for i in 90:
+		_step()
+		if i > 40:
+			for id in 3:
+				worst = maxf(worst, _receiver.get_transform(id).origin.distance_to(_pose(id, _receiver.get_media_time()).origin))
+	expect_true(worst > 0.0 and worst < 0.006, "an error of %.2f mm" % (worst * 1000.0))
+	expect_true(_receiver.is_ready(), "something to show")
+	expect_equal(_receiver.get_bodies().size(), 3, "number of bodies")
+	expect_true(_receiver.get_known_time() > _receiver.get_media_time(), "motion that is known but not yet shown")
+	expect_true(_sender.get_moving_count() >= 3, "moving bodies")
+	expect_true(_sender.remove_body(1), "removal")
+	expect_true(not _sender.remove_body(1), "a second removal")
+	for i in 60:
+		_step()
+	expect_true(_receiver.has_body(0) and not _receiver.has_body(1), "bodies at the receiver")
+	expect_equal(_sender.get_body_count(), 2, "bodies of the sender")
+	heard.sort()
+	expect_equal(heard, PackedStringArray(["+0", "+1", "+2", "-1"]), "what was told")
+
+
+func test_statistics() -> void:
+	_start(3)
+	for i in 60:
+		_step()
+	var sent := _sender.get_statistics(7)
+	var received := _receiver.get_statistics()
+	expect_equal(received["bytes_received"], sent["bytes_sent"], "bytes")
+	expect_equal(received["packets_received"], sent["packets_sent"], "packets")
+	expect_equal(received["packets_rejected"], 0, "rejected")
+	expect_equal(sent["chunks_repeated"], 0, "repeated")
+	var delay: float = received["playback_delay"]
+	expect_true(delay > 0.0 and delay < 0.5, "a delay of %s s" % delay)
+	_sender.remove_receiver(7)
+	expect_true(not _sender.has_receiver(7), "the receiver being gone")
+	expect_equal(_sender.flush(_tick * TICK + TICK).size(), 0, "packets to nobody")
+
+
+func test_a_teleport() -> void:
+	_start(1)
+	for i in 40:
+		_step()
+	_sender.teleport(0)
+	var between := 0
+	for i in 60:
+		_step(Vector3(500, 0, 0))
+		between += int(absf(_receiver.get_transform(0).origin.x - 250.0) < 240.0)
+	expect_equal(between, 0, "pictures on the way")
+	expect_near(_receiver.get_transform(0).origin.x, 500.0, 3.0, "x")
+
+
+func test_what_is_refused() -> void:
+	_start(1)
+	expect_true(_receiver.accept(PackedByteArray([255, 255, 255]), 0.0) != "", "a reason")
+	expect_true(_receiver.accept(PackedByteArray(), 0.0) != "", "a reason for an empty packet")
+	expect_equal(_sender.accept(99, PackedByteArray([1]), 0.0), "comes from no receiver of this sender", "reason")
+	expect_true(_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "", "a reason for a bad answer")
+	expect_error("MotorSender.add_body: there is a body with id 0.")
+	expect_true(not _sender.add_body(0, Transform3D.IDENTITY), "a body twice")
+	expect_error("MotorSender.add_body: id -1 is not in 0 to 2147483647.")
+	_sender.add_body(-1, Transform3D.IDENTITY)
+	expect_error("MotorSender.observe: there is no body with id 5; add it first.")
+	_sender.observe(5, 0.0, Transform3D.IDENTITY)
+	expect_error("MotorSender.observe: the transform of body 0 is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	_sender.observe(0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO))
+	expect_error("MotorSender.teleport: there is no body with id 5.")
+	_sender.teleport(5)
+	expect_error("MotorSender.flush: the time is not finite.")
+	_sender.flush(NAN)
+	expect_error("MotorSender.get_statistics: there is no receiver 8.")
+	_sender.get_statistics(8)
+	expect_error("MotorReceiver.get_transform: there is no body with id 6; has_body() and the signals tell which there are.")
+	_receiver.get_transform(6)
+
+
+func test_a_receiver_starts_anew() -> void:
+	_start(2)
+	for i in 40:
+		_step()
+	expect_error("MotorReceiver: set most_bodies before the first packet, or call clear() first.")
+	_receiver.most_bodies = 10
+	_receiver.clear()
+	_receiver.most_bodies = 10
+	expect_true(not _receiver.is_ready() and _receiver.get_bodies().is_empty(), "nothing to show")
+	_sender.add_receiver(7, _tick * TICK)
+	for i in 40:
+		_step()
+	expect_equal(_receiver.get_bodies().size(), 2, "number of bodies")
+
+
+func _start(bodies: int) -> void:
+	for id in bodies:
+		expect_true(_sender.add_body(id, _pose(id, 0.0)), "body %d" % id)
+		expect_true(_sender.has_body(id), "body %d being there" % id)
+	_sender.add_receiver(7, 0.0)
+
+
+func _step(offset := Vector3.ZERO) -> void:
+	_tick += 1
+	var now := _tick * TICK
+	for id in 3:
+		if _sender.has_body(id):
+			_sender.observe(id, now, Transform3D(Basis.IDENTITY, offset) * _pose(id, now))
+	for packet in _sender.flush(now):
+		expect_equal(packet["receiver"], 7, "receiver")
+		var bytes: PackedByteArray = packet["bytes"]
+		expect_equal(_receiver.accept(bytes, now), "", "problem")
+	_receiver.advance(now)
+	var answer := _receiver.take_answer(now)
+	if not answer.is_empty():
+		expect_equal(_sender.accept(7, answer, now), "", "problem of the answer")
+
+
+func _pose(id: int, seconds: float) -> Transform3D:
+	return Transform3D(Basis(Vector3(1, id, 0.5).normalized(), seconds), Vector3(id * 3.0 + cos(seconds), 0.5, sin(seconds)))

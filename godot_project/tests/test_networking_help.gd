@@ -1,0 +1,48 @@
+extends "res://tests/framework/test_case.gd"
+## The class references of what replicates poses: every member is documented as registered, and the
+## examples run.
+
+const ClassReference := preload("res://tests/framework/class_reference.gd")
+const CodeSample := preload("res://tests/framework/code_sample.gd")
+
+## Classes, and how many examples their references have.
+const CLASSES: Dictionary[StringName, int] = {
+	&"MotorSynchronizer": 2,
+	&"MotorSender": 1,
+	&"MotorReceiver": 1,
+}
+
+
+func test_every_member_is_documented_as_registered() -> void:
+	for type in CLASSES:
+		var reference := ClassReference.new(type)
+		expect_equal(reference.error, OK, "reading the reference of %s" % type)
+		var registered := reference.registered_methods()
+		expect_true(registered.size() >= 6, "methods of %s" % type)
+		for method_name in registered:
+			expect_equal(reference.methods.get(method_name, ""), registered[method_name], "signature of %s" % method_name)
+		expect_equal(reference.methods.size(), registered.size(), "number of methods of %s" % type)
+		var members := reference.registered_members()
+		for member_name in members:
+			var documented: String = reference.members.get(member_name, "")
+			expect_equal(documented.get_slice(" = ", 0), members[member_name].get_slice(" = ", 0), "type of %s" % member_name)
+			if documented.get_slice(" = ", 0) in ["int", "float"]:
+				expect_equal(documented.get_slice(" = ", 1).to_float(), members[member_name].get_slice(" = ", 1).to_float(), "default of %s" % member_name)
+		var signals := reference.registered_signals()
+		signals.sort()
+		expect_equal(reference.signals, signals, "signals of %s" % type)
+		for title: String in Array(registered.keys()) + Array(members.keys()):
+			expect_true(reference.descriptions.has(title), "a description of %s" % title)
+
+
+func test_every_example_runs() -> void:
+	for type in CLASSES:
+		var reference := ClassReference.new(type)
+		var count := 0
+		for title in reference.descriptions:
+			for code in reference.samples_of(title):
+				count += 1
+				var parent := Node.new()
+				add_node(parent)
+				expect_equal(CodeSample.find_faults(code, parent), PackedStringArray(), "faults of the example of %s" % title)
+		expect_equal(count, CLASSES[type], "examples of %s" % type)
