@@ -35,7 +35,7 @@ cga::Pose<double> as_float_motor(const cga::Pose<double> &pose) {
 
 // Which samples of the trace are sent, in order of time.
 std::vector<SampleIndex> choose_samples(const Trace &trace, double rate) {
-	const double early = EARLY * std::min(trace.median_interval(), 1.0 / rate);
+	const double early = EARLY * std::min(trace.usual_interval(), 1.0 / rate);
 	std::vector<double> next(trace.bodies.size(), trace.begin());
 	std::vector<SampleIndex> chosen;
 	for (const SampleIndex &index : trace.order) {
@@ -51,7 +51,7 @@ std::vector<SampleIndex> choose_samples(const Trace &trace, double rate) {
 
 // Seconds between a body's samples sent, at most; where the source itself has no gap.
 double longest_interval(const Trace &trace, const std::vector<SampleIndex> &chosen, double rate) {
-	const double regular = 1.0 / rate + 1.5 * trace.median_interval();
+	const double regular = 1.0 / rate + 1.5 * trace.usual_interval();
 	std::vector<double> last(trace.bodies.size(), -std::numeric_limits<double>::infinity());
 	double longest = 0.0;
 	for (const SampleIndex &index : chosen) {
@@ -62,6 +62,25 @@ double longest_interval(const Trace &trace, const std::vector<SampleIndex> &chos
 		last[index.body] = trace.sample(index).time;
 	}
 	return longest > 0.0 ? longest : 1.0 / rate;
+}
+
+struct Cost {
+	std::size_t poses = 0;
+	std::size_t datagrams = 0;
+};
+
+// What a fixed rate costs: a pose of every body that is there, each time.
+Cost fixed_rate_cost(const Trace &trace, double rate, std::size_t bodies_per_datagram) {
+	Cost cost;
+	const double early = EARLY / rate;
+	for (std::size_t turn = 0; double(turn) / rate <= trace.duration() + early; ++turn) {
+		const double time = trace.begin() + double(turn) / rate;
+		const auto is_there = [&](const TraceBody &body) { return body.samples.front().time - early <= time && time <= body.samples.back().time + early; };
+		const std::size_t poses = std::size_t(std::count_if(trace.bodies.begin(), trace.bodies.end(), is_there));
+		cost.poses += poses;
+		cost.datagrams += (poses + bodies_per_datagram - 1) / bodies_per_datagram;
+	}
+	return cost;
 }
 
 // The samples of each body that the receiver has in time, as it has them.
@@ -128,16 +147,17 @@ MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const Li
 
 	MethodResult result;
 	result.subject = baseline.subject;
-	result.bytes_per_second = double(chosen.size() * baseline.pose_bytes) / trace.duration();
-	result.packets_per_second = double(model.sent_count()) / trace.duration();
+	const Cost cost = fixed_rate_cost(trace, baseline.rate, bodies_per_datagram);
+	result.bytes_per_second = double(cost.poses * baseline.pose_bytes) / trace.duration();
+	result.packets_per_second = double(cost.datagrams) / trace.duration();
 	result.delay_median = result.delay_max = delay;
 	ErrorSummary errors;
 	for (std::uint32_t body = 0; body < trace.bodies.size(); ++body) {
 		const std::vector<TraceSample> &samples = trace.bodies[body].samples;
-		const std::vector<bool> moving = moving_samples(trace.bodies[body]);
+		const std::vector<Motion> motion = find_motion(trace.bodies[body]);
 		for (std::size_t i = 0; i < samples.size(); ++i) {
 			if (const cga::Pose<double> *shown = received.show(body, samples[i].time, baseline.path)) {
-				errors.add(lever_distance(*shown, samples[i].pose), moving[i]);
+				errors.add(lever_distance(*shown, samples[i].pose), motion[i]);
 			} else {
 				++result.unseen;
 			}

@@ -25,10 +25,13 @@ struct Baseline {
 /// Sends the trace by the method through a link.
 ///
 /// A body's pose is sent at the first source time at or after each multiple of 1 / rate (or a quarter of a source
-/// interval before it), with that time, in datagrams of at most 1,350 bytes; the body's last pose is sent too. Headers, ids and times cost nothing here. The receiver plays
-/// the shortest delay behind at which, without loss, the sample after the time shown is always there: one send
-/// interval, the delay and the jitter. A sample that is lost, or comes later than the playback delay after its time, is
-/// missing; the receiver then interpolates between the samples around it, as if it had known that it would not come.
+/// interval before it), with that time, in datagrams of at most 1,350 bytes; the body's last pose is sent too. The cost
+/// is that of a fixed rate: a pose at every multiple for as long as the body is there, at rest and in gaps of the
+/// recording as well. Headers, ids and times cost nothing.
+///
+/// The receiver plays the shortest delay behind at which, without loss, the sample after the time shown is always there:
+/// one send interval, the delay and the jitter. A sample that is lost, or comes later than the playback delay after its
+/// time, is missing; the receiver then interpolates between the samples around it, as if it had known that.
 [[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, std::uint64_t seed);
 
 } // namespace bench

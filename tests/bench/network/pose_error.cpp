@@ -17,18 +17,21 @@ double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b) {
 	return std::sqrt(squared);
 }
 
-std::vector<bool> moving_samples(const TraceBody &body) {
-	std::vector<bool> moving(body.samples.size());
-	for (std::size_t i = 1; i < moving.size(); ++i) {
+std::vector<Motion> find_motion(const TraceBody &body) {
+	std::vector<Motion> motion(body.samples.size(), Motion::UNKNOWN);
+	for (std::size_t i = 1; i < motion.size(); ++i) {
 		const TraceSample &before = body.samples[i - 1];
 		const TraceSample &sample = body.samples[i];
-		moving[i] = lever_distance(before.pose, sample.pose) > MOVING_SPEED * (sample.time - before.time);
+		const bool moves = lever_distance(before.pose, sample.pose) > MOVING_SPEED * (sample.time - before.time);
+		motion[i] = moves ? Motion::MOVING : Motion::RESTING;
 	}
-	return moving;
+	return motion;
 }
 
-void ErrorSummary::add(double error, bool moving) {
-	(moving ? moving_ : resting_).push_back(std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+void ErrorSummary::add(double error, Motion motion) {
+	if (motion != Motion::UNKNOWN) {
+		(motion == Motion::MOVING ? moving_ : resting_).push_back(std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+	}
 }
 
 double percentile(std::vector<double> &values, double share) {

@@ -17,8 +17,14 @@ inline constexpr double MOVING_SPEED = 0.001;
 /// The largest distance, in metres, between the places of a body's centre and of the points at LEVER on its three axes.
 [[nodiscard]] double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b);
 
-/// For each sample of the body, whether it moved since the sample before it; the first does not count as moving.
-[[nodiscard]] std::vector<bool> moving_samples(const TraceBody &body);
+enum class Motion : std::uint8_t {
+	UNKNOWN, ///< the first sample of a body
+	RESTING,
+	MOVING,
+};
+
+/// For each sample of the body, whether it moved since the sample before it.
+[[nodiscard]] std::vector<Motion> find_motion(const TraceBody &body);
 
 /// The value below which `share` of the values are, between two of them in proportion; NaN if there is none. Sorts.
 [[nodiscard]] double percentile(std::vector<double> &values, double share);
@@ -37,8 +43,8 @@ struct ErrorFigures {
 /// Errors of moving and of resting samples.
 class ErrorSummary {
 public:
-	/// In metres; what is not a number counts as infinite.
-	void add(double error, bool moving);
+	/// In metres; what is not a number counts as infinite. Samples of unknown motion do not count.
+	void add(double error, Motion motion);
 	[[nodiscard]] ErrorFigures figures();
 
 private:

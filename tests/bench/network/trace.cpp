@@ -17,6 +17,8 @@ namespace {
 constexpr std::array<const char *, 9> FIELDS = { "t", "id", "x", "y", "z", "qw", "qx", "qy", "qz" };
 // Quaternions are written with four digits or more.
 constexpr double LONGEST_NORM_ERROR = 0.01;
+// Share by which an interval differs at most from the median to count as usual.
+constexpr double NEAR = 0.1;
 constexpr std::uint32_t LARGEST_ID = 0x7fffffffu;
 
 struct Line {
@@ -132,7 +134,7 @@ double median(std::vector<double> &values) {
 
 } // namespace
 
-double Trace::median_interval() const {
+double Trace::usual_interval() const {
 	std::vector<double> intervals;
 	for (const TraceBody &body : bodies) {
 		for (std::size_t i = 1; i < body.samples.size(); ++i) {
@@ -142,7 +144,17 @@ double Trace::median_interval() const {
 	for (std::size_t i = 1; intervals.empty() && i < frames.size(); ++i) {
 		intervals.push_back(frames[i].time - frames[i - 1].time);
 	}
-	return median(intervals);
+	// Recorded times are rounded: the mean of what is near the median is nearer to the truth.
+	const double middle = median(intervals);
+	double sum = 0.0;
+	std::size_t count = 0;
+	for (const double interval : intervals) {
+		if (std::abs(interval - middle) <= NEAR * middle) {
+			sum += interval;
+			++count;
+		}
+	}
+	return sum / double(count);
 }
 
 std::string parse_trace(std::string_view text, const std::string &name, Trace &trace) {

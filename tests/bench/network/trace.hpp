@@ -44,8 +44,9 @@ struct Trace {
 	[[nodiscard]] double end() const { return frames.back().time; }
 	/// Seconds from the first sample to the last; greater than 0.
 	[[nodiscard]] double duration() const { return end() - begin(); }
-	/// The median time between a body's consecutive samples, in seconds; between frames if no body has two samples.
-	[[nodiscard]] double median_interval() const;
+	/// The time between a body's consecutive samples, in seconds: the mean of those within 10 % of their median. Between
+	/// frames if no body has two samples.
+	[[nodiscard]] double usual_interval() const;
 };
 
 /// Reads text of the lines `t,id,x,y,z,qw,qx,qy,qz`: seconds, a whole number, metres, a unit quaternion. A first line of

@@ -64,22 +64,22 @@ TEST_CASE("pose error: what is not a number is never a small error") {
 	CHECK(std::isnan(lever_distance(Pose(), broken)));
 	CHECK(std::isnan(lever_distance(at(nan, 0, 0), Pose())));
 	ErrorSummary summary;
-	summary.add(nan, true);
-	summary.add(0.001, true);
+	summary.add(nan, Motion::MOVING);
+	summary.add(0.001, Motion::MOVING);
 	CHECK(std::isinf(summary.figures().max));
 	CHECK(std::isinf(summary.figures().p99));
 }
 
 TEST_CASE("pose error: a body moves above 1 mm/s at its centre or a lever point") {
-	const auto moves = [](const Pose &pose, double seconds) -> bool { return moving_samples(body_of({ 0, seconds }, { Pose(), pose }))[1]; };
+	const auto moves = [](const Pose &pose, double seconds) { return find_motion(body_of({ 0, seconds }, { Pose(), pose }))[1] == Motion::MOVING; };
 	CHECK(moves(at(0.0011, 0, 0), 1.0));
 	CHECK_FALSE(moves(at(0.0009, 0, 0), 1.0));
 	CHECK(moves(at(0.0009, 0, 0), 0.5));
 	// 0.25 m times the angle: 1 mm at 0.2292 degrees.
 	CHECK(moves(turned(0.23, { 0, 0, 1 }), 1.0));
 	CHECK_FALSE(moves(turned(0.228, { 0, 0, 1 }), 1.0));
-	const std::vector<bool> moving = moving_samples(body_of({ 0, 1, 2, 3 }, { at(0, 0, 0), at(1, 0, 0), at(1, 0, 0), at(2, 0, 0) }));
-	CHECK(moving == std::vector<bool>{ false, true, false, true });
+	const std::vector<Motion> motion = find_motion(body_of({ 0, 1, 2, 3 }, { at(0, 0, 0), at(1, 0, 0), at(1, 0, 0), at(2, 0, 0) }));
+	CHECK(motion == std::vector<Motion>{ Motion::UNKNOWN, Motion::MOVING, Motion::RESTING, Motion::MOVING });
 }
 
 TEST_CASE("pose error: percentiles lie between values in proportion") {
@@ -95,11 +95,12 @@ TEST_CASE("pose error: percentiles lie between values in proportion") {
 TEST_CASE("pose error: resting samples are counted apart") {
 	ErrorSummary summary;
 	for (int i = 0; i < 900; ++i) {
-		summary.add(0.0, false);
+		summary.add(0.0, Motion::RESTING);
 	}
 	for (int i = 0; i <= 100; ++i) {
-		summary.add(0.001 * i, true);
+		summary.add(0.001 * i, Motion::MOVING);
 	}
+	summary.add(9.0, Motion::UNKNOWN);
 	const ErrorFigures figures = summary.figures();
 	CHECK(figures.p50 == doctest::Approx(0.05));
 	CHECK(figures.p99 == doctest::Approx(0.099));

@@ -40,7 +40,19 @@ TEST_CASE("trace: bodies in any order, late, ending early and with gaps") {
 	CHECK(trace.order[4].sample == 2);
 	CHECK(trace.begin() == 1.5);
 	CHECK(trace.duration() == 2.0);
-	CHECK(trace.median_interval() == 1.5); // of 0.5 and 1.5, the upper
+	CHECK(trace.usual_interval() == 1.5); // of 0.5 and 1.5, the upper
+}
+
+TEST_CASE("trace: the usual interval is exact though times are rounded, and gaps do not count") {
+	std::string text;
+	for (int i = 0; i < 300; ++i) {
+		const int digits = 100000 + i * 10000 / 30 + (i > 200 ? 70000 : 0); // 0.0333, 0.0333, 0.0334 ...
+		text += std::to_string(digits / 10000) + "." + std::to_string(digits % 10000 + 10000).substr(1) + ",1,0,0,0,1,0,0,0\n";
+	}
+	Trace trace;
+	REQUIRE(parse_trace(text, "a.csv", trace) == "");
+	CHECK(trace.usual_interval() == doctest::Approx(1.0 / 30.0).epsilon(1e-4));
+	CHECK(trace.duration() > 16.0);
 }
 
 TEST_CASE("trace: rounded quaternions become unit ones; names, mark, blanks and line ends are as editors write them") {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <ctime>
+
+namespace bench {
+
+/// Seconds that the processor has spent on this thread: what other programs do does not count.
+[[nodiscard]] inline double cpu_seconds() {
+	timespec time{};
+	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+	return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+} // namespace bench

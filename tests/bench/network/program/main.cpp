@@ -1,0 +1,109 @@
+// Sends a trace by every method through a simulated link and prints rows of what it cost and how far off it was; or,
+// without a trace, the load of a server with many receivers. tools/bench runs it.
+
+#include "../baseline.hpp"
+#include "json_rows.hpp"
+#include "options.hpp"
+#include "server_load.hpp"
+#include "stream_timing.hpp"
+
+#include <cstdio>
+
+using namespace bench;
+
+namespace {
+
+// Seconds after the trace's end in which the receiver may still show its last samples.
+constexpr double DRAIN = 5.0;
+constexpr double MILLI = 1e3;
+constexpr double NANO = 1e9;
+
+int fail(const std::string &problem) {
+	std::fflush(stdout);
+	std::fprintf(stderr, "%s\n", problem.c_str());
+	return 1;
+}
+
+void print_method(const MethodResult &method, const Trace &trace) {
+	const std::size_t bodies = trace.bodies.size();
+	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, method.subject, bodies, value, unit); };
+	row("bytes_per_second_per_body", method.bytes_per_second / double(bodies), "B/s");
+	row("packets_per_second", method.packets_per_second, "1/s");
+	row("error_p50", method.errors.p50 * MILLI, "mm");
+	row("error_p99", method.errors.p99 * MILLI, "mm");
+	row("error_max", method.errors.max * MILLI, "mm");
+	row("error_rest_p99", method.errors.rest_p99 * MILLI, "mm");
+	row("error_rest_max", method.errors.rest_max * MILLI, "mm");
+	row("samples_moving", double(method.errors.moving_count), "samples");
+	row("samples_unseen", double(method.unseen), "samples");
+	row("playback_delay", method.delay_max * MILLI, "ms");
+	row("playback_delay_median", method.delay_median * MILLI, "ms");
+}
+
+int measure_trace(const Options &options) {
+	Trace trace;
+	const std::string problem = read_trace(options.trace, trace);
+	if (!problem.empty()) {
+		return fail(problem);
+	}
+	net::StreamSettings settings = stream_settings(trace, options.tolerance);
+	settings.max_latency = options.max_latency;
+	settings.mode = options.mode;
+	const SourceFeed feed(trace, settings.tick, DRAIN);
+	const StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed);
+	if (!stream.problem.empty()) {
+		return fail(options.trace + ": " + stream.problem);
+	}
+	if (stream.refused > 0) {
+		return fail(options.trace + ": the sender refused " + std::to_string(stream.refused) + " poses: they are out of range");
+	}
+	print_method(stream.method, trace);
+	const std::size_t bodies = trace.bodies.size();
+	const std::string &ours = stream.method.subject;
+	print_row("answer_bytes_per_second_per_body", ours, bodies, stream.answer_bytes_per_second / double(bodies), "B/s");
+	if (!options.baselines) {
+		return 0;
+	}
+	const StreamTiming timing = time_stream(trace, feed, settings, stream);
+	if (!timing.repeats) {
+		return fail(options.trace + ": the sender, run again, sent something else");
+	}
+	print_row("encode", ours, bodies, timing.encode * NANO, "ns/pose");
+	print_row("decode", ours, bodies, timing.decode * NANO, "ns/pose");
+	print_row("allocations_per_packet", ours, bodies, timing.sender_allocations + timing.receiver_allocations, "allocations");
+	print_row("sender_allocations_per_packet", ours, bodies, timing.sender_allocations, "allocations");
+	print_row("receiver_allocations_per_packet", ours, bodies, timing.receiver_allocations, "allocations");
+	for (const Baseline &baseline : baselines()) {
+		print_method(run_baseline(trace, baseline, options.link, options.seed), trace);
+	}
+	return 0;
+}
+
+int measure_server(const Options &options) {
+	net::StreamSettings settings;
+	settings.position_tolerance = options.tolerance;
+	settings.max_latency = options.max_latency;
+	settings.mode = options.mode;
+	ServerLoadSettings load;
+	load.link = options.link;
+	const ServerLoad result = measure_server_load(load, settings, options.seed);
+	if (!result.problem.empty()) {
+		return fail("load of a server: " + result.problem);
+	}
+	const std::size_t poses = load.bodies * load.receivers;
+	print_row("server_core_share", "ga_godot", poses, result.core_share, "cores");
+	print_row("server_bytes_per_second_per_body", "ga_godot", poses, result.bytes_per_second / double(poses), "B/s");
+	print_row("server_packets_per_second", "ga_godot", poses, result.packets_per_second, "1/s");
+	return 0;
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+	Options options;
+	const std::string problem = parse_options(count, arguments, options);
+	if (!problem.empty()) {
+		return fail(problem);
+	}
+	return options.trace.empty() ? measure_server(options) : measure_trace(options);
+}

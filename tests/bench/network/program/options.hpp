@@ -1,0 +1,25 @@
+#pragma once
+
+#include "../link_model.hpp"
+
+#include "cga/motor/interpolate.hpp"
+
+#include <string>
+
+namespace bench {
+
+/// What the program was asked for. tools/bench turns people's units into these.
+struct Options {
+	std::string trace; ///< file; empty: the load of a server instead
+	bool baselines = true; ///< whether other methods are measured too
+	LinkSettings link; ///< each way
+	double tolerance = 0.005; ///< metres
+	double max_latency = 0.2; ///< seconds
+	cga::Mode mode = cga::Mode::SEPARATE;
+	std::uint64_t seed = 1;
+};
+
+/// Reads arguments --name=value. Empty, or what is wrong with them.
+[[nodiscard]] std::string parse_options(int count, const char *const *arguments, Options &options);
+
+} // namespace bench
