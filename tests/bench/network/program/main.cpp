@@ -82,8 +82,10 @@ int measure_trace(const Options &options) {
 int measure_server(const Options &options) {
 	net::StreamSettings settings;
 	settings.position_tolerance = options.tolerance;
-	settings.max_latency = options.max_latency;
 	settings.mode = options.mode;
+	// With more time, windows would be longer and fewer.
+	settings.send_rate = 20.0;
+	settings.max_latency = 1.0 / settings.send_rate;
 	ServerLoadSettings load;
 	load.link = options.link;
 	const ServerLoad result = measure_server_load(load, settings, options.seed);

@@ -1,0 +1,61 @@
+"""What tools/bench network makes of the benchmark program's rows, and of what it is asked for."""
+
+import argparse
+import contextlib
+import io
+import unittest
+
+import bench_network
+import bench_network_table
+
+
+def method(bytes_per_second, p99):
+    """The figures of one method."""
+    return {"bytes_per_second_per_body": bytes_per_second, "error_p99": p99}
+
+
+class ComparisonTest(unittest.TestCase):
+    def said(self, ours, **rivals):
+        methods = {"ga_godot": ours, **{f"pqs_float32_{rate}": values for rate, values in rivals.items()}}
+        return bench_network_table.comparison(methods, "pqs_float32_", "the cheapest baseline")
+
+    def test_cheapest_that_is_no_worse(self):
+        rivals = {"5hz": method(200, 5.1), "10hz": method(400, 5.0), "20hz": method(800, 2.0)}
+        self.assertEqual(self.said(method(40, 5.0), **rivals),
+                         "ga_godot: 1/10.0 of the cheapest baseline with p99 no worse (pqs_float32_10hz)")
+
+    def test_none_is_as_good(self):
+        self.assertEqual(self.said(method(40, 1.0), **{"30hz": method(1200, 3.0), "60hz": method(2400, 2.0)}),
+                         "ga_godot: 1/60.0 of pqs_float32_60hz, whose p99 is the best of pqs_float32_* and yet worse")
+
+    def test_nothing_shown(self):
+        self.assertEqual(self.said(method(40, None), **{"5hz": method(200, 1.0)}), "ga_godot: showed nothing that moved")
+        self.assertEqual(self.said(method(40, 1.0), **{"5hz": method(200, None)}),
+                         "ga_godot: the cheapest baseline showed nothing that moved")
+
+
+class OptionsTest(unittest.TestCase):
+    def parse(self, *arguments):
+        parser = argparse.ArgumentParser()
+        bench_network.add_options(parser)
+        return parser.parse_args(arguments)
+
+    def test_defaults_are_a_good_link(self):
+        self.assertEqual(bench_network.link_text(self.parse()), "no loss, no delay")
+
+    def test_impairments_in_words(self):
+        options = self.parse("--loss", "5", "--burst=3", "--jitter=30", "--bandwidth=12.5")
+        self.assertEqual(bench_network.link_text(options), "5 % loss in bursts of 3, 30 ms jitter, 12.5 kB/s")
+
+    def test_traces_repeat(self):
+        self.assertEqual(self.parse("--trace", "a.csv", "--trace", "b.csv").traces, ["a.csv", "b.csv"])
+
+    def test_out_of_range(self):
+        for argument in ("--loss=101", "--loss=nan", "--jitter=-1", "--tolerance-mm=0", "--mode=cubic"):
+            with self.assertRaises(SystemExit) as caught, contextlib.redirect_stderr(io.StringIO()):
+                self.parse(argument)
+            self.assertEqual(caught.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

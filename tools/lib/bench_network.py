@@ -1,0 +1,135 @@
+"""The suite network of tools/bench: recorded motion over a simulated link, and what a server has to do.
+
+Each trace is sent by every method through the same impaired link: poses replicated by the project's sender and
+receiver, float32 poses at fixed rates, and the GA-Unity paper's scheme. How error and cost are measured:
+docs/performance/network.md.
+"""
+
+import argparse
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import checkout
+from bench_network_table import print_trace, print_server
+from build import build
+
+PARTS = ("build", "bench")
+TRACES = os.path.join(os.path.dirname(checkout.ROOT), "shared", "traces")
+PLOT_TOLERANCES = (1, 2, 3, 5, 8, 12, 20)
+# What the program takes in other units than people: name of the option, of the program's, factor.
+LINK = (("loss", "loss", 0.01), ("burst", "burst", 1.0), ("duplicates", "duplication", 0.01), ("delay", "delay", 0.001),
+        ("jitter", "jitter", 0.001), ("bandwidth", "bytes-per-second", 1000.0))
+
+
+def add_options(parser):
+    """The options that only this suite takes."""
+    parser.add_argument("--trace", metavar="FILE", action="append", dest="traces", default=[],
+                        help="a recording to send, lines of t,id,x,y,z,qw,qx,qy,qz (repeatable); without it those of "
+                             "../shared/traces beside the checkout")
+    parser.add_argument("--loss", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams lost, each way (0)")
+    parser.add_argument("--jitter", type=within(0, 60000), default=0.0, metavar="MS",
+                        help="datagrams take up to this much longer, uniformly, and overtake each other (0)")
+    parser.add_argument("--delay", type=within(0, 60000), default=0.0, metavar="MS", help="datagrams take at least this, each way (0)")
+    parser.add_argument("--burst", type=within(0, 1000000), default=0.0, metavar="N",
+                        help="mean number of datagrams lost in a row (0: each by itself)")
+    parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams that arrive twice (0)")
+    parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="what the link carries (0: any amount)")
+    parser.add_argument("--tolerance-mm", type=within(0.01, 10000), default=5.0, metavar="MM",
+                        help="largest error of ga_godot, at the centre and 0.25 m from it (5)")
+    parser.add_argument("--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
+                        help="how far behind ga_godot's receiver may show (200)")
+    parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",
+                        help="ga_godot's path between samples (separate)")
+    parser.add_argument("--seed", type=int, default=1, help="of the link's chances (1)")
+    parser.add_argument("--rate-distortion", metavar="PNG",
+                        help="instead draw bytes per second over error, ga_godot's for tolerances of "
+                             + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
+
+
+def within(least, most):
+    """A number from `least` to `most`, for argparse."""
+    def number(text):
+        value = float(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(f"{text} is not from {least} to {most}")
+        return value
+    return number
+
+
+def measure(options):
+    """Builds, runs, prints tables; returns the rows."""
+    build("bench")
+    traces = options.traces or sorted(glob.glob(os.path.join(TRACES, "*.csv")))
+    if not traces:
+        print("network: no recordings in ../shared/traces; name some with --trace FILE", file=sys.stderr)
+    if options.rate_distortion:
+        return measure_rate_distortion(options, traces)
+    rows = []
+    for trace in traces:
+        found = run_trace(options, trace)
+        print_trace(os.path.basename(trace), found, link_text(options))
+        rows += found
+    server = run_program(options, options.tolerance_mm)
+    for row in server:
+        row["trace"] = "lissajous"
+    print_server(server, link_text(options))
+    return rows + server
+
+
+def measure_rate_distortion(options, traces):
+    """Every method on every trace, ours at several tolerances, and the picture of it."""
+    rows = []
+    for trace in traces:
+        baselines = run_trace(options, trace)
+        rows += [row for row in baselines if row["subject"] != "ga_godot"]
+        for tolerance in PLOT_TOLERANCES:
+            rows += run_trace(options, trace, tolerance, "--baselines=no")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "rows.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"rows": rows}, file)
+        script = os.path.join(checkout.TOOLS, "lib", "plot_rate_distortion.py")
+        done = subprocess.run([checkout.setup_path("plots"), script, path, options.rate_distortion], check=False)
+        if done.returncode != 0:
+            sys.exit(1)
+    print(f"drawn: {options.rate_distortion}")
+    return rows
+
+
+def run_trace(options, trace, tolerance_mm=None, *arguments):
+    """The rows of a trace; ends the program with one line where it cannot be read or sent."""
+    rows = run_program(options, tolerance_mm or options.tolerance_mm, f"--trace={trace}", *arguments)
+    for row in rows:
+        row["trace"] = os.path.basename(trace)
+    return rows
+
+
+def run_program(options, tolerance_mm, *arguments):
+    """The rows that the benchmark program prints, with what it was asked for."""
+    command = [os.path.join(checkout.variant(), "bench", "network_bench"), *arguments,
+               f"--tolerance={tolerance_mm / 1000:g}", f"--max-latency={options.max_latency_ms / 1000:g}",
+               f"--mode={options.mode}", f"--seed={options.seed}"]
+    command += [f"--{name}={getattr(options, option) * factor:g}" for option, name, factor in LINK]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", check=False)
+    if done.returncode != 0:
+        reason = done.stderr.strip() or f"network_bench ended with exit code {done.returncode}"
+        sys.exit(f"tools/bench: {reason}")
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    asked = {"loss_percent": options.loss, "jitter_ms": options.jitter, "delay_ms": options.delay}
+    for row in rows:
+        row.update(asked)
+        if row["subject"] == "ga_godot":
+            row["tolerance_mm"] = tolerance_mm
+    return rows
+
+
+def link_text(options):
+    """The link's impairments in words."""
+    said = [(options.loss, f"{options.loss:g} % loss" + (f" in bursts of {options.burst:g}" if options.burst else "")),
+            (options.jitter, f"{options.jitter:g} ms jitter"), (options.delay, f"{options.delay:g} ms delay"),
+            (options.duplicates, f"{options.duplicates:g} % duplicates"), (options.bandwidth, f"{options.bandwidth:g} kB/s")]
+    return ", ".join(text for value, text in said if value) or "no loss, no delay"
