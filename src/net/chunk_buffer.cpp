@@ -2,19 +2,27 @@
 
 namespace net {
 
+void ChunkBuffer::empty(Slot &slot) {
+	if (slot.full) {
+		slot.full = false;
+		spare_.emplace_back();
+		spare_.back().swap(slot.bytes);
+	}
+}
+
 void ChunkBuffer::restart(std::uint8_t next) {
 	next_ = next;
 	started_ = true;
 	broken_ = false;
 	// What came before the state, and belongs behind it, is kept.
 	for (int i = AHEAD; i < 256; ++i) {
-		slots_[std::uint8_t(next + i)].full = false;
+		empty(slots_[std::uint8_t(next + i)]);
 	}
 }
 
 void ChunkBuffer::forget() {
 	for (Slot &slot : slots_) {
-		slot.full = false;
+		empty(slot);
 	}
 	started_ = false;
 	broken_ = false;
@@ -29,6 +37,10 @@ bool ChunkBuffer::add(const ChunkItem &chunk) {
 	slot.first = chunk.first;
 	slot.last = chunk.last;
 	slot.check = chunk.check;
+	if (!spare_.empty()) {
+		slot.bytes.swap(spare_.back());
+		spare_.pop_back();
+	}
 	slot.bytes.assign(chunk.bytes, chunk.bytes + chunk.size);
 	return true;
 }
@@ -54,7 +66,7 @@ bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &c
 		Slot &slot = slots_[next_++];
 		window.insert(window.end(), slot.bytes.begin(), slot.bytes.end());
 		check = slot.check;
-		slot.full = false;
+		empty(slot);
 	}
 	return true;
 }

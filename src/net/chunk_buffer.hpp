@@ -36,7 +36,11 @@ private:
 		std::vector<std::uint8_t> bytes;
 	};
 
+	/// Takes what is in a slot out, and keeps its memory for the next chunk.
+	void empty(Slot &slot);
+
 	std::array<Slot, 256> slots_;
+	std::vector<std::vector<std::uint8_t>> spare_;
 	std::uint8_t next_ = 0; // the first chunk of the next window
 	bool started_ = false;
 	bool broken_ = false;

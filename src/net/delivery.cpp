@@ -30,7 +30,8 @@ void ChunkRing::push_window(const std::vector<std::uint8_t> &window, std::uint8_
 	do {
 		Chunk &chunk = chunks_[next_++ % RING];
 		const std::size_t size = std::min(MOST, window.size() - at);
-		chunk.bytes.assign(window.begin() + std::ptrdiff_t(at), window.begin() + std::ptrdiff_t(at + size));
+		chunk.size = size;
+		std::copy_n(window.begin() + std::ptrdiff_t(at), size, chunk.bytes.begin());
 		chunk.first = at == 0;
 		at += size;
 		chunk.last = at == window.size();

@@ -18,11 +18,15 @@ public:
 	static constexpr std::uint32_t RING = 256;
 
 	struct Chunk {
-		std::vector<std::uint8_t> bytes;
+		std::array<std::uint8_t, std::size_t(MOST_PACKET_BYTES)> bytes;
+		std::size_t size = 0;
 		bool first = false;
 		bool last = false;
 		std::uint8_t check = 0;
 	};
+
+	ChunkRing() :
+			chunks_(RING) {}
 
 	/// Cuts a window up.
 	void push_window(const std::vector<std::uint8_t> &window, std::uint8_t check);
@@ -31,7 +35,7 @@ public:
 	[[nodiscard]] std::uint32_t next() const { return next_; }
 
 private:
-	std::array<Chunk, RING> chunks_;
+	std::vector<Chunk> chunks_;
 	std::uint32_t next_ = 0;
 };
 
@@ -143,10 +147,10 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<std::uint8_t
 		item.last = chunk.last;
 		item.check = chunk.check;
 		item.bytes = chunk.bytes.data();
-		item.size = chunk.bytes.size();
+		item.size = chunk.size;
 		make_room(item.size + CHUNK_HEADER);
 		// The last item of a packet needs no length: so is this one, if the next does not fit.
-		const bool is_last = i + 1 == due_chunks_.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(due_chunks_[i + 1]).bytes.size() > std::size_t(MOST_PACKET_BYTES);
+		const bool is_last = i + 1 == due_chunks_.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(due_chunks_[i + 1]).size > std::size_t(MOST_PACKET_BYTES);
 		put_chunk(bytes, item, is_last);
 		if (is_last) {
 			packet_done(begin, bytes.size() - begin);
