@@ -28,15 +28,22 @@ void ChunkBuffer::forget() {
 	broken_ = false;
 }
 
-bool ChunkBuffer::add(const ChunkItem &chunk) {
-	Slot &slot = slots_[chunk.number];
-	if (slot.full || (started_ && std::uint8_t(chunk.number - next_) >= AHEAD)) {
+bool ChunkBuffer::add(const ChunkItem &chunk, std::uint8_t &number) {
+	number = chunk.number;
+	if (chunk.is_short) {
+		// Of the numbers with these low bits the one in reach.
+		const std::uint8_t lowest = std::uint8_t(next_ - SHORT_REACH);
+		number = std::uint8_t(lowest + ((chunk.number - lowest) & 15));
+	}
+	Slot &slot = slots_[number];
+	if (slot.full || (started_ ? std::uint8_t(number - next_) >= AHEAD : chunk.is_short)) {
 		return false;
 	}
 	slot.full = true;
 	slot.first = chunk.first;
 	slot.last = chunk.last;
 	slot.check = chunk.check;
+	slot.check_mask = chunk.is_short ? 7 : 255;
 	if (!spare_.empty()) {
 		slot.bytes.swap(spare_.back());
 		spare_.pop_back();
@@ -45,7 +52,7 @@ bool ChunkBuffer::add(const ChunkItem &chunk) {
 	return true;
 }
 
-bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &check) {
+bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &check, std::uint8_t &check_mask) {
 	if (!started_ || broken_) {
 		return false;
 	}
@@ -66,6 +73,7 @@ bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &c
 		Slot &slot = slots_[next_++];
 		window.insert(window.end(), slot.bytes.begin(), slot.bytes.end());
 		check = slot.check;
+		check_mask = slot.check_mask;
 		empty(slot);
 	}
 	return true;

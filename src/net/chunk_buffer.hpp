@@ -19,10 +19,13 @@ public:
 	void restart(std::uint8_t next);
 	/// Before `restart` all chunks are kept, as nobody knows which is the next.
 	void forget();
-	/// False if it is known already or too far ahead.
-	bool add(const ChunkItem &chunk);
-	/// Puts the next window together if all of it is there, and moves on behind it. `check` is that of its last chunk.
-	bool take_window(std::vector<std::uint8_t> &window, std::uint8_t &check);
+	/// False if it is known already, too far ahead, or short before `restart`. `number` becomes all 8 bits of its number.
+	bool add(const ChunkItem &chunk, std::uint8_t &number);
+	/// Short chunks are up to so many before the next one that is needed, and fewer than that after it.
+	static constexpr std::uint8_t SHORT_REACH = 8;
+	/// Puts the next window together if all of it is there, and moves on behind it. `check` is that of its last
+	/// chunk, of which `check_mask` has the bits that were sent.
+	bool take_window(std::vector<std::uint8_t> &window, std::uint8_t &check, std::uint8_t &check_mask);
 	/// True if the next chunks are no window: they do not begin with a first one, or a first one comes before a last.
 	[[nodiscard]] bool is_broken() const { return broken_; }
 	[[nodiscard]] AckItem ack() const;
@@ -33,6 +36,7 @@ private:
 		bool first = false;
 		bool last = false;
 		std::uint8_t check = 0;
+		std::uint8_t check_mask = 0;
 		std::vector<std::uint8_t> bytes;
 	};
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t MOST_CHUNKS_BEHIND = 100;
 /// A state is not made again sooner than this.
 constexpr double STATE_PAUSE = 0.5;
 /// How much loss above this shortens the wait for an answer.
-constexpr double MUCH_LOSS = 0.05;
+constexpr double MUCH_LOSS = 0.15;
 constexpr double HASTE = 4.0;
 /// How much a chunk counts in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
@@ -175,6 +175,7 @@ void Delivery::chunk_arrived(std::uint32_t number, double time) {
 	if (sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_)) {
 		measure(std::max(time - sent.first, 1e-4));
 	}
+	caution_ -= caution_ * LOSS_WEIGHT;
 	if (!sent.missed) {
 		loss_ -= loss_ * LOSS_WEIGHT;
 	}

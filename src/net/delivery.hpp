@@ -67,6 +67,10 @@ public:
 	/// Takes an answer.
 	void accept(const PacketContent &answer, const ChunkRing &ring, double time);
 
+	/// The receiver needs none before the first missing one, so that chunks nearer than this to it can be short.
+	static constexpr std::uint32_t SHORT_REACH = 8;
+	/// Loss that is expected of a line of which nothing is known.
+	static constexpr double FIRST_CAUTION = 0.015;
 	/// A receiver that has not been heard for so long gets nothing more until it is.
 	static constexpr double SILENCE = 3.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - heard_ > SILENCE; }
@@ -75,6 +79,8 @@ public:
 	[[nodiscard]] double round_trip() const { return round_trip_; }
 	[[nodiscard]] double round_trip_deviation() const { return deviation_; }
 	[[nodiscard]] double loss() const { return loss_; }
+	/// Loss with the caution that a new receiver's line deserves.
+	[[nodiscard]] double expected_loss() const { return loss_ + caution_; }
 	[[nodiscard]] std::uint64_t repeated() const { return repeated_; }
 
 private:
@@ -106,6 +112,7 @@ private:
 	double deviation_ = 0.0;
 	double told_round_trip_ = -1e9; // when
 	double loss_ = 0.0;
+	double caution_ = FIRST_CAUTION; // fades as chunks arrive
 	std::uint64_t repeated_ = 0;
 };
 
@@ -148,6 +155,7 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<std::uint8_t
 		item.check = chunk.check;
 		item.bytes = chunk.bytes.data();
 		item.size = chunk.size;
+		item.is_short = chunk.first && chunk.last && state_ == nullptr && due_chunks_[i] - first_missing_ < SHORT_REACH;
 		make_room(item.size + CHUNK_HEADER);
 		// The last item of a packet needs no length: so is this one, if the next does not fit.
 		const bool is_last = i + 1 == due_chunks_.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(due_chunks_[i + 1]).size > std::size_t(MOST_PACKET_BYTES);

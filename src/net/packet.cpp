@@ -9,16 +9,19 @@ namespace net {
 
 namespace {
 
-// First bytes. A chunk is 0 first last length-follows check(4).
-constexpr std::uint8_t CHUNK_FIRST = 0x40;
-constexpr std::uint8_t CHUNK_LAST = 0x20;
-constexpr std::uint8_t CHUNK_LENGTH = 0x10;
-constexpr std::uint8_t STATE_PART = 0x80;
-constexpr std::uint8_t ROUND_TRIP = 0x90;
+// First bytes. A short chunk is 0 check(3) number(4), a chunk 10 first last length-follows 000, everything else 11.
+constexpr std::uint8_t SHORT_CHUNK_BELOW = 0x80;
+constexpr std::uint8_t CHUNK = 0x80;
+constexpr std::uint8_t CHUNK_FIRST = 0x20;
+constexpr std::uint8_t CHUNK_LAST = 0x10;
+constexpr std::uint8_t CHUNK_LENGTH = 0x08;
+constexpr std::uint8_t CHUNK_BELOW = 0xc0;
+constexpr std::uint8_t STATE_PART = 0xe0;
+constexpr std::uint8_t ROUND_TRIP = 0xe1;
 constexpr std::uint8_t ACK = 0xc0;
 constexpr std::uint8_t ACK_WITH_LATER = 0xc1;
 constexpr std::uint8_t STATE_WISH = 0xc2;
-constexpr std::uint8_t STATE_ACK = 0xd0;
+constexpr std::uint8_t STATE_ACK = 0xc3;
 
 constexpr double ROUND_TRIP_STEPS = 10000.0; // a second
 
@@ -65,11 +68,18 @@ private:
 
 void read_chunk(ByteReader &reader, std::uint8_t kind, PacketContent &content) {
 	ChunkItem chunk;
-	chunk.first = (kind & CHUNK_FIRST) != 0;
-	chunk.last = (kind & CHUNK_LAST) != 0;
-	chunk.check = kind & 15;
-	chunk.number = std::uint8_t(reader.number(1));
-	chunk.size = (kind & CHUNK_LENGTH) != 0 ? std::size_t(reader.number(2)) : reader.left();
+	if (kind < SHORT_CHUNK_BELOW) {
+		chunk.is_short = chunk.first = chunk.last = true;
+		chunk.check = kind >> 4;
+		chunk.number = kind & 15;
+		chunk.size = reader.left();
+	} else {
+		chunk.first = (kind & CHUNK_FIRST) != 0;
+		chunk.last = (kind & CHUNK_LAST) != 0;
+		chunk.number = std::uint8_t(reader.number(1));
+		chunk.check = chunk.last ? std::uint8_t(reader.number(1)) : 0;
+		chunk.size = (kind & CHUNK_LENGTH) != 0 ? std::size_t(reader.number(2)) : reader.left();
+	}
 	chunk.bytes = reader.take(chunk.size);
 	content.chunks.push_back(chunk);
 }
@@ -96,10 +106,17 @@ void read_state_ack(ByteReader &reader, PacketContent &content) {
 } // namespace
 
 void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool is_last_item) {
-	packet.push_back(std::uint8_t((chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH) | (chunk.check & 15)));
-	packet.push_back(chunk.number);
-	if (!is_last_item) {
-		put(packet, chunk.size, 2);
+	if (chunk.is_short && is_last_item) {
+		packet.push_back(std::uint8_t((chunk.check & 7) << 4 | (chunk.number & 15)));
+	} else {
+		packet.push_back(std::uint8_t(CHUNK | (chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH)));
+		packet.push_back(chunk.number);
+		if (chunk.last) {
+			packet.push_back(chunk.check);
+		}
+		if (!is_last_item) {
+			put(packet, chunk.size, 2);
+		}
 	}
 	packet.insert(packet.end(), chunk.bytes, chunk.bytes + chunk.size);
 }
@@ -160,7 +177,7 @@ const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketCont
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
 		const std::uint8_t kind = std::uint8_t(reader.number(1));
-		if (kind < 0x80) {
+		if (kind < CHUNK_BELOW) {
 			read_chunk(reader, kind, content);
 		} else if (kind == STATE_PART) {
 			read_state_part(reader, content);

@@ -13,10 +13,11 @@ inline constexpr std::uint8_t STREAM_VERSION = 1;
 
 /// A piece of a window, numbered in the order of the stream.
 struct ChunkItem {
-	std::uint8_t number = 0; ///< the low 8 bits
+	std::uint8_t number = 0; ///< the low 8 bits; of a short one the low 4
+	bool is_short = false; ///< a whole window, in the form with a header of one byte and 3 bits of the check
 	bool first = false; ///< of its window
 	bool last = false; ///< of its window
-	std::uint8_t check = 0; ///< 4 bits of the state after the window; 0 but in the last chunk
+	std::uint8_t check = 0; ///< of the state after the window, 8 bits; of a short one the low 3; 0 but in the last chunk
 	const std::uint8_t *bytes = nullptr;
 	std::size_t size = 0;
 };
@@ -55,10 +56,10 @@ struct PacketContent {
 };
 
 /// Largest number of bytes that the header of a chunk, of a state's part takes.
-inline constexpr std::size_t CHUNK_HEADER = 4;
+inline constexpr std::size_t CHUNK_HEADER = 5;
 inline constexpr std::size_t STATE_PART_HEADER = 9;
 
-/// Appends an item. A chunk that is the packet's last item leaves its length out.
+/// Appends an item. A chunk that is the packet's last item leaves its length out, and may be short.
 void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
 void put_state_part(std::vector<std::uint8_t> &packet, const StatePartItem &part);
 void put_ack(std::vector<std::uint8_t> &packet, const AckItem &ack);

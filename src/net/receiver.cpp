@@ -1,6 +1,7 @@
 #include "net/receiver.hpp"
 
 #include "net/chunk_buffer.hpp"
+#include "net/delivery.hpp"
 #include "net/motion_track.hpp"
 #include "net/playback_clock.hpp"
 #include "net/state_header.hpp"
@@ -60,6 +61,7 @@ struct Receiver::State {
 	StreamStatistics statistics;
 
 	std::uint8_t newest_chunk = 0;
+	double caution = Delivery::FIRST_CAUTION; // loss that is expected, while little is known of the line
 
 	void count_loss(std::uint8_t number, bool is_new);
 	const char *check_parts() const;
@@ -94,7 +96,9 @@ const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, doubl
 	}
 	for (const ChunkItem &chunk : s.content.chunks) {
 		s.answer_due = true;
-		s.count_loss(chunk.number, s.chunks.add(chunk));
+		std::uint8_t number = 0;
+		const bool is_new = s.chunks.add(chunk, number);
+		s.count_loss(number, is_new);
 	}
 	for (const StatePartItem &part : s.content.parts) {
 		s.state_ack_due = true;
@@ -119,6 +123,7 @@ void Receiver::State::count_loss(std::uint8_t number, bool is_new) {
 	// One that comes after a later one was lost, or was overtaken.
 	const bool is_late = std::int8_t(number - newest_chunk) < 0;
 	statistics.loss += ((is_late ? 1.0 : 0.0) - statistics.loss) * LOSS_WEIGHT;
+	caution -= caution * LOSS_WEIGHT;
 	newest_chunk = is_late ? newest_chunk : number;
 }
 
@@ -224,9 +229,10 @@ void Receiver::State::show(const BodyMotion &motion) {
 
 void Receiver::State::decode_windows(double now) {
 	std::uint8_t check = 0;
-	while (decoder != nullptr && !broken && chunks.take_window(window, check)) {
+	std::uint8_t check_mask = 0;
+	while (decoder != nullptr && !broken && chunks.take_window(window, check, check_mask)) {
 		int ticks = 0;
-		if (!decoder->decode_window(window.data(), window.size(), check, window_end, header.settings.mode, motions, ticks)) {
+		if (!decoder->decode_window(window.data(), window.size(), check, check_mask, window_end, header.settings.mode, motions, ticks)) {
 			broken = true;
 			break;
 		}
@@ -251,7 +257,7 @@ void Receiver::State::decode_windows(double now) {
 void Receiver::State::set_limits() {
 	const double most = std::max(header.settings.max_latency, double(header.window)) + (most_margin < 0.0 ? header.settings.max_latency : most_margin);
 	// Where chunks get lost, the next loss is waited for: the time that the sender's windows leave for a repeat.
-	const double least = statistics.loss > NOTABLE_LOSS ? header.settings.max_latency : 0.0;
+	const double least = statistics.loss + caution > NOTABLE_LOSS ? header.settings.max_latency : 0.0;
 	clock.set_limits(std::min(std::max(least_margin, least), most), most);
 }
 

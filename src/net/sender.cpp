@@ -168,9 +168,9 @@ double Sender::State::longest_window() const {
 	double network = FRAME;
 	for (const auto &peer : peers) {
 		const Delivery &delivery = peer.second.delivery;
-		if (delivery.round_trip() > 0.0 && !delivery.is_silent(time)) {
-			const double once = std::max(4.0 * delivery.round_trip_deviation(), FRAME);
-			network = std::max(network, once + (delivery.loss() > NOTABLE_LOSS ? delivery.patience() + settings.tick : 0.0));
+		if (!delivery.is_silent(time)) {
+			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
+			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.patience() + settings.tick : 0.0));
 		}
 	}
 	const double longest = std::max(settings.max_latency - network, settings.max_latency * LEAST_WINDOW);

@@ -46,7 +46,7 @@ bool StreamDecoder::read_state(const std::uint8_t *bytes, std::size_t size) {
 	return true;
 }
 
-bool StreamDecoder::decode_window(const std::uint8_t *bytes, std::size_t size, std::uint8_t check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks) {
+bool StreamDecoder::decode_window(const std::uint8_t *bytes, std::size_t size, std::uint8_t check, std::uint8_t check_mask, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks) {
 	motions.clear();
 	new_models_ = models_;
 	new_bodies_ = bodies_;
@@ -72,7 +72,7 @@ bool StreamDecoder::decode_window(const std::uint8_t *bytes, std::size_t size, s
 		}
 		new_check = (new_check ^ body.state.hash()) * 0x01000193u;
 	}
-	if (((new_check ^ new_check >> 4) & 15) != check) {
+	if (((check_bits(new_check) ^ check) & check_mask) != 0) {
 		motions.clear();
 		return false;
 	}

@@ -26,8 +26,9 @@ public:
 	/// What StreamEncoder::encode_state wrote. False, with nothing changed, if it cannot be read.
 	[[nodiscard]] bool read_state(const std::uint8_t *bytes, std::size_t size);
 	/// The window after the last one, which begins at `begin`. Replaces `motions` by what is new, in order of time for each
-	/// body. False, with nothing changed, if it cannot be read or does not lead to `check`.
-	[[nodiscard]] bool decode_window(const std::uint8_t *bytes, std::size_t size, std::uint8_t check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks);
+	/// body. False, with nothing changed, if it cannot be read or does not lead to those bits of `check`
+	/// that `check_mask` has.
+	[[nodiscard]] bool decode_window(const std::uint8_t *bytes, std::size_t size, std::uint8_t check, std::uint8_t check_mask, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks);
 
 	/// The pose and id of each body at the end of the last window.
 	[[nodiscard]] std::size_t body_count() const { return bodies_.size(); }

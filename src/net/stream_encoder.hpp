@@ -32,8 +32,8 @@ public:
 
 	/// Appends the window (begin, begin + ticks], begin being the end of the last one, to `bytes`.
 	void encode_window(double begin, int ticks, std::vector<std::uint8_t> &bytes);
-	/// Four bits that depend on all of the state.
-	[[nodiscard]] std::uint8_t check() const { return std::uint8_t((check_ ^ check_ >> 4) & 15); }
+	/// Eight bits that depend on all of the state.
+	[[nodiscard]] std::uint8_t check() const { return check_bits(check_); }
 	/// Appends everything a receiver needs to decode the next window: the models and all bodies.
 	void encode_state(std::vector<std::uint8_t> &bytes);
 

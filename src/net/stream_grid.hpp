@@ -25,11 +25,14 @@ struct StreamGrid {
 	double rotation = 0.0; ///< radians
 	double lever = 0.0; ///< metres
 
+	/// What the search may use of the tolerances; the rest is for the network, clocks and floats.
+	static constexpr double USED = 0.95;
+
 	StreamGrid() = default;
 	StreamGrid(float position_tolerance, float rotation_tolerance) {
 		const double radians = double(rotation_tolerance) * (3.14159265358979323846 / 180.0);
 		lever = std::sqrt(1.5) * double(position_tolerance) / radians;
-		position = double(position_tolerance) / TOLERANCE;
+		position = USED * double(position_tolerance) / TOLERANCE;
 		rotation = position / lever;
 	}
 };

@@ -14,6 +14,11 @@ inline constexpr std::uint32_t ID_LIMIT = 0x80000000u;
 /// Of the number of a body in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
 
+/// The bits of a hash of the state that go with a window.
+[[nodiscard]] inline std::uint8_t check_bits(std::uint32_t hash) {
+	return std::uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
+}
+
 /// What happens to a body in a window besides motion. Ticks count from the window's begin.
 enum class BodyChange : std::uint8_t {
 	ADDED, ///< is there from the tick on
