@@ -13,6 +13,7 @@ constexpr double LEAST_DEVIATION = 0.005; // frames and ticks at both ends
 constexpr double MOST_PATIENCE = 0.5;
 /// A receiver that lacks a chunk after so many repeats, or so many chunks, gets a whole state instead.
 constexpr int MOST_REPEATS = 8;
+constexpr int PROMPT_REPEATS = 3;
 constexpr std::uint32_t MOST_CHUNKS_BEHIND = 100;
 /// A state is not made again sooner than this.
 constexpr double STATE_PAUSE = 0.5;
@@ -77,8 +78,8 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 			sent.missed = true;
 			loss_ += (1.0 - loss_) * LOSS_WEIGHT;
 		}
-		// Each repeat waits longer than the one before.
-		if (sent.times > 0 && time - sent.time < wait * haste * std::min<int>(sent.times, 4)) {
+		// After some repeats, each waits longer than the one before.
+		if (sent.times > 0 && time - sent.time < wait * haste * std::clamp(sent.times - PROMPT_REPEATS, 1, 4)) {
 			return false;
 		}
 		repeated_ += sent.times > 0 ? 1 : 0;
@@ -130,13 +131,18 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 		return; // the state itself is acknowledged by its parts
 	}
 	const std::uint32_t next = first_missing_ + ahead;
-	for (int bit = 0; bit < 64 && next + 1 + std::uint32_t(bit) < ring.next(); ++bit) {
-		if (((ack.later >> bit) & 1) != 0) {
-			chunk_arrived(next + 1 + std::uint32_t(bit), time);
+	// The newest chunk is what the receiver answered to; others may be told again, as an answer got lost.
+	bool is_newest = true;
+	for (int bit = 63; bit >= 0; --bit) {
+		const std::uint32_t number = next + 1 + std::uint32_t(bit);
+		if (((ack.later >> bit) & 1) != 0 && number < ring.next()) {
+			chunk_arrived(number, time, is_newest);
+			is_newest = false;
 		}
 	}
-	for (std::uint32_t number = first_missing_; number < next; ++number) {
-		chunk_arrived(number, time);
+	for (std::uint32_t number = next; number-- > first_missing_;) {
+		chunk_arrived(number, time, is_newest);
+		is_newest = false;
 	}
 	first_missing_ = next;
 	while (first_missing_ < ring.next() && first_missing_ < sent_until_ && sent_[first_missing_ % ChunkRing::RING].arrived) {
@@ -165,14 +171,14 @@ void Delivery::take_state_ack(const StateAckItem &ack) {
 	}
 }
 
-void Delivery::chunk_arrived(std::uint32_t number, double time) {
+void Delivery::chunk_arrived(std::uint32_t number, double time, bool is_newest) {
 	Sent &sent = sent_[number % ChunkRing::RING];
 	if (sent.arrived || sent.times == 0) {
 		return;
 	}
 	sent.arrived = true;
 	// An answer that comes too soon for the second try is one to the first.
-	if (sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_)) {
+	if (is_newest && (sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_))) {
 		measure(std::max(time - sent.first, 1e-4));
 	}
 	caution_ -= caution_ * LOSS_WEIGHT;

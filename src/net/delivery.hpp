@@ -95,7 +95,7 @@ private:
 	void collect_due(const ChunkRing &ring, double time);
 	void take_ack(const AckItem &ack, const ChunkRing &ring, double time);
 	void take_state_ack(const StateAckItem &ack);
-	void chunk_arrived(std::uint32_t number, double time);
+	void chunk_arrived(std::uint32_t number, double time, bool is_newest);
 	void measure(double round_trip);
 
 	double heard_;
