@@ -5,7 +5,9 @@ imaginary, center, radius, direction or normal, distance, points.
 """
 
 import mpmath
-from mpmath import mpf
+from mpmath import mp, mpf
+
+mp.dps = 50
 
 
 def exact(numbers):
