@@ -27,13 +27,6 @@ def vector(numbers):
     return element
 
 
-def extent(round_):
-    """About how far a round reaches, in metres, where that is far: radius and distance from the origin."""
-    infinity = vector([0, 0, 0, 1, 1])
-    weight = np.linalg.norm(LAYOUT.omt_func(infinity, LAYOUT.lcmt_func(infinity, round_)))
-    return np.linalg.norm(round_) / weight if weight > 0.0 else 0.0
-
-
 def motor_bivector(log):
     """L = -(1/2) (w1 e23 - w2 e13 + w3 e12 + v e_inf + sigma E) of a logarithm w1 w2 w3 v1 v2 v3 sigma: exact."""
     w1, w2, w3, *v, sigma = -0.5 * np.asarray(log, float)

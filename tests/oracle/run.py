@@ -15,7 +15,7 @@ sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
 # Longest first: they run side by side.
-LIBRARY_CHECKS = ("versors", "incidence", "exponentials", "texts", "products", "subspaces", "objects", "conformal", "screws",
+LIBRARY_CHECKS = ("versors", "incidence", "exponentials", "texts", "scales", "products", "subspaces", "objects", "conformal", "screws",
                   "interpolation")
 DEFAULT_SEED = 1
 ENGINE = "engine"

@@ -51,8 +51,8 @@ Classification flat(const ConformalParts &parts, int grade) {
 Classification round(const ConformalParts &parts, int grade) {
 	const int k = grade - 1;
 	const RoundParameters parameters = round_parameters(parts, k);
-	const Vector center = parameters.center;
-	const double squared_radius = parameters.squared_radius;
+	const Vector center = parameters.center();
+	const double squared_radius = parameters.squared_radius();
 
 	const bool is_tangent = std::abs(squared_radius) <= squared_radius_rounding(parts, parameters);
 

@@ -25,6 +25,11 @@ Multivector inverse_of_euclidean(const Multivector &blade) {
 	return blade.reverse() * (1.0 / blade.norm_squared());
 }
 
+// The part of t in a Euclidean blade: (t . E) E^-1.
+Vector3<double> inside(const Vector3<double> &t, const Multivector &attitude) {
+	return vector_of(euclidean(t).left_contraction(attitude).geometric_product(inverse_of_euclidean(attitude)));
+}
+
 // Of a Euclidean blade.
 int grade_of(const Multivector &blade) {
 	int grade = 0;
@@ -42,7 +47,14 @@ int grade_of(const Multivector &blade) {
 } // namespace
 
 ConformalParts parts_of(const Multivector &x) {
-	const Multivector::Coefficients null = to_null_coefficients(x);
+	return parts_of_null(Multivector(to_null_coefficients(x)));
+}
+
+Multivector from_parts(const ConformalParts &parts) {
+	return from_null_coefficients(null_of_parts(parts).coefficients());
+}
+
+ConformalParts parts_of_null(const Multivector &null) {
 	ConformalParts parts;
 	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
 		const int index = BLADE_INDICES[bitmap];
@@ -54,8 +66,8 @@ ConformalParts parts_of(const Multivector &x) {
 	return parts;
 }
 
-Multivector from_parts(const ConformalParts &parts) {
-	Multivector::Coefficients null{};
+Multivector null_of_parts(const ConformalParts &parts) {
+	Multivector null;
 	for (unsigned bitmap = 0; bitmap < EUCLIDEAN_BLADES; ++bitmap) {
 		const int index = BLADE_INDICES[bitmap];
 		null[BLADE_INDICES[bitmap]] = parts.euclidean[index];
@@ -63,7 +75,7 @@ Multivector from_parts(const ConformalParts &parts) {
 		null[BLADE_INDICES[bitmap | E5_BIT]] = parts.origin[index];
 		null[BLADE_INDICES[bitmap | E4_BIT | E5_BIT]] = parts.both[index];
 	}
-	return from_null_coefficients(null);
+	return null;
 }
 
 // A' = A + R ^ t,  R' = R,  D' = D + (-1)^k t . R,
@@ -92,14 +104,48 @@ bool is_round(const ConformalParts &parts) {
 RoundParameters round_parameters(const ConformalParts &parts, int k) {
 	const Multivector attitude = parity_sign(k) * parts.origin;
 	const Multivector inverse = inverse_of_euclidean(attitude);
-	const Vector3<double> along = vector_of(-parts.both.geometric_product(inverse));
-	const Vector3<double> across = vector_of(parts.euclidean.geometric_product(inverse));
-	const double power = parity_sign(k) * parts.infinity.scalar_product(inverse);
-	return { along + across, attitude, 2.0 * power + glm::dot(along, along) - glm::dot(across, across) };
+	return {
+		vector_of(-parts.both.geometric_product(inverse)),
+		vector_of(parts.euclidean.geometric_product(inverse)),
+		attitude,
+		parity_sign(k) * parts.infinity.scalar_product(inverse),
+	};
+}
+
+double RoundParameters::squared_radius() const {
+	return 2.0 * half_power + glm::dot(along, along) - glm::dot(across, across);
+}
+
+RoundParameters translated(const RoundParameters &parameters, const Vector3<double> &t) {
+	const Multivector &attitude = parameters.attitude;
+	const Vector3<double> along = inside(t, attitude), across = t - along;
+	return {
+		parameters.along + along,
+		parameters.across + across,
+		attitude,
+		parameters.half_power + glm::dot(parameters.across + 0.5 * across, across) - glm::dot(parameters.along + 0.5 * along, along),
+	};
+}
+
+RoundParameters with_radius_zero(const RoundParameters &parameters) {
+	const Vector3<double> &along = parameters.along, &across = parameters.across;
+	return { along, across, parameters.attitude, 0.5 * (glm::dot(across, across) - glm::dot(along, along)) };
+}
+
+RoundParameters resized(const RoundParameters &parameters, double factor) {
+	return { parameters.along * factor, parameters.across * factor, parameters.attitude, parameters.half_power * (factor * factor) };
+}
+
+ConformalParts round_parts(const RoundParameters &parameters) {
+	const Multivector &attitude = parameters.attitude;
+	const Multivector across = euclidean(parameters.across), inside = euclidean(parameters.along).left_contraction(attitude);
+	const double sign = parity_sign(grade_of(attitude));
+	return { across.outer_product(attitude), sign * (parameters.half_power * attitude - across.outer_product(inside)), sign * attitude, -inside };
 }
 
 double squared_radius_rounding(const ConformalParts &parts, const RoundParameters &parameters) {
-	const double squares = glm::dot(parameters.center, parameters.center) + std::abs(parameters.squared_radius);
+	const Vector3<double> center = parameters.center();
+	const double squares = glm::dot(center, center) + std::abs(parameters.squared_radius());
 	const double held = 2.0 * parts.infinity.max_abs() / parts.origin.max_abs();
 	return std::numeric_limits<double>::epsilon() * (1.0 + squares) * (64.0 + held);
 }
@@ -110,11 +156,8 @@ FlatParameters flat_parameters(const ConformalParts &parts, int k) {
 }
 
 Multivector round_blade(const Vector3<double> &center, const Multivector &attitude, double squared_radius) {
-	const Multivector c = euclidean(center);
-	const Multivector inside = c.left_contraction(attitude);
-	const double sign = parity_sign(grade_of(attitude));
-	const double b = 0.5 * (glm::dot(center, center) + squared_radius);
-	return from_parts({ c.outer_product(attitude), sign * (b * attitude - c.outer_product(inside)), sign * attitude, -inside });
+	const Vector3<double> along = inside(center, attitude), across = center - along;
+	return from_parts(round_parts({ along, across, attitude, 0.5 * (squared_radius - glm::dot(along, along) + glm::dot(across, across)) }));
 }
 
 Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude) {

@@ -24,6 +24,10 @@ struct ConformalParts {
 
 [[nodiscard]] ConformalParts parts_of(const Multivector &x);
 [[nodiscard]] Multivector from_parts(const ConformalParts &parts);
+// The same with null_coefficients.hpp, e_inf and e_o in the place of e4 and e5: Q and R stay apart however different they
+// are in size. Outer products of such elements are theirs; inner ones are not.
+[[nodiscard]] ConformalParts parts_of_null(const Multivector &null);
+[[nodiscard]] Multivector null_of_parts(const ConformalParts &parts);
 
 // The parts of a blade of grade k, moved by t: e_o becomes e_o + t + t^2/2 e_inf, a vector u becomes u + (u . t) e_inf.
 [[nodiscard]] ConformalParts translated(const ConformalParts &parts, const Vector3<double> &t, int k);
@@ -34,14 +38,23 @@ struct ConformalParts {
 // farther than 1e12 metres, where rounds are as good as flats.
 [[nodiscard]] bool is_round(const ConformalParts &parts);
 
-// What a round of grade k + 1 is made of; with c = (A - D) E^-1, r^2 = 2 Q E^-1 + (c along E)^2 - (c across E)^2.
+// What a round of grade k + 1 is made of. Q = (-1)^k (h E_k - across ^ (along . E_k)), where 2 h = s - along^2 + across^2
+// is kept, not s: beside a round that is large, both are, and their difference says where it passes.
 struct RoundParameters {
-	Vector3<double> center;
-	Multivector attitude;
-	double squared_radius;
+	Vector3<double> along, across; // the parts of c in E_k and across it
+	Multivector attitude; // E_k
+	double half_power; // h
+
+	[[nodiscard]] Vector3<double> center() const { return along + across; }
+	[[nodiscard]] double squared_radius() const;
 };
-// Only where R is not zero.
+// along = -D E^-1, across = A E^-1, h = (-1)^k Q . E^-1. Only where R is not zero.
 [[nodiscard]] RoundParameters round_parameters(const ConformalParts &parts, int k);
+// Moved by t: along and across by the parts of t, h by across . t - along . t + (t_across^2 - t_along^2) / 2.
+[[nodiscard]] RoundParameters translated(const RoundParameters &parameters, const Vector3<double> &t);
+[[nodiscard]] RoundParameters with_radius_zero(const RoundParameters &parameters);
+[[nodiscard]] RoundParameters resized(const RoundParameters &parameters, double factor);
+[[nodiscard]] ConformalParts round_parts(const RoundParameters &parameters);
 // How far rounding of coefficients alone can put r^2 off. Those of e4 and e5 hold 2 Q / R, which for objects far from
 // the origin is c^2, beside a weight R that is their difference; r^2 is a difference of squares.
 [[nodiscard]] double squared_radius_rounding(const ConformalParts &parts, const RoundParameters &parameters);

@@ -80,6 +80,11 @@ Result<Multivector> tangent_of(const Vector &position, const Vector &axis, Attit
 	return u ? checked(round_blade(position, attitude(*u), 0.0)) : NO_DIRECTION;
 }
 
+// Made at a point that it goes through, and moved: however large it is, it stays near its points.
+Result<Multivector> round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
+	return checked(from_parts(round_parts(translated(RoundParameters{ to_center, {}, attitude, 0.0 }, a))));
+}
+
 Multivector along(const Vector &u) {
 	return euclidean(u);
 }
@@ -142,7 +147,7 @@ Result<Multivector> circle_through(const Vector &a, const Vector &b, const Vecto
 		return line_through(a, glm::dot(u, u) >= glm::dot(v, v) ? b : c);
 	}
 	const Vector to_center = (glm::dot(v, v) * glm::cross(n, u) + glm::dot(u, u) * glm::cross(v, n)) / (2.0 * glm::dot(n, n));
-	return checked(round_blade(a + to_center, plane_across(n), glm::dot(to_center, to_center)));
+	return round_through(a, to_center, plane_across(n));
 }
 
 Result<Multivector> plane(const Vector &normal, double distance) {
@@ -186,7 +191,7 @@ Result<Multivector> sphere_through(const Vector &a, const Vector &b, const Vecto
 	const Vector across = glm::dot(u, u) * glm::cross(v, w) + glm::dot(v, v) * glm::cross(w, u) + glm::dot(w, w) * glm::cross(u, v);
 	if (std::abs(volume_of_edges) > rounding) {
 		const Vector to_center = across * (size / (2.0 * volume_of_edges));
-		return checked(round_blade(a + to_center, volume() * (volume_of_edges * size * size * size), glm::dot(to_center, to_center)));
+		return round_through(a, to_center, volume() * (volume_of_edges * size * size * size));
 	}
 	if (largest(across) <= rounding) {
 		return Failure{ "The points are on one circle or line, which many spheres hold; give four that do not share one" };

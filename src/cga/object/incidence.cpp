@@ -1,6 +1,7 @@
 #include "cga/object/incidence.hpp"
 
 #include "cga/algebra/is_blade.hpp"
+#include "cga/algebra/null_coefficients.hpp"
 #include "cga/object/conformal_parts.hpp"
 #include "cga/object/local_frame.hpp"
 
@@ -21,11 +22,17 @@ constexpr double IMAGE_ROUNDING = 1e-10;
 
 struct Blades {
 	LocalFrame frame;
+	// In the null basis, as conformal_parts.hpp says.
 	Multivector a, b;
 	int grade_a, grade_b;
 };
 
-Result<Blades> enter(const Multivector &a, const Multivector &b) {
+Multivector of_size_one(const ConformalParts &parts) {
+	const Multivector null = null_of_parts(parts);
+	return null * (1.0 / null.max_abs());
+}
+
+Result<Blades> enter(const Multivector &a, const Multivector &b, LocalFrame::Purpose purpose) {
 	if (!a.is_finite() || !b.is_finite()) {
 		return Failure{ "An element has a coefficient that is not finite; give finite ones" };
 	}
@@ -37,15 +44,15 @@ Result<Blades> enter(const Multivector &a, const Multivector &b) {
 		return Failure{ "The second element is no blade (an outer product of vectors, other than zero), so it is no object" };
 	}
 	const Multivector first = a.times_power_of_two(-std::ilogb(a.max_abs())), second = b.times_power_of_two(-std::ilogb(b.max_abs()));
-	const LocalFrame frame(first, second);
-	const Blades blades{ frame, frame.enter(first, *grade_a), frame.enter(second, *grade_b), *grade_a, *grade_b };
+	const LocalFrame frame(first, *grade_a, second, *grade_b, purpose);
+	const Blades blades{ frame, of_size_one(frame.enter(first, *grade_a)), of_size_one(frame.enter(second, *grade_b)), *grade_a, *grade_b };
 	if (!blades.a.is_finite() || !blades.b.is_finite()) {
 		return Failure{ "The objects are too far away or too different in size for double; move them nearer to each other" };
 	}
 	return blades;
 }
 
-// The left contraction in the metric where e5 squares to +1.
+// The left contraction in the metric where all basis vectors square to +1.
 Multivector contraction(const Multivector &left, const Multivector &right) {
 	Multivector mirrored = left;
 	for (unsigned bitmap = E5_BIT; bitmap < BLADE_COUNT; ++bitmap) {
@@ -77,6 +84,35 @@ struct Span {
 	int meet_grade, join_grade;
 };
 
+// x of size 1 with the sign that makes it the same as `wanted`, which it is but for weight and rounding.
+Multivector with_sign_of(const Multivector &wanted, const Multivector &x) {
+	double product = 0.0;
+	for (int i = 0; i < BLADE_COUNT; ++i) {
+		product += wanted[i] * x[i];
+	}
+	return unit(product < 0.0 ? -x : x);
+}
+
+// The same at once, without the rounding of the steps: what is in the other as it is, else (B . J) . A and A ^ (M . B).
+// Where nothing is shared or all is spanned, these are sums of products of single coefficients, which no unit changes.
+Span at_once(const Blades &blades, Span span) {
+	const Multivector b = unit(blades.b), meet = contraction(contraction(b, span.join.reverse()), blades.a).grade(span.meet_grade);
+	if (length(meet) > 0.0) {
+		span.meet = unit(meet);
+	}
+	const bool a_in_b = span.meet_grade == blades.grade_a, b_in_a = span.meet_grade == blades.grade_b;
+	if (a_in_b || b_in_a) {
+		span.meet = with_sign_of(span.meet, a_in_b ? blades.a : blades.b);
+		span.join = with_sign_of(span.join, a_in_b ? blades.b : blades.a);
+		return span;
+	}
+	const Multivector join = blades.a.outer_product(contraction(span.meet, b)).grade(span.join_grade);
+	if (length(join) > 0.0) {
+		span.join = with_sign_of(span.join, join);
+	}
+	return span;
+}
+
 // Takes from A, one after the other, the vectors that are farthest from B, until all that is left of it is in B.
 Span span(const Blades &blades) {
 	const Multivector b = unit(blades.b);
@@ -100,26 +136,23 @@ Span span(const Blades &blades) {
 		span.meet = unit(contraction(farthest, span.meet).grade(--span.meet_grade));
 		span.join = unit(span.join.outer_product(farthest).grade(++span.join_grade));
 	}
-	// (B . J) . A: the same at once, without the rounding of the steps.
-	const Multivector at_once = contraction(contraction(b, span.join.reverse()), blades.a).grade(span.meet_grade);
-	if (length(at_once) > 0.0) {
-		span.meet = unit(at_once);
-	}
-	return span;
+	return at_once(blades, span);
+}
+
+bool touches(const RoundParameters &round, double touching) {
+	return std::abs(round.squared_radius()) <= 2.0 * touching;
 }
 
 // A blade of the frame without the parts that are rounding: a round whose radius is large beyond all digits is a flat,
 // one whose radius is rounding is what tangent objects share, a flat out of sight is a direction.
-Multivector cleaned(const Multivector &x, int grade, double rounding, double touching) {
+ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double rounding, double touching) {
 	if (grade == 0 || grade == DIMENSION) {
-		return x;
+		parts.origin = {};
+		return parts;
 	}
-	const Multivector blade = unit(x);
-	ConformalParts parts = parts_of(blade);
-	if (parts.origin.max_abs() > rounding) {
+	if (parts.origin.max_abs() > flatness) {
 		const RoundParameters found = round_parameters(parts, grade - 1);
-		const bool touches = std::abs(found.squared_radius) <= 2.0 * touching;
-		return round_blade(found.center, found.attitude, touches ? 0.0 : found.squared_radius);
+		return round_parts(touches(found, touching) ? with_radius_zero(found) : found);
 	}
 	parts.origin = {};
 	const bool kills_infinity = parts.euclidean.max_abs() <= rounding;
@@ -132,86 +165,81 @@ Multivector cleaned(const Multivector &x, int grade, double rounding, double tou
 	}
 	if (kills_infinity && !across_infinity) {
 		const FlatParameters found = flat_parameters(parts, grade - 2);
-		return flat_blade(found.foot, found.attitude);
+		return parts_of(flat_blade(found.foot, found.attitude));
 	}
-	return from_parts(parts);
+	return parts;
 }
 
-// A result of grade k, out of the frame.
-Result<Multivector> left(const Blades &blades, const Multivector &x, int k, double rounding) {
-	if (!(x.max_abs() > 0.0)) {
+// A result of grade k in the null basis, out of the frame.
+Result<Multivector> left(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double touching) {
+	const Multivector null = x.grade(k);
+	if (!(null.max_abs() > 0.0)) {
 		return Multivector();
 	}
-	const Multivector result = blades.frame.leave(cleaned(x.grade(k), k, rounding, blades.frame.rounding()), k);
+	const ConformalParts parts = cleaned(parts_of_null(unit(null)), k, flatness, rounding, touching);
+	const Multivector result = blades.frame.leave(parts, k);
 	if (!result.is_finite()) {
 		return Failure{ "The result is too far away or too large for double; move the objects nearer to the origin" };
 	}
 	return result;
 }
 
-Result<Multivector> inverse_of(const Multivector &blade) {
-	const std::optional<Multivector> inverse = blade.inverse_of_versor();
+// Both blades in the basis e1 .. e5, the second with its inverse.
+struct Factors {
+	Multivector a, b, inverse;
+};
+
+// What `image` makes of the factors, which has the grade of the first. What a versor makes of a point or tangent is one.
+template <class Image>
+Result<Multivector> image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::image);
+	if (!blades) {
+		return blades.failure();
+	}
+	const Multivector x = from_null_coefficients(blades->a.coefficients()), factor = from_null_coefficients(blades->b.coefficients());
+	const std::optional<Multivector> inverse = factor.inverse_of_versor();
 	if (!inverse) {
 		return Failure{ "The second element is null (a point, a tangent or a direction), so it has no inverse to project or reflect with" };
 	}
-	return *inverse;
+	const Multivector result = image(Factors{ x, factor, *inverse });
+	const ConformalParts parts = parts_of_null(blades->a);
+	const bool is_point = by_versor && is_round(parts) && touches(round_parameters(parts, blades->grade_a - 1), blades->frame.rounding());
+	const double touching = is_point ? std::numeric_limits<double>::infinity() : blades->frame.rounding();
+	return left(*blades, Multivector(to_null_coefficients(result)), blades->grade_a, IMAGE_ROUNDING, IMAGE_ROUNDING, touching);
 }
 
 } // namespace
 
 Result<Multivector> meet(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b);
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
 	if (!blades) {
 		return blades.failure();
 	}
 	const Span found = span(*blades);
-	return left(*blades, found.meet, found.meet_grade, blades->frame.rounding());
+	const double rounding = blades->frame.rounding();
+	return left(*blades, found.meet, found.meet_grade, blades->frame.flatness(), rounding, rounding);
 }
 
 Result<Multivector> join(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b);
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
 	if (!blades) {
 		return blades.failure();
 	}
 	const Span found = span(*blades);
-	return left(*blades, found.join, found.join_grade, blades->frame.rounding());
+	const double rounding = blades->frame.rounding();
+	return left(*blades, found.join, found.join_grade, blades->frame.flatness(), rounding, rounding);
 }
 
 Result<Multivector> project_onto(const Multivector &x, const Multivector &onto) {
-	const Result<Blades> blades = enter(x, onto);
-	if (!blades) {
-		return blades.failure();
-	}
-	const Result<Multivector> inverse = inverse_of(blades->b);
-	if (!inverse) {
-		return inverse;
-	}
-	return left(*blades, blades->a.left_contraction(blades->b).geometric_product(*inverse), blades->grade_a, IMAGE_ROUNDING);
+	return image_of(x, onto, false, [](const Factors &in) { return in.a.left_contraction(in.b).geometric_product(in.inverse); });
 }
 
 Result<Multivector> reject_from(const Multivector &x, const Multivector &from) {
-	const Result<Blades> blades = enter(x, from);
-	if (!blades) {
-		return blades.failure();
-	}
-	const Result<Multivector> inverse = inverse_of(blades->b);
-	if (!inverse) {
-		return inverse;
-	}
-	return left(*blades, blades->a.outer_product(blades->b).geometric_product(*inverse), blades->grade_a, IMAGE_ROUNDING);
+	return image_of(x, from, false, [](const Factors &in) { return in.a.outer_product(in.b).geometric_product(in.inverse); });
 }
 
 Result<Multivector> reflect_in(const Multivector &x, const Multivector &mirror) {
-	const Result<Blades> blades = enter(x, mirror);
-	if (!blades) {
-		return blades.failure();
-	}
-	const Result<Multivector> inverse = inverse_of(blades->b);
-	if (!inverse) {
-		return inverse;
-	}
-	const std::optional<Multivector> image = blades->b.dual().sandwich(blades->a);
-	return image ? left(*blades, *image, blades->grade_a, IMAGE_ROUNDING) : inverse;
+	return image_of(x, mirror, true, [](const Factors &in) { return in.b.dual().sandwich(in.a).value_or(Multivector()); });
 }
 
 } // namespace cga

@@ -4,9 +4,12 @@
 #include "cga/result.hpp"
 
 // What two objects share, span together, and do to each other. Both are OPNS blades of any weight and sign, at any
-// distance from the origin; an error says which of them is none. What is smaller than rounding, or 1e-5 of the larger of
-// two rounds, counts as nothing: spheres that overlap by less touch, and one that is a point beside another is one. What a
-// small object shares with a large round of n times its size is exact to n^2 roundings.
+// distance from the origin; an error says which of them is none. Sizes may differ as much as coefficients can: what a
+// circle of a millimetre shares with a sphere of 100 km is right to some roundings of the circle.
+//
+// What counts as nothing: lengths within rounding of the objects' own centres, radii and coefficients, and below 1e-10 of
+// the smaller of two rounds (beside a point, of the other one; of two flats, of their distance from the origin). Overlapping
+// by less, spheres touch, as the circle they share has a radius below 1e-5 of the smaller one's.
 
 namespace cga {
 

@@ -5,88 +5,139 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace cga {
 
 namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
+// What operations before this one may have lost, of objects near by.
 constexpr double ALWAYS = 1e-10;
+// Of the coefficients of objects that users and other operations made.
+constexpr double ROUNDINGS = 16.0 * EPSILON;
+// Objects differ by more than rounding if it is less than this share of them.
+constexpr double CLEAR = 1.0 / 64.0;
 
-struct Place {
-	bool exists = false;
-	bool is_round = false;
-	Vector3<double> center{};
-	double radius = 0.0;
-	// Of the squared radius of a round.
-	double rounding = 0.0;
+// How large the parts of an object are, or their rounding, at a place.
+struct Extent {
+	double euclidean, infinity, origin, both;
+
+	// The largest part, in a frame of that unit.
+	[[nodiscard]] double largest(double unit) const {
+		return std::max({ origin, std::max(euclidean, both) / unit, infinity / (unit * unit) });
+	}
+	// The unit in which Q is not the largest part: that is how far the object is from the place.
+	[[nodiscard]] double gap() const {
+		const double flat = euclidean + both + std::sqrt(infinity * origin);
+		return infinity > 0.0 ? infinity / flat : 0.0;
+	}
 };
 
-Place place_of(const Multivector &blade) {
-	const Classification found = classify(blade);
-	Place place;
-	place.is_round = found.radius || found.kind == Kind::point || found.kind == Kind::tangent;
-	place.radius = found.radius.value_or(0.0);
-	if (place.is_round) {
-		const ConformalParts parts = parts_of(blade);
-		const double radius = found.imaginary ? -place.radius : place.radius;
-		place.rounding = squared_radius_rounding(parts, { *found.center, {}, radius * place.radius });
-	}
-	if (found.center) {
-		place.exists = true;
-		place.center = *found.center;
-	} else if (found.distance) {
-		place.exists = true;
-		place.center = *found.normal * *found.distance;
-	}
-	return place;
+Extent extent_of(const ConformalParts &parts) {
+	return { parts.euclidean.max_abs(), parts.infinity.max_abs(), parts.origin.max_abs(), parts.both.max_abs() };
 }
 
-// In a frame of this unit: of flats the distance is all that is held.
-double rounding_of(const Place &place, double unit) {
-	return place.is_round ? place.rounding / (unit * unit) : EPSILON * (1.0 + glm::length(place.center) / unit);
+// At a distance t from the origin. The coefficients of e4 and e5 hold Q +- R / 2, so both are worth what the larger is;
+// moved by t, R adds to A and D with t, to Q with its square. `squares` are those of centre and radius, which rounds are
+// made of.
+Extent rounding_of(const Extent &parts, double t, double squares) {
+	const double held = parts.origin > 0.0 ? ROUNDINGS * (parts.infinity + parts.origin) : 0.0;
+	const double flat = ROUNDINGS * (parts.euclidean + parts.both);
+	const double infinity = ROUNDINGS * (parts.infinity + parts.origin * (1.0 + squares));
+	return { flat + held * t, infinity + flat * t + held * t * t, held, flat + held * t };
 }
 
 } // namespace
 
-LocalFrame::LocalFrame(const Multivector &first, const Multivector &second) {
-	const Place a = place_of(first), b = place_of(second);
-	const Place &main = a.is_round || !b.is_round ? a : b;
-	_place = main.exists ? main.center : (a.exists ? a.center : b.center);
-	double size = std::max(a.radius, b.radius);
-	if (!a.is_round && !b.is_round) {
-		size = std::max(glm::length(a.center), glm::length(b.center));
+struct LocalFrame::Object {
+	int grade;
+	ConformalParts parts;
+	bool is_round;
+	std::optional<Vector3<double>> place;
+	double radius = 0.0; // also of imaginary ones; 0 within rounding
+	double squares = 0.0; // of centre and radius
+	// At the place of the frame.
+	Extent seen{}, rounding{};
+
+	Object(const Multivector &blade, int k) :
+			grade(k), parts(parts_of(blade.grade(k))), is_round(cga::is_round(parts)) {
+		if (is_round) {
+			const RoundParameters found = round_parameters(parts, k - 1);
+			const double square = std::abs(found.squared_radius());
+			place = found.center();
+			radius = square > squared_radius_rounding(parts, found) ? std::sqrt(square) : 0.0;
+			squares = square + glm::dot(*place, *place);
+		} else {
+			const Classification found = classify(blade);
+			place = found.distance ? *found.normal * *found.distance : found.center;
+			parts.origin = {};
+		}
+	}
+
+	// Rounds are made anew from what they are made of: moved as they are, rounding would tilt them.
+	[[nodiscard]] ConformalParts moved(const Vector3<double> &t, double factor) const {
+		return is_round ? round_parts(resized(translated(round_parameters(parts, grade - 1), t), factor)) : resized(translated(parts, t, grade), factor);
+	}
+
+	void see_from(const Vector3<double> &at) {
+		seen = extent_of(moved(-at, 1.0));
+		rounding = rounding_of(extent_of(parts), glm::length(at), squares);
+	}
+
+	[[nodiscard]] double distance() const { return place ? glm::length(*place) : 0.0; }
+
+	// In a smaller one, Q is little more than rounding beside R, or beside A and D.
+	[[nodiscard]] double least_unit() const {
+		const double round = std::sqrt(rounding.infinity / (CLEAR * seen.origin));
+		const double flat = rounding.infinity / (CLEAR * std::max(seen.euclidean, seen.both));
+		const double least = std::min(round, flat);
+		return std::isfinite(least) ? least : 0.0;
+	}
+
+	[[nodiscard]] double rounding_in(double unit) const { return rounding.largest(unit) / seen.largest(unit); }
+};
+
+LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose) {
+	Object a(first, first_grade), b(second, second_grade);
+	const bool by_second = a.is_round ? b.is_round && b.radius < a.radius : b.is_round || !a.place;
+	Object &main = by_second ? b : a, &other = by_second ? a : b;
+	_place = main.place.value_or(other.place.value_or(Vector3<double>()));
+	main.see_from(_place);
+	other.see_from(_place);
+
+	double size = main.radius;
+	if (main.is_round && other.is_round) {
+		// A point has no size of its own.
+		const bool is_point = main.radius == 0.0 && purpose == Purpose::incidence;
+		size = std::max(is_point ? other.radius : main.radius, other.seen.gap());
+	} else if (!main.is_round) {
+		size = std::max(main.distance(), other.distance());
 		size = size > 0.0 ? size : 1.0;
-	} else if (a.exists && b.exists && (a.is_round == b.is_round || size == 0.0)) {
-		size = std::max(size, glm::length(a.center - b.center));
+	} else if (main.radius == 0.0 && other.place) {
+		size = glm::length(_place - *other.place);
 	}
-	// Smaller than this, objects are one: what is left of their differences is rounding.
-	size = std::max(size, 8.0 * std::sqrt(std::max(a.rounding, b.rounding)));
+	size = std::max({ size, main.least_unit(), other.least_unit() });
 	// A power of two changes no digit.
-	_unit = std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
-	_rounding = ALWAYS + std::max(rounding_of(a, _unit), rounding_of(b, _unit));
+	_unit = std::isfinite(size) && size > 0.0 ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
+	_rounding = ALWAYS + std::max(main.rounding_in(_unit), other.rounding_in(_unit));
+	// A large round beside a small one is nearly flat there.
+	_flatness = _rounding * std::min(1.0, _unit / std::max(main.radius, other.radius));
 }
 
-// Rounds are made anew from their centre and radius: moved as they are, rounding would tilt them.
-Multivector LocalFrame::enter(const Multivector &blade, int k) const {
-	const ConformalParts parts = parts_of(blade.grade(k));
-	Multivector moved;
-	if (is_round(parts)) {
-		const RoundParameters found = round_parameters(parts, k - 1);
-		moved = round_blade((found.center - _place) / _unit, found.attitude, found.squared_radius / (_unit * _unit));
-	} else {
-		moved = from_parts(resized(translated(parts, -_place, k), 1.0 / _unit));
-	}
-	return moved * (1.0 / moved.max_abs());
+ConformalParts LocalFrame::enter(const Multivector &blade, int k) const {
+	return Object(blade, k).moved(-_place, 1.0 / _unit);
 }
 
-Multivector LocalFrame::leave(const Multivector &blade, int k) const {
-	const ConformalParts parts = parts_of(blade.grade(k));
-	if (is_round(parts)) {
-		const RoundParameters found = round_parameters(parts, k - 1);
-		return round_blade(_place + _unit * found.center, found.attitude, found.squared_radius * (_unit * _unit));
+Multivector LocalFrame::leave(const ConformalParts &parts, int k) const {
+	if (parts.origin.max_abs() > 0.0) {
+		const RoundParameters found = round_parameters(parts, k - 1), moved = translated(resized(found, _unit), _place);
+		const double squares = glm::dot(found.along, found.along) + glm::dot(found.across, found.across);
+		// A radius of zero is kept, which rounding of the move would not.
+		return from_parts(round_parts(std::abs(found.squared_radius()) <= ROUNDINGS * squares ? with_radius_zero(moved) : moved));
 	}
 	return from_parts(translated(resized(parts, _unit), _place, k));
 }

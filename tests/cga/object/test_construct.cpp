@@ -59,6 +59,19 @@ TEST_CASE("points on an object have outer product zero with it") {
 	}
 }
 
+TEST_CASE("a sphere through nearly coplanar points, however large, stays near them") {
+	for (double height = 1.0; height > 1e-8; height *= 0.1) {
+		const Vector3D a(0.4, 0.3, 0.0), b(1.0, 0.1, 0.0), c(0.3, 1.1, 0.0), d(-0.7, 0.6, height);
+		const Result<Multivector> through = sphere_through(a, b, c, d);
+		REQUIRE(through);
+		const Multivector sphere = *through * (1.0 / through->max_abs());
+		for (const Vector3D &on : { a, b, c, d }) {
+			// Of unit size, near the points a large sphere is nearly a plane: these are distances.
+			CHECK(point(on).outer_product(sphere).max_abs() < 1e-14);
+		}
+	}
+}
+
 TEST_CASE("points of a line, of a plane and of a circle") {
 	CHECK(difference(circle_through({ 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }), *line_through({ 0, 0, 0 }, { 3, 0, 0 })) == 0.0);
 	CHECK(refused(plane_through({ 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 })));

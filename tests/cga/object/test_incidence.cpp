@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace cga;
@@ -126,6 +127,45 @@ TEST_CASE("every pair of kinds that degenerates") {
 	CHECK(classify(*meet(rim, *circle({ 5, 0, 0 }, { 0, 0, 1 }, 1.0))).imaginary);
 	CHECK(kind_of(meet(rim, ground)) == Kind::circle);
 	CHECK(kind_of(meet(rim, unit_sphere)) == Kind::circle);
+}
+
+TEST_CASE("what a small object shares with a large one keeps its digits") {
+	const Multivector unit_circle = *circle({ 0, 0, 0 }, { 0, 0, 1 }, 1.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0);
+	for (double radius = 8.0; radius < 1e8; radius *= 8.0) {
+		// Through the origin: x^2 + y^2 + z^2 = 2 radius x, which with x^2 + y^2 + z^2 = 1 makes x = 1 / (2 radius).
+		const Multivector large = *sphere({ radius, 0, 0 }, radius);
+		const double x = 0.5 / radius;
+		for (const Multivector &small : { unit_circle, unit_sphere }) {
+			const Classification found = classify(*meet(large, small));
+			CHECK(found.kind == (small == unit_circle ? Kind::point_pair : Kind::circle));
+			CHECK(!found.imaginary);
+			CHECK(glm::length(*found.center - Vector3D(x, 0, 0)) < 1e-15);
+			CHECK(*found.radius == doctest::Approx(std::sqrt(1.0 - x * x)).epsilon(1e-15));
+		}
+		const std::optional<Vector3D> image = position_of(*reflect_in(point({ -1, 0, 0 }), large));
+		REQUIRE(image);
+		CHECK(glm::length(*image - Vector3D(radius / (radius + 1.0), 0, 0)) < 1e-14);
+		const Classification mirrored = classify(*reflect_in(large, unit_sphere));
+		CHECK(mirrored.kind == Kind::plane);
+		CHECK(std::abs(*mirrored.distance) == doctest::Approx(x).epsilon(1e-13));
+		// A small circle of the large sphere, and one that is askew by more than rounding.
+		const Multivector on_large = *circle({ x, 0, 0 }, { 1, 0, 0 }, std::sqrt(1.0 - x * x));
+		CHECK(kind_of(meet(large, on_large)) == Kind::circle);
+		CHECK(kind_of(join(large, on_large)) == Kind::sphere);
+		CHECK(kind_of(meet(large, *circle({ x, 0, 0 }, { 1, 1e-6, 0 }, 1.0))) == Kind::point_pair);
+	}
+}
+
+TEST_CASE("rounds touch within 1e-10 of the smaller one and rounding of the larger") {
+	for (double radius = 1.0; radius < 1e6; radius *= 10.0) {
+		const Multivector large = *sphere({ radius, 0, 0 }, radius);
+		const auto beside = [&](double gap) { return meet(large, *sphere({ -1.0 - gap, 0, 0 }, 1.0)); };
+		CHECK(kind_of(beside(0.0)) == Kind::tangent);
+		CHECK(kind_of(beside(1e-11)) == Kind::tangent);
+		CHECK(kind_of(beside(1e-7)) == Kind::circle);
+		CHECK(classify(*beside(1e-7)).imaginary);
+		CHECK_FALSE(classify(*beside(-1e-7)).imaginary);
+	}
 }
 
 TEST_CASE("projection and rejection add up to a vector, and reflecting twice changes nothing") {
