@@ -11,13 +11,18 @@ void ChunkBuffer::empty(Slot &slot) {
 }
 
 void ChunkBuffer::restart(std::uint8_t next) {
+	// What came before the state, and belongs behind it, is kept. What waited for its turn before `next` is not: its
+	// numbers will be used again.
+	const std::uint8_t forward = std::uint8_t(next - next_);
+	const int skipped = started_ && forward < 256 - AHEAD / 2 ? forward : 0;
+	for (int i = 0; i < 256; ++i) {
+		if (i >= AHEAD || i + skipped >= 256) {
+			empty(slots_[std::uint8_t(next + i)]);
+		}
+	}
 	next_ = next;
 	started_ = true;
 	broken_ = false;
-	// What came before the state, and belongs behind it, is kept.
-	for (int i = AHEAD; i < 256; ++i) {
-		empty(slots_[std::uint8_t(next + i)]);
-	}
 }
 
 void ChunkBuffer::forget() {
