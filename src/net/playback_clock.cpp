@@ -55,7 +55,8 @@ double PlaybackClock::wanted_delay() const {
 
 double PlaybackClock::rate(double now, double step) const {
 	const double behind = now - offset_.value() - wanted_delay() - (position_ + step);
-	return 1.0 + std::clamp(behind / SETTLING, -SLOWER, FASTER);
+	// In a long step no more than what it is off.
+	return 1.0 + std::clamp(behind / std::max(SETTLING, step), -SLOWER, FASTER);
 }
 
 double PlaybackClock::media_time_at(double now) const {
