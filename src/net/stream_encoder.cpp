@@ -89,6 +89,9 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 		// Nobody has been told of it yet: it is simply there.
 		body.jump_next = false;
 		body.samples.clear();
+		if (time > body.change_time + LEAST_STEP) {
+			body.samples.push_back({ time, unit });
+		}
 		return body.state.set_pose(pose, grid_);
 	}
 	if (body.jump_next) {
@@ -99,13 +102,20 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 			const double first = body.change_time;
 			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
 			body.samples.push_back({ first, unit });
+			if (time > first + LEAST_STEP) {
+				body.samples.push_back({ time, unit });
+			}
 			return true;
 		}
 		body.jumped = true;
 		body.change_time = time;
-	} else {
-		news_ = news_ || is_news(body, unit);
+		while (!body.samples.empty() && body.samples.back().time >= time) {
+			body.samples.pop_back();
+		}
+		body.samples.push_back({ time, unit });
+		return true;
 	}
+	news_ = news_ || is_news(body, unit);
 	if (!body.samples.empty() && time - body.samples.back().time < LEAST_STEP) {
 		return true;
 	}
@@ -170,7 +180,9 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 	const double end = begin + ticks + 1e-6;
 	const auto is_added = [end](const Body &body) { return body.added && body.change_time <= end; };
 	const auto is_jumped = [end](const Body &body) { return body.jumped && body.change_time <= end; };
-	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || body.removed; };
+	// One that was added after the end and has gone again was never there.
+	const auto is_told = [end](const Body &body) { return !body.added || body.change_time <= end; };
+	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_told(body)); };
 	bool has_events = std::any_of(bodies_.begin(), bodies_.end(), has_change);
 	coder.bit(models_.has_events, has_events);
 	if (!has_events) {
@@ -178,8 +190,12 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 	}
 	StateCoder<RangeEncoder> state_coder(coder);
 	const auto put = [&coder](std::uint32_t value, int bits) { coder.bits(value, bits); };
-	for (std::size_t i = 0; i < bodies_.size(); ++i) {
-		Body &body = bodies_[i];
+	std::int32_t index = -1;
+	for (Body &body : bodies_) {
+		if (!is_told(body)) {
+			continue;
+		}
+		++index;
 		if (is_added(body)) {
 			put(1, 1);
 			put(std::uint32_t(BodyChange::ADDED), 2);
@@ -190,7 +206,6 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 			put(1, 1);
 			put(std::uint32_t(BodyChange::JUMPED), 2);
 			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
-			std::int32_t index = std::int32_t(i);
 			state_coder(index, INDEX_BITS);
 			BodyState reached;
 			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.change_time; });
@@ -204,7 +219,6 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 			put(1, 1);
 			put(std::uint32_t(BodyChange::REMOVED), 2);
 			put(std::uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
-			std::int32_t index = std::int32_t(i);
 			state_coder(index, INDEX_BITS);
 		}
 	}
@@ -252,6 +266,10 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 		++samples;
 		--count;
 		--available;
+	}
+	// Between the tick at which it jumps or goes and the time at which it did.
+	while (count > 0 && samples[count - 1].time > begin + ticks + 1e-6) {
+		--count;
 	}
 	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= longest_gap(ticks)) {
 		motion_.active = true;
