@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/pose.hpp"
+#include "net/body_id.hpp"
 #include "net/quantisation.hpp"
 
 #include <cstddef>
@@ -38,9 +39,6 @@ struct [[nodiscard]] CodecStatus {
 ///
 /// At the default tolerance in an arena of 40 m this is about 9 bytes a pose.
 inline constexpr std::uint8_t FORMAT_VERSION = 1;
-
-/// Ids are below this limit (so that they fit a signed 32-bit integer).
-inline constexpr std::uint32_t ID_LIMIT = 0x80000000u;
 
 /// Replaces `packet` with the coded bodies. Positions reach the receiver
 /// within tolerance.position plus float32 rounding, rotations within

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "net/bit_stream.hpp"
+#include "net/body_id.hpp"
 #include "net/body_state.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace net {
-
-/// Ids are below this limit, so that they fit a signed 32-bit integer.
-inline constexpr std::uint32_t ID_LIMIT = 0x80000000u;
 
 /// Of the number of a body in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
