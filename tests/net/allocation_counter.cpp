@@ -1,0 +1,44 @@
+#include "allocation_counter.hpp"
+
+#include <malloc.h>
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::size_t count = 0;
+std::size_t live = 0;
+
+} // namespace
+
+namespace net_test {
+
+std::size_t allocation_count() {
+	return count;
+}
+
+std::size_t live_bytes() {
+	return live;
+}
+
+} // namespace net_test
+
+void *operator new(std::size_t size) {
+	void *memory = std::malloc(size == 0 ? 1 : size);
+	if (memory == nullptr) {
+		throw std::bad_alloc();
+	}
+	++count;
+	live += malloc_usable_size(memory);
+	return memory;
+}
+
+void operator delete(void *memory) noexcept {
+	live -= memory != nullptr ? malloc_usable_size(memory) : 0;
+	std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept {
+	operator delete(memory);
+}
