@@ -163,6 +163,8 @@ func test_statistics() -> void:
 	var of_server: Dictionary = peers[1]
 	expect_equal(of_server["received_bytes_per_second"], received, "what came from the server")
 	expect_equal(receiver["rejected"], 0, "rejected")
+	expect_near(sender["loss"] as float, 0.0, 0.02, "loss on loopback")
+	expect_equal(receiver["late"], 0, "late")
 	var round_trip: float = sender["round_trip"]
 	expect_true(round_trip > 0.0 and round_trip < 0.5, "a round trip of %s s" % round_trip)
 

@@ -84,6 +84,31 @@ func test_a_target_that_is_spawned_later_here() -> void:
 	await expect_motion(0.3, [branches[1]])
 
 
+func test_beside_a_multiplayer_spawner() -> void:
+	await connect_peers(1, 0)
+	var spawners: Array[MultiplayerSpawner] = []
+	for branch in branches:
+		var spawner := MultiplayerSpawner.new()
+		spawner.name = "Spawner"
+		spawner.spawn_function = func(number: int) -> Node:
+			var body := Node3D.new()
+			body.name = "Body%d" % number
+			body.add_to_group(&"bodies")
+			return body
+		branch.world.add_child(spawner)
+		spawner.spawn_path = ^".."
+		spawners.append(spawner)
+	for number in 3:
+		spawners[0].spawn(number)
+	await expect_motion(0.2, [branches[1]])
+	expect_equal(branches[1].synchronizer.get_active_targets().size(), 3, "targets of the client")
+	branches[0].get_body(1).free()
+	await wait_until(func() -> bool: return branches[1].synchronizer.get_active_targets().size() == 2, "the client's node being gone")
+	spawners[0].spawn(1)
+	await expect_motion(0.2, [branches[1]])
+	expect_equal(branches[1].synchronizer.get_active_targets().size(), 3, "targets of the client")
+
+
 func test_a_target_goes_to_another_parent() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], SETTLE)

@@ -84,6 +84,9 @@ MotorSynchronizer::Target *MotorSynchronizer::find_target(uint64_t p_id) {
 /// Ids of all nodes that should be replicated now, each once.
 std::vector<uint64_t> MotorSynchronizer::find_targets() {
 	std::vector<uint64_t> ids;
+	const auto is_gone = [](uint64_t p_id) { return ObjectDB::get_instance(p_id) == nullptr; };
+	_added.erase(std::remove_if(_added.begin(), _added.end(), is_gone), _added.end());
+	_excluded.erase(std::remove_if(_excluded.begin(), _excluded.end(), is_gone), _excluded.end());
 	std::unordered_set<uint64_t> seen(_excluded.begin(), _excluded.end());
 	const bool everywhere = _root == String("/root/");
 	const Node *root = everywhere ? nullptr : get_node_or_null(_root);
@@ -105,12 +108,8 @@ std::vector<uint64_t> MotorSynchronizer::find_targets() {
 			_unresolved.push_back(path);
 		}
 	}
-	for (std::size_t i = _added.size(); i-- > 0;) {
-		if (Node3D *node = node_of(_added[i])) {
-			gather(node);
-		} else {
-			_added.erase(_added.begin() + std::ptrdiff_t(i));
-		}
+	for (const uint64_t id : _added) {
+		gather(node_of(id));
 	}
 	if (_group != godot::StringName()) {
 		const TypedArray<Node> members = get_tree()->get_nodes_in_group(_group);
@@ -257,8 +256,10 @@ void MotorSynchronizer::_on_target_exiting(int64_t p_id) {
 	emit_signal("target_removed", node_of(uint64_t(p_id)));
 }
 
-void MotorSynchronizer::_on_node_renamed(const godot::Variant &) {
-	_names_stale = true;
+void MotorSynchronizer::_on_node_renamed(const godot::Variant &p_node) {
+	const Node *renamed = Object::cast_to<Node>(p_node.get_validated_object());
+	const auto is_above = [renamed](Node *p_below) { return p_below != nullptr && (renamed == p_below || renamed->is_ancestor_of(p_below)); };
+	_names_stale = _names_stale || is_above(this) || std::any_of(_targets.begin(), _targets.end(), [&](const Target &p_target) { return is_above(node_of(p_target.node)); });
 }
 
 } // namespace ga_godot
