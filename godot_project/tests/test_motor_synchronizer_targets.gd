@@ -188,6 +188,12 @@ func test_engine_interpolation_is_put_aside() -> void:
 	expect_equal(branches[0].get_body(0).physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of one's own")
 	branches[1].synchronizer.remove_target(body)
 	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of a body left alone")
+	branches[1].synchronizer.add_target(body)
+	await move(branches[0], SETTLE)
+	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_OFF, "mode of a body that a stream moves again")
+	branches[1].leave()
+	await wait_frames(3)
+	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode without a server")
 	tree.physics_interpolation = false
 
 

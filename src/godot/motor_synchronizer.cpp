@@ -59,6 +59,8 @@ void MotorSynchronizer::start() {
 	_running = true;
 	_now = clock();
 	_targets_stale = true;
+	_rejected = 0;
+	_late = 0;
 	set_physics_process_internal(true);
 	get_tree()->connect("node_renamed", Callable(this, "_on_node_renamed"));
 	add_monitors();

@@ -156,6 +156,7 @@ private:
 	void count_foreign(int32_t p_id, Peer &r_peer, const net::BodyEvent &p_event);
 	void place(Target &r_target, const godot::Transform3D &p_transform, bool p_is_interpolated);
 	void release(Target &r_target, godot::Node3D *p_node);
+	void release_all(int32_t p_authority);
 	double media_time() const { return double(_tick) * _settings.tick; } // seconds on this peer's streams
 
 	// Statistics
@@ -168,7 +169,7 @@ private:
 	// Warnings
 	void watch_warnings();
 	bool names_target(const godot::Node3D *p_node) const;
-	void find_target_faults(const godot::Node3D *p_node, godot::PackedStringArray &r_faults) const;
+	void find_target_faults(const std::vector<const godot::Node3D *> &p_nodes, godot::PackedStringArray &r_faults) const;
 
 	// The node's life
 	void start();

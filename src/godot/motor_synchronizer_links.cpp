@@ -78,6 +78,7 @@ void MotorSynchronizer::update_connection() {
 void MotorSynchronizer::leave_connection() {
 	for (auto &[id, peer] : _peers) {
 		forget_stream(peer);
+		release_all(id);
 	}
 	_peers.clear();
 	_connected.clear();
@@ -129,6 +130,7 @@ void MotorSynchronizer::update_peers() {
 		}
 		unsubscribe(at->first, at->second);
 		forget_stream(at->second);
+		release_all(at->first);
 		at = _peers.erase(at);
 	}
 	_streams_stale = true;

@@ -170,4 +170,14 @@ void MotorSynchronizer::release(Target &r_target, Node3D *p_node) {
 	}
 }
 
+/// Their authority has gone.
+void MotorSynchronizer::release_all(int32_t p_authority) {
+	for (Target &target : _targets) {
+		Node3D *node = target.authority == p_authority ? node_of(target.node) : nullptr;
+		if (node != nullptr) {
+			release(target, node);
+		}
+	}
+}
+
 } // namespace ga_godot

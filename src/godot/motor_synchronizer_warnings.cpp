@@ -25,6 +25,7 @@ using godot::TypedArray;
 using godot::vformat;
 
 static constexpr int64_t FRAMES_BETWEEN_LOOKS = 60;
+static constexpr int64_t MOST_TARGET_FAULTS = 6;
 
 // Properties of a Node3D that another synchronizer must not send as well.
 static bool is_pose_property(const String &p_name) {
@@ -34,34 +35,44 @@ static bool is_pose_property(const String &p_name) {
 
 /// The top of what belongs together: the edited scene, or the whole tree.
 static Node *find_top(const Node *p_node) {
-	if (p_node->is_part_of_edited_scene()) {
-		return p_node->get_tree()->get_edited_scene_root();
+	Node *edited = p_node->is_part_of_edited_scene() ? p_node->get_tree()->get_edited_scene_root() : nullptr;
+	if (edited != nullptr) {
+		return edited;
 	}
-	Node *top = const_cast<Node *>(p_node);
-	while (Node *parent = top->get_parent()) {
-		top = parent;
+	Node *top = p_node->get_parent();
+	while (top != nullptr && top->get_parent() != nullptr) {
+		top = top->get_parent();
 	}
 	return top;
 }
 
-/// The name of the pose property of a node that a MultiplayerSynchronizer sends; empty if it sends none.
-static String find_sent_pose(MultiplayerSynchronizer *p_synchronizer, const Node3D *p_node) {
-	const Ref<SceneReplicationConfig> config = p_synchronizer->get_replication_config();
-	const Node *root = p_synchronizer->get_node_or_null(p_synchronizer->get_root_path());
-	if (config.is_null() || root == nullptr) {
-		return String();
-	}
-	const TypedArray<NodePath> properties = config->get_properties();
-	for (int64_t i = 0; i < properties.size(); i++) {
-		const NodePath path = properties[i];
-		const String property = String(path.get_concatenated_subnames()).get_slice(":", 0);
-		const StringName names = path.get_concatenated_names();
-		const Node *node = names == StringName() ? root : root->get_node_or_null(NodePath(String(names)));
-		if (node == p_node && is_pose_property(property)) {
-			return property;
+/// A node whose pose a MultiplayerSynchronizer sends.
+struct SentPose {
+	const Node *node;
+	String property;
+	StringName synchronizer;
+};
+
+static void find_sent_poses(const Node *p_top, std::vector<SentPose> &r_poses) {
+	const TypedArray<Node> synchronizers = p_top->find_children("*", "MultiplayerSynchronizer", true, false);
+	for (int64_t i = 0; i < synchronizers.size(); i++) {
+		MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(synchronizers[i].get_validated_object());
+		const Ref<SceneReplicationConfig> config = synchronizer->get_replication_config();
+		const Node *root = synchronizer->get_node_or_null(synchronizer->get_root_path());
+		if (config.is_null() || root == nullptr) {
+			continue;
+		}
+		const TypedArray<NodePath> properties = config->get_properties();
+		for (int64_t k = 0; k < properties.size(); k++) {
+			const NodePath path = properties[k];
+			const String property = String(path.get_concatenated_subnames()).get_slice(":", 0);
+			const String names = path.get_concatenated_names();
+			const Node *node = names.is_empty() ? root : root->get_node_or_null(NodePath(names));
+			if (node != nullptr && is_pose_property(property)) {
+				r_poses.push_back({ node, property, synchronizer->get_name() });
+			}
 		}
 	}
-	return String();
 }
 
 PackedStringArray MotorSynchronizer::get_setup_warnings() const {
@@ -93,30 +104,34 @@ PackedStringArray MotorSynchronizer::get_setup_warnings() const {
 			faults.push_back(vformat("No Node3D of this scene is in the group \"%s\". That is right only if all of them are spawned later.", _group));
 		}
 	}
-	for (const Node3D *node : nodes) {
-		find_target_faults(node, faults);
-	}
+	find_target_faults(nodes, faults);
 	return faults;
 }
 
-void MotorSynchronizer::find_target_faults(const Node3D *p_node, PackedStringArray &r_faults) const {
+void MotorSynchronizer::find_target_faults(const std::vector<const Node3D *> &p_nodes, PackedStringArray &r_faults) const {
+	std::vector<SentPose> sent_poses;
+	find_sent_poses(find_top(this), sent_poses);
 	const TypedArray<Node> others = get_tree()->get_nodes_in_group(GROUP);
-	for (int64_t i = 0; i < others.size(); i++) {
-		const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
-		if (other != nullptr && other != this && other->names_target(p_node)) {
-			r_faults.push_back(vformat("%s is a target of %s too; one of the two is enough.", p_node->get_name(), other->get_name()));
+	const int64_t most = r_faults.size() + MOST_TARGET_FAULTS;
+	for (const Node3D *node : p_nodes) {
+		if (r_faults.size() >= most) {
+			r_faults.push_back("More targets have such faults.");
+			return;
 		}
-	}
-	const TypedArray<Node> synchronizers = find_top(this)->find_children("*", "MultiplayerSynchronizer", true, false);
-	for (int64_t i = 0; i < synchronizers.size(); i++) {
-		MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(synchronizers[i].get_validated_object());
-		const String property = synchronizer != nullptr ? find_sent_pose(synchronizer, p_node) : String();
-		if (!property.is_empty()) {
-			r_faults.push_back(vformat("%s of %s is replicated by the MultiplayerSynchronizer %s too; remove it there.", property, p_node->get_name(), synchronizer->get_name()));
+		for (int64_t i = 0; i < others.size(); i++) {
+			const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
+			if (other != nullptr && other != this && other->names_target(node)) {
+				r_faults.push_back(vformat("%s is a target of %s too; one of the two is enough.", node->get_name(), other->get_name()));
+			}
 		}
-	}
-	if (p_node->is_class("RigidBody3D") && !bool(p_node->get("freeze"))) {
-		r_faults.push_back(vformat("%s is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds.", p_node->get_name()));
+		for (const SentPose &sent : sent_poses) {
+			if (sent.node == node) {
+				r_faults.push_back(vformat("%s of %s is replicated by the MultiplayerSynchronizer %s too; remove it there.", sent.property, node->get_name(), sent.synchronizer));
+			}
+		}
+		if (node->is_class("RigidBody3D") && !bool(node->get("freeze"))) {
+			r_faults.push_back(vformat("%s is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds.", node->get_name()));
+		}
 	}
 }
 

@@ -64,10 +64,11 @@ def copy_project(sanitizer):
     folder = os.path.join(checkout.variant(sanitizer), "project")
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(checkout.PROJECT, folder)
-    # Tests read the guides, beside the project.
-    docs = os.path.join(checkout.variant(sanitizer), "docs")
-    if not os.path.islink(docs):
-        os.symlink(os.path.join(checkout.ROOT, "docs"), docs)
+    # Tests read the guides and the class reference, beside the project.
+    for name in ("docs", "src"):
+        link = os.path.join(checkout.variant(sanitizer), name)
+        if not os.path.lexists(link):
+            os.symlink(os.path.join(checkout.ROOT, name), link)
     libraries = os.path.join(folder, ADDON_LIBRARIES)
     shutil.rmtree(libraries)
     os.mkdir(libraries)
