@@ -1,0 +1,101 @@
+"""Draws what each method costs over how far off it is: plot_rate_distortion.py ROWS.json PICTURE.png
+
+The rows are those of tools/bench network --rate-distortion: the methods at fixed rates, and ga_godot at several
+tolerances. One panel a trace, both axes logarithmic.
+"""
+
+import json
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
+
+INK = "#1f2933"
+FAINT = "#d9dee4"
+# Prefix of the subjects, name in the legend, colour, marker.
+KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c8553d", "s"),
+         ("paper_motor_float32_", "fixed rate: GA-Unity's float32 motors", "#7d8a97", "^"),
+         ("ga_godot", "GA-Godot, for tolerances", "#0b7285", "o"))
+# Errors below this are rounding: the method sent every sample.
+LEAST_ERROR = 0.3
+# Points with a label: enough to read the others. The paper's rates are those beside it.
+LABELLED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
+COLUMNS = 2
+
+
+def curves(rows, trace):
+    """{kind's prefix: [(p99 in mm, B/s a body, label)]} of a trace, by ascending cost."""
+    points = {}
+    for row in rows:
+        if row["trace"] == trace and row["case"] in ("error_p99", "bytes_per_second_per_body"):
+            points.setdefault((row["subject"], row.get("tolerance_mm")), {})[row["case"]] = row["value"]
+    found = {prefix: [] for prefix, *_ in KINDS}
+    for (subject, tolerance), values in points.items():
+        prefix = next(prefix for prefix, *_ in KINDS if subject.startswith(prefix))
+        label = f"{tolerance:g} mm" if tolerance else subject[len(prefix):].replace("hz", " Hz") if prefix.startswith("pqs") else ""
+        if values["error_p99"] is not None and values["error_p99"] >= LEAST_ERROR:
+            found[prefix].append((values["error_p99"], values["bytes_per_second_per_body"], label))
+    return {prefix: sorted(line, key=lambda point: point[1]) for prefix, line in found.items()}
+
+
+def draw_panel(axes, lines, title):
+    """The curves of one trace."""
+    for prefix, name, colour, marker in KINDS:
+        line = lines[prefix]
+        ours = prefix == "ga_godot"
+        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=colour, marker=marker, label=name,
+                  linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
+                  zorder=4 if ours else 3)
+        for p99, cost, label in line:
+            if label in LABELLED:
+                axes.annotate(label, (p99, cost), xytext=(-3, -6) if ours else (7, 1), textcoords="offset points", color=colour,
+                              fontsize=8.5, ha="right" if ours else "left", va="top" if ours else "bottom")
+    axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    plain = FuncFormatter(lambda value, _: f"{value:g}")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(plain)
+        axis.set_minor_formatter(NullFormatter())
+    axes.grid(True, which="major", color=FAINT, linewidth=0.8)
+    axes.tick_params(which="both", length=0, labelcolor=INK, labelsize=9, labelleft=True)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    axes.margins(x=0.1, y=0.08)
+
+
+def titles(rows):
+    """{trace: title}, in the rows' order."""
+    counts = {row["trace"]: row["n"] for row in rows}
+    return {trace: f"{trace}  ({count:,} {'body' if count == 1 else 'bodies'})" for trace, count in counts.items()}
+
+
+def main(rows_path, picture_path):
+    """Reads the rows, writes the picture."""
+    with open(rows_path, encoding="utf-8") as file:
+        rows = json.load(file)["rows"]
+    panels = titles(rows)
+    columns = min(COLUMNS, len(panels))
+    lines_of_panels = -(-len(panels) // columns)
+    figure, grid = plt.subplots(lines_of_panels, columns, figsize=(5.6 * columns, 4.1 * lines_of_panels + 0.9), squeeze=False, sharey=True)
+    for axes in grid.flat[len(panels):]:
+        axes.set_visible(False)
+    for axes, (trace, title) in zip(grid.flat, panels.items()):
+        draw_panel(axes, curves(rows, trace), title)
+    for axes in grid[:, 0]:
+        axes.set_ylabel("bytes a second and body", color=INK)
+    for axes in grid[-1]:
+        axes.set_xlabel("error, 99th percentile of moving samples, mm", color=INK)
+    handles, names = grid.flat[0].get_legend_handles_labels()
+    figure.legend(handles[::-1], names[::-1], loc="upper left", ncols=3, frameon=False, fontsize=9.5, labelcolor=INK,
+                  bbox_to_anchor=(0.055, 0.995), handlelength=1.6, columnspacing=1.8)
+    figure.tight_layout(rect=(0, 0, 1, 0.955), w_pad=2.5, h_pad=2.0)
+    figure.savefig(picture_path, dpi=110, facecolor="white", metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
