@@ -37,7 +37,7 @@ bool ChunkBuffer::add(const ChunkItem &chunk, std::uint8_t &number) {
 	number = chunk.number;
 	if (chunk.is_short) {
 		// Of the numbers with these low bits the one in reach.
-		const std::uint8_t lowest = std::uint8_t(next_ - SHORT_REACH);
+		const std::uint8_t lowest = std::uint8_t(first_missing() - ChunkItem::SHORT_REACH);
 		number = std::uint8_t(lowest + ((chunk.number - lowest) & 15));
 	}
 	Slot &slot = slots_[number];
@@ -84,15 +84,20 @@ bool ChunkBuffer::take_window(std::vector<std::uint8_t> &window, std::uint8_t &c
 	return true;
 }
 
+std::uint8_t ChunkBuffer::first_missing() const {
+	std::uint8_t number = next_;
+	do {
+		if (!slots_[number].full) {
+			return number;
+		}
+		++number;
+	} while (number != next_);
+	return number;
+}
+
 AckItem ChunkBuffer::ack() const {
 	AckItem ack;
-	ack.next = next_;
-	while (slots_[ack.next].full) {
-		++ack.next;
-		if (ack.next == next_) {
-			break;
-		}
-	}
+	ack.next = first_missing();
 	for (int bit = 0; bit < 64; ++bit) {
 		const std::uint8_t number = std::uint8_t(ack.next + 1 + bit);
 		if (slots_[number].full && std::uint8_t(number - next_) < AHEAD) {

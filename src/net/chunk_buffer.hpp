@@ -21,8 +21,6 @@ public:
 	void forget();
 	/// False if it is known already, too far ahead, or short before `restart`. `number` becomes all 8 bits of its number.
 	bool add(const ChunkItem &chunk, std::uint8_t &number);
-	/// Short chunks are up to so many before the next one that is needed, and fewer than that after it.
-	static constexpr std::uint8_t SHORT_REACH = 8;
 	/// Puts the next window together if all of it is there, and moves on behind it. `check` is that of its last
 	/// chunk, of which `check_mask` has the bits that were sent.
 	bool take_window(std::vector<std::uint8_t> &window, std::uint8_t &check, std::uint8_t &check_mask);
@@ -40,6 +38,7 @@ private:
 		std::vector<std::uint8_t> bytes;
 	};
 
+	[[nodiscard]] std::uint8_t first_missing() const;
 	/// Takes what is in a slot out, and keeps its memory for the next chunk.
 	void empty(Slot &slot);
 

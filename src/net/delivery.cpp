@@ -155,6 +155,11 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 	}
 }
 
+bool Delivery::can_be_short(std::uint32_t number) const {
+	// At the first try the receiver lacks this chunk, and none before the first missing one: it must be one of a few.
+	return state_ == nullptr && sent_[number % ChunkRing::RING].times == 1 && number - first_missing_ < ChunkItem::SHORT_REACH;
+}
+
 void Delivery::take_state_ack(const StateAckItem &ack) {
 	if (state_ == nullptr || ack.state != state_->number) {
 		return;

@@ -67,8 +67,6 @@ public:
 	/// Takes an answer.
 	void accept(const PacketContent &answer, const ChunkRing &ring, double time);
 
-	/// The receiver needs none before the first missing one, so that chunks nearer than this to it can be short.
-	static constexpr std::uint32_t SHORT_REACH = 8;
 	/// Loss that is expected of a line of which nothing is known.
 	static constexpr double FIRST_CAUTION = 0.015;
 	/// A receiver that has not been heard for so long gets nothing more until it is.
@@ -95,6 +93,7 @@ private:
 	void collect_due(const ChunkRing &ring, double time);
 	void take_ack(const AckItem &ack, const ChunkRing &ring, double time);
 	void take_state_ack(const StateAckItem &ack);
+	[[nodiscard]] bool can_be_short(std::uint32_t number) const;
 	void chunk_arrived(std::uint32_t number, double time, bool is_newest);
 	void measure(double round_trip);
 
@@ -155,7 +154,7 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<std::uint8_t
 		item.check = chunk.check;
 		item.bytes = chunk.bytes.data();
 		item.size = chunk.size;
-		item.is_short = chunk.first && chunk.last && state_ == nullptr && due_chunks_[i] - first_missing_ < SHORT_REACH;
+		item.is_short = chunk.first && chunk.last && can_be_short(due_chunks_[i]);
 		make_room(item.size + CHUNK_HEADER);
 		// The last item of a packet needs no length: so is this one, if the next does not fit.
 		const bool is_last = i + 1 == due_chunks_.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(due_chunks_[i + 1]).size > std::size_t(MOST_PACKET_BYTES);

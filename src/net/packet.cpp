@@ -177,7 +177,7 @@ const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketCont
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
 		const std::uint8_t kind = std::uint8_t(reader.number(1));
-		if (kind < CHUNK_BELOW) {
+		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & 7) == 0)) {
 			read_chunk(reader, kind, content);
 		} else if (kind == STATE_PART) {
 			read_state_part(reader, content);

@@ -13,13 +13,16 @@ inline constexpr std::uint8_t STREAM_VERSION = 1;
 
 /// A piece of a window, numbered in the order of the stream.
 struct ChunkItem {
+	/// A short chunk is less than this behind or ahead of the first one that its receiver lacks.
+	static constexpr std::uint8_t SHORT_REACH = 8;
+
 	std::uint8_t number = 0; ///< the low 8 bits; of a short one the low 4
-	bool is_short = false; ///< a whole window, in the form with a header of one byte and 3 bits of the check
 	bool first = false; ///< of its window
 	bool last = false; ///< of its window
 	std::uint8_t check = 0; ///< of the state after the window, 8 bits; of a short one the low 3; 0 but in the last chunk
 	const std::uint8_t *bytes = nullptr;
 	std::size_t size = 0;
+	bool is_short = false; ///< a whole window, in the form with a header of one byte and 3 bits of the check
 };
 
 /// A piece of a whole state.

@@ -19,7 +19,10 @@ bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, s
 	chunk.check = check;
 	chunk.bytes = &byte;
 	chunk.size = 1;
-	return buffer.add(chunk);
+	std::uint8_t found = 0;
+	const bool added = buffer.add(chunk, found);
+	CHECK(found == byte);
+	return added;
 }
 
 /// The bytes of the windows that can be taken, each ended by a 255.
@@ -27,7 +30,8 @@ Bytes taken(ChunkBuffer &buffer) {
 	Bytes all;
 	Bytes window;
 	std::uint8_t check = 0;
-	while (buffer.take_window(window, check)) {
+	std::uint8_t mask = 0;
+	while (buffer.take_window(window, check, mask)) {
 		all.insert(all.end(), window.begin(), window.end());
 		all.push_back(255);
 	}
@@ -55,10 +59,12 @@ TEST_CASE("chunk buffer: windows come out in order, whatever the order of their 
 	CHECK(add(*buffer, 13));
 	Bytes window;
 	std::uint8_t check = 0;
-	REQUIRE(buffer->take_window(window, check));
-	REQUIRE(buffer->take_window(window, check));
+	std::uint8_t mask = 0;
+	REQUIRE(buffer->take_window(window, check, mask));
+	REQUIRE(buffer->take_window(window, check, mask));
 	CHECK(window == Bytes{ 14, 15 });
 	CHECK(check == 9);
+	CHECK(mask == 255);
 	CHECK_FALSE(buffer->is_broken());
 }
 
@@ -73,6 +79,37 @@ TEST_CASE("chunk buffer: repeats and what is too far ahead or behind are dropped
 	CHECK(taken(*buffer) == Bytes{ 200, 255, 201, 255 });
 	CHECK_FALSE(add(*buffer, 200));
 	CHECK_FALSE(add(*buffer, 201));
+}
+
+TEST_CASE("chunk buffer: a short chunk's number is the one near the first that is missing") {
+	const auto buffer = started(250);
+	const auto add_short = [&](int number, std::uint8_t &found) {
+		const std::uint8_t byte = std::uint8_t(number);
+		ChunkItem chunk;
+		chunk.number = std::uint8_t(number & 15);
+		chunk.is_short = chunk.first = chunk.last = true;
+		chunk.check = 5;
+		chunk.bytes = &byte;
+		chunk.size = 1;
+		return buffer->add(chunk, found);
+	};
+	std::uint8_t found = 0;
+	for (const int number : { 250, 252, 251, 257, 256, 255, 254, 253, 258 }) {
+		CHECK(add_short(number, found));
+		CHECK(found == std::uint8_t(number));
+	}
+	CHECK_FALSE(add_short(254, found)); // again, behind what is missing
+	CHECK(found == 254);
+	Bytes window;
+	std::uint8_t check = 0;
+	std::uint8_t mask = 0;
+	REQUIRE(buffer->take_window(window, check, mask));
+	CHECK(check == 5);
+	CHECK(mask == 7);
+	ChunkBuffer unstarted;
+	ChunkItem chunk;
+	chunk.is_short = chunk.first = chunk.last = true;
+	CHECK_FALSE(unstarted.add(chunk, found));
 }
 
 TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {

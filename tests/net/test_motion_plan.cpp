@@ -112,7 +112,7 @@ TEST_CASE("motion plan: samples between ticks are passed where the motion is smo
 				CAPTURE(outcome.worst_time);
 				CHECK(outcome.failed == 0);
 				// A kink of 10 m/s may be half a tick off: 80 mm, 16 times the tolerance.
-				CHECK(outcome.worst <= (motion.has_kinks ? 16.0 : (regular ? most_share(cga::Mode::SEPARATE) : 1.5)));
+				CHECK(outcome.worst <= (motion.has_kinks ? 16.0 : (regular ? most_share(cga::Mode::SEPARATE) : 2.0)));
 			}
 		}
 	}
@@ -156,7 +156,8 @@ TEST_CASE("motion plan: likewise in the other modes, for windows of other length
 			CAPTURE(row.grid.position);
 			CAPTURE(outcome.worst_time);
 			CHECK(outcome.failed == 0);
-			CHECK(outcome.worst <= most_share(row.mode));
+			// Errors of rotations of many degrees are not quite linear.
+			CHECK(outcome.worst <= (row.grid.position > 0.01 ? 1.05 : most_share(row.mode)));
 		}
 	}
 }

@@ -58,9 +58,9 @@ TEST_CASE("packet: items take so many bytes and come back") {
 		for (int flags = 0; flags < 4; ++flags) {
 			for (const bool last_item : { true, false }) {
 				Bytes packet;
-				const ChunkItem chunk{ std::uint8_t(250 + flags), (flags & 1) != 0, (flags & 2) != 0, std::uint8_t(flags * 5), bytes.data(), size };
+				const ChunkItem chunk{ std::uint8_t(250 + flags), (flags & 1) != 0, (flags & 2) != 0, std::uint8_t((flags & 2) != 0 ? 0xa7 : 0), bytes.data(), size };
 				put_chunk(packet, chunk, last_item);
-				CHECK(packet.size() == size + (last_item ? 2 : CHUNK_HEADER));
+				CHECK(packet.size() == size + 2 + (chunk.last ? 1 : 0) + (last_item ? 0 : 2));
 				const PacketContent content = read(packet);
 				REQUIRE(content.chunks.size() == 1);
 				CHECK(content.chunks[0].number == chunk.number);
@@ -71,6 +71,17 @@ TEST_CASE("packet: items take so many bytes and come back") {
 			}
 		}
 	}
+	Bytes shortened;
+	ChunkItem whole{ 0xf3, true, true, 0xa5, bytes.data(), 4, true };
+	put_chunk(shortened, whole, true);
+	CHECK(shortened.size() == 1 + 4);
+	const PacketContent one = read(shortened);
+	REQUIRE(one.chunks.size() == 1);
+	CHECK(one.chunks[0].is_short);
+	CHECK(one.chunks[0].number == 3);
+	CHECK(one.chunks[0].check == 5);
+	CHECK(one.chunks[0].size == 4);
+
 	Bytes packet;
 	put_state_part(packet, { 255, 254, 65535, 65535, bytes.data(), 300 });
 	CHECK(packet.size() == 300 + STATE_PART_HEADER);
@@ -148,13 +159,13 @@ TEST_CASE("packet: cut off anywhere, it is refused, or all whole items of it are
 	const Bytes packet = everything();
 	// Behind an item a cut leaves a packet; within the last chunk it shortens that.
 	const std::vector<std::size_t> whole = { 26, 29, 31, 36, 44, 45, 69 };
-	CHECK(packet.size() == 76);
+	CHECK(packet.size() == 77);
 	for (std::size_t size = 0; size < packet.size(); ++size) {
 		const std::string error = problem(Bytes(packet.begin(), packet.begin() + std::ptrdiff_t(size)));
 		CAPTURE(size);
 		if (size == 0) {
 			CHECK(error == "the packet is empty");
-		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 71) {
+		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 72) {
 			CHECK(error == "");
 		} else {
 			CHECK((error == "the packet is cut off" || error == "the packet's list of what arrived is of a wrong length"));
@@ -164,18 +175,19 @@ TEST_CASE("packet: cut off anywhere, it is refused, or all whole items of it are
 
 TEST_CASE("packet: unknown kinds and too long ones are refused") {
 	for (int kind = 0x80; kind < 0x100; ++kind) {
-		const bool known = kind == 0x80 || kind == 0x90 || kind == 0xc0 || kind == 0xc1 || kind == 0xc2 || kind == 0xd0;
+		const bool is_chunk = kind < 0xc0 && (kind & 7) == 0;
+		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc3) || kind == 0xe0 || kind == 0xe1;
 		const std::string error = problem({ std::uint8_t(kind), 1 });
 		CAPTURE(kind);
 		CHECK((error == "the packet holds something of an unknown kind") == !known);
 		CHECK(problem({ 0xc2, std::uint8_t(kind), 1 }) == (kind == 0xc0 || kind == 0xc2 ? problem({ std::uint8_t(kind), 1 }) : error));
 	}
 	Bytes longest(std::size_t(MOST_PACKET_BYTES), 0);
-	longest[0] = 0x60;
+	longest[0] = 0xb0;
 	CHECK(problem(longest) == "");
 	longest.push_back(0);
 	CHECK(problem(longest) == "the packet is longer than any that is sent");
-	CHECK(problem({ 0x10, 1, 0xff, 0xff, 0 }) == "the packet is cut off");
+	CHECK(problem({ 0x88, 1, 0xff, 0xff, 0 }) == "the packet is cut off");
 }
 
 TEST_CASE("packet: random bytes point nowhere outside the packet") {
@@ -183,7 +195,7 @@ TEST_CASE("packet: random bytes point nowhere outside the packet") {
 	for (int round = 0; round < 20000; ++round) {
 		Bytes packet(random() % 60);
 		for (std::uint8_t &byte : packet) {
-			const std::uint8_t kinds[] = { 0x80, 0x90, 0xc0, 0xc1, 0xc2, 0xd0, 0x10, 0x00 };
+			const std::uint8_t kinds[] = { 0xe0, 0xe1, 0xc0, 0xc1, 0xc2, 0xc3, 0x88, 0x00 };
 			byte = random() % 3 == 0 ? kinds[random() % 8] : std::uint8_t(random() % 20);
 		}
 		PacketContent content;

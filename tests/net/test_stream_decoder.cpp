@@ -51,7 +51,7 @@ struct Recording {
 
 bool decode(StreamDecoder &decoder, const Bytes &bytes, std::uint8_t check, double begin, std::vector<BodyMotion> &motions) {
 	int ticks = 0;
-	return decoder.decode_window(bytes.data(), bytes.size(), check, begin, cga::Mode::SEPARATE, motions, ticks);
+	return decoder.decode_window(bytes.data(), bytes.size(), check, 255, begin, cga::Mode::SEPARATE, motions, ticks);
 }
 
 std::vector<PoseD> poses(const StreamDecoder &decoder) {

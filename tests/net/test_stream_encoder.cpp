@@ -29,7 +29,7 @@ struct Link {
 		bytes.clear();
 		encoder.encode_window(end, ticks, bytes);
 		int read_ticks = 0;
-		const bool read = decoder.decode_window(bytes.data(), bytes.size(), encoder.check(), end, mode, motions, read_ticks);
+		const bool read = decoder.decode_window(bytes.data(), bytes.size(), encoder.check(), 255, end, mode, motions, read_ticks);
 		CHECK((!read || read_ticks == ticks));
 		for (const BodyMotion &motion : motions) {
 			tracks[motion.id].add(motion);
@@ -115,7 +115,7 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 		for (auto &other : others) {
 			std::vector<BodyMotion> motions;
 			int ticks = 0;
-			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), link.encoder.check(), begin, link.mode, motions, ticks));
+			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), link.encoder.check(), 255, begin, link.mode, motions, ticks));
 			REQUIRE(other->body_count() == link.decoder.body_count());
 			CHECK(motions.size() == link.motions.size());
 			for (std::size_t i = 0; i < other->body_count(); ++i) {
