@@ -124,7 +124,15 @@ func test_a_target_goes_to_another_parent() -> void:
 	for branch in branches:
 		# What stands above it is part of its name.
 		branch.world.get_node("Raft").name = "Boat"
-	await expect_motion(0.3, [branches[1]])
+	await expect_motion(0.2, [branches[1]])
+	# Who comes later knows the new name only.
+	branches[1].world.remove_child(branches[1].synchronizer)
+	branches[1].world.add_child(branches[1].synchronizer)
+	await expect_motion(0.2, [branches[1]])
+	var renamed: Node3D = branches[1].world.get_node("Boat/Body1")
+	var place := renamed.position
+	await move(branches[0], 0.2)
+	expect_true(renamed.position.distance_to(place) > 0.02, "motion of the body on the renamed node")
 
 
 func test_each_peer_moves_its_own() -> void:
