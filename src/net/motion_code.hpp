@@ -21,9 +21,10 @@ struct MotionCode {
 };
 
 /// Codes a body's motion over `ticks` from tick `begin`, and moves its state on. `Coder` is a RangeEncoder or a
-/// RangeDecoder, which fills `motion`. `sink` gets each MotionSegment. False for what no encoder writes.
+/// RangeDecoder, which fills `motion`. `sink` gets the state, code, steps and begin of each
+/// segment before the state moves on. False for what no encoder writes.
 template <class Coder, class Sink>
-bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const StreamGrid &grid, cga::Mode mode, double begin, int ticks, bool neighbour_active, MotionCode &motion, Sink &&sink) {
+bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const StreamGrid &grid, double begin, int ticks, bool neighbour_active, MotionCode &motion, Sink &&sink) {
 	coder.bit(models.active[state.active ? 1 : 0][neighbour_active ? 1 : 0], motion.active);
 	if (!motion.active) {
 		if (state.active || state.settled) {
@@ -43,7 +44,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		}
 		SegmentCode code;
 		code.ticks = ticks;
-		sink(state.segment(code, steps, grid, begin, mode));
+		sink(state, code, steps, begin);
 		return state.settle(motion.offset, grid);
 	}
 	int index = 0;
@@ -67,7 +68,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		}
 		state.code(coder, models, code);
 		const SegmentSteps steps = state.steps(code);
-		sink(state.segment(code, steps, grid, begin, mode));
+		sink(state, code, steps, begin);
 		if (!state.apply(code, steps, grid)) {
 			return false;
 		}

@@ -317,6 +317,10 @@ void SegmentFit::improve_cost(Result &result) const {
 }
 
 bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result) {
+	SegmentCode straight;
+	straight.ticks = ticks;
+	straight.scaled = scale_change_ != 0;
+	straight.scale = scale_change_;
 	double uu = 0.0;
 	double uw = 0.0;
 	double ww = 0.0;
@@ -337,10 +341,6 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	for (int i = 0; i < 6; ++i) {
 		uy[i] += pin_weight_ * pin_[i];
 	}
-	SegmentCode straight;
-	straight.ticks = ticks;
-	straight.scaled = scale_change_ != 0;
-	straight.scale = scale_change_;
 	double way[6];
 	for (int i = 0; i < 6; ++i) {
 		way[i] = uy[i] / uu;

@@ -175,10 +175,10 @@ bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, i
 	}
 	motion_.active = false;
 	motion_.count = 0;
-	const bool read = code_motion(coder, new_models_, body.state, grid_, mode, begin, ticks, neighbour_active, motion_, [&](const MotionSegment &segment) {
+	const bool read = code_motion(coder, new_models_, body.state, grid_, begin, ticks, neighbour_active, motion_, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double from) {
 		BodyMotion motion;
 		motion.id = body.id;
-		motion.segment = segment;
+		motion.segment = state.segment(code, steps, grid_, from, mode);
 		motions.push_back(motion);
 	});
 	neighbour_active = motion_.active;

@@ -285,7 +285,7 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 			body.jump_next = true;
 		}
 	}
-	(void)code_motion(coder, models_, body.state, grid_, mode_, begin, ticks, neighbour_active, motion_, [](const MotionSegment &) {});
+	(void)code_motion(coder, models_, body.state, grid_, begin, ticks, neighbour_active, motion_, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
 	neighbour_active = motion_.active;
 }
 

@@ -56,7 +56,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 		}
 		const PoseD held = outcome.state.pose(plan.grid);
 		std::vector<MotionSegment> segments;
-		REQUIRE(code_motion(coder, models, outcome.state, plan.grid, plan.mode, begin, plan.ticks, false, motion, [&](const MotionSegment &segment) { segments.push_back(segment); }));
+		REQUIRE(code_motion(coder, models, outcome.state, plan.grid, begin, plan.ticks, false, motion, [&](const BodyState &from, const SegmentCode &code, const SegmentSteps &steps, double at) { segments.push_back(from.segment(code, steps, plan.grid, at, plan.mode)); }));
 		outcome.segments += motion.active ? motion.count : 0;
 		for (std::size_t k = first; k < first + count; ++k) {
 			PoseD shown = held;
