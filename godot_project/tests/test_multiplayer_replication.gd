@@ -3,7 +3,7 @@ extends "res://tests/framework/test_case.gd"
 
 const BodyTimeline := preload("res://demos/multiplayer/replication/body_timeline.gd")
 const BodyTrack := preload("res://demos/multiplayer/replication/body_track.gd")
-const Impairment := preload("res://demos/multiplayer/replication/impairment.gd")
+const ImpairedLine := preload("res://demos/multiplayer/network/impaired_line.gd")
 const KeyReceiver := preload("res://demos/multiplayer/replication/motor_receiver.gd")
 const KeySender := preload("res://demos/multiplayer/replication/motor_sender.gd")
 const PlaybackClock := preload("res://demos/multiplayer/replication/playback_clock.gd")
@@ -150,7 +150,7 @@ func test_what_is_shown_stays_within_the_bound_at_every_tick() -> void:
 
 
 func test_loss_and_jitter_heal() -> void:
-	var worst := _play(30.0, 60.0)
+	var worst := _play(0.3, 0.06)
 	expect_true(worst.x > BOUND, "loss being felt at all (%.2f mm)" % (worst.x * 1000.0))
 	expect_true(worst.y <= BOUND, "an error of %.2f mm at the end" % (worst.y * 1000.0))
 
@@ -159,7 +159,9 @@ func test_loss_and_jitter_heal() -> void:
 func _play(loss: float, jitter: float) -> Vector2:
 	var sender := _make_sender()
 	var receiver := KeyReceiver.new(BODIES)
-	var impairment := Impairment.new(loss, jitter, 11)
+	var line := ImpairedLine.new(11)
+	line.conditions.loss = loss
+	line.conditions.jitter = jitter
 	for bytes: PackedByteArray in sender.make_state(0, _poses(0)):
 		receiver.accept(bytes, 0.0)
 	var worst := Vector2.ZERO
@@ -169,8 +171,8 @@ func _play(loss: float, jitter: float) -> Vector2:
 		for id: int in BODIES:
 			sender.observe(id, tick, _pose(id, tick))
 		for bytes: PackedByteArray in sender.flush(tick):
-			impairment.put(bytes, local)
-		for bytes: PackedByteArray in impairment.take(local):
+			line.put(bytes, local)
+		for bytes: PackedByteArray in line.take(local):
 			receiver.accept(bytes, local)
 		var media := receiver.clock.advance(local)
 		while shown + 1 <= media:

@@ -4,8 +4,9 @@ Usage: tools/demo [OPTION]...
 
 A server simulates cubes; clients on this machine show them. Twice the same
 scene: poses sent as quantised motors, and by MultiplayerSynchronizer at 20 Hz.
-Options: --cubes N  --clients K  --seconds S  --loss PERCENT  --jitter MS
-         --scene cubes|push  --window  --picture FILE  --json FILE  --engine COMMAND
+Options: --cubes N  --clients K  --seconds S  --scene cubes|push  --window  --picture FILE
+         --loss PERCENT  --burst PACKETS  --delay MS  --jitter MS  --reorder PERCENT
+         --duplicate PERCENT  --rate BYTES  --json FILE  --engine COMMAND
 """
 
 import argparse
@@ -19,6 +20,7 @@ import sys
 import tempfile
 
 import checkout
+import demo_network
 import display
 import project
 from demo_run import DemoRun, RunFailed, progress
@@ -40,10 +42,6 @@ def parse_arguments(arguments):
     parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
     parser.add_argument("--seconds", type=within(0, 3600), default=8,
                         help="length of each run (8); 0: play in windows until they are closed, no table")
-    parser.add_argument("--loss", type=within(0, 90), default=0, metavar="PERCENT",
-                        help="clients throw away this share of the pose datagrams (motors only; seeded)")
-    parser.add_argument("--jitter", type=within(0, 1000), default=0, metavar="MS",
-                        help="clients hold pose datagrams back for up to this long (motors only; seeded)")
     parser.add_argument("--scene", choices=("cubes", "push"), default="cubes",
                         help="cubes: structures that fall; push: a field of cubes that a ball ploughs through")
     parser.add_argument("--window", action="store_true", help="the clients open windows")
@@ -51,6 +49,7 @@ def parse_arguments(arguments):
                         help="only save a picture of what the first client shows in the middle of the scene")
     parser.add_argument("--json", metavar="FILE", help="write the figures to FILE")
     parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
+    demo_network.add_arguments(parser, within)
     return parser.parse_args(arguments)
 
 
@@ -116,8 +115,8 @@ def run_arm(engine, folder, options, method):
         run.start_server(f"--method={method}", f"--scene={options.scene}", f"--cubes={options.cubes}",
                          f"--seconds={options.seconds}", f"--clients={options.clients}")
         for number in range(options.clients):
-            run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", f"--seed={number + 1}",
-                             f"--seconds={options.seconds}", window=number if options.window else None)
+            run.start_client(*demo_network.client_arguments(options, number + 1), f"--seconds={options.seconds}",
+                             window=number if options.window else None)
         run.wait(options.seconds + SPARE_SECONDS,
                  lambda elapsed: progress(f"{method}: a server and {options.clients} clients,", f" {elapsed:.0f} s"))
         run.check_logs()
@@ -137,7 +136,7 @@ def evaluate(run, options, method):
         if method == "motors":
             errors.merge(compare_by_tick(server, moving, shown, told["first_tick"], told["last_tick"]))
         else:
-            errors.merge(compare_by_wall_clock(server, moving, shown))
+            errors.merge(compare_by_wall_clock(server, moving, shown, demo_network.longest_delay(options)))
     figures = errors.figures()
     if figures["p99"] is None:
         raise RunFailed(f"{method}: no client showed a moving cube")
@@ -159,7 +158,7 @@ def play(engine, folder, options):
     with DemoRun(engine, folder) as run:
         run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
         for number in range(options.clients):
-            run.start_client(f"--loss={options.loss}", f"--jitter={options.jitter}", "--record=", window=number)
+            run.start_client(*demo_network.client_arguments(options, number + 1), "--record=", window=number)
         run.wait(float("inf"))
 
 

@@ -1,5 +1,7 @@
 """The demo's figures as a table for people and as rows for programs."""
 
+import demo_network
+
 SUBJECTS = {"motors": "ga_godot", "synchronizer": "multiplayer_synchronizer"}
 TITLES = {"motors": "quantised motors", "synchronizer": "MultiplayerSynchronizer"}
 COLUMNS = (
@@ -22,17 +24,18 @@ def print_table(arms, options):
         rows.append([TITLES[method], *(cell(figures) for _, cell in COLUMNS)])
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     motors, synchronizer = arms["motors"], arms["synchronizer"]
-    network = ""
-    if options.loss or options.jitter:
-        network = f", {options.loss} % loss and up to {options.jitter} ms jitter for the motors alone"
     print(f"{options.cubes} cubes, {motors['moving']:.0f} of them moving on average, {options.clients} clients, "
-          f"{options.seconds} s each{network}")
+          f"{options.seconds} s each")
+    network = demo_network.describe(options)
+    if network:
+        print(f"network, each way: {network}")
     print()
     for row in rows:
         cells = [text.rjust(width) for text, width in zip(row[1:], widths[1:])]
         print("  ".join([row[0].ljust(widths[0]), *cells]).rstrip())
     print()
-    print("kB/s, packets/s: received by one client, ENet's own counters (without the 28 bytes of IP and UDP a packet).")
+    print("kB/s, packets/s: sent to one client, without the 28 bytes of IP and UDP a packet: ENet's own counters, or where the")
+    print("network is made bad the proxy's, before anything is lost.")
     print("error: from what a client shows to where the server had it at the same media time; cubes that move, the worst")
     print("of the centre and three points 0.25 m along the axes. Motors carry their time; the synchronizer, which shows what")
     print("arrives as it arrives, has the one delay removed that makes its mean error smallest.")
@@ -48,7 +51,8 @@ def json_rows(arms, options):
     for method, figures in arms.items():
         def add(case, value, unit, subject=SUBJECTS[method]):
             rows.append({"suite": "network", "case": case, "subject": subject, "n": options.cubes, "value": value,
-                         "unit": unit, "trace": "demo_" + options.scene, "loss": options.loss, "jitter": options.jitter})
+                         "unit": unit, "trace": "demo_" + options.scene, "loss": options.loss, "jitter": options.jitter,
+                         "delay": options.delay})
         add("bytes_per_second", figures["bytes_per_second"], "byte/s")
         add("bytes_per_second_per_body", figures["bytes_per_second"] / options.cubes, "byte/s")
         add("bytes_per_pose", figures["bytes_per_pose"], "byte")

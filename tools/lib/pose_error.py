@@ -3,6 +3,7 @@ import bisect
 
 from pose_record import ROW_FLOATS, lever_distance
 
+# Of a client that shows what arrives as it arrives, in seconds, besides what the network delays.
 LONGEST_DELAY = 0.25
 
 
@@ -61,9 +62,9 @@ def compare_by_tick(server, moving, client, first_tick, last_tick):
     return summary
 
 
-def compare_by_wall_clock(server, moving, client):
+def compare_by_wall_clock(server, moving, client, network_delay=0.0):
     """For a client that knows no time: the one delay that makes the mean error smallest is removed."""
-    delay = best_delay(server, moving, client)
+    delay = best_delay(server, moving, client, LONGEST_DELAY + network_delay)
     summary = ErrorSummary()
     for wall, rows in zip(client.walls, client.rows):
         truth, index = rows_at(server, wall - delay)
@@ -73,7 +74,7 @@ def compare_by_wall_clock(server, moving, client):
     return summary
 
 
-def best_delay(server, moving, client):
+def best_delay(server, moving, client, longest=LONGEST_DELAY):
     """Searches the delay in steps of 8 ms, then of 2 ms around the best, on a part of the pictures."""
     step = max(1, len(client) // 40)
     pictures = list(zip(client.walls, client.rows))[::step]
@@ -89,7 +90,7 @@ def best_delay(server, moving, client):
                 count += 1
         return total / count if count else float("inf")
 
-    coarse = min((0.008 * i for i in range(int(LONGEST_DELAY / 0.008))), key=mean_error)
+    coarse = min((0.008 * i for i in range(int(longest / 0.008))), key=mean_error)
     fine = [max(0.0, coarse + 0.002 * i) for i in range(-4, 5)]
     return min(fine, key=mean_error)
 

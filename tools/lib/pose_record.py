@@ -1,4 +1,4 @@
-"""Reads the pose records that the multiplayer demo writes (godot_project/demos/multiplayer/pose_recorder.gd)."""
+"""Reads the pose records that the multiplayer demo writes (godot_project/demos/multiplayer/measure/pose_recorder.gd)."""
 import array
 import struct
 import sys

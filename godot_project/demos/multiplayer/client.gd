@@ -4,18 +4,25 @@ extends Node
 ## Why the client is no longer connected, in words for the player.
 signal closed(reason: String)
 ## Emitted when the server has told what it plays; the link is open.
-signal opened(scene: String, cubes: int, method: String)
+signal opened(scene: String, cubes: int)
+## Emitted when the poses come by another method from now on.
+signal method_changed
+## Emitted when another bound or path holds.
+signal tuned
 
 const Connection := preload("connection.gd")
-const Impairment := preload("replication/impairment.gd")
-const MotorLink := preload("replication/motor_link.gd")
+const ErrorGauge := preload("measure/error_gauge.gd")
+const LineConditions := preload("network/line_conditions.gd")
 const Options := preload("options.gd")
 const PlayerInput := preload("player_input.gd")
 const PoseLink := preload("replication/pose_link.gd")
-const PoseRecorder := preload("pose_recorder.gd")
+const PoseRecorder := preload("measure/pose_recorder.gd")
+const RunReport := preload("measure/run_report.gd")
 const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
-const TrafficMeter := preload("traffic_meter.gd")
+const TrafficMeter := preload("measure/traffic_meter.gd")
+const Truth := preload("measure/truth.gd")
+const UdpProxy := preload("network/udp_proxy.gd")
 
 ## Seconds to wait for the server's answer.
 const CONNECT_SECONDS := 8.0
@@ -23,48 +30,66 @@ const CONNECT_SECONDS := 8.0
 const SILENCE_SECONDS := 5.0
 const LOST := "The server has closed the session or cannot be reached."
 const HEADLESS_FRAMES_PER_SECOND := 60
+## Bytes that a truth costs besides its own.
+const TRUTH_HEADER := 13
 
 var meter: TrafficMeter
+var gauge := ErrorGauge.new()
+## Of the method that the poses come by; null before the server has told.
 var link: PoseLink
 ## All players, as [slot, peer, name] each.
 var roster: Array = []
 var cube_count := 0
 var method := ""
+## The bound in metres and the path that the server has decided on.
+var tolerance := 0.005
+var mode := MultivectorLerp.LINEAR
+## How bad the network is made; change it with [method set_conditions].
+var conditions: LineConditions
 
 var _options: Options
 var _session: Session
 var _input: PlayerInput
 var _peer := ENetMultiplayerPeer.new()
 var _recorder: PoseRecorder
-var _make_link: Callable
+var _links: Dictionary[String, PoseLink]
+## Null where nothing shall be bad.
+var _proxy: UdpProxy
+var _report := RunReport.new()
 var _heard_at := 0.0
 var _heard_bytes := 0
-var _begun_at := -1.0
-var _ended_at := -1.0
-var _poses_at_begin := 0
-var _bytes_at_begin := 0
-var _packets_at_begin := 0
 var _last_tick := -1
-var _report_values: Dictionary = {}
 var _own_id := 0
 var _is_closed := false
 
 
-## [param make_link] makes the link for a method's name and adds it to the tree.
-func _init(options: Options, session: Session, make_link: Callable) -> void:
+func _init(options: Options, session: Session, links: Dictionary[String, PoseLink]) -> void:
 	_options = options
 	_session = session
-	_make_link = make_link
+	_links = links
+	conditions = options.conditions
 
 
 ## Starts to connect. Returns what is wrong, or an empty text.
 func open() -> String:
-	if _peer.create_client(_options.address, _options.port, Connection.CHANNELS) != OK:
+	var is_headless := DisplayServer.get_name() == "headless"
+	var address := _options.address
+	var port := _options.port
+	# With a window the network may become bad at any time.
+	if not is_headless or not conditions.is_perfect():
+		_proxy = UdpProxy.new()
+		add_child(_proxy)
+		if _proxy.open(address, port, _options.seed_value) != OK:
+			return "Cannot find %s." % address
+		_proxy.set_conditions(conditions)
+		address = "127.0.0.1"
+		port = _proxy.get_port()
+	if _peer.create_client(address, port, Connection.CHANNELS) != OK:
 		return "Cannot connect to %s:%d." % [_options.address, _options.port]
-	if DisplayServer.get_name() == "headless":
+	if is_headless:
 		Engine.max_fps = HEADLESS_FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
-	meter = TrafficMeter.new(_peer.host)
+	meter = TrafficMeter.new(_peer.host, _proxy)
 	multiplayer.connected_to_server.connect(_on_connected)
 	multiplayer.connection_failed.connect(_close.bind("No answer from the server at %s:%d." % [
 			_options.address, _options.port]))
@@ -74,6 +99,9 @@ func open() -> String:
 	_session.roster_changed.connect(_on_roster_changed)
 	_session.begun.connect(_on_begun)
 	_session.finished.connect(_on_finished)
+	_session.method_chosen.connect(_on_method_chosen)
+	_session.tuned.connect(_on_tuned)
+	_session.truth_told.connect(_on_truth_told)
 	get_tree().create_timer(CONNECT_SECONDS).timeout.connect(_on_connect_timeout)
 	return ""
 
@@ -91,6 +119,28 @@ func get_input() -> PlayerInput:
 	return _input
 
 
+## Makes the network as bad as this, at once; only with a window, or where it was bad from the start.
+func set_conditions(p_conditions: LineConditions) -> void:
+	conditions = p_conditions
+	if _proxy != null:
+		_proxy.set_conditions(conditions)
+
+
+## Asks the server for poses by another method.
+func want_method(wanted: String) -> void:
+	_session.want_method.rpc_id(1, wanted)
+
+
+## Asks the server for another bound, in metres, and another path, for everybody.
+func want_tuning(wanted_tolerance: float, wanted_mode: MultivectorLerp.Mode) -> void:
+	_session.want_tuning.rpc_id(1, wanted_tolerance, wanted_mode)
+
+
+## Asks the server for the truth by which [member gauge] measures, or for no more of it.
+func want_truth(wanted: bool) -> void:
+	_session.want_truth.rpc_id(1, wanted)
+
+
 func _exit_tree() -> void:
 	if _recorder != null:
 		_recorder.close()
@@ -105,15 +155,17 @@ func _process(_delta: float) -> void:
 		meter.update()
 	if link == null:
 		return
-	if meter.bytes != _heard_bytes:
-		_heard_bytes = meter.bytes
+	if meter.arrived != _heard_bytes:
+		_heard_bytes = meter.arrived
 		_heard_at = local
 	elif local - _heard_at > SILENCE_SECONDS:
 		_close(LOST)
 		return
 	link.advance(local, _recorder)
+	gauge.update(link)
 	if _last_tick >= 0 and (link.get_shown_tick() >= _last_tick):
-		_report()
+		_recorder.close()
+		_report.tell(link)
 		_close("The scene is over.")
 
 
@@ -132,16 +184,24 @@ func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
 		return
 	cube_count = cubes
 	method = p_method
-	link = _make_link.call(method)
-	link.open_receiver(cubes + Simulation.SLOTS, cubes)
-	var motors := link as MotorLink
-	if motors != null and _options.loss + _options.jitter > 0.0:
-		motors.impairment = Impairment.new(_options.loss, _options.jitter, _options.seed_value)
+	link = _links[method]
+	for each: PoseLink in _links.values():
+		each.open_receiver(cubes + Simulation.SLOTS, cubes)
 	_recorder = PoseRecorder.new(_options.record, cubes + Simulation.SLOTS)
 	_input = PlayerInput.new(_session, _options.autopilot)
 	add_child(_input)
-	opened.emit(scene, cubes, method)
 	_session.enter.rpc_id(1, _options.player_name)
+	opened.emit(scene, cubes)
+
+
+func _on_method_chosen(chosen: String) -> void:
+	if chosen == method or not _links.has(chosen):
+		return
+	method = chosen
+	link = _links[method]
+	link.open_receiver(cube_count + Simulation.SLOTS, cube_count)
+	gauge.clear()
+	method_changed.emit()
 
 
 func _on_roster_changed(p_roster: Array) -> void:
@@ -151,33 +211,33 @@ func _on_roster_changed(p_roster: Array) -> void:
 	for player: Array in roster:
 		var slot: int = player[0]
 		if not present.has(slot):
-			link.forget(cube_count + slot)
+			for each: PoseLink in _links.values():
+				each.forget(cube_count + slot)
 	roster = p_roster
 
 
 func _on_begun() -> void:
-	_begun_at = Time.get_ticks_usec() * 1e-6
-	_poses_at_begin = link.pose_count
-	meter.update()
-	_bytes_at_begin = meter.bytes
-	_packets_at_begin = meter.packets
+	_report.begin(link, meter)
 
 
 func _on_finished(tick: int) -> void:
-	_ended_at = Time.get_ticks_usec() * 1e-6
 	_last_tick = tick
-	meter.update()
-	_report_values = {
-		"role": "client", "method": method, "seconds": _ended_at - _begun_at, "bytes": meter.bytes - _bytes_at_begin,
-		"packets": meter.packets - _packets_at_begin,
-		"poses": link.pose_count - _poses_at_begin,
-	}
+	_report.finish(method, link, meter)
 
 
-func _report() -> void:
-	_report_values.merge(link.get_counts())
-	_recorder.close()
-	print("REPORT ", JSON.stringify(_report_values))
+func _on_tuned(p_tolerance: float, p_mode: MultivectorLerp.Mode) -> void:
+	tolerance = p_tolerance
+	mode = p_mode
+	for each: PoseLink in _links.values():
+		each.tune(tolerance, mode)
+	tuned.emit()
+
+
+func _on_truth_told(bytes: PackedByteArray) -> void:
+	meter.discount(bytes.size() + TRUTH_HEADER)
+	var truth := Truth.from_bytes(bytes, cube_count + Simulation.SLOTS)
+	if truth != null:
+		gauge.take(truth, link)
 
 
 func _close(reason: String) -> void:

@@ -42,7 +42,7 @@ func _exit_tree() -> void:
 
 func _start_server() -> void:
 	_add_session()
-	var server := Server.new(_options, _session, _make_link(_options.method))
+	var server := Server.new(_options, _session, _make_links())
 	add_child(server)
 	var problem := server.open()
 	if not problem.is_empty():
@@ -54,7 +54,7 @@ func _start_server() -> void:
 
 func _start_client() -> void:
 	_add_session()
-	var client := Client.new(_options, _session, _make_link)
+	var client := Client.new(_options, _session, _make_links())
 	client.closed.connect(_on_client_closed)
 	add_child(client)
 	if _has_window():
@@ -97,11 +97,13 @@ func _add_session() -> void:
 	add_child(_session)
 
 
-func _make_link(method: String) -> PoseLink:
-	var link: PoseLink = MotorLink.new() if method == "motors" else SynchronizerLink.new()
-	link.name = "Link"
-	add_child(link)
-	return link
+## A link for each method.
+func _make_links() -> Dictionary[String, PoseLink]:
+	var links: Dictionary[String, PoseLink] = {"motors": MotorLink.new(), "synchronizer": SynchronizerLink.new()}
+	for method: String in links:
+		links[method].name = method.capitalize()
+		add_child(links[method])
+	return links
 
 
 func _say(text: String) -> void:

@@ -2,11 +2,13 @@ extends RefCounted
 ## What the command line asks of the multiplayer demo: the arguments after `--`.
 ## An argument that is not understood leaves one line in [member problem].
 
+const LineConditions := preload("res://demos/multiplayer/network/line_conditions.gd")
 const Options := preload("res://demos/multiplayer/options.gd")
 
 const DEFAULT_PORT := 24816
 const ROLES: PackedStringArray = ["", "server", "client"]
 const SCENES: PackedStringArray = ["cubes", "push"]
+const CUBES: Dictionary[String, int] = {"cubes": 250, "push": 901}
 const METHODS: PackedStringArray = ["motors", "synchronizer"]
 
 ## "server", "client", or empty: ask the user.
@@ -16,9 +18,9 @@ var address := "127.0.0.1"
 var port := DEFAULT_PORT
 ## "cubes" or "push"; a client is told by the server.
 var scene := "cubes"
-## Number of cubes; a client is told by the server.
-var cubes := 250
-## "motors" or "synchronizer"; a client is told by the server.
+## Number of cubes, 0 for the scene's own; a client is told by the server.
+var cubes := 0
+## "motors" or "synchronizer": how a client first gets its poses; it may ask for the other.
 var method := "motors"
 ## Seconds of the scene to play, then everybody stops; 0 plays for ever.
 var seconds := 0.0
@@ -30,11 +32,9 @@ var life := true
 var quit_when_empty := false
 ## File for the poses of every tick (server) or as shown (client); empty: none.
 var record := ""
-## Share of the incoming pose datagrams that a client throws away, percent.
-var loss := 0.0
-## Extra delay of each incoming pose datagram, uniform between 0 and this, ms.
-var jitter := 0.0
-## Seed of loss and jitter.
+## How bad the network between a client and the server is made, in each direction.
+var conditions := LineConditions.new()
+## Seed of what the network does to each packet.
 var seed_value := 1
 ## Name over the player's ball.
 var player_name := "Player"
@@ -51,6 +51,8 @@ static func parse(arguments: PackedStringArray) -> Options:
 	var options := Options.new()
 	for argument: String in arguments:
 		options._take(argument)
+	if options.cubes == 0:
+		options.cubes = CUBES[options.scene]
 	return options
 
 
@@ -90,12 +92,28 @@ func _take(argument: String) -> void:
 			clients = int(_number(argument, value, 0.0, 6.0))
 		"seconds":
 			seconds = _number(argument, value, 0.0, 86400.0)
-		"loss":
-			loss = _number(argument, value, 0.0, 100.0)
-		"jitter":
-			jitter = _number(argument, value, 0.0, 1000.0)
 		"seed":
 			seed_value = int(_number(argument, value, 0.0, 2147483647.0))
+		_:
+			_take_condition(parts[0], argument, value)
+
+
+func _take_condition(key: String, argument: String, value: String) -> void:
+	match key:
+		"loss":
+			conditions.loss = _number(argument, value, 0.0, 100.0) / 100.0
+		"burst":
+			conditions.burst = _number(argument, value, 1.0, 100.0)
+		"delay":
+			conditions.delay = _number(argument, value, 0.0, 2000.0) / 1000.0
+		"jitter":
+			conditions.jitter = _number(argument, value, 0.0, 2000.0) / 1000.0
+		"reorder":
+			conditions.reorder = _number(argument, value, 0.0, 100.0) / 100.0
+		"duplicate":
+			conditions.duplicate = _number(argument, value, 0.0, 100.0) / 100.0
+		"rate":
+			conditions.rate = _number(argument, value, 0.0, 1e9)
 		_:
 			problem = "unknown argument %s" % argument
 

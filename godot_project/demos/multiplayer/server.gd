@@ -4,9 +4,10 @@ extends Node
 const Connection := preload("connection.gd")
 const Options := preload("options.gd")
 const PoseLink := preload("replication/pose_link.gd")
-const PoseRecorder := preload("pose_recorder.gd")
+const PoseRecorder := preload("measure/pose_recorder.gd")
 const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
+const TruthProbe := preload("measure/truth_probe.gd")
 
 const MOST_CLIENTS := 6
 ## Frames a second of the main loop without a window: often enough for punctual ticks.
@@ -16,7 +17,12 @@ const FAREWELL := 2.0
 
 var _options: Options
 var _session: Session
-var _link: PoseLink
+## Of each method; a client gets its poses by one of them.
+var _links: Dictionary[String, PoseLink]
+var _methods: Dictionary[int, String] = {}
+var _tolerance := 0.005
+var _mode := MultivectorLerp.LINEAR
+var _probe := TruthProbe.new()
 var _peer := ENetMultiplayerPeer.new()
 var _simulation: Simulation
 var _recorder: PoseRecorder
@@ -29,10 +35,10 @@ var _slots: Dictionary[int, int] = {}
 var _names: Dictionary[int, String] = {}
 
 
-func _init(options: Options, session: Session, link: PoseLink) -> void:
+func _init(options: Options, session: Session, links: Dictionary[String, PoseLink]) -> void:
 	_options = options
 	_session = session
-	_link = link
+	_links = links
 
 
 func _ready() -> void:
@@ -50,12 +56,17 @@ func open() -> String:
 	_session.entered.connect(_on_entered)
 	_session.steered.connect(_on_steered)
 	_session.kicked.connect(_on_kicked)
+	_session.method_wanted.connect(_on_method_wanted)
+	_session.tuning_wanted.connect(_on_tuning_wanted)
+	_session.truth_wanted.connect(_on_truth_wanted)
 	_simulation = Simulation.new(_options.scene, _options.cubes, _options.life)
 	add_child(_simulation)
 	var body_count := _options.cubes + Simulation.SLOTS
-	_link.open_sender(body_count)
+	for link: PoseLink in _links.values():
+		link.open_sender(body_count)
+		link.tune(_tolerance, _mode)
 	for id: int in _simulation.get_ids():
-		_link.add_body(id, 0, _simulation.get_pose(id))
+		_add_body(id)
 	_recorder = PoseRecorder.new(_options.record, body_count)
 	_rows.resize(body_count * 12)
 	PhysicsServer3D.space_set_active(_simulation.get_world_3d().space, false)
@@ -76,7 +87,9 @@ func _physics_process(delta: float) -> void:
 	if _first_tick >= 0:
 		_simulation.step(delta)
 	var poses := _get_poses()
-	_link.publish(_tick, poses)
+	for link: PoseLink in _links.values():
+		link.publish(_tick, poses)
+	_tell_truth(poses)
 	if _first_tick < 0 or _last_tick >= 0:
 		return
 	if _recorder.is_open():
@@ -110,7 +123,7 @@ func _finish() -> void:
 	for peer: int in _slots:
 		_session.finish.rpc_id(peer, _last_tick)
 	print("REPORT ", JSON.stringify({
-		"role": "server", "first_tick": _first_tick, "last_tick": _last_tick, "sent_poses": _link.pose_count,
+		"role": "server", "first_tick": _first_tick, "last_tick": _last_tick,
 	}))
 	await get_tree().create_timer(FAREWELL).timeout
 	get_tree().quit()
@@ -128,8 +141,11 @@ func _on_peer_disconnected(peer: int) -> void:
 	print("%s has left." % _names[peer])
 	_slots.erase(peer)
 	_names.erase(peer)
-	_link.remove_receiver(peer)
-	_link.remove_body(_options.cubes + slot)
+	_probe.watchers.erase(peer)
+	_links[_methods[peer]].remove_receiver(peer)
+	_methods.erase(peer)
+	for link: PoseLink in _links.values():
+		link.remove_body(_options.cubes + slot)
 	_simulation.remove_player(slot)
 	_send_roster()
 	if _options.quit_when_empty and _slots.is_empty():
@@ -145,14 +161,57 @@ func _on_entered(peer: int, player_name: String) -> void:
 		return
 	_slots[peer] = slot
 	_names[peer] = player_name
-	var id := _options.cubes + slot
-	_link.add_body(id, _tick, _simulation.get_pose(id))
-	_link.add_receiver(peer, _tick, _get_poses())
+	_add_body(_options.cubes + slot)
+	_session.tune.rpc_id(peer, _tolerance, _mode)
+	_give_method(peer, _options.method)
 	_send_roster()
 	print("%s has joined." % player_name)
 	if _first_tick >= 0:
 		_session.begin.rpc_id(peer)
 	_begin_if_complete()
+
+
+func _add_body(id: int) -> void:
+	for link: PoseLink in _links.values():
+		link.add_body(id, _tick, _simulation.get_pose(id))
+
+
+func _give_method(peer: int, method: String) -> void:
+	if _methods.has(peer):
+		_links[_methods[peer]].remove_receiver(peer)
+	_methods[peer] = method
+	_session.choose_method.rpc_id(peer, method)
+	_links[method].add_receiver(peer, _tick, _get_poses())
+
+
+func _on_method_wanted(peer: int, method: String) -> void:
+	if _slots.has(peer) and _links.has(method) and _methods[peer] != method:
+		_give_method(peer, method)
+
+
+## One bound and one path for all: the motion is sampled once.
+func _on_tuning_wanted(peer: int, tolerance: float, mode: MultivectorLerp.Mode) -> void:
+	if not _slots.has(peer):
+		return
+	_tolerance = tolerance
+	_mode = mode
+	for link: PoseLink in _links.values():
+		link.tune(tolerance, mode)
+	for player: int in _slots:
+		_session.tune.rpc_id(player, tolerance, mode)
+
+
+func _on_truth_wanted(peer: int, wanted: bool) -> void:
+	_probe.watchers.erase(peer)
+	if wanted and _slots.has(peer):
+		_probe.watchers.append(peer)
+
+
+func _tell_truth(poses: Dictionary[int, Transform3D]) -> void:
+	var truth := _probe.observe(_tick, poses)
+	if truth != null:
+		for peer: int in _probe.watchers:
+			_session.tell_truth.rpc_id(peer, truth.to_bytes())
 
 
 func _on_steered(peer: int, drive: Vector2, jump: bool) -> void:

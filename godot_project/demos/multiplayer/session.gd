@@ -13,14 +13,29 @@ signal roster_changed(roster: Array)
 signal begun
 ## At a client: the scene ended at this tick.
 signal finished(tick: int)
+## At a client: by which method it gets the poses from now on.
+signal method_chosen(method: String)
+## At a client: the bound in metres and the path (a [enum MultivectorLerp.Mode]) that hold from now on.
+signal tuned(tolerance: float, mode: int)
+## At a client: where some bodies truly were (truth.gd).
+signal truth_told(bytes: PackedByteArray)
 ## At the server: a client is ready to get poses.
 signal entered(peer: int, player_name: String)
 ## At the server: where a player drives, at most 1 long.
 signal steered(peer: int, drive: Vector2, jump: bool)
+## At the server: a client wants its poses by another method.
+signal method_wanted(peer: int, method: String)
+## At the server: a client wants another bound and path, for everybody.
+signal tuning_wanted(peer: int, tolerance: float, mode: int)
+## At the server: a client wants to be told true poses, or no longer.
+signal truth_wanted(peer: int, wanted: bool)
 ## At the server: a player kicks a cube.
 signal kicked(peer: int, cube: int, direction: Vector3)
 
 const LONGEST_NAME := 24
+## Limits of the bound, in metres.
+const LEAST_TOLERANCE := 0.0005
+const MOST_TOLERANCE := 0.1
 
 
 @rpc("authority", "call_remote", "reliable")
@@ -46,6 +61,40 @@ func begin() -> void:
 @rpc("authority", "call_remote", "reliable")
 func finish(tick: int) -> void:
 	finished.emit(tick)
+
+
+@rpc("authority", "call_remote", "reliable")
+func choose_method(method: String) -> void:
+	method_chosen.emit(method)
+
+
+@rpc("authority", "call_remote", "reliable")
+func tune(tolerance: float, mode: int) -> void:
+	tuned.emit(tolerance, mode)
+
+
+@rpc("authority", "call_remote", "unreliable", 3)
+func tell_truth(bytes: PackedByteArray) -> void:
+	truth_told.emit(bytes)
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func want_method(method: String) -> void:
+	if multiplayer.is_server():
+		method_wanted.emit(multiplayer.get_remote_sender_id(), method)
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func want_tuning(tolerance: float, mode: int) -> void:
+	if multiplayer.is_server() and is_finite(tolerance) and mode >= 0 and mode <= MultivectorLerp.SEPARATE:
+		var bound := clampf(tolerance, LEAST_TOLERANCE, MOST_TOLERANCE)
+		tuning_wanted.emit(multiplayer.get_remote_sender_id(), bound, mode)
+
+
+@rpc("any_peer", "call_remote", "reliable")
+func want_truth(wanted: bool) -> void:
+	if multiplayer.is_server():
+		truth_wanted.emit(multiplayer.get_remote_sender_id(), wanted)
 
 
 @rpc("any_peer", "call_remote", "reliable")

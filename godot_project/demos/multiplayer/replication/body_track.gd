@@ -33,7 +33,8 @@ func start(tick: int, pose: Transform3D) -> void:
 
 
 ## Takes the pose of the next tick. True if a key has to be sent: [member key_tick], [member key_pose].
-func observe(tick: int, pose: Transform3D, tolerance: float, rest_tolerance: float) -> bool:
+func observe(
+		tick: int, pose: Transform3D, tolerance: float, rest_tolerance: float, mode := MultivectorLerp.LINEAR) -> bool:
 	if resting:
 		if distance(key_pose, pose) <= rest_tolerance:
 			return false
@@ -42,7 +43,7 @@ func observe(tick: int, pose: Transform3D, tolerance: float, rest_tolerance: flo
 		key_tick = tick - 1
 		_recent.append(pose)
 		return true
-	if _bends(pose, tolerance):
+	if _bends(pose, tolerance, mode):
 		_set_key(tick - 1, _recent[-1])
 		_recent.append(pose)
 		return true
@@ -88,11 +89,11 @@ func _set_key(tick: int, pose: Transform3D) -> void:
 
 
 ## Whether interpolation from the key to [param pose] leaves the tolerance at a tick between.
-func _bends(pose: Transform3D, tolerance: float) -> bool:
+func _bends(pose: Transform3D, tolerance: float, mode: MultivectorLerp.Mode) -> bool:
 	var count := _recent.size()
 	for i: int in count:
 		var weight := float(i + 1) / float(count + 1)
-		var between := MultivectorLerp.interpolate_transform(key_pose, pose, weight, MultivectorLerp.LINEAR)
+		var between := MultivectorLerp.interpolate_transform(key_pose, pose, weight, mode)
 		if distance(between, _recent[i]) > tolerance:
 			return true
 	return false

@@ -2,17 +2,14 @@ extends "pose_link.gd"
 ## Poses as quantised motors: chosen by [KeySender], carried as one byte array a datagram by
 ## an unreliable RPC, shown by [KeyReceiver] at a playback delay.
 
-const Impairment := preload("impairment.gd")
 const KeyReceiver := preload("motor_receiver.gd")
 const KeySender := preload("motor_sender.gd")
-
-## A bad network for this client, or null.
-var impairment: Impairment
 
 var _sender: KeySender
 var _receiver: KeyReceiver
 var _receivers: Array[int] = []
 var _shown := -1.0
+var _mode := MultivectorLerp.LINEAR
 
 
 func open_sender(_body_count: int) -> void:
@@ -28,6 +25,8 @@ func remove_body(id: int) -> void:
 
 
 func add_receiver(peer: int, tick: int, poses: Dictionary[int, Transform3D]) -> void:
+	if _receivers.is_empty():
+		_sender.restart(tick, poses)
 	for bytes: PackedByteArray in _sender.make_state(tick, poses):
 		_take_state.rpc_id(peer, bytes)
 	_receivers.append(peer)
@@ -38,6 +37,8 @@ func remove_receiver(peer: int) -> void:
 
 
 func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void:
+	if _receivers.is_empty():
+		return
 	for id: int in poses:
 		_sender.observe(id, tick, poses[id])
 	for bytes: PackedByteArray in _sender.flush(tick):
@@ -48,12 +49,11 @@ func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void:
 
 func open_receiver(body_count: int, _present_count: int) -> void:
 	_receiver = KeyReceiver.new(body_count)
+	_receiver.mode = _mode
+	_shown = -1.0
 
 
 func advance(local: float, recorder: PoseRecorder) -> void:
-	if impairment != null:
-		for bytes: PackedByteArray in impairment.take(local):
-			_receiver.accept(bytes, local)
 	pose_count = _receiver.received_poses
 	if not is_ready():
 		return
@@ -92,6 +92,14 @@ func get_shown_tick() -> float:
 	return _shown
 
 
+func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void:
+	_mode = mode
+	if _sender != null:
+		_sender.tune(tolerance, mode)
+	if _receiver != null:
+		_receiver.mode = mode
+
+
 func get_counts() -> Dictionary[String, int]:
 	return {"late": _receiver.late_poses, "rejected": _receiver.rejected_datagrams}
 
@@ -113,10 +121,7 @@ func _take_state(bytes: PackedByteArray) -> void:
 
 @rpc("authority", "call_remote", "unreliable", 1)
 func _take_keys(bytes: PackedByteArray) -> void:
-	if impairment != null:
-		impairment.put(bytes, Time.get_ticks_usec() * 1e-6)
-	else:
-		_accept(bytes)
+	_accept(bytes)
 
 
 func _accept(bytes: PackedByteArray) -> void:

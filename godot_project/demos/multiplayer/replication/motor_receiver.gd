@@ -10,6 +10,8 @@ const PoseDatagram := preload("pose_datagram.gd")
 ## The poses as shown, one a body, in the order of the ids.
 var pool := MotorPool.new()
 var clock := PlaybackClock.new()
+## The path between two samples.
+var mode := MultivectorLerp.LINEAR
 var received_poses := 0
 var received_datagrams := 0
 ## Datagrams that were not sound; nothing of them was applied.
@@ -73,7 +75,7 @@ func show(media: float) -> void:
 			timeline.changed = false
 			pool.set_from(id, timeline.from)
 			pool.set_to(id, timeline.to)
-	pool.interpolate_each(_weights, MultivectorLerp.LINEAR)
+	pool.interpolate_each(_weights, mode)
 
 
 func _are_known(groups: Array[PoseDatagram.Group]) -> bool:

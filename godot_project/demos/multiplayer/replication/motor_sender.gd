@@ -15,6 +15,8 @@ const REFRESH_COUNT := 2
 var tolerance := 0.005
 ## A body that stays this close to its pose, in metres, is at rest.
 var rest_tolerance := 0.001
+## The path between two samples.
+var mode := MultivectorLerp.LINEAR
 ## Pose updates sent so far.
 var sent_poses := 0
 ## Bodies that are not at rest.
@@ -39,6 +41,19 @@ func add_body(id: int, tick: int, pose: Transform3D) -> void:
 	_enqueue(id, tick, pose)
 
 
+## Begins anew from these poses, as all receivers know them.
+func restart(tick: int, poses: Dictionary[int, Transform3D]) -> void:
+	_queue.clear()
+	for id: int in poses:
+		_tracks[id].start(tick, poses[id])
+
+
+func tune(p_tolerance: float, p_mode: MultivectorLerp.Mode) -> void:
+	tolerance = p_tolerance
+	mode = p_mode
+	_codec.position_tolerance = tolerance * 0.2
+
+
 func remove_body(id: int) -> void:
 	_tracks.erase(id)
 
@@ -46,7 +61,7 @@ func remove_body(id: int) -> void:
 ## Takes the true pose of a body at a tick; call it for every body at every tick.
 func observe(id: int, tick: int, pose: Transform3D) -> void:
 	var track := _tracks[id]
-	if track.observe(tick, pose, tolerance, rest_tolerance):
+	if track.observe(tick, pose, tolerance, rest_tolerance, mode):
 		_enqueue(id, track.key_tick, track.key_pose)
 	elif track.take_repeat(tick):
 		_enqueue(id, tick, track.key_pose)

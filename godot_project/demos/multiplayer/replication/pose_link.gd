@@ -3,7 +3,7 @@ extends Node
 ## How poses get from the server to the clients: the border behind which methods are exchanged.
 ## The server calls the first half, a client the second. Bodies have numbers from 0.
 
-const PoseRecorder := preload("../pose_recorder.gd")
+const PoseRecorder := preload("../measure/pose_recorder.gd")
 
 ## Pose updates that this client received, or that the server sent to each.
 var pose_count := 0
@@ -34,6 +34,7 @@ var pose_count := 0
 
 
 ## Client: begins, with numbers below [param body_count], of which the first [param present_count] are never absent.
+## Called again, it forgets everything and begins anew.
 @abstract func open_receiver(body_count: int, present_count: int) -> void
 
 
@@ -67,6 +68,11 @@ var pose_count := 0
 
 ## Client: the tick that is shown, or a very large number where the method knows no time.
 @abstract func get_shown_tick() -> float
+
+
+## Both sides: how far, in metres, what is shown may be from the truth, and the path between two samples
+## (a [enum MultivectorLerp.Mode]). A method that knows neither takes no notice.
+@abstract func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void
 
 
 ## Client: further counts for the report: late, rejected.

@@ -33,23 +33,32 @@ func remove_body(id: int) -> void:
 func add_receiver(peer: int, _tick: int, poses: Dictionary[int, Transform3D]) -> void:
 	_receivers.append(peer)
 	for id: int in poses:
+		_bodies[id].transform = poses[id]
 		_synchronizers[id].set_visibility_for(peer, true)
 
 
 func remove_receiver(peer: int) -> void:
 	_receivers.erase(peer)
+	if not multiplayer.get_peers().has(peer):
+		return
+	for id: int in _present:
+		_synchronizers[id].set_visibility_for(peer, false)
 
 
 func publish(_tick: int, poses: Dictionary[int, Transform3D]) -> void:
+	if _receivers.is_empty():
+		return
 	for id: int in poses:
 		_bodies[id].transform = poses[id]
 
 
 func open_receiver(body_count: int, present_count: int) -> void:
-	_add_nodes(body_count)
-	_rows.resize(body_count * 12)
 	for id: int in present_count:
 		_awaited[id] = true
+	if not _bodies.is_empty():
+		return
+	_add_nodes(body_count)
+	_rows.resize(body_count * 12)
 	for id: int in body_count:
 		_synchronizers[id].synchronized.connect(_on_synchronized.bind(id))
 
@@ -90,6 +99,10 @@ func get_delay_ms(_local: float) -> float:
 
 func get_shown_tick() -> float:
 	return INF
+
+
+func tune(_tolerance: float, _mode: MultivectorLerp.Mode) -> void:
+	pass
 
 
 func get_counts() -> Dictionary[String, int]:

@@ -12,8 +12,8 @@ var _label := Label3D.new()
 var _radius: float
 
 
-func _init(slot: int, player_name: String) -> void:
-	_radius = Scenario.BALL_RADIUS if slot == 0 else PlayerBall.RADIUS
+func _init(scene: String, slot: int, player_name: String) -> void:
+	_radius = Scenario.BALL_RADIUS if slot == 0 else PlayerBall.RADII[scene]
 	var mesh := SphereMesh.new()
 	mesh.radius = _radius
 	mesh.height = _radius * 2.0

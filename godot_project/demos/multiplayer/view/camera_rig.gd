@@ -6,9 +6,11 @@ const ZOOM_STEP := 1.1
 const FOLLOW_SPEED := 2.5
 ## Share of the way from the arena's centre to the own ball at which the camera looks.
 const FOLLOW_SHARE := 0.3
+## Where it looks at first, seen from above, in radians.
+const YAW := 0.5
 
 var camera := Camera3D.new()
-var yaw := 0.5
+var yaw := YAW
 var pitch := -0.52
 var distance: float
 ## Where the own ball is, or the centre of the arena.

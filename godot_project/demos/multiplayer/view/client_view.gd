@@ -16,11 +16,12 @@ const PICK_RADIUS := 0.42
 
 var _client: Client
 var _options: Options
+var _scene := ""
 var _multimesh: MultiMesh
 var _rig: CameraRig
 var _balls: Dictionary[int, BallView] = {}
 var _shown_roster: Array = []
-var _hud := Hud.new()
+var _hud: Hud
 
 
 func _init(client: Client, options: Options) -> void:
@@ -28,6 +29,7 @@ func _init(client: Client, options: Options) -> void:
 	_options = options
 	client.opened.connect(_on_opened)
 	client.closed.connect(_on_closed)
+	_hud = Hud.new(client)
 	add_child(_hud)
 	_hud.show_message("Connecting to %s:%d …" % [options.address, options.port])
 
@@ -35,7 +37,7 @@ func _init(client: Client, options: Options) -> void:
 func _process(_delta: float) -> void:
 	if _multimesh == null:
 		return
-	_hud.show_traffic(_client)
+	_hud.update()
 	if not _client.link.is_ready():
 		return
 	_client.link.show_in(_multimesh)
@@ -55,7 +57,8 @@ func _unhandled_input(event: InputEvent) -> void:
 		_client.get_input().kick(cube, direction)
 
 
-func _on_opened(scene: String, cubes: int, method: String) -> void:
+func _on_opened(scene: String, cubes: int) -> void:
+	_scene = scene
 	var layout := Layout.new(scene, cubes)
 	var instance := CubesView.new(layout, _client.link.get_body_count())
 	_multimesh = instance.multimesh
@@ -63,10 +66,9 @@ func _on_opened(scene: String, cubes: int, method: String) -> void:
 	add_child(Stage.new(scene, layout.half_extent))
 	_rig = CameraRig.new(layout.half_extent)
 	add_child(_rig)
-	_hud.show_message("")
-	_hud.show_session(cubes, method)
+	_hud.open()
 	if not _options.picture.is_empty():
-		get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
+		_prepare_picture()
 
 
 func _on_closed(reason: String) -> void:
@@ -89,7 +91,7 @@ func _rebuild_balls() -> void:
 	for player: Array in _shown_roster:
 		var slot: int = player[0]
 		var player_name: String = player[2]
-		var ball := BallView.new(slot, player_name)
+		var ball := BallView.new(_scene, slot, player_name)
 		add_child(ball)
 		_balls[slot] = ball
 	_hud.show_players(_shown_roster, _client.get_own_slot())
@@ -111,6 +113,15 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 			best = i
 			best_along = along
 	return best
+
+
+## The other method first, so that the picture shows what both cost.
+func _prepare_picture() -> void:
+	var other := "synchronizer" if _client.method == "motors" else "motors"
+	_client.want_method(other)
+	var back := get_tree().create_timer(_options.picture_after * 0.5)
+	back.timeout.connect(_client.want_method.bind(_client.method))
+	get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
 
 
 func _take_picture() -> void:

@@ -1,164 +1,110 @@
 extends CanvasLayer
-## The client's figures, players and hints over the picture.
+## The client's panels over the picture: figures at the left, controls at the right, players above, keys below.
+## H hides them, M changes the method.
 
 const Client := preload("../client.gd")
-const Palette := preload("palette.gd")
-const Sparkline := preload("sparkline.gd")
+const ControlsPanel := preload("controls_panel.gd")
+const FiguresPanel := preload("figures_panel.gd")
+const PlayerList := preload("player_list.gd")
 
-const METHOD_TITLES: Dictionary[String, String] = {
-	"motors": "Quantised motors", "synchronizer": "MultiplayerSynchronizer",
-}
-const UPDATE_PAUSE := 0.5
 const EDGE := 16
-const PANEL_WIDTH := 236
+const KEYS := "WASD or arrows roll   ·   Space jump   ·   Click kick   ·   Right button, wheel camera   ·   M method   ·   H panels"
 
-var _title := Label.new()
-var _subtitle := Label.new()
-var _rate := Label.new()
-var _curve := Sparkline.new()
-var _figures: Dictionary[String, Label] = {}
-var _players := VBoxContainer.new()
-var _panels: Array[Control] = []
+var _client: Client
+var _figures := FiguresPanel.new()
+var _controls := ControlsPanel.new()
+var _players := PlayerList.new()
+var _panels := Control.new()
 var _message := Label.new()
-var _next_update := 0.0
-var _poses := 0
-var _bytes := 0
-var _packets := 0
-var _updated_at := 0.0
 
 
-func _init() -> void:
-	_add_figures()
-	_add_players()
-	_add_hint()
+func _init(client: Client) -> void:
+	_client = client
+	_panels.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	_panels.mouse_filter = Control.MOUSE_FILTER_IGNORE
+	_panels.hide()
+	add_child(_panels)
+	_place(_in_panel(_figures), Control.SIZE_SHRINK_BEGIN, Control.SIZE_SHRINK_BEGIN)
+	_place(_in_panel(_controls), Control.SIZE_SHRINK_END, Control.SIZE_SHRINK_BEGIN)
+	_place(_players, Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_BEGIN)
+	_place(_make_keys(), Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_END)
 	_message.theme_type_variation = &"HeadingLabel"
 	_message.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_message.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	_message.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 	add_child(_message)
-	_set_panels_visible(false)
+	_figures.method_wanted.connect(client.want_method)
+	_controls.conditions_changed.connect(client.set_conditions)
+	_controls.tuning_wanted.connect(client.want_tuning)
+	client.method_changed.connect(_on_method_changed)
+	client.tuned.connect(_on_tuned)
 
 
 func show_message(text: String) -> void:
 	_message.text = text
 
 
-func show_session(cubes: int, method: String) -> void:
-	_title.text = METHOD_TITLES[method]
-	_subtitle.text = "%d cubes, simulated on the server" % cubes
-	_set_panels_visible(true)
+## The session has begun.
+func open() -> void:
+	_message.text = ""
+	_on_method_changed()
+	_on_tuned()
+	_controls.show_conditions(_client.conditions)
+	_panels.show()
+	_client.want_truth(true)
 
 
 func show_players(roster: Array, own_slot: int) -> void:
-	for child: Node in _players.get_children():
-		child.queue_free()
-	for player: Array in roster:
-		var slot: int = player[0]
-		var player_name: String = player[2]
-		_players.add_child(_make_player(slot, player_name + (" (you)" if slot == own_slot else "")))
+	_players.show_players(roster, own_slot)
 
 
-## Reads the client's counters, twice a second.
-func show_traffic(client: Client) -> void:
-	var now := Time.get_ticks_usec() * 1e-6
-	if now < _next_update:
+## Call it every frame.
+func update() -> void:
+	_figures.update(_client)
+
+
+func _unhandled_key_input(event: InputEvent) -> void:
+	var key := event as InputEventKey
+	if not key.pressed or key.echo or _client.link == null:
 		return
-	_next_update = now + UPDATE_PAUSE
-	var elapsed := maxf(now - _updated_at, 0.001)
-	var poses_per_second := (client.link.pose_count - _poses) / elapsed
-	var rate := (client.meter.bytes - _bytes) / elapsed
-	var packets_per_second := (client.meter.packets - _packets) / elapsed
-	_poses = client.link.pose_count
-	_bytes = client.meter.bytes
-	_packets = client.meter.packets
-	_updated_at = now
-	_rate.text = "%.1f kB/s" % (rate / 1000.0)
-	_curve.push(rate)
-	_figures["Packets"].text = "%.0f /s" % packets_per_second
-	_figures["Pose updates"].text = "%.0f /s" % poses_per_second
-	_figures["Bytes a pose"].text = "%.1f" % (rate / poses_per_second) if poses_per_second > 10.0 else "–"
-	var delay := client.link.get_delay_ms(now)
-	_figures["Playback delay"].text = "%.0f ms" % delay if delay > 0.0 else "none"
+	if key.keycode == KEY_H:
+		_panels.visible = not _panels.visible
+		# What nobody sees need not be measured.
+		_client.want_truth(_panels.visible)
+	elif key.keycode == KEY_M:
+		_client.want_method("synchronizer" if _client.method == "motors" else "motors")
 
 
-func _add_figures() -> void:
-	var column := _add_panel(Control.PRESET_TOP_LEFT, Vector2(EDGE, EDGE))
-	column.custom_minimum_size.x = PANEL_WIDTH
-	_title.theme_type_variation = &"HeadingLabel"
-	_subtitle.theme_type_variation = &"CaptionLabel"
-	_rate.add_theme_font_size_override("font_size", 30)
-	_rate.add_theme_color_override("font_color", Palette.ACCENT)
-	_curve.color = Palette.ACCENT
-	_curve.custom_minimum_size = Vector2(PANEL_WIDTH, 36)
-	for part: Control in [_title, _subtitle, _rate, _curve]:
-		column.add_child(part)
-	for name_of_figure: String in ["Packets", "Pose updates", "Bytes a pose", "Playback delay"]:
-		var row := HBoxContainer.new()
-		var caption := Label.new()
-		caption.text = name_of_figure
-		caption.theme_type_variation = &"CaptionLabel"
-		caption.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-		var value := Label.new()
-		row.add_child(caption)
-		row.add_child(value)
-		column.add_child(row)
-		_figures[name_of_figure] = value
+func _on_method_changed() -> void:
+	_figures.show_method(_client.method)
 
 
-func _add_players() -> void:
-	var column := _add_panel(Control.PRESET_TOP_RIGHT, Vector2(-EDGE, EDGE))
-	column.add_child(_players)
+func _on_tuned() -> void:
+	_controls.show_tuning(_client.tolerance, _client.mode)
 
 
-func _add_hint() -> void:
-	var hint := Label.new()
-	hint.text = "WASD or arrows: roll   ·   Space: jump   ·   Click: kick a cube   ·   Right mouse button, wheel: camera"
-	hint.theme_type_variation = &"CaptionLabel"
+func _in_panel(content: Control) -> PanelContainer:
 	var panel := PanelContainer.new()
-	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	panel.add_child(hint)
-	panel.size_flags_horizontal = Control.SIZE_SHRINK_CENTER
-	panel.size_flags_vertical = Control.SIZE_SHRINK_END
+	panel.add_child(content)
+	return panel
+
+
+func _place(panel: Control, horizontal: Control.SizeFlags, vertical: Control.SizeFlags) -> void:
 	var frame := MarginContainer.new()
 	frame.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	frame.add_theme_constant_override("margin_bottom", EDGE)
-	frame.add_child(panel)
 	frame.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
-	_panels.append(frame)
-	add_child(frame)
+	for side: String in ["left", "top", "right", "bottom"]:
+		frame.add_theme_constant_override("margin_" + side, EDGE)
+	panel.size_flags_horizontal = horizontal
+	panel.size_flags_vertical = vertical
+	frame.add_child(panel)
+	_panels.add_child(frame)
 
 
-func _add_panel(preset: Control.LayoutPreset, offset: Vector2) -> VBoxContainer:
-	var panel := PanelContainer.new()
+func _make_keys() -> PanelContainer:
+	var keys := Label.new()
+	keys.text = KEYS
+	keys.theme_type_variation = &"CaptionLabel"
+	var panel := _in_panel(keys)
 	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	panel.set_anchors_and_offsets_preset(preset)
-	panel.position += offset
-	if preset == Control.PRESET_TOP_RIGHT:
-		panel.grow_horizontal = Control.GROW_DIRECTION_BEGIN
-	var column := VBoxContainer.new()
-	column.add_theme_constant_override("separation", 3)
-	panel.add_child(column)
-	add_child(panel)
-	_panels.append(panel)
-	return column
-
-
-func _make_player(slot: int, text: String) -> Control:
-	var row := HBoxContainer.new()
-	var dot := Panel.new()
-	var style := StyleBoxFlat.new()
-	style.bg_color = Palette.get_player_color(slot)
-	style.set_corner_radius_all(5)
-	dot.add_theme_stylebox_override("panel", style)
-	dot.custom_minimum_size = Vector2(10, 10)
-	dot.size_flags_vertical = Control.SIZE_SHRINK_CENTER
-	var label := Label.new()
-	label.text = text
-	row.add_child(dot)
-	row.add_child(label)
-	return row
-
-
-func _set_panels_visible(value: bool) -> void:
-	for panel: Control in _panels:
-		panel.visible = value
+	return panel

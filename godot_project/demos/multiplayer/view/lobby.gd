@@ -11,6 +11,7 @@ const Options := preload("../options.gd")
 const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
+const SCENE_TITLES: Dictionary[String, String] = {"cubes": "Structures that fall", "push": "A field to push through"}
 const COLUMN_WIDTH := 400
 ## The picture behind turns this fast, in radians a second.
 const TURN_SPEED := 0.06
@@ -19,6 +20,7 @@ var _options: Options
 var _name := LineEdit.new()
 var _address := LineEdit.new()
 var _rig: CameraRig
+var _picture: Node3D
 
 
 func _init(options: Options, message: String) -> void:
@@ -50,6 +52,7 @@ func _init(options: Options, message: String) -> void:
 	_add_field(column, "Your name", _name)
 	_add_field(column, "Server", _address)
 	_add_button(column, "Join", _on_join)
+	_add_scenes(column)
 	_add_button(column, "Start a server on this machine and play", _on_host)
 
 
@@ -60,11 +63,23 @@ func _process(delta: float) -> void:
 ## The scene as it begins.
 func _add_picture() -> void:
 	var layout := Layout.new(_options.scene, _options.cubes)
+	_picture = Node3D.new()
+	var turned := _rig.yaw if _rig != null else CameraRig.YAW
 	_rig = CameraRig.new(layout.half_extent)
+	_rig.yaw = turned
 	_rig.camera.h_offset = -layout.half_extent * 0.45
-	add_child(Stage.new(_options.scene, layout.half_extent))
-	add_child(CubesView.new(layout, layout.poses.size()))
-	add_child(_rig)
+	_picture.add_child(Stage.new(_options.scene, layout.half_extent))
+	_picture.add_child(CubesView.new(layout, layout.poses.size()))
+	_picture.add_child(_rig)
+	add_child(_picture)
+
+
+func _on_scene_chosen(scene: String) -> void:
+	_options.scene = scene
+	_options.cubes = Options.CUBES[scene]
+	remove_child(_picture)
+	_picture.queue_free()
+	_add_picture()
 
 
 func _on_join() -> void:
@@ -109,6 +124,21 @@ func _add_field(column: VBoxContainer, text: String, field: LineEdit) -> void:
 	field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	row.add_child(label)
 	row.add_child(field)
+	column.add_child(row)
+
+
+func _add_scenes(column: VBoxContainer) -> void:
+	var row := HBoxContainer.new()
+	var group := ButtonGroup.new()
+	for scene: String in SCENE_TITLES:
+		var button := Button.new()
+		button.text = SCENE_TITLES[scene]
+		button.toggle_mode = true
+		button.button_group = group
+		button.button_pressed = scene == _options.scene
+		button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+		button.pressed.connect(_on_scene_chosen.bind(scene))
+		row.add_child(button)
 	column.add_child(row)
 
 

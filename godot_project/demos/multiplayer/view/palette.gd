@@ -7,6 +7,8 @@ const FLOOR := Color("161a23")
 const KEY_LIGHT := Color("ffe6c4")
 const RIM_LIGHT := Color("7fa8ff")
 const ACCENT := Color("3ed6c4")
+## Of the ways in which poses come.
+const METHODS: Dictionary[String, Color] = {"motors": Color("3ed6c4"), "synchronizer": Color("ff9e6b")}
 const LIFT := Color("ffb454")
 const ROLLER := Color("ff7a3d")
 const PLAYERS: Array[Color] = [

@@ -8,6 +8,13 @@ var color := Color.WHITE
 var _values := PackedFloat32Array()
 
 
+## Forgets the values and goes on in another colour.
+func begin(p_color: Color) -> void:
+	color = p_color
+	_values.clear()
+	queue_redraw()
+
+
 func push(value: float) -> void:
 	_values.append(value)
 	if _values.size() > CAPACITY:

@@ -21,7 +21,7 @@ const TOWER_COLORS: Array[Color] = [Color("1f7a8c"), Color("3ec6b8")]
 const WALL_COLORS: Array[Color] = [Color("d9622b"), Color("ffb454")]
 const PYRAMID_COLORS: Array[Color] = [Color("b23a6b"), Color("f28ba8")]
 const CLOUD_COLORS: Array[Color] = [Color("e9e4d8"), Color("f7f5ef")]
-const FIELD_COLORS: Array[Color] = [Color("ff8a3d"), Color("2fb8b0")]
+const FIELD_COLORS: Array[Color] = [Color("ffcf5c"), Color("f2545b"), Color("7b5cf0")]
 
 var poses: Array[Transform3D] = []
 var colors := PackedColorArray()
@@ -114,9 +114,11 @@ func _add_cloud(base: Vector3, count: int) -> void:
 		_add(Transform3D(Basis(axis, i * 0.8), at), CLOUD_COLORS, i / maxf(count - 1, 1))
 
 
-func _add(pose: Transform3D, ends: Array[Color], weight: float) -> void:
+func _add(pose: Transform3D, stops: Array[Color], weight: float) -> void:
 	poses.append(pose)
 	# Small steps of brightness keep the single cubes of a structure apart.
 	var shade := 0.06 * sin(poses.size() * 12.9898)
-	var color := ends[0].lerp(ends[1], weight)
+	var along := clampf(weight, 0.0, 1.0) * (stops.size() - 1)
+	var part := mini(floori(along), stops.size() - 2)
+	var color := stops[part].lerp(stops[part + 1], along - part)
 	colors.append(color.lightened(shade) if shade > 0.0 else color.darkened(-shade))

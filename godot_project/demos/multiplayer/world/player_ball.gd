@@ -1,8 +1,12 @@
 extends RigidBody3D
 ## A player's ball on the server. The player says where to go; forces do the rest.
 
-const RADIUS := 0.6
-const DRIVE_FORCE := 160.0
+## In metres; in scene "push" large enough to drive through a field of cubes.
+const RADII: Dictionary[String, float] = {"cubes": 0.6, "push": 1.1}
+## Of a ball of 1 m radius, in kilograms; a cube has 1.
+const MASS := 55.0
+## Newtons for each kilogram.
+const DRIVE_FORCE := 13.0
 const TOP_SPEED := 7.5
 const JUMP_SPEED := 6.0
 ## Seconds between two kicks of one player: a client cannot ask for more.
@@ -15,13 +19,14 @@ var wants_jump := false
 var _next_kick := 0.0
 
 
-func _init() -> void:
-	mass = 12.0
+func _init(scene: String) -> void:
+	var radius := RADII[scene]
+	mass = MASS * radius ** 3
 	angular_damp = 0.6
 	linear_damp = 0.3
 	can_sleep = false
 	var shape := SphereShape3D.new()
-	shape.radius = RADIUS
+	shape.radius = radius
 	var collision := CollisionShape3D.new()
 	collision.shape = shape
 	add_child(collision)
@@ -31,7 +36,7 @@ func _physics_process(_delta: float) -> void:
 	var wanted := Vector3(drive.x, 0.0, drive.y) * TOP_SPEED
 	var missing := wanted - Vector3(linear_velocity.x, 0.0, linear_velocity.z)
 	if drive.length_squared() > 0.01:
-		apply_central_force((missing / TOP_SPEED * 2.0).limit_length(1.0) * DRIVE_FORCE)
+		apply_central_force((missing / TOP_SPEED * 2.0).limit_length(1.0) * DRIVE_FORCE * mass)
 	if wants_jump:
 		wants_jump = false
 		if absf(linear_velocity.y) < 0.6:

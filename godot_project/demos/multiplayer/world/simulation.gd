@@ -15,12 +15,14 @@ var layout: Layout
 ## Seconds of the scene, in steps of the physics engine.
 var seconds := 0.0
 
+var _scene: String
 var _cubes: Array[RigidBody3D] = []
 var _balls: Array[PhysicsBody3D] = []
 var _scenario: Scenario
 
 
 func _init(scene: String, cube_count: int, life: bool) -> void:
+	_scene = scene
 	layout = Layout.new(scene, cube_count)
 	_balls.resize(SLOTS)
 	_add_arena()
@@ -68,7 +70,7 @@ func get_pose(id: int) -> Transform3D:
 func add_player() -> int:
 	for slot: int in range(1, SLOTS):
 		if _balls[slot] == null:
-			var ball := PlayerBall.new()
+			var ball := PlayerBall.new(_scene)
 			ball.position = get_entry(slot)
 			add_child(ball)
 			_balls[slot] = ball

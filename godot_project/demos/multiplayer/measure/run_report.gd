@@ -1,0 +1,39 @@
+extends RefCounted
+## What a client received between the begin and the end of a scene, for the tools that started it.
+
+const PoseLink := preload("../replication/pose_link.gd")
+const TrafficMeter := preload("traffic_meter.gd")
+
+var _begun_at := 0.0
+var _bytes := 0
+var _packets := 0
+var _poses := 0
+var _values: Dictionary = {}
+
+
+## The scene begins.
+func begin(link: PoseLink, meter: TrafficMeter) -> void:
+	meter.update()
+	_begun_at = _get_seconds()
+	_bytes = meter.bytes
+	_packets = meter.packets
+	_poses = link.pose_count
+
+
+## The scene has ended at the server.
+func finish(method: String, link: PoseLink, meter: TrafficMeter) -> void:
+	meter.update()
+	_values = {
+		"role": "client", "method": method, "seconds": _get_seconds() - _begun_at, "bytes": meter.bytes - _bytes,
+		"packets": meter.packets - _packets, "poses": link.pose_count - _poses,
+	}
+
+
+## All of it has been shown.
+func tell(link: PoseLink) -> void:
+	_values.merge(link.get_counts())
+	print("REPORT ", JSON.stringify(_values))
+
+
+static func _get_seconds() -> float:
+	return Time.get_ticks_usec() * 1e-6

@@ -1,0 +1,68 @@
+extends RefCounted
+## Where a few moving bodies truly were at three ticks in a row: what a server tells a client that shows its error.
+##
+## As bytes, little-endian: u32 first tick, u8 number of bodies, then for each u16 number and, for each tick, position
+## and quaternion as 7 float32.
+
+const Truth := preload("res://demos/multiplayer/measure/truth.gd")
+
+const TICKS := 3
+const MOST_BODIES := 8
+const HEADER := 5
+const POSE_BYTES := 28
+const BODY_BYTES := 2 + TICKS * POSE_BYTES
+
+var tick := 0
+var ids := PackedInt32Array()
+## For each tick the poses of all bodies, in the order of the numbers.
+var poses: Array[Transform3D] = []
+
+
+func to_bytes() -> PackedByteArray:
+	var bytes := PackedByteArray()
+	bytes.resize(HEADER + ids.size() * BODY_BYTES)
+	bytes.encode_u32(0, tick)
+	bytes.encode_u8(4, ids.size())
+	for i: int in ids.size():
+		bytes.encode_u16(HEADER + i * BODY_BYTES, ids[i])
+		for step: int in TICKS:
+			_encode(bytes, HEADER + i * BODY_BYTES + 2 + step * POSE_BYTES, poses[step * ids.size() + i])
+	return bytes
+
+
+## Null where the bytes are no such thing, or a number is not below [param body_count].
+static func from_bytes(bytes: PackedByteArray, body_count: int) -> Truth:
+	if bytes.size() < HEADER or bytes.size() != HEADER + bytes.decode_u8(4) * BODY_BYTES:
+		return null
+	var truth := Truth.new()
+	truth.tick = bytes.decode_u32(0)
+	for i: int in bytes.decode_u8(4):
+		truth.ids.append(bytes.decode_u16(HEADER + i * BODY_BYTES))
+		if truth.ids[i] >= body_count:
+			return null
+	for step: int in TICKS:
+		for i: int in truth.ids.size():
+			truth.poses.append(_decode(bytes, HEADER + i * BODY_BYTES + 2 + step * POSE_BYTES))
+	return truth
+
+
+## Where the i-th body was [param ticks] after the first tick, straight between two ticks.
+func get_pose(i: int, ticks: float) -> Transform3D:
+	var step := clampi(floori(ticks), 0, TICKS - 2)
+	var from := poses[step * ids.size() + i]
+	var to := poses[(step + 1) * ids.size() + i]
+	return from.interpolate_with(to, clampf(ticks - step, 0.0, 1.0))
+
+
+static func _encode(bytes: PackedByteArray, at: int, pose: Transform3D) -> void:
+	var turn := pose.basis.get_rotation_quaternion()
+	var numbers := PackedFloat32Array([pose.origin.x, pose.origin.y, pose.origin.z, turn.x, turn.y, turn.z, turn.w])
+	for i: int in numbers.size():
+		bytes.encode_float(at + 4 * i, numbers[i])
+
+
+static func _decode(bytes: PackedByteArray, at: int) -> Transform3D:
+	var numbers := bytes.slice(at, at + POSE_BYTES).to_float32_array()
+	var origin := Vector3(numbers[0], numbers[1], numbers[2])
+	var turn := Quaternion(numbers[3], numbers[4], numbers[5], numbers[6])
+	return Transform3D(Basis(turn.normalized()) if turn.is_finite() and turn.length() > 0.5 else Basis(), origin)

@@ -1,0 +1,155 @@
+extends RefCounted
+## The work of [code]udp_proxy.gd[/code]: passes packets on between clients and a server, both ways, through an
+## impaired line each. [method run] is for a thread of its own; the other methods may be called meanwhile.
+
+const ImpairedLine := preload("impaired_line.gd")
+const LineConditions := preload("line_conditions.gd")
+
+const LOOPBACK := "127.0.0.1"
+## Microseconds between two looks at the sockets.
+const PAUSE := 400
+## Clients that it serves at once; others get no answer.
+const MOST_ROUTES := 32
+## Seconds without a packet from a client after which its place is free again.
+const LONGEST_SILENCE := 20.0
+## Distance of the seeds of two clients.
+const SEED_STEP := 7919
+
+
+## The way of one client.
+class Route:
+	var client: PacketPeerUDP
+	var server := PacketPeerUDP.new()
+	var up: ImpairedLine
+	var down: ImpairedLine
+	var heard_at := 0.0
+
+
+## What has entered the lines, before any loss.
+class Counts:
+	var up_packets := 0
+	var up_bytes := 0
+	var down_packets := 0
+	var down_bytes := 0
+	## Lost on the way down, by chance or because the queue was full.
+	var down_lost := 0
+
+	func add(route: Route) -> void:
+		up_packets += route.up.packets
+		up_bytes += route.up.bytes
+		down_packets += route.down.packets
+		down_bytes += route.down.bytes
+		down_lost += route.down.lost + route.down.overflowed
+
+
+var _listener := UDPServer.new()
+var _server_address: String
+var _server_port: int
+var _seed: int
+# Guards what follows, and the sockets.
+var _mutex := Mutex.new()
+var _ends := false
+var _conditions := LineConditions.new()
+var _routes: Array[Route] = []
+var _route_count := 0
+
+
+## Begins to listen. [method get_port] tells where.
+func open(server_address: String, server_port: int, seed_value: int) -> Error:
+	_server_address = IP.resolve_hostname(server_address)
+	_server_port = server_port
+	_seed = seed_value
+	if _server_address.is_empty():
+		return ERR_CANT_RESOLVE
+	_listener.max_pending_connections = MOST_ROUTES
+	return _listener.listen(0, LOOPBACK)
+
+
+func get_port() -> int:
+	return _listener.get_local_port()
+
+
+## Holds from the next packet on, for both directions of all clients. The proxy keeps the object: give a new one.
+func set_conditions(conditions: LineConditions) -> void:
+	_mutex.lock()
+	_conditions = conditions
+	for route: Route in _routes:
+		route.up.conditions = conditions
+		route.down.conditions = conditions
+	_mutex.unlock()
+
+
+## The counts of the clients that there are.
+func get_counts() -> Counts:
+	var counts := Counts.new()
+	_mutex.lock()
+	for route: Route in _routes:
+		counts.add(route)
+	_mutex.unlock()
+	return counts
+
+
+## Works until [method stop].
+func run() -> void:
+	while _serve(Time.get_ticks_usec() * 1e-6):
+		OS.delay_usec(PAUSE)
+
+
+func stop() -> void:
+	_mutex.lock()
+	_ends = true
+	_routes.clear()
+	_listener.stop()
+	_mutex.unlock()
+
+
+## One look at the sockets. False if it is the end.
+func _serve(now: float) -> bool:
+	_mutex.lock()
+	var goes_on := not _ends
+	if goes_on:
+		_take_clients(now)
+		_pass_on_all(now)
+	_mutex.unlock()
+	return goes_on
+
+
+func _take_clients(now: float) -> void:
+	_listener.poll()
+	while _listener.is_connection_available():
+		var client := _listener.take_connection()
+		if _routes.size() < MOST_ROUTES:
+			_add_client(client, now)
+
+
+func _pass_on_all(now: float) -> void:
+	for at: int in range(_routes.size() - 1, -1, -1):
+		var route := _routes[at]
+		_pass_on(route, now)
+		if now - route.heard_at > LONGEST_SILENCE:
+			_routes.remove_at(at)
+
+
+func _pass_on(route: Route, now: float) -> void:
+	while route.client.get_available_packet_count() > 0:
+		route.up.put(route.client.get_packet(), now)
+		route.heard_at = now
+	while route.server.get_available_packet_count() > 0:
+		route.down.put(route.server.get_packet(), now)
+	for packet: PackedByteArray in route.up.take(now):
+		route.server.put_packet(packet)
+	for packet: PackedByteArray in route.down.take(now):
+		route.client.put_packet(packet)
+
+
+func _add_client(client: PacketPeerUDP, now: float) -> void:
+	var route := Route.new()
+	route.client = client
+	route.server.set_dest_address(_server_address, _server_port)
+	route.up = ImpairedLine.new(_seed + SEED_STEP * 2 * _route_count)
+	route.down = ImpairedLine.new(_seed + SEED_STEP * (2 * _route_count + 1))
+	route.up.conditions = _conditions
+	route.down.conditions = _conditions
+	route.heard_at = now
+	_route_count += 1
+	_routes.append(route)
