@@ -1,58 +1,12 @@
-"""What the network suite checks, each case a function that takes a DemoRun."""
+"""Sessions as they should be, and their ends; each case a function that takes a DemoRun."""
 
 import re
 import signal
 import time
 
+from checks import expect, expect_errors_within, expect_same_end, server_record, wait_until
 from demo_run import START_SECONDS
-from pose_error import compare_by_tick
-from pose_record import PoseRecord, ROW_FLOATS, lever_distance, moving_bodies
-
-# Bounds in metres. The sender keeps interpolation within 5 mm and quantises to 1 mm and 0.2 degrees.
-MOVING_P99 = 0.010
-MOVING_MOST = 0.060
-AT_REST = 0.004
-
-
-def expect(condition, words):
-    if not condition:
-        raise AssertionError(words)
-
-
-def wait_until(condition, seconds, words):
-    end = time.monotonic() + seconds
-    while not condition():
-        expect(time.monotonic() < end, f"{words} within {seconds} s")
-        time.sleep(0.05)
-
-
-def server_record(run, cubes):
-    record = PoseRecord(run.server.record_path, cubes)
-    return record, moving_bodies(record), run.server.report()
-
-
-def expect_errors_within(run, client, cubes, p99=MOVING_P99, most=MOVING_MOST):
-    """What the client showed of moving cubes is within the bounds at every tick; returns how many samples that were."""
-    server, moving, told = server_record(run, cubes)
-    summary = compare_by_tick(server, moving, PoseRecord(client.record_path, cubes), told["first_tick"], told["last_tick"])
-    figures = summary.figures()
-    expect(figures["p99"] is not None, f"{client.name} showed no moving cube")
-    expect(figures["p99"] <= p99 * 1000, f"{client.name}: p99 of the error is {figures['p99']:.1f} mm")
-    expect(figures["max"] <= most * 1000, f"{client.name}: the largest error is {figures['max']:.1f} mm")
-    return figures["samples"]
-
-
-def expect_same_end(run, client, cubes):
-    """At the last tick the client shows every cube where the server has it."""
-    server, _, told = server_record(run, cubes)
-    shown = PoseRecord(client.record_path, cubes)
-    index = shown.index_of_ticks().get(told["last_tick"])
-    expect(index is not None, f"{client.name} never showed the last tick")
-    truth = server.rows[server.index_of_ticks()[told["last_tick"]]]
-    expect(len(shown.rows[index]) == cubes * ROW_FLOATS, f"{client.name} does not show {cubes} cubes")
-    worst = max(lever_distance(truth, shown.rows[index], at) for at in range(0, cubes * ROW_FLOATS, ROW_FLOATS))
-    expect(worst <= AT_REST, f"{client.name}: at the end a cube is {worst * 1000:.1f} mm off")
-
+from pose_record import PoseRecord, ROW_FLOATS, lever_distance
 
 def moving_cubes_are_where_the_server_has_them(run):
     run.start_server("--cubes=250", "--seconds=4", "--clients=2")
@@ -102,15 +56,6 @@ def kick_of_one_client_moves_the_cube_for_all(run):
         expect(abs(seen - way) < 0.05, f"{client.name} saw the kicked cube go {seen:.2f} m instead of {way:.2f} m")
 
 
-def loss_and_jitter_heal(run):
-    run.start_server("--cubes=80", "--seconds=7", "--clients=1", "--life=off")
-    client = run.start_client("--loss=15", "--jitter=40", "--seed=7")
-    run.wait(30)
-    run.check_logs()
-    expect_same_end(run, client, 80)
-    expect_errors_within(run, client, 80, p99=0.2, most=1.5)
-
-
 def stopped_server_ends_the_clients_with_a_message(run):
     run.start_server("--cubes=20", "--record=")
     client = run.start_client("--record=")
@@ -118,7 +63,7 @@ def stopped_server_ends_the_clients_with_a_message(run):
     time.sleep(0.5)
     run.server.process.send_signal(signal.SIGKILL)
     run.server.process.wait()
-    wait_until(lambda: not client.is_running(), 12, "the client did not end")
+    wait_until(lambda: not client.is_running(), 20, "the client did not end")
     expect("The server has closed the session or cannot be reached." in client.log(), f"the client's last words: {client.last_words()}")
     expect(client.process.returncode == 0, f"the client's exit code is {client.process.returncode}")
     client.check_log()
@@ -129,7 +74,7 @@ def closed_client_leaves_and_the_empty_server_ends(run):
     client = run.start_client("--record=")
     run.server.wait_for_line("Player 1 has joined.", START_SECONDS)
     client.kill()
-    wait_until(lambda: not run.server.is_running(), 12, "the empty server did not end")
+    wait_until(lambda: not run.server.is_running(), 20, "the empty server did not end")
     expect("Player 1 has left." in run.server.log(), "the server did not tell that the player left")
     run.server.check_log()
 
@@ -163,7 +108,6 @@ CASES = (
     moving_cubes_are_where_the_server_has_them,
     late_joiner_gets_everything_and_a_kill_disturbs_nobody,
     kick_of_one_client_moves_the_cube_for_all,
-    loss_and_jitter_heal,
     stopped_server_ends_the_clients_with_a_message,
     closed_client_leaves_and_the_empty_server_ends,
     wrong_arguments_and_taken_ports_are_told,

@@ -1,6 +1,6 @@
 """The multiplayer demo with real processes over ENet on this machine: clients' cubes are where the server's are.
 
-Usage: tests/network/run.py [--engine COMMAND] [--case NAME]
+Usage: tests/network/run.py [--engine COMMAND] [--case NAME] [--long]
 
 Each case starts a server and clients, lets them play, and compares what the clients showed (their records) with
 what the server simulated. Ends with `[network] N passed, N failed`.
@@ -17,17 +17,25 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
+import bad_network_cases  # noqa: E402
+import cases  # noqa: E402
 import checkout  # noqa: E402
 import project  # noqa: E402
-from cases import CASES  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
+
+
+CASES = cases.CASES + bad_network_cases.CASES
+LONG_SECONDS = "60"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
     parser.add_argument("--case", metavar="NAME", help="only the cases whose name contains NAME")
+    parser.add_argument("--long", action="store_true", help=f"sessions with coming and going players last {LONG_SECONDS} s")
     options = parser.parse_args()
+    if options.long:
+        os.environ["GA_GODOT_SESSION_SECONDS"] = LONG_SECONDS
     if options.engine:
         engine = shlex.split(options.engine)
         os.makedirs(os.path.join(checkout.PROJECT, ".godot"), exist_ok=True)

@@ -23,14 +23,11 @@ import checkout
 import demo_network
 import display
 import project
+from demo_measure import METHODS, SPARE_SECONDS, run_arm
 from demo_run import DemoRun, RunFailed, progress
 from demo_table import json_rows, print_table
-from pose_error import ErrorSummary, compare_by_tick, compare_by_wall_clock
-from pose_record import PoseRecord, moving_bodies
 
 CUBES = {"cubes": 250, "push": 901}
-METHODS = ("motors", "synchronizer")
-SPARE_SECONDS = 40
 
 
 def parse_arguments(arguments):
@@ -106,50 +103,6 @@ def measure(engine, folder, options):
         with open(options.json, "w", encoding="utf-8") as file:
             json.dump({"rows": json_rows(arms, options), "machine": machine()}, file, indent=1)
             file.write("\n")
-
-
-def run_arm(engine, folder, options, method):
-    """One run with one method; returns its figures."""
-    with DemoRun(engine, folder) as run:
-        progress(f"{method}: a server and {options.clients} clients for {options.seconds} s ...")
-        run.start_server(f"--method={method}", f"--scene={options.scene}", f"--cubes={options.cubes}",
-                         f"--seconds={options.seconds}", f"--clients={options.clients}")
-        for number in range(options.clients):
-            run.start_client(*demo_network.client_arguments(options, number + 1), f"--seconds={options.seconds}",
-                             window=number if options.window else None)
-        run.wait(options.seconds + SPARE_SECONDS,
-                 lambda elapsed: progress(f"{method}: a server and {options.clients} clients,", f" {elapsed:.0f} s"))
-        run.check_logs()
-        progress(f"{method}: comparing what the clients showed with the server ...")
-        return evaluate(run, options, method)
-
-
-def evaluate(run, options, method):
-    """The figures of a finished run: means over the clients, errors over all of them together."""
-    told = run.server.report()
-    server = PoseRecord(run.server.record_path, options.cubes)
-    moving = moving_bodies(server)
-    errors = ErrorSummary()
-    reports = [client.report() for client in run.clients]
-    for client in run.clients:
-        shown = PoseRecord(client.record_path, options.cubes)
-        if method == "motors":
-            errors.merge(compare_by_tick(server, moving, shown, told["first_tick"], told["last_tick"]))
-        else:
-            errors.merge(compare_by_wall_clock(server, moving, shown, demo_network.longest_delay(options)))
-    figures = errors.figures()
-    if figures["p99"] is None:
-        raise RunFailed(f"{method}: no client showed a moving cube")
-    seconds = sum(report["seconds"] for report in reports)
-    figures.update({
-        "bytes_per_second": sum(report["bytes"] for report in reports) / seconds,
-        "packets_per_second": sum(report["packets"] for report in reports) / seconds,
-        "poses_per_second": sum(report["poses"] for report in reports) / seconds,
-        "bytes_per_pose": sum(report["bytes"] for report in reports) / max(1, sum(r["poses"] for r in reports)),
-        "moving": sum(map(len, moving)) / max(1, len(moving)),
-        "late": sum(report["late"] for report in reports),
-    })
-    return figures
 
 
 def play(engine, folder, options):

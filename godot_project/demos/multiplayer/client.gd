@@ -26,8 +26,6 @@ const UdpProxy := preload("network/udp_proxy.gd")
 
 ## Seconds to wait for the server's answer.
 const CONNECT_SECONDS := 8.0
-## Seconds without a byte after which the server is gone; ENet itself may take twice as long to find out.
-const SILENCE_SECONDS := 5.0
 const LOST := "The server has closed the session or cannot be reached."
 const HEADLESS_FRAMES_PER_SECOND := 60
 ## Bytes that a truth costs besides its own.
@@ -81,7 +79,6 @@ func open() -> String:
 		add_child(_proxy)
 		if _proxy.open(address, port, _options.seed_value) != OK:
 			return "Cannot find %s." % address
-		_proxy.set_conditions(conditions)
 		address = "127.0.0.1"
 		port = _proxy.get_port()
 	if _peer.create_client(address, port, Connection.CHANNELS) != OK:
@@ -158,7 +155,7 @@ func _process(_delta: float) -> void:
 	if meter.arrived != _heard_bytes:
 		_heard_bytes = meter.arrived
 		_heard_at = local
-	elif local - _heard_at > SILENCE_SECONDS:
+	elif local - _heard_at > Connection.LONGEST_SILENCE:
 		_close(LOST)
 		return
 	link.advance(local, _recorder)
@@ -172,6 +169,15 @@ func _process(_delta: float) -> void:
 func _on_connected() -> void:
 	_own_id = multiplayer.get_unique_id()
 	Connection.prepare(_peer.get_peer(1))
+	var pings := Timer.new()
+	pings.timeout.connect(_on_ping_due)
+	add_child(pings)
+	pings.start(Connection.PING_PAUSE)
+
+
+func _on_ping_due() -> void:
+	if not _is_closed:
+		Connection.ping(_peer.get_peer(1))
 
 
 func _on_connect_timeout() -> void:
@@ -188,6 +194,8 @@ func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
 	for each: PoseLink in _links.values():
 		each.open_receiver(cubes + Simulation.SLOTS, cubes)
 	_recorder = PoseRecorder.new(_options.record, cubes + Simulation.SLOTS)
+	if _options.leave_after > 0.0:
+		get_tree().create_timer(_options.leave_after).timeout.connect(_close.bind("Left."))
 	_input = PlayerInput.new(_session, _options.autopilot)
 	add_child(_input)
 	_session.enter.rpc_id(1, _options.player_name)
@@ -205,6 +213,9 @@ func _on_method_chosen(chosen: String) -> void:
 
 
 func _on_roster_changed(p_roster: Array) -> void:
+	if roster.is_empty():
+		# Not before: ENet's handshake waits twice as long after each loss, half a minute where a third is lost.
+		set_conditions(conditions)
 	var present: Array[int] = []
 	for player: Array in p_roster:
 		present.append(player[0])
@@ -220,7 +231,10 @@ func _on_begun() -> void:
 	_report.begin(link, meter)
 
 
+## Told again and again, until the client has left.
 func _on_finished(tick: int) -> void:
+	if _last_tick >= 0:
+		return
 	_last_tick = tick
 	_report.finish(method, link, meter)
 

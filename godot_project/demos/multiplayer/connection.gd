@@ -1,17 +1,36 @@
 extends RefCounted
-## How server and clients set up ENet.
+## How server and clients set up ENet, and how they find out that the other is gone.
+##
+## ENet gives a peer up as soon as one reliable message was sent again a few times without an answer. On a network that
+## loses a third, that comes to pass within seconds although the peer is there. So ENet is told to be patient, and both
+## sides look at when they last heard anything at all.
 
 ## Channels that the RPCs use besides the engine's own.
 const CHANNELS := 4
-## Milliseconds without an answer after which a peer is gone.
-const TIMEOUT_LEAST := 3000
-const TIMEOUT_MOST := 6000
-## Lost reliable packets in a row that count as no answer.
-const TIMEOUT_LIMIT := 32
+## Seconds of silence after which the other is gone.
+const LONGEST_SILENCE := 8.0
+## Seconds between two pings. ENet itself pings only a silent peer.
+const PING_PAUSE := 0.5
+## Milliseconds for which ENet itself is patient with a peer.
+const PATIENCE_LEAST := 20000
+const PATIENCE_MOST := 60000
+## How often ENet sends a message again before it may lose patience: two to the power of the attempts.
+const PATIENCE_LIMIT := 4096
 
 
 ## Prepares a connection that has just been made.
 static func prepare(peer: ENetPacketPeer) -> void:
-	peer.set_timeout(TIMEOUT_LIMIT, TIMEOUT_LEAST, TIMEOUT_MOST)
+	peer.set_timeout(PATIENCE_LIMIT, PATIENCE_LEAST, PATIENCE_MOST)
 	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
 	peer.throttle_configure(5000, 32, 0)
+
+
+## Call it every [constant PING_PAUSE]. The answers also let ENet know soon that the line is not slow after all.
+static func ping(peer: ENetPacketPeer) -> void:
+	if peer != null and peer.get_state() == ENetPacketPeer.STATE_CONNECTED:
+		peer.ping()
+
+
+## Lets ENet find out soon that a silent peer is gone.
+static func give_up(peer: ENetPacketPeer) -> void:
+	peer.set_timeout(1, 200, 500)

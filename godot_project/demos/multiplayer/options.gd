@@ -28,6 +28,10 @@ var seconds := 0.0
 var clients := 0
 ## False: no scripted ball, no lifts; the cubes only fall and come to rest.
 var life := true
+## So many seconds before its end the scene goes calm: nobody drives, no lift works, and all comes to rest.
+var calm := 0.0
+## A client leaves after so many seconds; 0: it stays.
+var leave_after := 0.0
 ## True: the server ends when the last player has left.
 var quit_when_empty := false
 ## File for the poses of every tick (server) or as shown (client); empty: none.
@@ -92,6 +96,10 @@ func _take(argument: String) -> void:
 			clients = int(_number(argument, value, 0.0, 6.0))
 		"seconds":
 			seconds = _number(argument, value, 0.0, 86400.0)
+		"calm":
+			calm = _number(argument, value, 0.0, 3600.0)
+		"leave-after":
+			leave_after = _number(argument, value, 0.0, 3600.0)
 		"seed":
 			seed_value = int(_number(argument, value, 0.0, 2147483647.0))
 		_:

@@ -5,6 +5,8 @@ const Session := preload("session.gd")
 
 ## Seconds between two messages about the direction while a key is held.
 const SEND_PAUSE := 0.05
+## The same while nothing is held: a sign of life.
+const IDLE_PAUSE := 0.5
 ## Seconds for which the direction is still sent after the keys are released.
 const SEND_AFTER := 0.3
 const CIRCLE_TURN := 0.9
@@ -16,7 +18,7 @@ var yaw := 0.0
 var _session: Session
 var _autopilot: String
 var _seconds := 0.0
-var _next_send := 0.0
+var _sent_at := -IDLE_PAUSE
 var _next_kick := KICK_PAUSE
 ## Until then the direction is sent even if it is none: a message may be lost.
 var _send_until := 0.0
@@ -36,9 +38,9 @@ func _process(delta: float) -> void:
 	var drive := _get_drive()
 	if drive != Vector2.ZERO or _wants_jump:
 		_send_until = _seconds + SEND_AFTER
-	if _seconds < _next_send or _seconds > _send_until:
+	if _seconds < _sent_at + (SEND_PAUSE if _seconds <= _send_until else IDLE_PAUSE):
 		return
-	_next_send = _seconds + SEND_PAUSE
+	_sent_at = _seconds
 	_session.steer.rpc_id(1, drive, _wants_jump)
 	_wants_jump = false
 

@@ -12,8 +12,10 @@ const TruthProbe := preload("measure/truth_probe.gd")
 const MOST_CLIENTS := 6
 ## Frames a second of the main loop without a window: often enough for punctual ticks.
 const FRAMES_PER_SECOND := 120
-## Seconds between the end of the scene and the server's.
-const FAREWELL := 2.0
+## Seconds after the end of the scene within which the players have left, or are left behind.
+const FAREWELL := 20.0
+## Seconds of silence after the end of the scene after which a player has left: farewells get lost too.
+const OVER_SILENCE := 2.0
 
 var _options: Options
 var _session: Session
@@ -33,6 +35,8 @@ var _last_tick := -1
 ## Slot of each player's ball.
 var _slots: Dictionary[int, int] = {}
 var _names: Dictionary[int, String] = {}
+## Seconds on the local clock.
+var _heard_at: Dictionary[int, float] = {}
 
 
 func _init(options: Options, session: Session, links: Dictionary[String, PoseLink]) -> void:
@@ -73,6 +77,10 @@ func open() -> String:
 	print("Server on port %d: %d cubes, method %s." % [_options.port, _options.cubes, _options.method])
 	set_physics_process(true)
 	_begin_if_complete()
+	var looks := Timer.new()
+	looks.timeout.connect(_look_after_players)
+	add_child(looks)
+	looks.start(Connection.PING_PAUSE)
 	return ""
 
 
@@ -85,6 +93,7 @@ func _exit_tree() -> void:
 func _physics_process(delta: float) -> void:
 	_tick += 1
 	if _first_tick >= 0:
+		_simulation.is_calm = _options.calm > 0.0 and _simulation.seconds >= _options.seconds - _options.calm
 		_simulation.step(delta)
 	var poses := _get_poses()
 	for link: PoseLink in _links.values():
@@ -98,6 +107,16 @@ func _physics_process(delta: float) -> void:
 		_recorder.write(Time.get_unix_time_from_system(), _tick, _rows)
 	if _options.seconds > 0.0 and _simulation.seconds >= _options.seconds:
 		_finish()
+
+
+func _look_after_players() -> void:
+	var now := Time.get_ticks_msec() * 1e-3
+	for peer: int in _slots:
+		Connection.ping(_peer.get_peer(peer))
+		if _last_tick >= 0:
+			_session.finish.rpc_id(peer, _last_tick)
+		if now - _heard_at[peer] > (Connection.LONGEST_SILENCE if _last_tick < 0 else OVER_SILENCE):
+			Connection.give_up(_peer.get_peer(peer))
 
 
 func _get_poses() -> Dictionary[int, Transform3D]:
@@ -120,13 +139,12 @@ func _begin_if_complete() -> void:
 func _finish() -> void:
 	_last_tick = _tick
 	_recorder.close()
-	for peer: int in _slots:
-		_session.finish.rpc_id(peer, _last_tick)
 	print("REPORT ", JSON.stringify({
 		"role": "server", "first_tick": _first_tick, "last_tick": _last_tick,
 	}))
-	await get_tree().create_timer(FAREWELL).timeout
-	get_tree().quit()
+	get_tree().create_timer(FAREWELL).timeout.connect(get_tree().quit)
+	_look_after_players()
+	_quit_if_over()
 
 
 func _on_peer_connected(peer: int) -> void:
@@ -141,6 +159,7 @@ func _on_peer_disconnected(peer: int) -> void:
 	print("%s has left." % _names[peer])
 	_slots.erase(peer)
 	_names.erase(peer)
+	_heard_at.erase(peer)
 	_probe.watchers.erase(peer)
 	_links[_methods[peer]].remove_receiver(peer)
 	_methods.erase(peer)
@@ -148,7 +167,11 @@ func _on_peer_disconnected(peer: int) -> void:
 		link.remove_body(_options.cubes + slot)
 	_simulation.remove_player(slot)
 	_send_roster()
-	if _options.quit_when_empty and _slots.is_empty():
+	_quit_if_over()
+
+
+func _quit_if_over() -> void:
+	if _slots.is_empty() and (_options.quit_when_empty or _last_tick >= 0):
 		get_tree().quit()
 
 
@@ -161,6 +184,7 @@ func _on_entered(peer: int, player_name: String) -> void:
 		return
 	_slots[peer] = slot
 	_names[peer] = player_name
+	_heard_at[peer] = Time.get_ticks_msec() * 1e-3
 	_add_body(_options.cubes + slot)
 	_session.tune.rpc_id(peer, _tolerance, _mode)
 	_give_method(peer, _options.method)
@@ -217,13 +241,16 @@ func _tell_truth(poses: Dictionary[int, Transform3D]) -> void:
 func _on_steered(peer: int, drive: Vector2, jump: bool) -> void:
 	if not _slots.has(peer):
 		return
+	_heard_at[peer] = Time.get_ticks_msec() * 1e-3
+	if _simulation.is_calm:
+		return
 	var ball := _simulation.get_ball(_slots[peer])
 	ball.drive = drive
 	ball.wants_jump = jump or ball.wants_jump
 
 
 func _on_kicked(peer: int, cube: int, direction: Vector3) -> void:
-	if not _slots.has(peer) or cube < 0 or cube >= _options.cubes:
+	if not _slots.has(peer) or _simulation.is_calm or cube < 0 or cube >= _options.cubes:
 		return
 	if _simulation.get_ball(_slots[peer]).take_kick(_simulation.seconds):
 		_simulation.kick(cube, direction)

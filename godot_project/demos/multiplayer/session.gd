@@ -58,7 +58,7 @@ func begin() -> void:
 	begun.emit()
 
 
-@rpc("authority", "call_remote", "reliable")
+@rpc("authority", "call_remote", "unreliable")
 func finish(tick: int) -> void:
 	finished.emit(tick)
 

@@ -36,5 +36,7 @@ func close() -> void:
 		_thread.wait_to_finish()
 
 
-func _exit_tree() -> void:
-	close()
+## Not when it leaves the tree: what its client says when that leaves shall still be passed on.
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE:
+		close()

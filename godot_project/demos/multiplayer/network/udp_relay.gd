@@ -95,9 +95,12 @@ func run() -> void:
 		OS.delay_usec(PAUSE)
 
 
+## What clients have sent is passed on first, their farewells among it.
 func stop() -> void:
 	_mutex.lock()
 	_ends = true
+	for route: Route in _routes:
+		_pass_on(route, INF)
 	_routes.clear()
 	_listener.stop()
 	_mutex.unlock()

@@ -43,6 +43,14 @@ func _physics_process(_delta: float) -> void:
 			apply_central_impulse(Vector3(0.0, JUMP_SPEED * mass, 0.0))
 
 
+## Stands still where it is.
+func stop() -> void:
+	drive = Vector2.ZERO
+	wants_jump = false
+	linear_velocity = Vector3(0.0, linear_velocity.y, 0.0)
+	angular_velocity = Vector3.ZERO
+
+
 ## True if the player may kick at this time, in seconds; then the pause begins.
 func take_kick(now: float) -> bool:
 	if now < _next_kick:

@@ -14,6 +14,8 @@ const KICK_IMPULSE := 5.0
 var layout: Layout
 ## Seconds of the scene, in steps of the physics engine.
 var seconds := 0.0
+## True: nobody moves anything any more.
+var is_calm := false
 
 var _scene: String
 var _cubes: Array[RigidBody3D] = []
@@ -38,7 +40,7 @@ func _init(scene: String, cube_count: int, life: bool) -> void:
 ## One step of the scene, before the physics engine's step.
 func step(delta: float) -> void:
 	seconds += delta
-	if _scenario != null:
+	if _scenario != null and not is_calm:
 		_balls[0].transform = _scenario.get_ball_pose(seconds)
 		_scenario.act(seconds, _cubes)
 	for i: int in _cubes.size():
@@ -46,6 +48,8 @@ func step(delta: float) -> void:
 	for slot: int in range(1, SLOTS):
 		var ball: RigidBody3D = _balls[slot]
 		if ball != null:
+			if is_calm:
+				get_ball(slot).stop()
 			_keep_inside(ball, get_entry(slot))
 
 

@@ -1,0 +1,74 @@
+"""What holds on a bad network, made by the demo's proxy between each client and the server, both ways."""
+
+import os
+import time
+
+from checks import expect, expect_errors_within, expect_same_end, resident_bytes
+from demo_run import START_SECONDS
+
+# How long the session with coming and going players lasts; the suite's --long makes it 60.
+SECONDS = 20
+CALM = 4
+BAD = ("--loss=30", "--jitter=100", "--reorder=10", "--duplicate=10")
+# What memory may grow by between the first third of a session and its end.
+GROWTH = 8_000_000
+
+
+def loss_and_jitter_heal(run):
+    run.start_server("--cubes=80", "--seconds=7", "--clients=1", "--life=off")
+    client = run.start_client("--loss=15", "--jitter=40", "--seed=7")
+    run.wait(30)
+    run.check_logs()
+    expect_same_end(run, client, 80)
+    expect_errors_within(run, client, 80, p99=0.5, most=2.5)
+
+
+def bursts_delay_and_a_narrow_line_heal(run):
+    run.start_server("--cubes=80", "--seconds=7", "--clients=1", "--calm=2")
+    client = run.start_client("--loss=10", "--burst=4", "--delay=80", "--rate=60000", "--seed=3")
+    run.wait(30)
+    run.check_logs()
+    expect_same_end(run, client, 80)
+
+
+def everybody_ends_alike_whoever_comes_and_goes(run):
+    """Players join, leave and are killed on a network that loses 30 %, delays by up to 100 ms, reorders and repeats."""
+    seconds = int(os.environ.get("GA_GODOT_SESSION_SECONDS", SECONDS))
+    run.start_server("--cubes=120", f"--seconds={seconds}", f"--calm={CALM}", "--clients=2")
+    stay = [run.start_client(*BAD, "--seed=1"), run.start_client(*BAD, "--seed=2", "--autopilot=circle")]
+    run.server.wait_for_line("The scene begins", START_SECONDS)
+    begin = time.monotonic()
+    memory = {}
+    guests = 0
+    while time.monotonic() - begin < seconds - CALM - 4:
+        guests += 1
+        guest = run.start_client(*BAD, f"--seed={2 + guests}", "--record=", "--leave-after=2", "--autopilot=kick")
+        time.sleep(3)
+        # Every second one has no time to say goodbye.
+        if guests % 2:
+            guest.kill()
+        else:
+            guest.process.wait(timeout=START_SECONDS)
+        guest.check_log()
+        run.clients.remove(guest)
+        if not memory and time.monotonic() - begin > seconds / 3:
+            memory = {process.name: resident_bytes(process.process) for process in [run.server, *stay]}
+    late = run.start_client(*BAD, "--seed=99")
+    run.server.wait_for_line(f"Player {len(run.clients)} has joined", START_SECONDS)
+    for process in [run.server, *stay]:
+        now = resident_bytes(process.process)
+        before = memory.get(process.name)
+        if now is not None and before is not None:
+            expect(now - before < GROWTH, f"{process.name} grew by {(now - before) / 1e6:.1f} MB")
+    run.wait(seconds + 30)
+    run.check_logs()
+    expect(guests >= 3, f"only {guests} guests")
+    for client in [*stay, late]:
+        expect_same_end(run, client, 120)
+
+
+CASES = (
+    loss_and_jitter_heal,
+    bursts_delay_and_a_narrow_line_heal,
+    everybody_ends_alike_whoever_comes_and_goes,
+)
