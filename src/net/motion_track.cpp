@@ -4,6 +4,13 @@
 
 namespace net {
 
+namespace {
+
+/// Segments that are mostly enough: of two windows, with some bends.
+constexpr std::size_t USUAL = 8;
+
+} // namespace
+
 void MotionTrack::add(const BodyMotion &motion) {
 	while (motions_.size() > first_ && motions_.back().segment.begin >= motion.segment.begin && (motion.appears || motion.vanishes || !motions_.back().appears)) {
 		motions_.pop_back();
@@ -11,7 +18,11 @@ void MotionTrack::add(const BodyMotion &motion) {
 	if (motions_.size() - first_ >= MOST) {
 		++first_;
 	}
-	if (first_ > MOST) {
+	if (motions_.capacity() == 0) {
+		motions_.reserve(USUAL);
+	}
+	if (motions_.size() == motions_.capacity() && first_ > 0) {
+		// Room for the new one is where forgotten ones are.
 		motions_.erase(motions_.begin(), motions_.begin() + std::ptrdiff_t(first_));
 		first_ = 0;
 	}
