@@ -47,11 +47,16 @@ class OptionsTest(unittest.TestCase):
         options = self.parse("--loss", "5", "--burst=3", "--jitter=30", "--bandwidth=12.5")
         self.assertEqual(bench_network.link_text(options), "5 % loss in bursts of 3, 30 ms jitter, 12.5 kB/s")
 
+    def test_several_runs_where_chance_decides(self):
+        self.assertEqual(bench_network.run_count(self.parse("--delay=50")), 1)
+        self.assertEqual(bench_network.run_count(self.parse("--loss=1")), bench_network.IMPAIRED_RUNS)
+        self.assertEqual(bench_network.run_count(self.parse("--loss=1", "--runs=2")), 2)
+
     def test_traces_repeat(self):
         self.assertEqual(self.parse("--trace", "a.csv", "--trace", "b.csv").traces, ["a.csv", "b.csv"])
 
     def test_out_of_range(self):
-        for argument in ("--loss=101", "--loss=nan", "--jitter=-1", "--tolerance-mm=0", "--mode=cubic"):
+        for argument in ("--loss=101", "--loss=nan", "--jitter=-1", "--tolerance-mm=0", "--mode=cubic", "--runs=0", "--seed=x"):
             with self.assertRaises(SystemExit) as caught, contextlib.redirect_stderr(io.StringIO()):
                 self.parse(argument)
             self.assertEqual(caught.exception.code, 2)

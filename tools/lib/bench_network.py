@@ -19,6 +19,7 @@ from build import build
 
 PARTS = ("build", "bench")
 TRACES = os.path.join(os.path.dirname(checkout.ROOT), "shared", "traces")
+IMPAIRED_RUNS = 5
 PLOT_TOLERANCES = (1, 2, 3, 5, 8, 12, 20)
 # What the program takes in other units than people: name of the option, of the program's, factor.
 LINK = (("loss", "loss", 0.01), ("burst", "burst", 1.0), ("duplicates", "duplication", 0.01), ("delay", "delay", 0.001),
@@ -44,7 +45,9 @@ def add_options(parser):
                         help="how far behind ga_godot's receiver may show (200)")
     parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",
                         help="ga_godot's path between samples (separate)")
-    parser.add_argument("--seed", type=int, default=1, help="of the link's chances (1)")
+    parser.add_argument("--seed", type=whole(0, 10 ** 15), default=1, help="of the link's chances (1)")
+    parser.add_argument("--runs", type=whole(1, 1000), metavar="N",
+                        help=f"runs with seeds from --seed on, taken together ({IMPAIRED_RUNS} where chance decides, else 1)")
     parser.add_argument("--rate-distortion", metavar="PNG",
                         help="instead draw bytes per second over error, ga_godot's for tolerances of "
                              + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
@@ -58,6 +61,21 @@ def within(least, most):
             raise argparse.ArgumentTypeError(f"{text} is not from {least} to {most}")
         return value
     return number
+
+
+def whole(least, most):
+    """A whole number from `least` to `most`, for argparse."""
+    def number(text):
+        value = int(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(f"{text} is not from {least} to {most}")
+        return value
+    return number
+
+
+def run_count(options):
+    """How often each method is run over the link: one run with losses says little about the next."""
+    return options.runs or (IMPAIRED_RUNS if options.loss or options.jitter or options.duplicates else 1)
 
 
 def measure(options):
@@ -112,14 +130,15 @@ def run_program(options, tolerance_mm, *arguments):
     """The rows that the benchmark program prints, with what it was asked for."""
     command = [os.path.join(checkout.variant(), "bench", "network_bench"), *arguments,
                f"--tolerance={tolerance_mm / 1000:g}", f"--max-latency={options.max_latency_ms / 1000:g}",
-               f"--mode={options.mode}", f"--seed={options.seed}"]
+               f"--mode={options.mode}", f"--seed={options.seed}", f"--runs={run_count(options)}"]
     command += [f"--{name}={getattr(options, option) * factor:g}" for option, name, factor in LINK]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     if done.returncode != 0:
         reason = done.stderr.strip() or f"network_bench ended with exit code {done.returncode}"
         sys.exit(f"tools/bench: {reason}")
     rows = [json.loads(line) for line in done.stdout.splitlines()]
-    asked = {"loss_percent": options.loss, "jitter_ms": options.jitter, "delay_ms": options.delay}
+    asked = {"loss_percent": options.loss, "jitter_ms": options.jitter, "delay_ms": options.delay,
+             "runs": run_count(options)}
     for row in rows:
         row.update(asked)
         if row["subject"] == "ga_godot":

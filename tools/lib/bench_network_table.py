@@ -19,8 +19,9 @@ def print_trace(name, rows, link):
     """One trace: what each method took and how far off it was; the comparison at equal error comes last."""
     methods = by_subject(rows)
     ours = methods[OURS]
-    bodies = rows[0]["n"]
-    print(f"\n{name}: {bodies} {'body' if bodies == 1 else 'bodies'}, {ours['samples_moving']:.0f} samples in motion; {link}\n")
+    bodies, runs = rows[0]["n"], rows[0]["runs"]
+    print(f"\n{name}: {bodies} {'body' if bodies == 1 else 'bodies'}, {ours['samples_moving'] / runs:.0f} samples in motion; {link}"
+          + (f"; {runs} runs\n" if runs > 1 else "\n"))
     print(f"{'':<26}" + "".join(f"{heading:>13}" for _, heading, _ in COLUMNS))
     for subject, values in methods.items():
         print(f"{subject:<26}" + "".join(f"{number(values[case], form):>13}" for case, _, form in COLUMNS))

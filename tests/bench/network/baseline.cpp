@@ -151,19 +151,17 @@ MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const Li
 	result.bytes_per_second = double(cost.poses * baseline.pose_bytes) / trace.duration();
 	result.packets_per_second = double(cost.datagrams) / trace.duration();
 	result.delay_median = result.delay_max = delay;
-	ErrorSummary errors;
 	for (std::uint32_t body = 0; body < trace.bodies.size(); ++body) {
 		const std::vector<TraceSample> &samples = trace.bodies[body].samples;
 		const std::vector<Motion> motion = find_motion(trace.bodies[body]);
 		for (std::size_t i = 0; i < samples.size(); ++i) {
 			if (const cga::Pose<double> *shown = received.show(body, samples[i].time, baseline.path)) {
-				errors.add(lever_distance(*shown, samples[i].pose), motion[i]);
+				result.errors.add(lever_distance(*shown, samples[i].pose), motion[i]);
 			} else {
 				++result.unseen;
 			}
 		}
 	}
-	result.errors = errors.figures();
 	return result;
 }
 

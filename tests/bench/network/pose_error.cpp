@@ -47,15 +47,22 @@ double percentile(std::vector<double> &values, double share) {
 	return weight == 0.0 || values[above] == values[below] ? values[below] : values[below] + (values[above] - values[below]) * weight;
 }
 
-ErrorFigures ErrorSummary::figures() {
+void ErrorSummary::add(const ErrorSummary &other) {
+	moving_.insert(moving_.end(), other.moving_.begin(), other.moving_.end());
+	resting_.insert(resting_.end(), other.resting_.begin(), other.resting_.end());
+}
+
+ErrorFigures ErrorSummary::figures() const {
+	std::vector<double> moving = moving_;
+	std::vector<double> resting = resting_;
 	ErrorFigures figures;
-	figures.moving_count = moving_.size();
-	figures.resting_count = resting_.size();
-	figures.p50 = percentile(moving_, 0.5);
-	figures.p99 = percentile(moving_, 0.99);
-	figures.max = percentile(moving_, 1.0);
-	figures.rest_p99 = percentile(resting_, 0.99);
-	figures.rest_max = percentile(resting_, 1.0);
+	figures.moving_count = moving.size();
+	figures.resting_count = resting.size();
+	figures.p50 = percentile(moving, 0.5);
+	figures.p99 = percentile(moving, 0.99);
+	figures.max = percentile(moving, 1.0);
+	figures.rest_p99 = percentile(resting, 0.99);
+	figures.rest_max = percentile(resting, 1.0);
 	return figures;
 }
 

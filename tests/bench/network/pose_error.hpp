@@ -45,7 +45,9 @@ class ErrorSummary {
 public:
 	/// In metres; what is not a number counts as infinite. Samples of unknown motion do not count.
 	void add(double error, Motion motion);
-	[[nodiscard]] ErrorFigures figures();
+	/// Takes in what another one has.
+	void add(const ErrorSummary &other);
+	[[nodiscard]] ErrorFigures figures() const;
 
 private:
 	std::vector<double> moving_;

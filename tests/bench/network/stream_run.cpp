@@ -51,7 +51,7 @@ public:
 	}
 
 	[[nodiscard]] bool is_done() const { return next_ == trace_.order.size(); }
-	[[nodiscard]] ErrorFigures figures() { return errors_.figures(); }
+	[[nodiscard]] const ErrorSummary &errors() const { return errors_; }
 	// Those that playback has not reached are unseen too.
 	[[nodiscard]] std::size_t unseen() const { return unseen_ + trace_.order.size() - next_; }
 
@@ -121,7 +121,7 @@ public:
 
 	StreamResult finish() {
 		result_.method.subject = "ga_godot";
-		result_.method.errors = probe_.figures();
+		result_.method.errors = probe_.errors();
 		result_.method.unseen = probe_.unseen();
 		result_.method.bytes_per_second = double(result_.bytes_sent) / trace_.duration();
 		result_.method.packets_per_second = double(result_.packets_sent) / trace_.duration();

@@ -26,55 +26,80 @@ int fail(const std::string &problem) {
 
 void print_method(const MethodResult &method, const Trace &trace) {
 	const std::size_t bodies = trace.bodies.size();
+	const ErrorFigures errors = method.errors.figures();
 	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, method.subject, bodies, value, unit); };
 	row("bytes_per_second_per_body", method.bytes_per_second / double(bodies), "B/s");
 	row("packets_per_second", method.packets_per_second, "1/s");
-	row("error_p50", method.errors.p50 * MILLI, "mm");
-	row("error_p99", method.errors.p99 * MILLI, "mm");
-	row("error_max", method.errors.max * MILLI, "mm");
-	row("error_rest_p99", method.errors.rest_p99 * MILLI, "mm");
-	row("error_rest_max", method.errors.rest_max * MILLI, "mm");
-	row("samples_moving", double(method.errors.moving_count), "samples");
+	row("error_p50", errors.p50 * MILLI, "mm");
+	row("error_p99", errors.p99 * MILLI, "mm");
+	row("error_max", errors.max * MILLI, "mm");
+	row("error_rest_p99", errors.rest_p99 * MILLI, "mm");
+	row("error_rest_max", errors.rest_max * MILLI, "mm");
+	row("samples_moving", double(errors.moving_count), "samples");
 	row("samples_unseen", double(method.unseen), "samples");
 	row("playback_delay", method.delay_max * MILLI, "ms");
 	row("playback_delay_median", method.delay_median * MILLI, "ms");
 }
 
-int measure_trace(const Options &options) {
-	Trace trace;
-	const std::string problem = read_trace(options.trace, trace);
-	if (!problem.empty()) {
-		return fail(problem);
-	}
+// Empty, or what went wrong.
+std::string measure_ours(const Options &options, const Trace &trace) {
 	net::StreamSettings settings = stream_settings(trace, options.tolerance);
 	settings.max_latency = options.max_latency;
 	settings.mode = options.mode;
 	const SourceFeed feed(trace, settings.tick, DRAIN);
-	const StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed);
-	if (!stream.problem.empty()) {
-		return fail(options.trace + ": " + stream.problem);
+	StreamResult first;
+	std::vector<MethodResult> runs;
+	double answer_bytes = 0.0;
+	for (std::uint64_t run = 0; run < options.runs; ++run) {
+		StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed + run);
+		if (!stream.problem.empty()) {
+			return stream.problem;
+		}
+		if (stream.refused > 0) {
+			return "the sender refused " + std::to_string(stream.refused) + " poses: they are out of range";
+		}
+		answer_bytes += stream.answer_bytes_per_second / double(options.runs);
+		runs.push_back(std::move(stream.method));
+		if (run == 0) {
+			first = std::move(stream);
+		}
 	}
-	if (stream.refused > 0) {
-		return fail(options.trace + ": the sender refused " + std::to_string(stream.refused) + " poses: they are out of range");
-	}
-	print_method(stream.method, trace);
-	const std::size_t bodies = trace.bodies.size();
-	const std::string &ours = stream.method.subject;
-	print_row("answer_bytes_per_second_per_body", ours, bodies, stream.answer_bytes_per_second / double(bodies), "B/s");
-	if (!options.baselines) {
-		return 0;
-	}
-	const StreamTiming timing = time_stream(trace, feed, settings, stream);
+	const MethodResult pooled = pool_runs(runs);
+	print_method(pooled, trace);
+	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, pooled.subject, trace.bodies.size(), value, unit); };
+	row("answer_bytes_per_second_per_body", answer_bytes / double(trace.bodies.size()), "B/s");
+	const StreamTiming timing = time_stream(trace, feed, settings, first);
 	if (!timing.repeats) {
-		return fail(options.trace + ": the sender, run again, sent something else");
+		return "the sender, run again, sent something else";
 	}
-	print_row("encode", ours, bodies, timing.encode * NANO, "ns/pose");
-	print_row("decode", ours, bodies, timing.decode * NANO, "ns/pose");
-	print_row("allocations_per_packet", ours, bodies, timing.sender_allocations + timing.receiver_allocations, "allocations");
-	print_row("sender_allocations_per_packet", ours, bodies, timing.sender_allocations, "allocations");
-	print_row("receiver_allocations_per_packet", ours, bodies, timing.receiver_allocations, "allocations");
-	for (const Baseline &baseline : baselines()) {
-		print_method(run_baseline(trace, baseline, options.link, options.seed), trace);
+	row("encode", timing.encode * NANO, "ns/pose");
+	row("decode", timing.decode * NANO, "ns/pose");
+	row("allocations_per_packet", timing.sender_allocations + timing.receiver_allocations, "allocations");
+	row("sender_allocations_per_packet", timing.sender_allocations, "allocations");
+	row("receiver_allocations_per_packet", timing.receiver_allocations, "allocations");
+	return {};
+}
+
+void measure_baseline(const Options &options, const Trace &trace, const Baseline &baseline) {
+	std::vector<MethodResult> runs;
+	for (std::uint64_t run = 0; run < options.runs; ++run) {
+		runs.push_back(run_baseline(trace, baseline, options.link, options.seed + run));
+	}
+	print_method(pool_runs(runs), trace);
+}
+
+int measure_trace(const Options &options) {
+	Trace trace;
+	std::string problem = read_trace(options.trace, trace);
+	if (!problem.empty()) {
+		return fail(problem);
+	}
+	problem = measure_ours(options, trace);
+	if (!problem.empty()) {
+		return fail(options.trace + ": " + problem);
+	}
+	for (const Baseline &baseline : options.baselines ? baselines() : std::vector<Baseline>()) {
+		measure_baseline(options, trace, baseline);
 	}
 	return 0;
 }

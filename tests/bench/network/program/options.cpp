@@ -47,7 +47,8 @@ bool parse_number(std::string_view text, const NumberOption &option) {
 
 std::string parse_options(int count, const char *const *arguments, Options &options) {
 	double seed = double(options.seed);
-	const std::array<NumberOption, 9> numbers = { {
+	double runs = double(options.runs);
+	const std::array<NumberOption, 10> numbers = { {
 			{ "loss", &options.link.loss, 0.0, 1.0 },
 			{ "burst", &options.link.burst, 0.0, 1e6 },
 			{ "duplication", &options.link.duplication, 0.0, 1.0 },
@@ -57,6 +58,7 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 			{ "tolerance", &options.tolerance, 1e-5, 10.0 },
 			{ "max-latency", &options.max_latency, 0.01, 10.0 },
 			{ "seed", &seed, 0.0, 9e15 },
+			{ "runs", &runs, 1.0, 1000.0 },
 	} };
 	for (int i = 1; i < count; ++i) {
 		const std::string_view argument = arguments[i];
@@ -83,6 +85,7 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 		}
 	}
 	options.seed = std::uint64_t(seed);
+	options.runs = std::uint64_t(runs);
 	return {};
 }
 

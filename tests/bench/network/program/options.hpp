@@ -17,6 +17,7 @@ struct Options {
 	double max_latency = 0.2; ///< seconds
 	cga::Mode mode = cga::Mode::SEPARATE;
 	std::uint64_t seed = 1;
+	std::uint64_t runs = 1; ///< over the link, with seeds from `seed` on; their errors are taken together
 };
 
 /// Reads arguments --name=value. Empty, or what is wrong with them.

@@ -65,13 +65,13 @@ TEST_CASE("baseline: the error of interpolation on a known path") {
 	// x = a t^2 between samples h apart differs from the chord by up to a h^2 / 4, at the middle.
 	const Trace trace = line_trace(1, 601, [](double time) { return 0.8 * time * time; });
 	const MethodResult result = run_baseline(trace, named("pqs_float32_10hz"), {}, 1);
-	CHECK(result.errors.max == doctest::Approx(0.8 * 0.01 / 4.0).epsilon(1e-3));
+	CHECK(result.errors.figures().max == doctest::Approx(0.8 * 0.01 / 4.0).epsilon(1e-3));
 	// At 60 Hz every sample is sent: what is left is float32's rounding, of 80 m here.
 	const MethodResult all = run_baseline(trace, named("pqs_float32_60hz"), {}, 1);
-	CHECK(all.errors.max < 4e-6);
-	CHECK(all.errors.max > 0.0);
+	CHECK(all.errors.figures().max < 4e-6);
+	CHECK(all.errors.figures().max > 0.0);
 	// Without rotation the motors' blend is the same lerp.
-	CHECK(run_baseline(trace, named("paper_motor_float32_10hz"), {}, 1).errors.max == doctest::Approx(result.errors.max).epsilon(1e-2));
+	CHECK(run_baseline(trace, named("paper_motor_float32_10hz"), {}, 1).errors.figures().max == doctest::Approx(result.errors.figures().max).epsilon(1e-2));
 }
 
 TEST_CASE("baseline: float32 motors hold a pose to float32's precision") {
@@ -89,13 +89,13 @@ TEST_CASE("baseline: a lost sample is missing and the path goes across") {
 	lossy.loss = 0.05;
 	const MethodResult result = run_baseline(trace, named("pqs_float32_10hz"), lossy, 3);
 	// Gaps of two intervals have four times the error; about 1 in 20 intervals is part of one.
-	CHECK(result.errors.p50 < 0.8 * 0.01 / 4.0);
-	CHECK(result.errors.p99 > 0.9 * 0.8 * 0.04 / 4.0);
+	CHECK(result.errors.figures().p50 < 0.8 * 0.01 / 4.0);
+	CHECK(result.errors.figures().p99 > 0.9 * 0.8 * 0.04 / 4.0);
 	LinkSettings all_lost;
 	all_lost.loss = 1.0;
 	const MethodResult nothing = run_baseline(trace, named("pqs_float32_10hz"), all_lost, 3);
 	CHECK(nothing.unseen == 2401);
-	CHECK(std::isnan(nothing.errors.p99));
+	CHECK(std::isnan(nothing.errors.figures().p99));
 }
 
 TEST_CASE("baseline: a body that begins late, ends early and has a gap") {
@@ -121,6 +121,6 @@ TEST_CASE("baseline: a body that begins late, ends early and has a gap") {
 	}
 	const MethodResult result = run_baseline(trace, named("pqs_float32_20hz"), {}, 1);
 	CHECK(result.unseen == 0);
-	CHECK(result.errors.max < 1e-6);
+	CHECK(result.errors.figures().max < 1e-6);
 	CHECK(result.delay_max == doctest::Approx(0.05).epsilon(1e-6));
 }

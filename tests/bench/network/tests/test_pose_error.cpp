@@ -1,4 +1,4 @@
-#include "../pose_error.hpp"
+#include "../method_result.hpp"
 
 #include <doctest/doctest.h>
 
@@ -108,4 +108,29 @@ TEST_CASE("pose error: resting samples are counted apart") {
 	CHECK(figures.rest_p99 == 0.0);
 	CHECK(figures.moving_count == 101);
 	CHECK(figures.resting_count == 900);
+	ErrorSummary both = summary;
+	both.add(summary);
+	CHECK(both.figures().moving_count == 202);
+	CHECK(both.figures().p99 == doctest::Approx(0.099));
+}
+
+TEST_CASE("method result: runs are pooled") {
+	MethodResult one;
+	one.subject = "a";
+	one.bytes_per_second = 10.0;
+	one.delay_max = one.delay_median = 0.1;
+	one.errors.add(0.001, Motion::MOVING);
+	one.unseen = 4;
+	MethodResult two = one;
+	two.bytes_per_second = 30.0;
+	two.delay_max = 0.5;
+	two.errors.add(0.003, Motion::MOVING);
+	const MethodResult pooled = pool_runs({ one, two });
+	CHECK(pooled.subject == "a");
+	CHECK(pooled.bytes_per_second == 20.0);
+	CHECK(pooled.delay_max == 0.5);
+	CHECK(pooled.delay_median == doctest::Approx(0.1));
+	CHECK(pooled.errors.figures().moving_count == 3);
+	CHECK(pooled.errors.figures().max == 0.003);
+	CHECK(pooled.unseen == 4);
 }

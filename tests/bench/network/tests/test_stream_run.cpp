@@ -50,8 +50,8 @@ TEST_CASE("stream run: on a good link what is shown is within the tolerance, at 
 		const StreamResult result = run(swinging(3, rate, 6.0));
 		CHECK(result.problem == "");
 		CHECK(result.refused == 0);
-		CHECK(result.method.errors.p99 < 0.00501);
-		CHECK(result.method.errors.p99 > 0.0005);
+		CHECK(result.method.errors.figures().p99 < 0.00501);
+		CHECK(result.method.errors.figures().p99 > 0.0005);
 		CHECK(result.method.delay_max < 0.2501);
 		CHECK(result.method.delay_median > 0.01);
 		// Only what the receiver had nothing to show of at the begin.
@@ -72,7 +72,7 @@ TEST_CASE("stream run: the same seed gives the same run, another one another") {
 	const StreamResult other = run(text, lossy, 6);
 	CHECK(one.problem == "");
 	CHECK(one.bytes_sent == same.bytes_sent);
-	CHECK(one.method.errors.max == same.method.errors.max);
+	CHECK(one.method.errors.figures().max == same.method.errors.figures().max);
 	CHECK(one.method.delay_max == same.method.delay_max);
 	CHECK(one.bytes_sent != other.bytes_sent);
 }
@@ -80,7 +80,7 @@ TEST_CASE("stream run: the same seed gives the same run, another one another") {
 TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
 	const StreamResult result = run(swinging(2, 60.0, 8.0, 3.0));
 	CHECK(result.problem == "");
-	CHECK(result.method.errors.p50 < 0.005);
+	CHECK(result.method.errors.figures().p50 < 0.005);
 	CHECK(double(result.method.unseen) < 60.0);
 
 	Trace trace;
@@ -98,7 +98,7 @@ TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
 	const StreamResult coming = run(late);
 	CHECK(coming.problem == "");
 	CHECK(coming.refused == 0);
-	CHECK(coming.method.errors.p99 < 0.00501);
+	CHECK(coming.method.errors.figures().p99 < 0.00501);
 	CHECK(double(coming.method.unseen) < 30.0);
 }
 
@@ -107,5 +107,5 @@ TEST_CASE("stream run: a link that carries nothing shows nothing") {
 	dead.loss = 1.0;
 	const StreamResult result = run(swinging(1, 60.0, 2.0), dead);
 	CHECK(result.method.unseen == 121);
-	CHECK(std::isnan(result.method.errors.p99));
+	CHECK(std::isnan(result.method.errors.figures().p99));
 }
