@@ -49,10 +49,12 @@ def draw_panel(axes, lines, title):
         axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=colour, marker=marker, label=name,
                   linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=4 if ours else 3)
-        for p99, cost, label in line:
+        for place, (p99, cost, label) in enumerate(line):
             if label in LABELLED:
-                axes.annotate(label, (p99, cost), xytext=(-3, -6) if ours else (7, 1), textcoords="offset points", color=colour,
-                              fontsize=8.5, ha="right" if ours else "left", va="top" if ours else "bottom")
+                # Beside the line: ours below it, unless it bends back there.
+                below = ours and not (place > 0 and line[place - 1][0] < p99)
+                axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=colour,
+                              fontsize=8.5, ha="right" if below else "left", va="top" if below else "bottom")
     axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
     axes.set_xscale("log")
     axes.set_yscale("log")
