@@ -10,16 +10,21 @@ namespace {
 constexpr double FIRST_PATIENCE = 0.2; // seconds, before a round trip is known
 constexpr double LEAST_PATIENCE = 0.03;
 constexpr double LEAST_DEVIATION = 0.005; // frames and ticks at both ends
-constexpr double MOST_PATIENCE = 0.5;
+constexpr double MOST_PATIENCE = 0.5; // but where the round trip is longer
 /// A receiver that lacks a chunk after so many repeats, or so many chunks, gets a whole state instead.
 constexpr int MOST_REPEATS = 8;
 constexpr int PROMPT_REPEATS = 3;
+constexpr double STUCK_TIME = 1.5; // seconds: a longer round trip than expected is none
 constexpr std::uint32_t MOST_CHUNKS_BEHIND = 100;
+/// While a state is on its way to it, it may be so many behind; chunks before these are not there any more.
+constexpr std::uint32_t MOST_CHUNKS_KEPT = 200;
 /// A state is not made again sooner than this.
 constexpr double STATE_PAUSE = 0.5;
 /// How much loss above this shortens the wait for an answer.
 constexpr double MUCH_LOSS = 0.15;
 constexpr double HASTE = 4.0;
+/// After so many answers of which none is certainly one to a first try, the next is taken for one.
+constexpr int MOST_UNCERTAIN = 8;
 /// How much a chunk counts in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 
@@ -56,7 +61,8 @@ void Delivery::start_state(std::shared_ptr<const StateSnapshot> state) {
 }
 
 double Delivery::patience() const {
-	return round_trip_ > 0.0 ? std::clamp(round_trip_ + 4.0 * std::max(deviation_, LEAST_DEVIATION), LEAST_PATIENCE, MOST_PATIENCE) : FIRST_PATIENCE;
+	const double most = std::max(MOST_PATIENCE, 1.25 * round_trip_);
+	return round_trip_ > 0.0 ? std::clamp(round_trip_ + 4.0 * std::max(deviation_, LEAST_DEVIATION), LEAST_PATIENCE, most) : FIRST_PATIENCE;
 }
 
 void Delivery::collect_due(const ChunkRing &ring, double time) {
@@ -92,10 +98,16 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 			due_parts_.push_back(std::uint16_t(i));
 		}
 	}
+	sent_until_ = std::max(sent_until_, ring.next() > ChunkRing::RING ? ring.next() - ChunkRing::RING : 0);
 	for (; sent_until_ < ring.next(); ++sent_until_) {
 		sent_[sent_until_ % ChunkRing::RING] = Sent();
 	}
-	const bool is_far_behind = ring.next() - first_missing_ > MOST_CHUNKS_BEHIND;
+	const std::uint32_t behind = ring.next() - first_missing_;
+	if (behind > MOST_CHUNKS_KEPT) {
+		want_state(time);
+		return;
+	}
+	const bool is_far_behind = parts_.empty() && behind > MOST_CHUNKS_BEHIND;
 	for (std::uint32_t number = first_missing_; number < ring.next(); ++number) {
 		Sent &sent = sent_[number % ChunkRing::RING];
 		if (is_due(sent)) {
@@ -103,7 +115,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		}
 	}
 	const Sent &oldest = sent_[first_missing_ % ChunkRing::RING];
-	const bool is_stuck = first_missing_ < ring.next() && oldest.times > MOST_REPEATS;
+	const bool is_stuck = parts_.empty() && first_missing_ < ring.next() && oldest.times > MOST_REPEATS && time - oldest.first > STUCK_TIME;
 	if (is_far_behind || is_stuck) {
 		want_state(time);
 	}
@@ -124,7 +136,7 @@ void Delivery::accept(const PacketContent &answer, const ChunkRing &ring, double
 
 void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) {
 	const std::uint8_t ahead = std::uint8_t(ack.next - std::uint8_t(first_missing_));
-	if (needs_state_ || ahead > ring.next() - first_missing_) {
+	if (needs_state_ || ring.next() - first_missing_ > MOST_CHUNKS_KEPT || ahead > ring.next() - first_missing_) {
 		return; // an old one, or of another stream
 	}
 	if (state_ != nullptr && ack.next == std::uint8_t(first_missing_) && ack.later == 0 && !parts_.empty()) {
@@ -182,9 +194,15 @@ void Delivery::chunk_arrived(std::uint32_t number, double time, bool is_newest) 
 		return;
 	}
 	sent.arrived = true;
-	// An answer that comes too soon for the second try is one to the first.
-	if (is_newest && (sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_))) {
-		measure(std::max(time - sent.first, 1e-4));
+	// An answer that comes too soon for the second try is one to the first. Where no answer is certain for long, the wait
+	// for it is too short, and most are to the first.
+	if (is_newest) {
+		const bool is_certain = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_);
+		uncertain_ = is_certain ? 0 : uncertain_ + 1;
+		if (is_certain || round_trip_ == 0.0 || uncertain_ == MOST_UNCERTAIN) {
+			uncertain_ = 0;
+			measure(std::max(time - sent.first, 1e-4));
+		}
 	}
 	caution_ -= caution_ * LOSS_WEIGHT;
 	if (!sent.missed) {

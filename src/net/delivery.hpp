@@ -69,8 +69,10 @@ public:
 
 	/// Loss that is expected of a line of which nothing is known.
 	static constexpr double FIRST_CAUTION = 0.015;
-	/// A receiver that has not been heard for so long gets nothing more until it is.
+	/// A receiver that has not been heard for so long gets nothing more until it is, but for a few bytes now and then:
+	/// one that knows nothing yet does not know whom to ask.
 	static constexpr double SILENCE = 3.0;
+	static constexpr double PROBE_PAUSE = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - heard_ > SILENCE; }
 	/// After this a chunk counts as lost.
 	[[nodiscard]] double patience() const;
@@ -110,14 +112,22 @@ private:
 	double round_trip_ = 0.0;
 	double deviation_ = 0.0;
 	double told_round_trip_ = -1e9; // when
+	double probed_ = -1e9; // when
 	double loss_ = 0.0;
 	double caution_ = FIRST_CAUTION; // fades as chunks arrive
+	int uncertain_ = 0; // answers since the last round trip was measured
 	std::uint64_t repeated_ = 0;
 };
 
 template <class PacketDone>
 void Delivery::send(const ChunkRing &ring, double time, std::vector<std::uint8_t> &bytes, PacketDone &&packet_done) {
 	if (is_silent(time)) {
+		if (time - probed_ >= PROBE_PAUSE) {
+			probed_ = time;
+			const std::size_t begin = bytes.size();
+			put_round_trip(bytes, round_trip_);
+			packet_done(begin, bytes.size() - begin);
+		}
 		return;
 	}
 	collect_due(ring, time);

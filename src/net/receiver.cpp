@@ -14,9 +14,16 @@ namespace net {
 
 namespace {
 
-/// A stream that has been silent for so long is asked for its state, in seconds; a request is repeated after PAUSE.
+/// A stream that has told nothing new for so long is asked for its state, in seconds; a request is repeated after PAUSE.
 constexpr double SILENCE = 1.5;
 constexpr double PAUSE = 0.25;
+/// While parts of a state have come within so long, it is waited for.
+constexpr double PART_PAUSE = 0.75;
+/// A state that is older than the last one is a straggler, unless nothing new has come for so long: then it is that of a
+/// sender that began again.
+constexpr double STRAGGLERS = 1.0;
+/// One whose number is further on than this is that of another sender, if it is of an earlier time.
+constexpr std::uint8_t MOST_STATES_MISSED = 32;
 /// Weight of a chunk in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 constexpr double NOTABLE_LOSS = 0.002;
@@ -51,10 +58,13 @@ struct Receiver::State {
 	std::size_t parts_missing = 0;
 
 	bool state_done = false; // the last one has been read
+	std::uint8_t last_state = 0; // number of the one before
 	bool broken = false; // the stream cannot be followed without a new state
 	bool answer_due = false;
 	bool state_ack_due = false;
-	double heard = 0.0;
+	bool has_heard = false;
+	double progressed = 0.0; // when something new came: a window, a part of a state, at first anything
+	double part_came = -1e9; // when a part of the open state came that was lacking
 	double asked = -1e9;
 	double least_margin = 0.0;
 	double most_margin = -1.0; // negative: as much as max_latency
@@ -67,6 +77,9 @@ struct Receiver::State {
 	const char *check_parts() const;
 	void take_part(const StatePartItem &part, double now);
 	const char *finish_state(double now);
+	[[nodiscard]] bool is_next_state() const { return std::uint8_t(state_number - last_state) <= MOST_STATES_MISSED; }
+	[[nodiscard]] bool is_behind(const StateHeader &next) const;
+	[[nodiscard]] bool is_lost(double now) const;
 	void decode_windows(double now);
 	void show(const BodyMotion &motion);
 	void set_limits();
@@ -90,7 +103,10 @@ const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, doubl
 	}
 	s.statistics.bytes_received += size;
 	++s.statistics.packets_received;
-	s.heard = now;
+	if (!s.has_heard) {
+		s.has_heard = true;
+		s.progressed = now;
+	}
 	if (s.content.round_trip > 0.0) {
 		s.statistics.round_trip = s.content.round_trip;
 	}
@@ -140,12 +156,12 @@ const char *Receiver::State::check_parts() const {
 	return nullptr;
 }
 
-void Receiver::State::take_part(const StatePartItem &part, double) {
+void Receiver::State::take_part(const StatePartItem &part, double now) {
 	if (state_done && part.state == state_number) {
 		return;
 	}
-	if (state_is_open && std::int8_t(part.state - state_number) < 0) {
-		return; // an older one
+	if ((state_is_open || state_done) && std::int8_t(part.state - state_number) < 0 && now - progressed < STRAGGLERS) {
+		return;
 	}
 	if (!state_is_open || part.state != state_number || part.parts != state_parts.size()) {
 		state_is_open = true;
@@ -160,6 +176,7 @@ void Receiver::State::take_part(const StatePartItem &part, double) {
 		has_part[part.part] = true;
 		state_parts[part.part].assign(part.bytes, part.bytes + part.size);
 		--parts_missing;
+		progressed = part_came = now;
 	}
 }
 
@@ -174,16 +191,22 @@ const char *Receiver::State::finish_state(double now) {
 	if (error != nullptr) {
 		return error;
 	}
+	if (is_behind(next)) {
+		state_done = true;
+		return nullptr;
+	}
 	auto fresh = std::make_unique<StreamDecoder>(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), most_bodies);
 	if (!fresh->read_state(window.data() + StateHeader::BYTES, window.size() - StateHeader::BYTES)) {
 		return "the state cannot be read";
 	}
 	const bool is_first = decoder == nullptr;
-	const bool goes_on = !is_first && next.settings.tick == tick() && double(next.tick) >= window_end - MOST_TICKS;
+	const bool is_earlier = double(next.tick) < window_end;
+	const bool goes_on = !is_first && next.settings.tick == tick() && (!is_earlier || (is_next_state() && double(next.tick) >= window_end - MOST_TICKS));
 	header = next;
 	decoder = std::move(fresh);
 	window_end = double(header.tick);
 	state_done = true;
+	last_state = state_number;
 	broken = false;
 	if (!goes_on) {
 		clock.start(window_end * tick(), double(header.window), now);
@@ -194,6 +217,9 @@ const char *Receiver::State::finish_state(double now) {
 	set_limits();
 	clock.observe(window_end * tick(), now);
 	chunks.restart(state_next_chunk);
+	if (!goes_on || std::int8_t(newest_chunk - state_next_chunk) < 0) {
+		newest_chunk = std::uint8_t(state_next_chunk - 1);
+	}
 	// Bodies of the state are there from now on; those that are not in it have gone.
 	std::unordered_map<std::uint32_t, bool> present;
 	for (std::size_t i = 0; i < decoder->body_count(); ++i) {
@@ -219,6 +245,14 @@ const char *Receiver::State::finish_state(double now) {
 	return nullptr;
 }
 
+bool Receiver::State::is_behind(const StateHeader &next) const {
+	// It came so late that the windows after it have been decoded, with what was there before.
+	const StreamSettings &was = header.settings;
+	const StreamSettings &is = next.settings;
+	return decoder != nullptr && !broken && is_next_state() && double(next.tick) <= window_end && double(next.tick) >= window_end - MOST_TICKS &&
+			is.tick == was.tick && is.mode == was.mode && is.position_tolerance == was.position_tolerance && is.rotation_tolerance == was.rotation_tolerance && is.max_latency == was.max_latency;
+}
+
 void Receiver::State::show(const BodyMotion &motion) {
 	const auto entry = tracks.try_emplace(motion.id);
 	if (entry.second) {
@@ -236,6 +270,7 @@ void Receiver::State::decode_windows(double now) {
 			broken = true;
 			break;
 		}
+		progressed = now;
 		const double begin = window_end;
 		window_end += ticks;
 		clock.observe(window_end * tick(), now);
@@ -261,11 +296,17 @@ void Receiver::State::set_limits() {
 	clock.set_limits(std::min(std::max(least_margin, least), most), most);
 }
 
+bool Receiver::State::is_lost(double now) const {
+	if (state_is_open && now - part_came < PART_PAUSE) {
+		return false;
+	}
+	return broken || (has_heard && now - progressed > (decoder == nullptr && !state_is_open ? PAUSE : SILENCE));
+}
+
 bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
 	State &s = *state_;
 	packet.clear();
-	const bool is_lost = s.broken || (s.decoder != nullptr && now - s.heard > SILENCE);
-	if (is_lost && now - s.asked > PAUSE) {
+	if (s.is_lost(now) && now - s.asked > PAUSE) {
 		s.asked = now;
 		put_state_wish(packet);
 	}

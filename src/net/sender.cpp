@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <unordered_map>
 
@@ -24,6 +25,13 @@ constexpr double NOTABLE_LOSS = 0.004;
 constexpr double MOST_STEP = 4.0; ///< ticks between two flushes that count
 /// Ticks within which a time is at a tick.
 constexpr double SAME_TICK = 1e-5;
+
+/// Any number, the same for the same time.
+std::uint8_t number_from(double time) {
+	std::uint64_t bits = 0;
+	std::memcpy(&bits, &time, sizeof(bits));
+	return std::uint8_t((bits ^ bits >> 32) * 0x9e3779b97f4a7c15u >> 56);
+}
 
 } // namespace
 
@@ -46,7 +54,8 @@ struct Sender::State {
 	std::vector<std::uint8_t> bytes;
 	std::vector<OutgoingPacket> packets;
 	PacketContent answer;
-	std::uint8_t state_number = 0;
+	std::uint8_t state_number = 0; // of the last one; begins anywhere, so that another sender's states are not taken for it
+	bool has_state_number = false;
 	double time = 0.0; // of the last flush
 	double origin = 0.0; // time of tick 0
 	bool has_origin = false;
@@ -211,6 +220,10 @@ void Sender::State::give_states() {
 		}
 		if (snapshot == nullptr) {
 			snapshot = std::make_shared<StateSnapshot>();
+			if (!has_state_number) {
+				has_state_number = true;
+				state_number = number_from(origin);
+			}
 			snapshot->number = ++state_number;
 			snapshot->next_chunk = ring.next();
 			StateHeader header;
@@ -297,7 +310,7 @@ void Sender::set_settings(const StreamSettings &settings) {
 	State &s = *state_;
 	const StreamSettings &old = s.settings;
 	const bool restarts = old.position_tolerance != settings.position_tolerance || old.rotation_tolerance != settings.rotation_tolerance ||
-			old.mode != settings.mode || old.tick != settings.tick;
+			old.mode != settings.mode || old.tick != settings.tick || old.max_latency != settings.max_latency;
 	if (old.tick != settings.tick) {
 		s.origin = s.time;
 		s.window_begin = s.last_flush = 0;

@@ -59,7 +59,7 @@ public:
 	/// What a receiver answered. Null, or why it was dropped (a literal).
 	const char *accept(std::uint32_t receiver, const std::uint8_t *packet, std::size_t size, double time);
 
-	/// New settings hold from the next window on. Tolerances and the tick restart the stream.
+	/// New settings hold from the next window on. All but the send rate restart the stream.
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const;
 	[[nodiscard]] ReceiverStatistics statistics(std::uint32_t receiver) const;
