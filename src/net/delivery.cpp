@@ -199,8 +199,11 @@ void Delivery::chunk_arrived(std::uint32_t number, double time, bool is_newest) 
 	if (is_newest) {
 		const bool is_certain = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * round_trip_);
 		uncertain_ = is_certain ? 0 : uncertain_ + 1;
-		if (is_certain || round_trip_ == 0.0 || uncertain_ == MOST_UNCERTAIN) {
+		if (uncertain_ == MOST_UNCERTAIN) {
 			uncertain_ = 0;
+			round_trip_ = 0.0;
+		}
+		if (is_certain || round_trip_ == 0.0) {
 			measure(std::max(time - sent.first, 1e-4));
 		}
 	}

@@ -264,6 +264,9 @@ void Receiver::State::show(const BodyMotion &motion) {
 void Receiver::State::decode_windows(double now) {
 	std::uint8_t check = 0;
 	std::uint8_t check_mask = 0;
+	if (broken) {
+		return;
+	}
 	while (decoder != nullptr && !broken && chunks.take_window(window, check, check_mask)) {
 		int ticks = 0;
 		if (!decoder->decode_window(window.data(), window.size(), check, check_mask, window_end, header.settings.mode, motions, ticks)) {
@@ -287,6 +290,9 @@ void Receiver::State::decode_windows(double now) {
 		}
 	}
 	broken = broken || chunks.is_broken() || tracks.size() > 2 * most_bodies + 64 || events.size() > 8 * most_bodies + 64;
+	if (broken) {
+		chunks.forget(); // what waited may be as wrong
+	}
 }
 
 void Receiver::State::set_limits() {
