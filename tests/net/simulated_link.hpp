@@ -117,7 +117,7 @@ public:
 			const std::uint8_t *bytes = sender->bytes() + packet.begin;
 			end.bytes_sent.insert(end.bytes_sent.end(), bytes, bytes + (keeps_bytes ? packet.size : 0));
 			end.largest_packet = std::max(end.largest_packet, packet.size);
-			if (bytes[0] >= 0x80) {
+			if (bytes[0] >= 0xc0) {
 				end.kinds.insert(bytes[0]);
 			}
 			end.down.send(bytes, packet.size, now);
@@ -158,6 +158,7 @@ public:
 	double now = 100.0;
 	double origin = 100.0; // of the sender's media time: when it first heard of anything
 	bool keeps_bytes = false;
+	bool takes_events = true;
 	int answers_rejected = 0;
 	int packets_rejected = 0;
 
@@ -171,6 +172,10 @@ private:
 			end.up.send(answer.data(), answer.size(), now);
 		}
 		end.receiver->advance(there);
+		if (takes_events) {
+			std::vector<net::BodyEvent> events;
+			end.receiver->take_events(events);
+		}
 		if (end.receiver->is_ready()) {
 			end.ready_at = end.ready_at < 0.0 ? now : end.ready_at;
 			end.steps_back += end.receiver->media_time() < end.media_time ? 1 : 0;

@@ -124,6 +124,7 @@ TEST_CASE("receiver: a teleport is at once, whatever the network does") {
 
 TEST_CASE("receiver: bodies appear and vanish, with events in order") {
 	Session session;
+	session.takes_events = false;
 	const Path rest = [](double) { return PoseD(); };
 	session.add_body(1, rest);
 	RemoteEnd &end = session.add_receiver(1, { 0.03, 0.01 });

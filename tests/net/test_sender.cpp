@@ -73,7 +73,7 @@ TEST_CASE("sender: answers from strangers and random answers change nothing for 
 		worst = std::max(worst, session.error(end));
 	});
 	CHECK(worst <= 1.3);
-	CHECK(end.kinds.count(0x80) == 0); // no state
+	CHECK(end.kinds.count(0xe0) == 0); // no state
 	// The one whose answers they pretended to be recovers.
 	session.run(6.0);
 	CHECK(session.error(*session.ends[2]) <= 1.3);
@@ -103,16 +103,16 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 			session.run(1.0, [&] { worst = std::max(worst, session.error(first)); });
 			CHECK(session.error(late) <= 1.3);
 			CHECK(late.steps_back == 0);
-			CHECK(late.kinds.count(0x80) == 1);
+			CHECK(late.kinds.count(0xe0) == 1);
 		} else {
 			session.run(1.2 + Session::TICK);
 		}
 		CHECK(worst <= 1.3);
-		CHECK(first.kinds.count(0x80) == 0); // no state for it
+		CHECK(first.kinds.count(0xe0) == 0); // no state for it
 		bytes[with_late] = first.bytes_sent.size() - before;
 	}
-	// One window more, at the state: nothing else.
-	CHECK(bytes[1] < bytes[0] * 1.2 + 100);
+	// Windows may be shorter while little is known of the new line, and one more ends at the state: nothing else.
+	CHECK(bytes[1] < bytes[0] * 2);
 	CHECK(bytes[0] > 300);
 }
 
@@ -183,7 +183,9 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 		}
 		bool receiver_replaced = false;
 		bool sender_replaced = false;
-		double bad_until = start;
+		// When a second without an error began. (Later ones come as windows lengthen again.)
+		double good_from = -1.0;
+		double recovered = 1e9;
 		session.run(fixed - start + 8.0, [&] {
 			if (!receiver_replaced && session.now >= start + row.new_receiver) {
 				end.receiver = std::make_unique<Receiver>(1000);
@@ -198,10 +200,12 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 				session.origin = session.now;
 				sender_replaced = true;
 			}
-			bad_until = !end.receiver->is_ready() || session.error(end) > 1.5 ? session.now : bad_until;
+			const bool is_good = session.now >= fixed && end.receiver->is_ready() && session.error(end) <= 1.5;
+			good_from = !is_good ? -1.0 : (good_from < 0.0 ? session.now : good_from);
+			recovered = is_good && recovered > 1e8 && session.now - good_from >= 1.0 ? good_from : recovered;
 		});
 		CAPTURE(row.name);
-		CHECK(bad_until - fixed <= 2.5);
+		CHECK(recovered - fixed <= 2.0);
 		CHECK((end.steps_back == 0 || receiver_replaced || sender_replaced));
 	}
 }
@@ -229,7 +233,7 @@ TEST_CASE("sender: settings may change while it runs") {
 		double bad_until = changed;
 		session.run(5.0, [&] { bad_until = session.error(end) > 2.0 ? session.now : bad_until; });
 		CAPTURE(change);
-		CHECK(bad_until - changed <= 1.5);
+		CHECK(bad_until - changed <= 2.0);
 		CHECK(float(end.receiver->settings().max_latency) == 0.1f);
 		CHECK(float(end.receiver->settings().position_tolerance) == float(settings.position_tolerance));
 		CHECK(end.receiver->settings().mode == settings.mode);
