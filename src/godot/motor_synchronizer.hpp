@@ -54,6 +54,7 @@ public:
 	void remove_target(godot::Node3D *p_node);
 	godot::TypedArray<godot::Node3D> get_active_targets() const;
 	void teleport(godot::Node3D *p_node);
+	double get_media_time(int64_t p_peer) const;
 	godot::Dictionary get_statistics();
 	godot::PackedStringArray get_setup_warnings() const;
 

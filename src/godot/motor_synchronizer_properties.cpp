@@ -63,6 +63,7 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("remove_target", "node"), &MotorSynchronizer::remove_target);
 	ClassDB::bind_method(D_METHOD("get_active_targets"), &MotorSynchronizer::get_active_targets);
 	ClassDB::bind_method(D_METHOD("teleport", "node"), &MotorSynchronizer::teleport);
+	ClassDB::bind_method(D_METHOD("get_media_time", "peer"), &MotorSynchronizer::get_media_time);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
 

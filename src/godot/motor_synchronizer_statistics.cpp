@@ -86,6 +86,15 @@ MotorSynchronizer::Figures MotorSynchronizer::total_figures() {
 	return total;
 }
 
+double MotorSynchronizer::get_media_time(int64_t p_peer) const {
+	if (p_peer == _self) {
+		return _sender ? _sender->media_time(media_time()) : 0.0;
+	}
+	const auto found = _peers.find(int32_t(p_peer));
+	const bool is_shown = found != _peers.end() && found->second.stream && found->second.stream->is_ready();
+	return is_shown ? found->second.stream->media_time() : 0.0;
+}
+
 Dictionary MotorSynchronizer::get_statistics() {
 	Dictionary result = total_figures().to_dictionary();
 	Dictionary peers;

@@ -325,6 +325,10 @@ const StreamSettings &Sender::settings() const {
 	return state_->settings;
 }
 
+double Sender::media_time(double time) const {
+	return state_->has_origin ? time - state_->origin : 0.0;
+}
+
 ReceiverStatistics Sender::statistics(std::uint32_t receiver) const {
 	ReceiverStatistics statistics;
 	const auto found = state_->peers.find(receiver);

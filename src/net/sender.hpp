@@ -63,6 +63,8 @@ public:
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const;
 	[[nodiscard]] ReceiverStatistics statistics(std::uint32_t receiver) const;
+	/// What a time of this sender's is called by receivers (Receiver::media_time). 0 before the first flush.
+	[[nodiscard]] double media_time(double time) const;
 	/// Bodies that moved in the last window.
 	[[nodiscard]] std::size_t moving_count() const;
 
