@@ -289,7 +289,11 @@ void Receiver::State::decode_windows(double now) {
 			}
 		}
 	}
-	broken = broken || chunks.is_broken() || tracks.size() > 2 * most_bodies + 64 || events.size() > 8 * most_bodies + 64;
+	broken = broken || chunks.is_broken() || tracks.size() > 2 * most_bodies + 64;
+	if (events.size() > 8 * most_bodies + 64) {
+		// Nobody takes them: the oldest half is of no use any more.
+		events.erase(events.begin(), events.begin() + std::ptrdiff_t(events.size() / 2));
+	}
 	if (broken) {
 		chunks.forget(); // what waited may be as wrong
 	}
@@ -298,7 +302,7 @@ void Receiver::State::decode_windows(double now) {
 void Receiver::State::set_limits() {
 	const double most = std::max(header.settings.max_latency, double(header.window)) + (most_margin < 0.0 ? header.settings.max_latency : most_margin);
 	// Where chunks get lost, the next loss is waited for: the time that the sender's windows leave for a repeat.
-	const double least = statistics.loss + caution > NOTABLE_LOSS ? header.settings.max_latency : 0.0;
+	const double least = statistics.loss + caution > NOTABLE_LOSS ? std::max(header.settings.max_latency - FRAME, 0.0) : 0.0;
 	clock.set_limits(std::min(std::max(least_margin, least), most), most);
 }
 

@@ -16,8 +16,6 @@ namespace {
 
 /// Longest window in which nothing moves, in seconds: it tells receivers that the sender is there.
 constexpr double IDLE_WINDOW = 0.5;
-/// What receivers take at most to look at what has arrived, in seconds: a frame.
-constexpr double FRAME = 0.017;
 /// The shortest window in relation to the longest, whatever the network.
 constexpr double LEAST_WINDOW = 0.25;
 /// Loss from which a window has to leave time for a repeat.

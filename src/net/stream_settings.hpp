@@ -23,6 +23,9 @@ struct StreamSettings {
 	double tick = 1.0 / 60.0;
 };
 
+/// What receivers take at most to look at what has arrived, in seconds: a frame.
+inline constexpr double FRAME = 0.017;
+
 /// Datagrams are never longer than this: larger ones would be split on the way, and losing a part loses all.
 inline constexpr int MOST_PACKET_BYTES = 1350;
 
