@@ -3,7 +3,7 @@
 #include "godot/playback_properties.hpp"
 #include "godot/stream_properties.hpp"
 #include "godot/traffic_meter.hpp"
-#include "net/envelope.hpp"
+#include "net/delivery/envelope.hpp"
 #include "net/receiver.hpp"
 #include "net/sender.hpp"
 

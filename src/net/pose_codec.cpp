@@ -1,6 +1,6 @@
 #include "net/pose_codec.hpp"
 
-#include "net/bit_stream.hpp"
+#include "net/coding/bit_stream.hpp"
 
 #include <cmath>
 #include <cstring>

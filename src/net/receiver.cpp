@@ -1,11 +1,11 @@
 #include "net/receiver.hpp"
 
-#include "net/chunk_buffer.hpp"
-#include "net/delivery.hpp"
-#include "net/motion_track.hpp"
-#include "net/playback_clock.hpp"
-#include "net/state_header.hpp"
-#include "net/stream_decoder.hpp"
+#include "net/delivery/chunk_buffer.hpp"
+#include "net/delivery/delivery.hpp"
+#include "net/motion/motion_track.hpp"
+#include "net/delivery/playback_clock.hpp"
+#include "net/stream/state_header.hpp"
+#include "net/stream/stream_decoder.hpp"
 
 #include <algorithm>
 #include <unordered_map>

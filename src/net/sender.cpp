@@ -1,8 +1,8 @@
 #include "net/sender.hpp"
 
-#include "net/delivery.hpp"
-#include "net/state_header.hpp"
-#include "net/stream_encoder.hpp"
+#include "net/delivery/delivery.hpp"
+#include "net/stream/state_header.hpp"
+#include "net/stream/stream_encoder.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,12 @@
 // from fixed seeds, so many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is libFuzzer's target.
 // What fails ends it: by a sanitizer, or by an abort where an answer is not as it must be.
 
-#include "net/envelope.hpp"
+#include "net/delivery/envelope.hpp"
 #include "net/pose_codec.hpp"
 #include "net/receiver.hpp"
 #include "net/sender.hpp"
-#include "net/stream_decoder.hpp"
-#include "net/stream_encoder.hpp"
+#include "net/stream/stream_decoder.hpp"
+#include "net/stream/stream_encoder.hpp"
 
 #include <algorithm>
 #include <cmath>

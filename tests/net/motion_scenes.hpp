@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../cga/random_poses.hpp"
-#include "net/segment_fit.hpp"
+#include "net/motion/segment_fit.hpp"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "motion_scenes.hpp"
-#include "net/stream_encoder.hpp"
+#include "net/stream/stream_encoder.hpp"
 
 #include <doctest/doctest.h>
 

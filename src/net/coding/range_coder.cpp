@@ -1,0 +1,20 @@
+#include "net/coding/range_coder.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace net {
+
+const std::uint16_t *CostMeter::table() {
+	static const std::array<std::uint16_t, 257> costs = [] {
+		std::array<std::uint16_t, 257> made{};
+		for (int i = 1; i <= 256; ++i) {
+			made[std::size_t(i)] = std::uint16_t(std::lround(-256.0 * std::log2(i / 256.0)));
+		}
+		made[0] = made[1];
+		return made;
+	}();
+	return costs.data();
+}
+
+} // namespace net

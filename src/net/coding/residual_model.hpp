@@ -1,0 +1,103 @@
+#pragma once
+
+#include "net/coding/range_coder.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace net {
+
+/// The recent mean of the magnitude of integers, in 1/256; what is expected of the next one.
+class MeanMagnitude {
+public:
+	constexpr explicit MeanMagnitude(std::int32_t start) :
+			mean_(start) {}
+
+	void add(std::int32_t value) {
+		const std::int32_t magnitude = value < 0 ? -value : value;
+		mean_ += ((magnitude < MOST ? magnitude : MOST) * 256 - mean_) / 8;
+	}
+	[[nodiscard]] std::int32_t value() const { return mean_; }
+	void set_value(std::int32_t mean) { mean_ = mean; }
+
+	static constexpr std::int32_t MOST = 1024;
+
+private:
+	std::int32_t mean_;
+};
+
+/// Codes integers around zero as bits of their own probabilities: is it zero, its sign, then "is it larger" up to
+/// UNARY, then an exponential Golomb code. The probabilities are kept apart by the magnitude that is expected, and
+/// begin as those of the two-sided geometric distribution of that mean.
+class ResidualModel {
+public:
+	static constexpr int LEVELS = 14;
+	static constexpr int UNARY = 11;
+	static constexpr int GOLOMB = 22;
+	static constexpr std::int32_t LIMIT = 1 << 21; ///< of what decodes, whatever the bytes
+
+	ResidualModel();
+
+	/// `Coder` is a RangeEncoder, a RangeDecoder, which sets `value`, or a CostMeter. `expected` in 1/256.
+	template <class Coder>
+	void code(Coder &coder, std::int32_t &value, std::int32_t expected) {
+		const int level = level_of(expected);
+		bool zero = value == 0;
+		coder.bit(zero_[level], zero);
+		if (zero) {
+			value = 0;
+			return;
+		}
+		std::uint32_t negative = value < 0 ? 1 : 0;
+		coder.bits(negative, 1);
+		const std::uint32_t magnitude = std::uint32_t(value < 0 ? -value : value);
+		std::uint32_t coded = 1;
+		bool more = true;
+		for (; coded <= UNARY; ++coded) {
+			more = magnitude > coded;
+			coder.bit(more_[level][coded - 1], more);
+			if (!more) {
+				break;
+			}
+		}
+		if (more) {
+			const std::uint32_t rest = magnitude - UNARY; // 1 or more
+			int exponent = 0;
+			for (; exponent < GOLOMB - 1; ++exponent) {
+				bool longer = (rest >> (exponent + 1)) != 0;
+				coder.bit(golomb_[exponent], longer);
+				if (!longer) {
+					break;
+				}
+			}
+			std::uint32_t low = rest & ((1u << exponent) - 1);
+			coder.bits(low, exponent);
+			coded = UNARY + (1u << exponent) + low;
+		}
+		coded = coded < LIMIT ? coded : LIMIT;
+		value = negative != 0 ? -std::int32_t(coded) : std::int32_t(coded);
+	}
+
+	/// All probabilities, for sending a model.
+	template <class Visit>
+	void visit(Visit &&visit) {
+		for (int level = 0; level < LEVELS; ++level) {
+			visit(zero_[level]);
+			for (AdaptiveBit &bit : more_[level]) {
+				visit(bit);
+			}
+		}
+		for (AdaptiveBit &bit : golomb_) {
+			visit(bit);
+		}
+	}
+
+private:
+	static int level_of(std::int32_t expected);
+
+	AdaptiveBit zero_[LEVELS];
+	AdaptiveBit more_[LEVELS][UNARY];
+	AdaptiveBit golomb_[GOLOMB];
+};
+
+} // namespace net

@@ -1,0 +1,185 @@
+#pragma once
+
+#include "net/coding/lattice_rotation.hpp"
+#include "net/motion/motion_segment.hpp"
+#include "net/coding/residual_model.hpp"
+#include "net/coding/stream_grid.hpp"
+
+#include <cstdint>
+
+namespace net {
+
+/// What is sent of one segment of a body's motion. Coordinates 0..2 are the translation in the world's axes, 3..5 the
+/// rotation vector in the body's; all in steps of the grid.
+struct SegmentCode {
+	int ticks = 1;
+	bool fine = false; ///< `end` counts half steps
+	std::int32_t end[6] = { 0, 0, 0, 0, 0, 0 }; ///< what the prediction of the end is off by
+	bool bent[2] = { false, false }; ///< whether `bend` has anything for translation, rotation
+	std::int32_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+	bool scaled = false;
+	std::int32_t scale = 0; ///< change of the scale's level
+};
+
+/// A segment in steps: where it ends from where it begins, and how it bends.
+struct SegmentSteps {
+	std::int64_t way[6];
+	std::int64_t bend[6];
+};
+
+/// The probabilities of everything in a stream of motion.
+struct MotionModels {
+	static constexpr int MOST_BITS = 1024; ///< that `visit` visits
+
+	ResidualModel end[2];
+	ResidualModel bend[2];
+	ResidualModel scale;
+	AdaptiveBit active[2][2];
+	AdaptiveBit split[3];
+	AdaptiveBit fine{ 60000 };
+	AdaptiveBit bent[2][2];
+	AdaptiveBit scaled[2] = { AdaptiveBit(65000), AdaptiveBit(10000) };
+	AdaptiveBit settled{ 50000 };
+	AdaptiveBit same_length{ 10000 };
+	AdaptiveBit has_events{ 60000 };
+
+	template <class Visit>
+	void visit(Visit &&visit) {
+		for (int group = 0; group < 2; ++group) {
+			end[group].visit(visit);
+			bend[group].visit(visit);
+			for (int i = 0; i < 2; ++i) {
+				visit(active[group][i]);
+				visit(bent[group][i]);
+			}
+			visit(scaled[group]);
+		}
+		scale.visit(visit);
+		for (AdaptiveBit &bit : split) {
+			visit(bit);
+		}
+		visit(fine);
+		visit(settled);
+		visit(same_length);
+		visit(has_events);
+	}
+};
+
+/// What sender and receiver both know of a body at the end of a window, in integers, so that both predict the same.
+class BodyState {
+public:
+	static constexpr std::int64_t MOST_STEPS = std::int64_t(1) << 46; ///< of a position on an axis
+	static constexpr std::int32_t MOST_SCALE = 16 * 4096;
+	static constexpr double LEAST_SCALE = 1.0 / 65536.0;
+	static constexpr double SCALE_LEVELS = 4096.0; ///< in an octave
+
+	/// True for finite poses within 2^46 steps of the origin, of a rotation that is not zero and a scale of 2^-16 to 2^16.
+	[[nodiscard]] static bool can_hold(const cga::Pose<double> &pose, const StreamGrid &grid);
+	/// The nearest state to a pose, at rest. False if the pose is out of range.
+	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
+	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;
+	/// Forgets the motion: the body rests.
+	void rest();
+
+	/// Where the end of a segment is expected, in steps from its start.
+	[[nodiscard]] std::int64_t predicted(int coordinate, int ticks) const;
+	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
+	/// The motion of a segment that begins here; the state is not changed.
+	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
+	/// Moves on to the end of a segment. False if that is out of range.
+	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
+	/// Goes to a nearby pose without any motion, `offset` in steps: what is left of an error when a body has come to rest.
+	[[nodiscard]] bool settle(const std::int32_t offset[6], const StreamGrid &grid);
+
+	/// Codes a segment that begins here.
+	template <class Coder>
+	void code(Coder &coder, MotionModels &models, SegmentCode &code) const;
+
+	/// All numbers of the state, for sending it; `visit(number, bits)` with signed numbers of so many bits.
+	template <class Visit>
+	void visit(Visit &&visit);
+	[[nodiscard]] bool is_valid() const;
+	[[nodiscard]] std::uint32_t hash() const;
+
+	bool active = false; ///< moved in the last window
+	bool settled = true; ///< rests where it was last seen, as near as the grid allows
+
+private:
+	enum Predictor { HOLD, STEADY, ACCELERATED, DAMPED, PREDICTORS };
+
+	[[nodiscard]] std::int64_t predicted_by(int predictor, int coordinate, int ticks) const;
+	[[nodiscard]] int best_predictor(int group) const;
+
+	std::int64_t position_[3] = { 0, 0, 0 };
+	LatticeRotation rotation_;
+	std::int32_t scale_ = 0; // log2 in 1 / SCALE_LEVELS
+	std::int32_t velocity_[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step a tick
+	std::int32_t bend_[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
+	std::int32_t ticks_ = 1; // of the last segment
+	std::int32_t score_[2][PREDICTORS] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // recent error, 1/16 steps
+	MeanMagnitude end_mean_[2] = { MeanMagnitude(512), MeanMagnitude(512) };
+	MeanMagnitude bend_mean_[2] = { MeanMagnitude(256), MeanMagnitude(256) };
+	bool bent_[2] = { false, false };
+	bool scaled_ = false;
+};
+
+template <class Coder>
+void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) const {
+	coder.bit(models.fine, code.fine);
+	for (int group = 0; group < 2; ++group) {
+		const std::int32_t mean = end_mean_[group].value() * (code.fine ? 2 : 1);
+		std::int32_t before = 0;
+		for (int i = 0; i < 3; ++i) {
+			std::int32_t &value = code.end[3 * group + i];
+			models.end[group].code(coder, value, i == 0 ? mean : (3 * mean + before * 256 / i) / 4);
+			before += std::abs(value) < MeanMagnitude::MOST ? std::abs(value) : MeanMagnitude::MOST;
+		}
+	}
+	for (int group = 0; group < 2; ++group) {
+		coder.bit(models.bent[group][bent_[group] ? 1 : 0], code.bent[group]);
+		for (int i = 3 * group; code.bent[group] && i < 3 * group + 3; ++i) {
+			models.bend[group].code(coder, code.bend[i], bend_mean_[group].value());
+		}
+	}
+	coder.bit(models.scaled[scaled_ ? 1 : 0], code.scaled);
+	if (code.scaled) {
+		models.scale.code(coder, code.scale, 4096);
+	}
+}
+
+template <class Visit>
+void BodyState::visit(Visit &&visit) {
+	for (std::int64_t &value : position_) {
+		visit(value, 48);
+	}
+	visit(rotation_.dropped, 3);
+	for (std::int32_t &value : rotation_.level) {
+		visit(value, LatticeRotation::BITS);
+	}
+	visit(scale_, 20);
+	visit(active, 2);
+	visit(settled, 2);
+	if (!active) {
+		return;
+	}
+	for (int i = 0; i < 6; ++i) {
+		visit(velocity_[i], 32);
+		visit(bend_[i], 32);
+	}
+	visit(ticks_, 8);
+	visit(scaled_, 2);
+	for (int group = 0; group < 2; ++group) {
+		for (std::int32_t &value : score_[group]) {
+			visit(value, 20);
+		}
+		std::int32_t mean = end_mean_[group].value();
+		visit(mean, 20);
+		end_mean_[group].set_value(mean);
+		mean = bend_mean_[group].value();
+		visit(mean, 20);
+		bend_mean_[group].set_value(mean);
+		visit(bent_[group], 2);
+	}
+}
+
+} // namespace net

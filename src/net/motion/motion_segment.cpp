@@ -1,0 +1,34 @@
+#include "net/motion/motion_segment.hpp"
+
+#include "net/coding/rotation_vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace net {
+
+cga::Pose<double> MotionSegment::pose_at(double time) const {
+	const double u = std::clamp((time - begin) / length, 0.0, 1.0);
+	const double w = u * (1.0 - u);
+	cga::Pose<double> pose = from;
+	if (scale_ratio != 1.0) {
+		pose.scale *= std::exp(u * std::log(scale_ratio));
+	}
+	if (mode == cga::Mode::SEPARATE) {
+		pose.translation += way * u + way_bend * w;
+		pose.rotation = from.rotation * exp_rotation(turn * u + turn_bend * w);
+		return pose;
+	}
+	cga::Pose<double> end = from;
+	end.translation += way;
+	end.rotation = from.rotation * exp_rotation(turn);
+	end.scale *= scale_ratio;
+	const double scale = pose.scale;
+	pose = cga::interpolate(from, end, u, mode);
+	pose.translation += way_bend * w;
+	pose.rotation = pose.rotation * exp_rotation(turn_bend * w);
+	pose.scale = scale;
+	return pose;
+}
+
+} // namespace net

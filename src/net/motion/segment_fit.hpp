@@ -1,0 +1,90 @@
+#pragma once
+
+#include "net/motion/body_state.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace net {
+
+/// Where a body was at a time, in ticks.
+struct MotionSample {
+	double time = 0.0;
+	cga::Pose<double> pose;
+};
+
+/// The largest distance between two poses of a body at its centre and at the points `lever` out on its axes, as if its
+/// scale were 1, and what the difference of scales adds at the lever; in metres.
+[[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever);
+
+/// Searches for the cheapest code of a segment that passes all samples within the tolerance.
+///
+/// The path is linear in its coefficients but for the curvature of rotations, which the left Jacobian of each sample
+/// takes out: least squares give coefficients, rounding them gives a code, and single steps then make it feasible and
+/// cheap. Errors of all samples are computed side by side.
+class SegmentFit {
+public:
+	static constexpr std::size_t MOST_SAMPLES = 256;
+
+	struct Result {
+		SegmentCode code;
+		float error = 0.0f; ///< in steps
+	};
+
+	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
+			grid_(grid), mode_(mode) {}
+
+	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
+	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) { load(state, begin, samples, count, available); }
+	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
+	/// tolerance; `thoroughly`: and is as cheap as can be found.
+	bool fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result);
+	/// A code that ends where sample `index` is as nearly as possible, whatever is between. False if none reaches it.
+	bool reach(const BodyState &state, int ticks, std::size_t index, Result &result);
+
+private:
+	void load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
+	void pin_end(int ticks);
+	bool set_length(const BodyState &state, int ticks, std::size_t count);
+	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
+	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
+	void round_end(const double way[6], SegmentCode &code) const;
+	bool try_code(const SegmentCode &code, float limit, Result &result) const;
+	/// In 1/256 bit.
+	static std::uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
+	bool improve_error(Result &result) const;
+	void improve_cost(Result &result) const;
+	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
+	bool search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result);
+
+	using Row = std::array<float, MOST_SAMPLES>;
+
+	StreamGrid grid_;
+	cga::Mode mode_;
+
+	// Of all samples that were loaded.
+	const MotionSample *samples_ = nullptr;
+	std::size_t loaded_ = 0;
+	std::size_t known_ = 0;
+	double begin_ = 0.0;
+	cga::Pose<double> start_;
+	Row target_[6]; // steps from the start
+	Row to_body_[9]; // world's axes to the body's at the sample
+	Row jacobian_[9]; // change of the rotation vector to the body's rotation at the sample
+	Row base_target_[6]; // target_ before the mode's path was subtracted
+
+	// Of a segment of some length.
+	int count_ = 0;
+	int padded_ = 0;
+	Row u_;
+	Row w_;
+	std::int64_t predicted_[6];
+	double pin_weight_ = 0.0; // of a guess of where the end is, for segments that end after their last sample
+	double pin_[6];
+	float tolerance_ = 0.0f; // in steps, less what the scale takes of it
+	std::int32_t scale_change_ = 0;
+};
+
+} // namespace net

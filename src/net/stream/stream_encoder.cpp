@@ -1,0 +1,311 @@
+#include "net/stream/stream_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace net {
+
+namespace {
+
+/// A body that nobody saw for more windows than this, and longer than this in ticks, is not taken to have moved steadily
+/// until it was seen again: it stays where it was, and jumps.
+constexpr double LONGEST_GAP_WINDOWS = 1.5;
+constexpr double LONGEST_GAP_TICKS = 6.0;
+/// The share of the tolerance within which a resting body is still no news.
+constexpr double NEWS = 0.9;
+/// Poses that come sooner than this after another, in ticks, are left out.
+constexpr double LEAST_STEP = 0.12;
+/// Times nearer than this to a whole tick are that tick: clocks round.
+constexpr double SAME_TICK = 0.01;
+
+double longest_gap(int ticks) {
+	return std::max(LONGEST_GAP_WINDOWS * ticks, LONGEST_GAP_TICKS);
+}
+
+int tick_in_window(double time, double begin, int ticks) {
+	return int(std::clamp(std::floor(time - begin + SAME_TICK), 0.0, double(ticks)));
+}
+
+} // namespace
+
+StreamEncoder::StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
+		grid_(position_tolerance, rotation_tolerance), mode_(mode), planner_(grid_, mode) {}
+
+void StreamEncoder::set_mode(cga::Mode mode) {
+	mode_ = mode;
+	planner_ = MotionPlanner(grid_, mode);
+}
+
+bool StreamEncoder::add_body(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+	Body body;
+	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, grid_)) {
+		return false;
+	}
+	body.id = id;
+	body.added = true;
+	body.change_time = time;
+	body.seen_time = time;
+	index_[id] = bodies_.size();
+	bodies_.push_back(std::move(body));
+	news_ = true;
+	return true;
+}
+
+bool StreamEncoder::remove_body(std::uint32_t id, double time) {
+	const auto found = index_.find(id);
+	if (found == index_.end()) {
+		return false;
+	}
+	Body &body = bodies_[found->second];
+	body.removed = true;
+	body.removal_time = time;
+	index_.erase(found);
+	news_ = true;
+	return true;
+}
+
+bool StreamEncoder::jump(std::uint32_t id) {
+	const auto found = index_.find(id);
+	if (found == index_.end()) {
+		return false;
+	}
+	bodies_[found->second].jump_next = true;
+	return true;
+}
+
+bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+	const double whole = std::floor(time + 0.5);
+	if (std::fabs(time - whole) < SAME_TICK) {
+		time = whole;
+	}
+	const auto found = index_.find(id);
+	if (found == index_.end() || !BodyState::can_hold(pose, grid_)) {
+		return false;
+	}
+	Body &body = bodies_[found->second];
+	cga::Pose<double> unit = pose;
+	unit.rotation = glm::normalize(pose.rotation);
+	if (body.added && (body.jump_next || time <= body.change_time + 1e-6)) {
+		// Nobody has been told of it yet: it is simply there.
+		body.jump_next = false;
+		body.samples.clear();
+		if (time > body.change_time + LEAST_STEP) {
+			body.samples.push_back({ time, unit });
+		}
+		return body.state.set_pose(pose, grid_);
+	}
+	if (body.jump_next) {
+		body.jump_next = false;
+		news_ = true;
+		if (body.jumped) {
+			// Of several jumps in a window one is shown, at the time of the first, to where the last one led.
+			const double first = body.change_time;
+			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
+			body.samples.push_back({ first, unit });
+			if (time > first + LEAST_STEP) {
+				body.samples.push_back({ time, unit });
+			}
+			return true;
+		}
+		body.jumped = true;
+		body.change_time = time;
+		while (!body.samples.empty() && body.samples.back().time >= time) {
+			body.samples.pop_back();
+		}
+		body.samples.push_back({ time, unit });
+		return true;
+	}
+	news_ = news_ || is_news(body, unit);
+	if (!body.samples.empty() && time - body.samples.back().time < LEAST_STEP) {
+		return true;
+	}
+	body.samples.push_back({ time, unit });
+	return true;
+}
+
+bool StreamEncoder::is_news(const Body &body, const cga::Pose<double> &pose) const {
+	return body.state.active || !body.state.settled || pose_distance(body.state.pose(grid_), pose, grid_.lever) > NEWS * StreamGrid::TOLERANCE * grid_.position;
+}
+
+void StreamEncoder::encode_window(double begin, int ticks, std::vector<std::uint8_t> &bytes) {
+	RangeEncoder coder(bytes);
+	bool same_length = ticks == last_ticks_;
+	coder.bit(models_.same_length, same_length);
+	if (!same_length) {
+		std::uint32_t less_one = std::uint32_t(ticks - 1);
+		coder.bits(less_one, 6);
+	}
+	last_ticks_ = ticks;
+	find_gaps(begin, ticks);
+	encode_changes(coder, begin, ticks);
+	bool neighbour_active = false;
+	moving_ = 0;
+	for (Body &body : bodies_) {
+		encode_motion(coder, body, begin, ticks, neighbour_active);
+		if (!body.added) {
+			moving_ += body.state.active ? 1 : 0;
+			check_ = (check_ ^ body.state.hash()) * 0x01000193u;
+		}
+	}
+	coder.finish();
+	const auto gone = [](const Body &body) { return body.removed; };
+	const auto kept = std::remove_if(bodies_.begin(), bodies_.end(), gone);
+	if (kept != bodies_.end()) {
+		bodies_.erase(kept, bodies_.end());
+		for (std::size_t i = 0; i < bodies_.size(); ++i) {
+			index_[bodies_[i].id] = i;
+		}
+	}
+	news_ = false;
+	for (const Body &body : bodies_) {
+		news_ = news_ || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_news(body, body.samples.back().pose));
+	}
+}
+
+void StreamEncoder::find_gaps(double begin, int ticks) {
+	const double most = longest_gap(ticks);
+	for (Body &body : bodies_) {
+		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.seen_time <= most) {
+			continue;
+		}
+		if (is_news(body, body.samples.front().pose)) {
+			body.jumped = true;
+			body.change_time = body.samples.front().time;
+		}
+	}
+}
+
+void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks) {
+	// Only what happened up to the window's end; the rest waits for the next one.
+	const double end = begin + ticks + 1e-6;
+	const auto is_added = [end](const Body &body) { return body.added && body.change_time <= end; };
+	const auto is_jumped = [end](const Body &body) { return body.jumped && body.change_time <= end; };
+	// One that was added after the end and has gone again was never there.
+	const auto is_told = [end](const Body &body) { return !body.added || body.change_time <= end; };
+	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_told(body)); };
+	bool has_events = std::any_of(bodies_.begin(), bodies_.end(), has_change);
+	coder.bit(models_.has_events, has_events);
+	if (!has_events) {
+		return;
+	}
+	StateCoder<RangeEncoder> state_coder(coder);
+	const auto put = [&coder](std::uint32_t value, int bits) { coder.bits(value, bits); };
+	std::int32_t index = -1;
+	for (Body &body : bodies_) {
+		if (!is_told(body)) {
+			continue;
+		}
+		++index;
+		if (is_added(body)) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::ADDED), 2);
+			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(body.id, 31);
+			body.state.visit(state_coder);
+		} else if (is_jumped(body)) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::JUMPED), 2);
+			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			state_coder(index, INDEX_BITS);
+			BodyState reached;
+			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.change_time; });
+			if (first == body.samples.end() || !reached.set_pose(first->pose, grid_)) {
+				reached = body.state;
+				reached.rest();
+			}
+			reached.visit(state_coder);
+		}
+		if (body.removed) {
+			put(1, 1);
+			put(std::uint32_t(BodyChange::REMOVED), 2);
+			put(std::uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
+			state_coder(index, INDEX_BITS);
+		}
+	}
+	put(0, 1);
+}
+
+void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active) {
+	const double end = begin + ticks + 1e-6;
+	const std::size_t count = std::size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
+	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
+	int from = 0;
+	std::size_t first = 0;
+	if (body.added || body.jumped) {
+		if (body.change_time > end) {
+			if (body.added) {
+				return; // is not there yet
+			}
+		} else {
+			const int at = std::min(tick_in_window(body.change_time, begin, ticks), last);
+			while (first < count && body.samples[first].time < body.change_time) {
+				++first;
+			}
+			if (body.jumped) {
+				encode_span(coder, body, begin, at, 0, first, first, neighbour_active);
+				const bool seen = first < count && body.state.set_pose(body.samples[first].pose, grid_);
+				if (!seen) {
+					body.state.rest();
+				}
+			}
+			from = at;
+			body.added = false;
+			body.jumped = false;
+		}
+	}
+	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first, neighbour_active);
+	body.samples.erase(body.samples.begin(), body.samples.begin() + std::ptrdiff_t(count));
+}
+
+void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, std::size_t first, std::size_t count, std::size_t available, bool &neighbour_active) {
+	if (ticks <= 0) {
+		return;
+	}
+	const MotionSample *samples = body.samples.data() + first;
+	while (count > 0 && samples->time <= begin + 1e-6) {
+		++samples;
+		--count;
+		--available;
+	}
+	// Between the tick at which it jumps or goes and the time at which it did.
+	while (count > 0 && samples[count - 1].time > begin + ticks + 1e-6) {
+		--count;
+	}
+	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= longest_gap(ticks)) {
+		motion_.active = true;
+		motion_.count = 1;
+		motion_.segments[0] = SegmentCode();
+		motion_.segments[0].ticks = ticks;
+	} else {
+		body.seen_time = count == 0 ? body.seen_time : samples[count - 1].time;
+		if (!planner_.plan(body.state, begin, ticks, samples, count, available, models_, motion_)) {
+			// Out of the reach of a motion: stays, and is there at the next jump.
+			motion_.active = false;
+			motion_.settles = false;
+			body.jump_next = true;
+		}
+	}
+	(void)code_motion(coder, models_, body.state, grid_, begin, ticks, neighbour_active, motion_, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
+	neighbour_active = motion_.active;
+}
+
+void StreamEncoder::encode_state(std::vector<std::uint8_t> &bytes) {
+	RangeEncoder coder(bytes);
+	StateCoder<RangeEncoder> state_coder(coder);
+	std::uint32_t ticks = std::uint32_t(last_ticks_);
+	coder.bits(ticks, 7);
+	coder.bits(check_, 32);
+	code_models(coder, models_);
+	const auto is_known = [](const Body &body) { return !body.added; };
+	std::uint32_t count = std::uint32_t(std::count_if(bodies_.begin(), bodies_.end(), is_known));
+	coder.bits(count, INDEX_BITS);
+	for (Body &body : bodies_) {
+		if (is_known(body)) {
+			coder.bits(body.id, 31);
+			body.state.visit(state_coder);
+		}
+	}
+	coder.finish();
+}
+
+} // namespace net

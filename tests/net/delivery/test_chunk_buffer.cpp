@@ -1,0 +1,189 @@
+#include "net/delivery/chunk_buffer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+using namespace net;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, std::uint8_t check = 0) {
+	const std::uint8_t byte = std::uint8_t(number);
+	ChunkItem chunk;
+	chunk.number = byte;
+	chunk.first = first;
+	chunk.last = last;
+	chunk.check = check;
+	chunk.bytes = &byte;
+	chunk.size = 1;
+	std::uint8_t found = 0;
+	const bool added = buffer.add(chunk, found);
+	CHECK(found == byte);
+	return added;
+}
+
+/// The bytes of the windows that can be taken, each ended by a 255.
+Bytes taken(ChunkBuffer &buffer) {
+	Bytes all;
+	Bytes window;
+	std::uint8_t check = 0;
+	std::uint8_t mask = 0;
+	while (buffer.take_window(window, check, mask)) {
+		all.insert(all.end(), window.begin(), window.end());
+		all.push_back(255);
+	}
+	return all;
+}
+
+std::unique_ptr<ChunkBuffer> started(std::uint8_t next) {
+	auto buffer = std::make_unique<ChunkBuffer>();
+	buffer->restart(next);
+	return buffer;
+}
+
+} // namespace
+
+TEST_CASE("chunk buffer: windows come out in order, whatever the order of their chunks") {
+	const auto buffer = started(10);
+	CHECK(add(*buffer, 12));
+	CHECK(add(*buffer, 14, true, false));
+	CHECK(taken(*buffer) == Bytes{});
+	CHECK(add(*buffer, 10));
+	CHECK(taken(*buffer) == Bytes{ 10, 255 });
+	CHECK(add(*buffer, 15, false, true, 9));
+	CHECK(add(*buffer, 11));
+	CHECK(taken(*buffer) == Bytes{ 11, 255, 12, 255 });
+	CHECK(add(*buffer, 13));
+	Bytes window;
+	std::uint8_t check = 0;
+	std::uint8_t mask = 0;
+	REQUIRE(buffer->take_window(window, check, mask));
+	REQUIRE(buffer->take_window(window, check, mask));
+	CHECK(window == Bytes{ 14, 15 });
+	CHECK(check == 9);
+	CHECK(mask == 255);
+	CHECK_FALSE(buffer->is_broken());
+}
+
+TEST_CASE("chunk buffer: repeats and what is too far ahead or behind are dropped") {
+	const auto buffer = started(200);
+	CHECK(add(*buffer, 201));
+	CHECK_FALSE(add(*buffer, 201));
+	CHECK_FALSE(add(*buffer, 199));
+	CHECK_FALSE(add(*buffer, 200 + ChunkBuffer::AHEAD));
+	CHECK(add(*buffer, 200 + ChunkBuffer::AHEAD - 1));
+	CHECK(add(*buffer, 200));
+	CHECK(taken(*buffer) == Bytes{ 200, 255, 201, 255 });
+	CHECK_FALSE(add(*buffer, 200));
+	CHECK_FALSE(add(*buffer, 201));
+}
+
+TEST_CASE("chunk buffer: a short chunk's number is the one near the first that is missing") {
+	const auto buffer = started(250);
+	const auto add_short = [&](int number, std::uint8_t &found) {
+		const std::uint8_t byte = std::uint8_t(number);
+		ChunkItem chunk;
+		chunk.number = std::uint8_t(number & 15);
+		chunk.is_short = chunk.first = chunk.last = true;
+		chunk.check = 5;
+		chunk.bytes = &byte;
+		chunk.size = 1;
+		return buffer->add(chunk, found);
+	};
+	std::uint8_t found = 0;
+	for (const int number : { 250, 252, 251, 257, 256, 255, 254, 253, 258 }) {
+		CHECK(add_short(number, found));
+		CHECK(found == std::uint8_t(number));
+	}
+	CHECK_FALSE(add_short(254, found)); // again, behind what is missing
+	CHECK(found == 254);
+	Bytes window;
+	std::uint8_t check = 0;
+	std::uint8_t mask = 0;
+	REQUIRE(buffer->take_window(window, check, mask));
+	CHECK(check == 5);
+	CHECK(mask == 7);
+	ChunkBuffer unstarted;
+	ChunkItem chunk;
+	chunk.is_short = chunk.first = chunk.last = true;
+	CHECK_FALSE(unstarted.add(chunk, found));
+}
+
+TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
+	const auto buffer = started(254);
+	CHECK(buffer->ack().next == 254);
+	CHECK(buffer->ack().later == 0);
+	add(*buffer, 0);
+	add(*buffer, 3);
+	CHECK(buffer->ack().next == 254);
+	CHECK(buffer->ack().later == (std::uint64_t(1) << 1 | std::uint64_t(1) << 4)); // 255 is bit 0
+	add(*buffer, 254, true, false); // a window's begin alone counts as arrived
+	CHECK(buffer->ack().next == 255);
+	CHECK(buffer->ack().later == (1 | 1 << 3));
+	add(*buffer, 255, false, true);
+	CHECK(taken(*buffer) == Bytes{ 254, 255, 255, 0, 255 });
+	CHECK(buffer->ack().next == 1);
+	CHECK(buffer->ack().later == 1 << 1);
+	for (int i = 1; i <= ChunkBuffer::AHEAD; ++i) {
+		add(*buffer, i, false, false); // never a window
+	}
+	CHECK(buffer->ack().next == std::uint8_t(1 + ChunkBuffer::AHEAD));
+	CHECK(buffer->ack().later == 0);
+	CHECK(taken(*buffer) == Bytes{});
+}
+
+TEST_CASE("chunk buffer: chunks that are no window break it, until the next state") {
+	for (const bool begins_inside : { true, false }) {
+		const auto buffer = started(0);
+		if (begins_inside) {
+			add(*buffer, 0, false, true);
+		} else {
+			add(*buffer, 0, true, false);
+			add(*buffer, 1, true, true);
+		}
+		CHECK(taken(*buffer) == Bytes{});
+		CHECK(buffer->is_broken());
+		buffer->restart(2);
+		CHECK_FALSE(buffer->is_broken());
+		add(*buffer, 2);
+		CHECK(taken(*buffer) == Bytes{ 2, 255 });
+	}
+}
+
+TEST_CASE("chunk buffer: what came before the state, and belongs behind it, is kept; older chunks are not") {
+	ChunkBuffer buffer;
+	CHECK(add(buffer, 40));
+	CHECK(add(buffer, 51));
+	CHECK(add(buffer, 50));
+	CHECK(taken(buffer) == Bytes{});
+	buffer.restart(50);
+	CHECK(taken(buffer) == Bytes{ 50, 255, 51, 255 });
+	CHECK(add(buffer, 60));
+	CHECK(add(buffer, 70));
+	// The next state is 150 chunks further: 60 and 70 are not 316 and 326.
+	buffer.restart(52 + 150);
+	CHECK(buffer.ack().next == 202);
+	CHECK(buffer.ack().later == 0);
+	for (int number = 202; number < 202 + 60; ++number) {
+		CHECK(add(buffer, number));
+	}
+	for (int number = 202 + 60; number < 202 + 128; ++number) {
+		CHECK(add(buffer, number)); // among them 316 and 326
+	}
+	CHECK(taken(buffer).size() == 256);
+}
+
+TEST_CASE("chunk buffer: going back to a state keeps what came after it") {
+	const auto buffer = started(10);
+	add(*buffer, 10);
+	add(*buffer, 11);
+	add(*buffer, 13);
+	CHECK(taken(*buffer) == Bytes{ 10, 255, 11, 255 });
+	buffer->restart(11);
+	add(*buffer, 11);
+	add(*buffer, 12);
+	CHECK(taken(*buffer) == Bytes{ 11, 255, 12, 255, 13, 255 });
+}

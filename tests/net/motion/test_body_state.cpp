@@ -1,0 +1,238 @@
+#include "net/motion/body_state.hpp"
+
+#include "../../cga/random_poses.hpp"
+#include "net/stream/stream_header.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+using namespace net;
+using cga_test::PoseD;
+using cga_test::QuaternionD;
+using cga_test::Vector3D;
+
+namespace {
+
+const StreamGrid GRID(0.005f, 1.4f);
+
+/// Segments along a path: each coordinate of the translation is `at(tick)` in steps.
+template <class Path>
+void follow(BodyState &state, int ticks, int count, const Path &at) {
+	for (int i = 1; i <= count; ++i) {
+		SegmentCode code;
+		code.ticks = ticks;
+		SegmentSteps steps{};
+		for (int c = 0; c < 3; ++c) {
+			steps.way[c] = at(i * ticks) - at((i - 1) * ticks);
+			code.end[c] = std::int32_t((steps.way[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
+		}
+		REQUIRE(state.apply(code, steps, GRID));
+	}
+}
+
+std::vector<std::int64_t> numbers(BodyState state) {
+	std::vector<std::int64_t> all;
+	state.visit([&](auto &number, int bits) {
+		CHECK(bit_width(zigzag(std::int64_t(number))) <= bits);
+		all.push_back(std::int64_t(number));
+	});
+	return all;
+}
+
+PoseD pose_of(double x) {
+	PoseD pose;
+	pose.translation.x = x;
+	return pose;
+}
+
+} // namespace
+
+TEST_CASE("body state: the nearest pose, near and at 10 km") {
+	cga_test::Random random(51);
+	for (const double distance : { 1.0, 10000.0 }) {
+		for (int i = 0; i < 300; ++i) {
+			PoseD pose = random.pose(distance);
+			pose.rotation = pose.rotation * random.uniform(0.1, 10.0); // any length
+			BodyState state;
+			REQUIRE(state.set_pose(pose, GRID));
+			const PoseD near = state.pose(GRID);
+			for (int axis = 0; axis < 3; ++axis) {
+				CHECK(std::abs(near.translation[axis] - pose.translation[axis]) <= GRID.position * 0.5 + 1e-9);
+			}
+			CHECK(cga_test::angle_between(near.rotation, glm::normalize(pose.rotation)) < 3e-5);
+			CHECK(std::abs(std::log2(near.scale / pose.scale)) <= 0.5 / BodyState::SCALE_LEVELS + 1e-9);
+			CHECK(state.is_valid());
+			CHECK_FALSE(state.active);
+			CHECK(state.settled);
+		}
+	}
+}
+
+TEST_CASE("body state: poses that are not finite or out of range are refused and change nothing") {
+	BodyState state;
+	REQUIRE(state.set_pose(pose_of(3.0), GRID));
+	const std::vector<std::int64_t> before = numbers(state);
+	const double nan = std::numeric_limits<double>::quiet_NaN();
+	const double infinity = std::numeric_limits<double>::infinity();
+	std::vector<PoseD> refused;
+	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MOST_STEPS) }) {
+		refused.push_back(pose_of(bad));
+		PoseD pose;
+		pose.translation.z = -std::abs(bad);
+		refused.push_back(pose);
+	}
+	for (const double bad : { nan, infinity, 0.0, -1.0, 1e-6, 1e6 }) {
+		PoseD pose;
+		pose.scale = bad;
+		refused.push_back(pose);
+	}
+	refused.push_back({ Vector3D(0.0), QuaternionD(0, 0, 0, 0), 1.0 });
+	refused.push_back({ Vector3D(0.0), QuaternionD(nan, 0, 0, 0), 1.0 });
+	refused.push_back({ Vector3D(0.0), QuaternionD(1, infinity, 0, 0), 1.0 });
+	for (const PoseD &pose : refused) {
+		CAPTURE(pose.translation.x);
+		CAPTURE(pose.scale);
+		CHECK_FALSE(state.set_pose(pose, GRID));
+		CHECK(numbers(state) == before);
+	}
+	PoseD farthest = pose_of(GRID.position * double(BodyState::MOST_STEPS - 1));
+	farthest.scale = 65536.0;
+	CHECK(state.set_pose(farthest, GRID));
+	CHECK(state.is_valid());
+	farthest.scale = 1.0 / 65536.0;
+	CHECK(state.set_pose(farthest, GRID));
+}
+
+TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
+	struct Row {
+		std::int64_t speed; // steps a tick
+		int ticks;
+		std::int64_t most_error;
+	};
+	for (const Row &row : { Row{ 97, 6, 1 }, Row{ -100000, 3, 1 }, Row{ 0, 10, 0 } }) {
+		BodyState state;
+		REQUIRE(state.set_pose(PoseD(), GRID));
+		follow(state, row.ticks, 8, [&](std::int64_t tick) { return row.speed * tick; });
+		CAPTURE(row.speed);
+		for (int c = 0; c < 3; ++c) {
+			CHECK(std::abs(state.predicted(c, row.ticks) - row.speed * row.ticks) <= row.most_error);
+			CHECK(std::abs(state.predicted(c, 1) - row.speed) <= row.most_error);
+			CHECK(state.predicted(3 + c, row.ticks) == 0);
+		}
+	}
+	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with its bend: the next window's way is predicted to a few per cent.
+	BodyState state;
+	REQUIRE(state.set_pose(PoseD(), GRID));
+	const double g = -0.5 * 9.81 / 3600.0 / GRID.position; // steps a tick^2
+	std::int64_t way = 0;
+	for (int i = 0; i < 10; ++i) {
+		SegmentCode code;
+		code.ticks = 12;
+		SegmentSteps steps{};
+		const auto at = [g](int tick) { return std::int64_t(std::llround(g * tick * tick)); };
+		way = at(12 * (i + 1)) - at(12 * i);
+		steps.way[1] = way;
+		steps.bend[1] = std::int64_t(std::llround(-g * 144.0));
+		code.bent[0] = true;
+		code.bend[1] = std::int32_t(steps.bend[1] / StreamGrid::BEND);
+		REQUIRE(state.apply(code, steps, GRID));
+	}
+	const double next = g * (132.0 * 132.0 - 120.0 * 120.0);
+	CHECK(std::abs(double(state.predicted(1, 12)) - next) < std::abs(next) * 0.06);
+	CHECK(std::abs(double(way) - next) > std::abs(next) * 0.08); // holding the last way would be worse
+}
+
+TEST_CASE("body state: after rest nothing is expected") {
+	BodyState state;
+	REQUIRE(state.set_pose(PoseD(), GRID));
+	follow(state, 5, 5, [](std::int64_t tick) { return 30 * tick; });
+	CHECK(state.active);
+	CHECK_FALSE(state.settled);
+	const PoseD before = state.pose(GRID);
+	state.rest();
+	CHECK_FALSE(state.active);
+	CHECK(cga_test::difference(state.pose(GRID), before) == 0.0);
+	for (int c = 0; c < 6; ++c) {
+		CHECK(state.predicted(c, 20) == 0);
+	}
+	const std::int32_t offset[6] = { 3, -4, 5, 6, 0, -7 };
+	REQUIRE(state.settle(offset, GRID));
+	CHECK(state.settled);
+	const PoseD after = state.pose(GRID);
+	CHECK(glm::length(after.translation - before.translation - Vector3D(3, -4, 5) * GRID.position) < 1e-12);
+	CHECK(cga_test::angle_between(before.rotation, after.rotation) == doctest::Approx(std::sqrt(85.0) * GRID.rotation).epsilon(0.01));
+}
+
+TEST_CASE("body state: motions out of range are refused and change nothing") {
+	BodyState state;
+	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MOST_STEPS - 10)), GRID));
+	const std::vector<std::int64_t> before = numbers(state);
+	SegmentCode code;
+	SegmentSteps steps{};
+	steps.way[0] = 11;
+	CHECK_FALSE(state.apply(code, steps, GRID));
+	steps.way[0] = 0;
+	steps.way[4] = std::int64_t(20.0 / GRID.rotation); // radians
+	CHECK_FALSE(state.apply(code, steps, GRID));
+	steps.way[4] = 0;
+	code.scaled = true;
+	code.scale = BodyState::MOST_SCALE + 1;
+	CHECK_FALSE(state.apply(code, steps, GRID));
+	code.scale = -ResidualModel::LIMIT;
+	CHECK_FALSE(state.apply(code, steps, GRID));
+	const std::int32_t far[6] = { 11, 0, 0, 0, 0, 0 };
+	CHECK_FALSE(state.settle(far, GRID));
+	const std::int32_t turned[6] = { 0, 0, 0, 2000, 0, 0 };
+	CHECK_FALSE(state.settle(turned, GRID));
+	CHECK(numbers(state) == before);
+	code.scale = BodyState::MOST_SCALE;
+	CHECK(state.apply(code, steps, GRID));
+	CHECK(state.is_valid());
+}
+
+TEST_CASE("body state: all of it goes through visit, and the hash sees pose and scale") {
+	cga_test::Random random(52);
+	for (int i = 0; i < 200; ++i) {
+		BodyState state;
+		REQUIRE(state.set_pose(random.pose(100.0), GRID));
+		for (int k = 0; k < i % 5; ++k) {
+			SegmentCode code;
+			code.ticks = 1 + int(random.uniform(0.0, 63.9));
+			for (int c = 0; c < 6; ++c) {
+				code.end[c] = std::int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
+				code.bend[c] = std::int32_t(random.uniform(-200.0, 200.0));
+			}
+			code.bent[k % 2] = true;
+			code.scaled = k % 3 == 0;
+			code.scale = 17;
+			REQUIRE(state.apply(code, state.steps(code), GRID));
+		}
+		std::vector<std::uint8_t> bytes;
+		RangeEncoder encoder(bytes);
+		StateCoder<RangeEncoder> writer(encoder);
+		state.visit(writer);
+		encoder.finish();
+		CHECK(bytes.size() <= 96);
+		CHECK((i % 5 != 0 || bytes.size() <= 26));
+		BodyState read;
+		RangeDecoder decoder(bytes.data(), bytes.size());
+		StateCoder<RangeDecoder> reader(decoder);
+		read.visit(reader);
+		CHECK(read.is_valid());
+		CHECK(numbers(read) == numbers(state));
+		CHECK(read.hash() == state.hash());
+		for (int c = 0; c < 6; ++c) {
+			CHECK(read.predicted(c, 7) == state.predicted(c, 7));
+		}
+	}
+	BodyState a;
+	BodyState b;
+	REQUIRE(a.set_pose(pose_of(1.0), GRID));
+	REQUIRE(b.set_pose(pose_of(1.0 + GRID.position), GRID));
+	CHECK(a.hash() != b.hash());
+	PoseD scaled = pose_of(1.0);
+	scaled.scale = 1.001;
+	REQUIRE(b.set_pose(scaled, GRID));
+	CHECK(a.hash() != b.hash());
+}

@@ -1,0 +1,255 @@
+#include "net/stream/stream_decoder.hpp"
+
+#include "../allocation_counter.hpp"
+#include "../stream_scene.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace net;
+using namespace net_test;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Window {
+	Bytes bytes;
+	std::uint8_t check = 0;
+	double begin = 0.0;
+	int ticks = 0;
+};
+
+/// A scene's stream: its first state and its windows.
+struct Recording {
+	Bytes state;
+	std::vector<Window> windows;
+
+	Recording(unsigned seed, int count, int first = 20) {
+		StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
+		StreamScene scene(encoder, seed);
+		double tick = 0.0;
+		for (int i = 0; i < count + first; ++i) {
+			Window window;
+			window.begin = tick;
+			window.ticks = 3 + i % 9;
+			for (int k = 0; k < window.ticks; ++k) {
+				scene.step(++tick, 0.08);
+			}
+			encoder.encode_window(window.begin, window.ticks, window.bytes);
+			window.check = encoder.check();
+			scene.end_window();
+			if (i == first - 1) {
+				encoder.encode_state(state);
+			} else if (i >= first) {
+				windows.push_back(window);
+			}
+		}
+	}
+};
+
+bool decode(StreamDecoder &decoder, const Bytes &bytes, std::uint8_t check, double begin, std::vector<BodyMotion> &motions) {
+	int ticks = 0;
+	return decoder.decode_window(bytes.data(), bytes.size(), check, 255, begin, cga::Mode::SEPARATE, motions, ticks);
+}
+
+std::vector<PoseD> poses(const StreamDecoder &decoder) {
+	std::vector<PoseD> all;
+	for (std::size_t i = 0; i < decoder.body_count(); ++i) {
+		all.push_back(decoder.pose(i));
+	}
+	return all;
+}
+
+bool is_same(const std::vector<PoseD> &a, const std::vector<PoseD> &b) {
+	return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const PoseD &p, const PoseD &q) { return p.translation == q.translation && p.rotation == q.rotation && p.scale == q.scale; });
+}
+
+/// Bytes that are a little, or altogether, wrong.
+Bytes spoilt(const Bytes &bytes, std::mt19937 &random) {
+	Bytes other = bytes;
+	switch (random() % 4) {
+		case 0:
+			other.resize(random() % (other.size() + 1));
+			break;
+		case 1:
+			other.resize(random() % 120);
+			for (std::uint8_t &byte : other) {
+				byte = std::uint8_t(random());
+			}
+			break;
+		case 2:
+			other.insert(other.end(), 1 + random() % 30, std::uint8_t(random()));
+			break;
+		default:
+			for (std::size_t flips = 1 + random() % 4; flips > 0 && !other.empty(); --flips) {
+				other[random() % other.size()] ^= std::uint8_t(1u << (random() % 8));
+			}
+	}
+	return other;
+}
+
+} // namespace
+
+TEST_CASE("stream decoder: spoilt windows are refused without a change but for one in 16, and never crash it") {
+	const Recording recording(71, 60);
+	std::mt19937 random(1);
+	StreamDecoder decoder(0.005f, 1.4f, 100);
+	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	std::vector<BodyMotion> motions;
+	int tried = 0;
+	int accepted = 0;
+	for (const Window &window : recording.windows) {
+		const std::vector<PoseD> before = poses(decoder);
+		for (int i = 0; i < 60; ++i) {
+			const Bytes bytes = spoilt(window.bytes, random);
+			const bool is_whole = bytes == window.bytes;
+			StreamDecoder copy = decoder;
+			++tried;
+			if (decode(copy, bytes, window.check, window.begin, motions)) {
+				accepted += is_whole ? 0 : 1;
+				CHECK(copy.body_count() <= 100);
+				for (const BodyMotion &motion : motions) {
+					CHECK(cga_test::is_finite(motion.segment.pose_at(motion.segment.begin + 0.5)));
+				}
+			} else {
+				CHECK(motions.empty());
+				CHECK(is_same(poses(copy), before));
+				CHECK(decode(copy, window.bytes, window.check, window.begin, motions)); // goes on as if nothing had come
+			}
+		}
+		REQUIRE(decode(decoder, window.bytes, window.check, window.begin, motions));
+	}
+	CHECK(accepted < tried * 5 / 16); // a quarter are longer: what is behind a window's end changes nothing
+}
+
+TEST_CASE("stream decoder: a wrong check is refused, as is a window out of order") {
+	const Recording recording(72, 30);
+	StreamDecoder decoder(0.005f, 1.4f, 100);
+	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	std::vector<BodyMotion> motions;
+	int wrong_order = 0;
+	for (std::size_t i = 0; i + 1 < recording.windows.size(); ++i) {
+		const Window &window = recording.windows[i];
+		for (int check = 0; check < 16; ++check) {
+			StreamDecoder copy = decoder;
+			CHECK(decode(copy, window.bytes, std::uint8_t(check), window.begin, motions) == (check == window.check));
+		}
+		StreamDecoder copy = decoder;
+		wrong_order += decode(copy, recording.windows[i + 1].bytes, recording.windows[i + 1].check, window.begin, motions);
+		REQUIRE(decode(decoder, window.bytes, window.check, window.begin, motions));
+	}
+	CHECK(wrong_order < 6);
+}
+
+TEST_CASE("stream decoder: spoilt states are refused without a change, or hold bodies that can be shown") {
+	const Recording recording(73, 20);
+	const Recording other(74, 1);
+	std::mt19937 random(2);
+	std::vector<BodyMotion> motions;
+	int refused = 0;
+	for (int i = 0; i < 2000; ++i) {
+		StreamDecoder decoder(0.005f, 1.4f, 30);
+		REQUIRE(decoder.read_state(other.state.data(), other.state.size()));
+		const std::vector<PoseD> before = poses(decoder);
+		const Bytes bytes = spoilt(recording.state, random);
+		if (!decoder.read_state(bytes.data(), bytes.size())) {
+			++refused;
+			CHECK(is_same(poses(decoder), before));
+			continue;
+		}
+		CHECK(decoder.body_count() <= 30);
+		for (const PoseD &pose : poses(decoder)) {
+			CHECK(cga_test::is_finite(pose));
+			CHECK(pose.scale > 0.0);
+			CHECK(glm::length(pose.rotation) == doctest::Approx(1.0).epsilon(1e-12));
+		}
+		for (const Window &window : recording.windows) {
+			for (int check = 0; check < 16; ++check) {
+				if (decode(decoder, window.bytes, std::uint8_t(check), window.begin, motions)) {
+					for (const BodyMotion &motion : motions) {
+						CHECK(cga_test::is_finite(motion.segment.pose_at(motion.segment.begin + 0.5)));
+					}
+					break;
+				}
+			}
+		}
+	}
+	CHECK(refused > 200);
+}
+
+TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or memory for them") {
+	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
+	for (std::uint32_t id = 0; id < 50; ++id) {
+		REQUIRE(encoder.add_body(id, 0.0, PoseD()));
+	}
+	Bytes empty_state;
+	encoder.encode_state(empty_state);
+	Bytes window;
+	encoder.encode_window(0.0, 1, window);
+	Bytes state;
+	encoder.encode_state(state);
+	std::vector<BodyMotion> motions;
+	for (const std::size_t most : { std::size_t(49), std::size_t(50) }) {
+		StreamDecoder decoder(0.005f, 1.4f, most);
+		CHECK(decoder.read_state(state.data(), state.size()) == (most == 50));
+		REQUIRE(decoder.read_state(empty_state.data(), empty_state.size()));
+		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (most == 50));
+	}
+	// A count of bodies that the bytes cannot hold.
+	Bytes liar;
+	RangeEncoder coder(liar);
+	std::uint32_t number = 12;
+	coder.bits(number, 7);
+	coder.bits(number, 32);
+	MotionModels models;
+	code_models(coder, models);
+	number = 1000000;
+	coder.bits(number, INDEX_BITS);
+	coder.finish();
+	StreamDecoder decoder(0.005f, 1.4f, 2000000);
+	const std::size_t before = live_bytes();
+	CHECK_FALSE(decoder.read_state(liar.data(), liar.size()));
+	std::mt19937 random(4);
+	for (int i = 0; i < 300; ++i) {
+		Bytes bytes(1300);
+		for (std::uint8_t &byte : bytes) {
+			byte = std::uint8_t(random());
+		}
+		(void)decode(decoder, bytes, std::uint8_t(i % 16), 0.0, motions);
+	}
+	CHECK(live_bytes() < before + 3000000);
+}
+
+TEST_CASE("stream: encoder and decoder take no memory in steady state") {
+	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
+	StreamDecoder decoder(0.005f, 1.4f, 1000);
+	const std::vector<Motion> all = motions(Vector3D(0.0));
+	for (std::uint32_t id = 0; id < 130; ++id) {
+		REQUIRE(encoder.add_body(id, 0.0, all[id % all.size()].path(0.0)));
+	}
+	Bytes bytes;
+	encoder.encode_state(bytes);
+	REQUIRE(decoder.read_state(bytes.data(), bytes.size()));
+	std::vector<BodyMotion> shown;
+	std::size_t before = 0;
+	for (int window = 0; window < 60; ++window) {
+		if (window == 30) {
+			before = allocation_count();
+		}
+		for (int tick = 1; tick <= 12; ++tick) {
+			const double time = window * 12.0 + tick;
+			for (std::uint32_t id = 0; id < 130; ++id) {
+				(void)encoder.observe(id, time, all[id % all.size()].path(time / 60.0));
+			}
+		}
+		bytes.clear();
+		encoder.encode_window(window * 12.0, 12, bytes);
+		const bool read = decode(decoder, bytes, encoder.check(), window * 12.0, shown);
+		if (!read) {
+			FAIL("the decoder lost the stream");
+		}
+	}
+	CHECK(allocation_count() == before);
+}
