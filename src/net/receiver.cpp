@@ -1,7 +1,6 @@
 #include "net/receiver.hpp"
 
 #include "net/delivery/chunk_buffer.hpp"
-#include "net/delivery/delivery.hpp"
 #include "net/motion/motion_track.hpp"
 #include "net/delivery/playback_clock.hpp"
 #include "net/stream/state_header.hpp"
@@ -26,7 +25,6 @@ constexpr double STRAGGLERS = 1.0;
 constexpr std::uint8_t MOST_STATES_MISSED = 32;
 /// Weight of a chunk in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
-constexpr double NOTABLE_LOSS = 0.002;
 /// Bytes that a body takes in a state at most, and the models.
 constexpr std::size_t BODY_BYTES = 96;
 constexpr std::size_t MODEL_BYTES = 8192;
@@ -71,7 +69,6 @@ struct Receiver::State {
 	StreamStatistics statistics;
 
 	std::uint8_t newest_chunk = 0;
-	double caution = Delivery::FIRST_CAUTION; // loss that is expected, while little is known of the line
 
 	void count_loss(std::uint8_t number, bool is_new);
 	const char *check_parts() const;
@@ -83,6 +80,8 @@ struct Receiver::State {
 	void decode_windows(double now);
 	void show(const BodyMotion &motion);
 	void set_limits();
+	/// The latency that was asked for, whatever is needed at the moment: windows may become longer, and chunks get lost.
+	[[nodiscard]] double usual_delay() const { return std::max(header.settings.max_latency - FRAME, 0.0); }
 	[[nodiscard]] double tick() const { return header.settings.tick; }
 };
 
@@ -139,7 +138,6 @@ void Receiver::State::count_loss(std::uint8_t number, bool is_new) {
 	// One that comes after a later one was lost, or was overtaken.
 	const bool is_late = std::int8_t(number - newest_chunk) < 0;
 	statistics.loss += ((is_late ? 1.0 : 0.0) - statistics.loss) * LOSS_WEIGHT;
-	caution -= caution * LOSS_WEIGHT;
 	newest_chunk = is_late ? newest_chunk : number;
 }
 
@@ -209,7 +207,7 @@ const char *Receiver::State::finish_state(double now) {
 	last_state = state_number;
 	broken = false;
 	if (!goes_on) {
-		clock.start(window_end * tick(), double(header.window), now);
+		clock.start(window_end * tick(), std::max(double(header.window), usual_delay()), now);
 		for (auto &track : tracks) {
 			track.second = MotionTrack();
 		}
@@ -301,9 +299,7 @@ void Receiver::State::decode_windows(double now) {
 
 void Receiver::State::set_limits() {
 	const double most = std::max(header.settings.max_latency, double(header.window)) + (most_margin < 0.0 ? header.settings.max_latency : most_margin);
-	// Where chunks get lost, the next loss is waited for: the time that the sender's windows leave for a repeat.
-	const double least = statistics.loss + caution > NOTABLE_LOSS ? std::max(header.settings.max_latency - FRAME, 0.0) : 0.0;
-	clock.set_limits(std::min(std::max(least_margin, least), most), most);
+	clock.set_limits(std::min(std::max(least_margin, usual_delay()), most), most);
 }
 
 bool Receiver::State::is_lost(double now) const {

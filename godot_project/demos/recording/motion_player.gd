@@ -1,0 +1,40 @@
+extends RefCounted
+## Plays what a motion recorder wrote. The receiver cannot tell it from a network: packets come when they were made.
+
+const MotionRecorder := preload("motion_recorder.gd")
+
+var receiver := MotorReceiver.new()
+
+var _file: FileAccess
+var _time := 0.0
+var _packet := PackedByteArray()
+
+
+func open(path: String) -> Error:
+	_file = FileAccess.open(path, FileAccess.READ)
+	if _file == null:
+		return FileAccess.get_open_error()
+	if _file.get_buffer(MotionRecorder.MAGIC.length()).get_string_from_ascii() != MotionRecorder.MAGIC:
+		_file = null
+		return ERR_FILE_UNRECOGNIZED
+	_read_packet()
+	return OK
+
+
+## Shows the recording at [param time] seconds; never less than before.
+func play(time: float) -> void:
+	while not _packet.is_empty() and _time <= time:
+		receiver.accept(_packet, _time)
+		_read_packet()
+	receiver.advance(time)
+
+
+func is_over() -> bool:
+	return _packet.is_empty()
+
+
+func _read_packet() -> void:
+	_packet = PackedByteArray()
+	if _file.get_length() - _file.get_position() >= 6:
+		_time = _file.get_float()
+		_packet = _file.get_buffer(_file.get_16())
