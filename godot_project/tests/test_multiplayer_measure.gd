@@ -3,7 +3,6 @@ extends "res://tests/framework/test_case.gd"
 
 const ErrorGauge := preload("res://demos/multiplayer/measure/error_gauge.gd")
 const PoseLink := preload("res://demos/multiplayer/replication/pose_link.gd")
-const PoseRecorder := preload("res://demos/multiplayer/measure/pose_recorder.gd")
 const Truth := preload("res://demos/multiplayer/measure/truth.gd")
 const TruthProbe := preload("res://demos/multiplayer/measure/truth_probe.gd")
 
@@ -19,57 +18,47 @@ class FakeLink:
 	var is_timed := true
 	var make_pose: Callable
 
-	func open_sender(_body_count: int) -> void:
-		pass
-
-	func add_body(_id: int, _tick: int, _pose: Transform3D) -> void:
+	func add_body(_id: int, _pose: Transform3D) -> void:
 		pass
 
 	func remove_body(_id: int) -> void:
 		pass
 
-	func add_receiver(_peer: int, _tick: int, _poses: Dictionary[int, Transform3D]) -> void:
+	func add_receiver(_peer: int) -> void:
 		pass
 
 	func remove_receiver(_peer: int) -> void:
 		pass
 
-	func publish(_tick: int, _poses: Dictionary[int, Transform3D]) -> void:
+	func get_sent_tick() -> float:
+		return NO_TICK
+
+	func begin(_present_count: int) -> void:
 		pass
 
-	func open_receiver(_body_count: int, _present_count: int) -> void:
-		pass
-
-	func advance(_local: float, _recorder: PoseRecorder) -> void:
-		pass
-
-	func get_body_count() -> int:
-		return BODIES
-
-	func get_pose(id: int) -> Transform3D:
-		var pose: Transform3D = make_pose.call(id, shown)
-		return pose.translated(error)
-
-	func show_in(_multimesh: MultiMesh) -> void:
-		pass
-
-	func forget(_id: int) -> void:
+	func end() -> void:
 		pass
 
 	func is_ready() -> bool:
 		return true
 
-	func get_delay_ms(_local: float) -> float:
-		return 0.0
-
 	func get_shown_tick() -> float:
-		return shown if is_timed else INF
+		return shown if is_timed else NO_TICK
+
+	func get_delay() -> float:
+		return 0.0
 
 	func tune(_tolerance: float, _mode: MultivectorLerp.Mode) -> void:
 		pass
 
 	func get_counts() -> Dictionary[String, int]:
 		return {}
+
+	func show_tick(tick: float) -> void:
+		shown = tick
+		for id: int in bodies.size():
+			var pose: Transform3D = make_pose.call(id, tick)
+			bodies[id].transform = pose.translated(error)
 
 
 func test_a_truth_comes_back_from_its_bytes() -> void:
@@ -108,7 +97,7 @@ func test_the_gauge_finds_the_error_at_the_shown_time() -> void:
 	link.error = Vector3(0.003, 0.0, 0.0)
 	gauge.take(_probe_truth(30), link)
 	for frame: int in 60:
-		link.shown = 20.0 + frame * 0.7
+		link.show_tick(20.0 + frame * 0.7)
 		gauge.update(link)
 	expect_true(gauge.has_errors(), "errors")
 	expect_near(gauge.get_figures().x, 0.003, 1e-5, "median")
@@ -121,7 +110,7 @@ func test_the_gauge_takes_the_constant_delay_from_an_untimed_link() -> void:
 	link.is_timed = false
 	for tick: int in range(15, 300, 15):
 		var truth := _probe_truth(tick)
-		link.shown = tick + 1.0
+		link.show_tick(tick + 1.0)
 		gauge.take(truth, link)
 	expect_near(gauge.get_figures().y, 0.0, 1e-5, "largest error of a link that is one tick behind")
 
@@ -129,10 +118,10 @@ func test_the_gauge_takes_the_constant_delay_from_an_untimed_link() -> void:
 func test_a_gauge_does_not_hold_truths_for_ever() -> void:
 	var gauge := ErrorGauge.new()
 	var link := _make_link()
-	link.shown = -1.0
+	link.show_tick(0.0)
 	for i: int in 100:
 		gauge.take(_probe_truth(30), link)
-	link.shown = 31.0
+	link.show_tick(31.0)
 	gauge.update(link)
 	expect_true(gauge.has_errors(), "errors of the last ones")
 	gauge.clear()
@@ -142,6 +131,7 @@ func test_a_gauge_does_not_hold_truths_for_ever() -> void:
 func _make_link() -> FakeLink:
 	var link := FakeLink.new()
 	link.make_pose = _pose
+	link.open(BODIES)
 	add_node(link)
 	return link
 
@@ -150,8 +140,9 @@ func _make_link() -> FakeLink:
 func _probe_truth(tick: int) -> Truth:
 	var probe := TruthProbe.new()
 	probe.watchers.append(2)
-	for i: int in Truth.TICKS + 1:
-		var truth := probe.observe(tick - 1 + i, _poses(tick - 1 + i))
+	for i: int in TruthProbe.PAUSE + Truth.TICKS:
+		var now := tick - TruthProbe.PAUSE + 1 + i
+		var truth := probe.observe(now, _poses(now))
 		if truth != null:
 			return truth
 	return null

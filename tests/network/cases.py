@@ -18,7 +18,7 @@ def moving_cubes_are_where_the_server_has_them(run):
         expect(samples > 10000, f"only {samples} samples of moving cubes")
         report = client.report()
         expect(report["rejected"] == 0, f"{report['rejected']} datagrams rejected")
-        expect(report["bytes"] / report["seconds"] < 70000, f"{report['bytes'] / report['seconds']:.0f} bytes a second")
+        expect(report["bytes"] / report["seconds"] < 12000, f"{report['bytes'] / report['seconds']:.0f} bytes a second")
 
 
 def late_joiner_gets_everything_and_a_kill_disturbs_nobody(run):
@@ -37,7 +37,7 @@ def late_joiner_gets_everything_and_a_kill_disturbs_nobody(run):
     for client in (first, late):
         expect_same_end(run, client, 80)
     expect_errors_within(run, first, 80)
-    expect(PoseRecord(late.record_path, 80).ticks[0] > run.server.report()["first_tick"] + 60, "the late client was not late")
+    expect(PoseRecord(late.record_path, 80).ticks[0] > PoseRecord(first.record_path, 80).ticks[0] + 60, "the late client was not late")
 
 
 def kick_of_one_client_moves_the_cube_for_all(run):
@@ -53,7 +53,7 @@ def kick_of_one_client_moves_the_cube_for_all(run):
         expect_errors_within(run, client, 20)
         shown = PoseRecord(client.record_path, 20)
         seen = lever_distance(shown.rows[0], shown.rows[-1], 0)
-        expect(abs(seen - way) < 0.05, f"{client.name} saw the kicked cube go {seen:.2f} m instead of {way:.2f} m")
+        expect(abs(seen - way) < 0.2, f"{client.name} saw the kicked cube go {seen:.2f} m instead of {way:.2f} m")
 
 
 def stopped_server_ends_the_clients_with_a_message(run):
@@ -97,7 +97,8 @@ def synchronizer_shows_the_same_scene(run):
     client = run.start_client()
     run.wait(30)
     run.check_logs()
-    expect(client.report()["poses"] > 40 * 20 * 2, f"only {client.report()['poses']} poses in 3 s")
+    report = client.report()
+    expect(report["bytes"] > 40 * 20 * 2 * 40, f"only {report['bytes']} bytes in 3 s")
     server, _, _ = server_record(run, 40)
     shown = PoseRecord(client.record_path, 40)
     worst = max(lever_distance(server.rows[-1], shown.rows[-1], at) for at in range(0, 40 * ROW_FLOATS, ROW_FLOATS))

@@ -27,7 +27,6 @@ def run_arm(engine, folder, options, method):
 
 def evaluate(run, options, method):
     """The figures of a finished run: means over the clients, errors over all of them together."""
-    told = run.server.report()
     server = PoseRecord(run.server.record_path, options.cubes)
     moving = moving_bodies(server)
     errors = ErrorSummary()
@@ -35,19 +34,18 @@ def evaluate(run, options, method):
     for client in run.clients:
         shown = PoseRecord(client.record_path, options.cubes)
         if method == "motors":
-            errors.merge(compare_by_tick(server, moving, shown, told["first_tick"], told["last_tick"]))
+            errors.merge(compare_by_tick(server, moving, shown))
         else:
             errors.merge(compare_by_wall_clock(server, moving, shown, demo_network.longest_delay(options)))
     figures = errors.figures()
     if figures["p99"] is None:
         raise RunFailed(f"{method}: no client showed a moving cube")
+    moving_count = sum(map(len, moving)) / max(1, len(moving))
     seconds = sum(report["seconds"] for report in reports)
     figures.update({
         "bytes_per_second": sum(report["bytes"] for report in reports) / seconds,
         "packets_per_second": sum(report["packets"] for report in reports) / seconds,
-        "poses_per_second": sum(report["poses"] for report in reports) / seconds,
-        "bytes_per_pose": sum(report["bytes"] for report in reports) / max(1, sum(r["poses"] for r in reports)),
-        "moving": sum(map(len, moving)) / max(1, len(moving)),
+        "moving": moving_count,
         "late": sum(report["late"] for report in reports),
     })
     return figures

@@ -3,12 +3,11 @@
 import demo_network
 
 SUBJECTS = {"motors": "ga_godot", "synchronizer": "multiplayer_synchronizer"}
-TITLES = {"motors": "quantised motors", "synchronizer": "MultiplayerSynchronizer"}
+TITLES = {"motors": "MotorSynchronizer", "synchronizer": "MultiplayerSynchronizer"}
 COLUMNS = (
     ("kB/s", lambda f: f"{f['bytes_per_second'] / 1000:.1f}"),
     ("packets/s", lambda f: f"{f['packets_per_second']:.0f}"),
-    ("poses/s", lambda f: f"{f['poses_per_second']:.0f}"),
-    ("bytes/pose", lambda f: f"{f['bytes_per_pose']:.1f}"),
+    ("B/s a moving cube", lambda f: f"{f['bytes_per_second'] / max(f['moving'], 1):.0f}"),
     ("error p50", lambda f: f"{f['p50']:.1f} mm"),
     ("p99", lambda f: f"{f['p99']:.1f} mm"),
     ("max", lambda f: f"{f['max']:.1f} mm"),
@@ -55,7 +54,6 @@ def json_rows(arms, options):
                          "delay": options.delay})
         add("bytes_per_second", figures["bytes_per_second"], "byte/s")
         add("bytes_per_second_per_body", figures["bytes_per_second"] / options.cubes, "byte/s")
-        add("bytes_per_pose", figures["bytes_per_pose"], "byte")
         add("packets_per_second", figures["packets_per_second"], "1/s")
         add("error_p50", figures["p50"], "mm")
         add("error_p99", figures["p99"], "mm")

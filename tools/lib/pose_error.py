@@ -5,6 +5,8 @@ from pose_record import ROW_FLOATS, lever_distance
 
 # Of a client that shows what arrives as it arrives, in seconds, besides what the network delays.
 LONGEST_DELAY = 0.25
+# How far from a tick a picture may be, in ticks.
+NEAR_A_TICK = 0.1
 
 
 class ErrorSummary:
@@ -49,16 +51,21 @@ def percentile(values, share, scale=1.0):
     return values[min(len(values) - 1, int(share * len(values)))] * scale
 
 
-def compare_by_tick(server, moving, client, first_tick, last_tick):
-    """For a client that knows which tick it shows: error at that tick; delay from the two wall clocks."""
+def compare_by_tick(server, moving, client):
+    """For a client that knows which moment it shows: error at that moment; delay from the two wall clocks.
+
+    Only pictures close to a tick count: between two ticks, where a collision may be, the server itself knows no pose.
+    """
     summary = ErrorSummary()
-    where = server.index_of_ticks()
     for wall, tick, rows in zip(client.walls, client.ticks, client.rows):
-        index = where.get(int(tick))
-        if index is None or not first_tick < tick <= last_tick:
+        truth, index = rows_at(server, server.ticks, tick)
+        if truth is None:
             continue
-        summary.add(server.rows[index], rows, moving[index])
-        summary.delays.append(wall - server.walls[index])
+        if abs(tick - round(tick)) <= NEAR_A_TICK:
+            summary.add(truth, rows, moving[index])
+        before, after = server.ticks[index - 1], server.ticks[index]
+        weight = (tick - before) / (after - before)
+        summary.delays.append(wall - server.walls[index - 1] * (1.0 - weight) - server.walls[index] * weight)
     return summary
 
 
@@ -67,7 +74,7 @@ def compare_by_wall_clock(server, moving, client, network_delay=0.0):
     delay = best_delay(server, moving, client, LONGEST_DELAY + network_delay)
     summary = ErrorSummary()
     for wall, rows in zip(client.walls, client.rows):
-        truth, index = rows_at(server, wall - delay)
+        truth, index = rows_at(server, server.walls, wall - delay)
         if truth is not None:
             summary.add(truth, rows, moving[index])
             summary.delays.append(delay)
@@ -82,7 +89,7 @@ def best_delay(server, moving, client, longest=LONGEST_DELAY):
     def mean_error(delay):
         total, count = 0.0, 0
         for wall, rows in pictures:
-            truth, index = rows_at(server, wall - delay)
+            truth, index = rows_at(server, server.walls, wall - delay)
             if truth is None:
                 continue
             for at in moving[index][::3]:
@@ -95,14 +102,17 @@ def best_delay(server, moving, client, longest=LONGEST_DELAY):
     return min(fine, key=mean_error)
 
 
-def rows_at(server, wall):
-    """The server's rows at a wall clock time, between ticks in proportion; and the index of the tick after."""
-    index = bisect.bisect_left(server.walls, wall)
-    if index == 0 or index >= len(server.walls):
+def rows_at(server, moments, moment):
+    """The server's rows at a moment, between two of its own in proportion, and the index of the later; None outside.
+
+    `moments` are those of its rows, by any clock; before the first that is not negative none counts.
+    """
+    index = bisect.bisect_left(moments, moment)
+    if index == 0 or index >= len(moments) or moments[index - 1] < 0.0:
         return None, 0
     before, after = server.rows[index - 1], server.rows[index]
-    span = server.walls[index] - server.walls[index - 1]
-    weight = (wall - server.walls[index - 1]) / span if span > 0.0 else 1.0
+    span = moments[index] - moments[index - 1]
+    weight = (moment - moments[index - 1]) / span if span > 0.0 else 1.0
     if before == after:
         return after, index
     return [a + (b - a) * weight for a, b in zip(before, after)], index

@@ -8,7 +8,7 @@ ROW_FLOATS = 12
 
 
 class PoseRecord:
-    """All records of one process: wall clock, media time (ticks) and the rows of the bodies' matrices."""
+    """All records of one process: wall clock, media time (ticks, -1 if unknown) and the rows of the bodies' matrices."""
 
     def __init__(self, path, bodies=None):
         """Keeps the first `bodies` bodies of each record, or all. Raises ValueError if the file is no record."""
@@ -37,9 +37,11 @@ class PoseRecord:
     def __len__(self):
         return len(self.walls)
 
-    def index_of_ticks(self):
-        """Where each whole tick is found: {tick: index}."""
-        return {int(tick): index for index, tick in enumerate(self.ticks)}
+    def drop_until(self, wall):
+        """Forgets what was recorded before a wall clock time."""
+        kept = [index for index, at in enumerate(self.walls) if at >= wall]
+        for name in ("walls", "ticks", "rows"):
+            setattr(self, name, [getattr(self, name)[index] for index in kept])
 
 
 def lever_distance(a, b, at, lever=0.25):

@@ -27,7 +27,8 @@ const UdpProxy := preload("network/udp_proxy.gd")
 ## Seconds to wait for the server's answer.
 const CONNECT_SECONDS := 8.0
 const LOST := "The server has closed the session or cannot be reached."
-const HEADLESS_FRAMES_PER_SECOND := 60
+## Other than the server's ticks, so that pictures come at every place between two ticks.
+const HEADLESS_FRAMES_PER_SECOND := 75
 ## Bytes that a truth costs besides its own.
 const TRUTH_HEADER := 13
 
@@ -56,7 +57,9 @@ var _proxy: UdpProxy
 var _report := RunReport.new()
 var _heard_at := 0.0
 var _heard_bytes := 0
-var _last_tick := -1
+var _is_over := false
+var _last_tick := PoseLink.NO_TICK
+var _rows := PackedFloat32Array()
 var _own_id := 0
 var _is_closed := false
 
@@ -81,7 +84,7 @@ func open() -> String:
 			return "Cannot find %s." % address
 		address = "127.0.0.1"
 		port = _proxy.get_port()
-	if _peer.create_client(address, port, Connection.CHANNELS) != OK:
+	if _peer.create_client(address, port) != OK:
 		return "Cannot connect to %s:%d." % [_options.address, _options.port]
 	if is_headless:
 		Engine.max_fps = HEADLESS_FRAMES_PER_SECOND
@@ -158,9 +161,11 @@ func _process(_delta: float) -> void:
 	elif local - _heard_at > Connection.LONGEST_SILENCE:
 		_close(LOST)
 		return
-	link.advance(local, _recorder)
+	if not link.is_ready():
+		return
+	_record()
 	gauge.update(link)
-	if _last_tick >= 0 and (link.get_shown_tick() >= _last_tick):
+	if _is_over and link.get_shown_tick() >= _last_tick:
 		_recorder.close()
 		_report.tell(link)
 		_close("The scene is over.")
@@ -169,15 +174,6 @@ func _process(_delta: float) -> void:
 func _on_connected() -> void:
 	_own_id = multiplayer.get_unique_id()
 	Connection.prepare(_peer.get_peer(1))
-	var pings := Timer.new()
-	pings.timeout.connect(_on_ping_due)
-	add_child(pings)
-	pings.start(Connection.PING_PAUSE)
-
-
-func _on_ping_due() -> void:
-	if not _is_closed:
-		Connection.ping(_peer.get_peer(1))
 
 
 func _on_connect_timeout() -> void:
@@ -191,9 +187,12 @@ func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
 	cube_count = cubes
 	method = p_method
 	link = _links[method]
+	var body_count := cubes + Simulation.SLOTS
 	for each: PoseLink in _links.values():
-		each.open_receiver(cubes + Simulation.SLOTS, cubes)
-	_recorder = PoseRecorder.new(_options.record, cubes + Simulation.SLOTS)
+		each.open(body_count)
+	link.begin(cubes)
+	_recorder = PoseRecorder.new(_options.record, body_count)
+	_rows.resize(body_count * 12)
 	if _options.leave_after > 0.0:
 		get_tree().create_timer(_options.leave_after).timeout.connect(_close.bind("Left."))
 	_input = PlayerInput.new(_session, _options.autopilot)
@@ -206,8 +205,9 @@ func _on_method_chosen(chosen: String) -> void:
 	if chosen == method or not _links.has(chosen):
 		return
 	method = chosen
+	link.end()
 	link = _links[method]
-	link.open_receiver(cube_count + Simulation.SLOTS, cube_count)
+	link.begin(cube_count)
 	gauge.clear()
 	method_changed.emit()
 
@@ -216,27 +216,28 @@ func _on_roster_changed(p_roster: Array) -> void:
 	if roster.is_empty():
 		# Not before: ENet's handshake waits twice as long after each loss, half a minute where a third is lost.
 		set_conditions(conditions)
-	var present: Array[int] = []
-	for player: Array in p_roster:
-		present.append(player[0])
-	for player: Array in roster:
-		var slot: int = player[0]
-		if not present.has(slot):
-			for each: PoseLink in _links.values():
-				each.forget(cube_count + slot)
 	roster = p_roster
 
 
 func _on_begun() -> void:
-	_report.begin(link, meter)
+	_report.begin(meter)
 
 
 ## Told again and again, until the client has left.
-func _on_finished(tick: int) -> void:
-	if _last_tick >= 0:
+func _on_finished(tick: float) -> void:
+	if _is_over:
 		return
-	_last_tick = tick
-	_report.finish(method, link, meter)
+	_is_over = true
+	# A link that knows no time shows the end when it hears of it.
+	_last_tick = tick if link.get_shown_tick() >= 0.0 else PoseLink.NO_TICK
+	_report.finish(method, meter)
+
+
+func _record() -> void:
+	if _recorder.is_open():
+		for id: int in link.bodies.size():
+			PoseRecorder.set_rows(_rows, id, link.bodies[id].transform)
+		_recorder.write(Time.get_unix_time_from_system(), link.get_shown_tick(), _rows)
 
 
 func _on_tuned(p_tolerance: float, p_mode: MultivectorLerp.Mode) -> void:

@@ -5,12 +5,8 @@ extends RefCounted
 ## loses a third, that comes to pass within seconds although the peer is there. So ENet is told to be patient, and both
 ## sides look at when they last heard anything at all.
 
-## Channels that the RPCs use besides the engine's own.
-const CHANNELS := 4
 ## Seconds of silence after which the other is gone.
 const LONGEST_SILENCE := 8.0
-## Seconds between two pings. ENet itself pings only a silent peer.
-const PING_PAUSE := 0.5
 ## Milliseconds for which ENet itself is patient with a peer.
 const PATIENCE_LEAST := 20000
 const PATIENCE_MOST := 60000
@@ -23,12 +19,6 @@ static func prepare(peer: ENetPacketPeer) -> void:
 	peer.set_timeout(PATIENCE_LIMIT, PATIENCE_LEAST, PATIENCE_MOST)
 	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
 	peer.throttle_configure(5000, 32, 0)
-
-
-## Call it every [constant PING_PAUSE]. The answers also let ENet know soon that the line is not slow after all.
-static func ping(peer: ENetPacketPeer) -> void:
-	if peer != null and peer.get_state() == ENetPacketPeer.STATE_CONNECTED:
-		peer.ping()
 
 
 ## Lets ENet find out soon that a silent peer is gone.

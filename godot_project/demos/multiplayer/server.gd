@@ -10,6 +10,8 @@ const Simulation := preload("world/simulation.gd")
 const TruthProbe := preload("measure/truth_probe.gd")
 
 const MOST_CLIENTS := 6
+## Seconds between two looks at who is still there.
+const LOOK_PAUSE := 0.5
 ## Frames a second of the main loop without a window: often enough for punctual ticks.
 const FRAMES_PER_SECOND := 120
 ## Seconds after the end of the scene within which the players have left, or are left behind.
@@ -32,6 +34,8 @@ var _rows := PackedFloat32Array()
 var _tick := 0
 var _first_tick := -1
 var _last_tick := -1
+## What clients call the last tick.
+var _last_sent_tick := PoseLink.NO_TICK
 ## Slot of each player's ball.
 var _slots: Dictionary[int, int] = {}
 var _names: Dictionary[int, String] = {}
@@ -51,7 +55,8 @@ func _ready() -> void:
 
 ## Opens the port. Returns what is wrong, or an empty text.
 func open() -> String:
-	if _peer.create_server(_options.port, MOST_CLIENTS, Connection.CHANNELS) != OK:
+	# Without a number of channels: Godot 4.6 tells clients that number as the bytes a second that the server can take.
+	if _peer.create_server(_options.port, MOST_CLIENTS) != OK:
 		return "Cannot listen on UDP port %d: it is in use, or not allowed." % _options.port
 	Engine.max_fps = FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
@@ -67,7 +72,7 @@ func open() -> String:
 	add_child(_simulation)
 	var body_count := _options.cubes + Simulation.SLOTS
 	for link: PoseLink in _links.values():
-		link.open_sender(body_count)
+		link.open(body_count)
 		link.tune(_tolerance, _mode)
 	for id: int in _simulation.get_ids():
 		_add_body(id)
@@ -80,7 +85,7 @@ func open() -> String:
 	var looks := Timer.new()
 	looks.timeout.connect(_look_after_players)
 	add_child(looks)
-	looks.start(Connection.PING_PAUSE)
+	looks.start(LOOK_PAUSE)
 	return ""
 
 
@@ -97,24 +102,24 @@ func _physics_process(delta: float) -> void:
 		_simulation.step(delta)
 	var poses := _get_poses()
 	for link: PoseLink in _links.values():
-		link.publish(_tick, poses)
-	_tell_truth(poses)
+		link.publish(poses)
+	var sent_tick := _links["motors"].get_sent_tick()
+	_tell_truth(sent_tick, poses)
 	if _first_tick < 0 or _last_tick >= 0:
 		return
 	if _recorder.is_open():
 		for id: int in poses:
 			PoseRecorder.set_rows(_rows, id, poses[id])
-		_recorder.write(Time.get_unix_time_from_system(), _tick, _rows)
+		_recorder.write(Time.get_unix_time_from_system(), sent_tick, _rows)
 	if _options.seconds > 0.0 and _simulation.seconds >= _options.seconds:
-		_finish()
+		_finish(sent_tick)
 
 
 func _look_after_players() -> void:
 	var now := Time.get_ticks_msec() * 1e-3
 	for peer: int in _slots:
-		Connection.ping(_peer.get_peer(peer))
 		if _last_tick >= 0:
-			_session.finish.rpc_id(peer, _last_tick)
+			_session.finish.rpc_id(peer, _last_sent_tick)
 		if now - _heard_at[peer] > (Connection.LONGEST_SILENCE if _last_tick < 0 else OVER_SILENCE):
 			Connection.give_up(_peer.get_peer(peer))
 
@@ -136,11 +141,12 @@ func _begin_if_complete() -> void:
 	print("The scene begins at tick %d." % _first_tick)
 
 
-func _finish() -> void:
+func _finish(sent_tick: float) -> void:
 	_last_tick = _tick
+	_last_sent_tick = sent_tick
 	_recorder.close()
 	print("REPORT ", JSON.stringify({
-		"role": "server", "first_tick": _first_tick, "last_tick": _last_tick,
+		"role": "server", "seconds": _simulation.seconds, "rejected": _links["motors"].get_counts()["rejected"],
 	}))
 	get_tree().create_timer(FAREWELL).timeout.connect(get_tree().quit)
 	_look_after_players()
@@ -197,7 +203,7 @@ func _on_entered(peer: int, player_name: String) -> void:
 
 func _add_body(id: int) -> void:
 	for link: PoseLink in _links.values():
-		link.add_body(id, _tick, _simulation.get_pose(id))
+		link.add_body(id, _simulation.get_pose(id))
 
 
 func _give_method(peer: int, method: String) -> void:
@@ -205,7 +211,7 @@ func _give_method(peer: int, method: String) -> void:
 		_links[_methods[peer]].remove_receiver(peer)
 	_methods[peer] = method
 	_session.choose_method.rpc_id(peer, method)
-	_links[method].add_receiver(peer, _tick, _get_poses())
+	_links[method].add_receiver(peer)
 
 
 func _on_method_wanted(peer: int, method: String) -> void:
@@ -231,8 +237,8 @@ func _on_truth_wanted(peer: int, wanted: bool) -> void:
 		_probe.watchers.append(peer)
 
 
-func _tell_truth(poses: Dictionary[int, Transform3D]) -> void:
-	var truth := _probe.observe(_tick, poses)
+func _tell_truth(sent_tick: float, poses: Dictionary[int, Transform3D]) -> void:
+	var truth := _probe.observe(sent_tick, poses)
 	if truth != null:
 		for peer: int in _probe.watchers:
 			_session.tell_truth.rpc_id(peer, truth.to_bytes())

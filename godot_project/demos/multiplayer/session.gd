@@ -11,8 +11,8 @@ signal refused(reason: String)
 signal roster_changed(roster: Array)
 ## At a client: the scene begins.
 signal begun
-## At a client: the scene ended at this tick.
-signal finished(tick: int)
+## At a client: the scene ended at this tick, as links tell it; negative if they do not.
+signal finished(tick: float)
 ## At a client: by which method it gets the poses from now on.
 signal method_chosen(method: String)
 ## At a client: the bound in metres and the path (a [enum MultivectorLerp.Mode]) that hold from now on.
@@ -59,7 +59,7 @@ func begin() -> void:
 
 
 @rpc("authority", "call_remote", "unreliable")
-func finish(tick: int) -> void:
+func finish(tick: float) -> void:
 	finished.emit(tick)
 
 

@@ -32,7 +32,7 @@ func clear() -> void:
 func take(truth: Truth, link: PoseLink) -> void:
 	if not link.is_ready():
 		return
-	if is_finite(link.get_shown_tick()):
+	if link.get_shown_tick() >= 0.0:
 		_waiting.append(truth)
 		if _waiting.size() > MOST_WAITING:
 			_waiting.remove_at(0)
@@ -49,7 +49,7 @@ func update(link: PoseLink) -> void:
 			continue
 		if shown <= truth.tick + Truth.TICKS - 1:
 			for i: int in truth.ids.size():
-				_add(distance(link.get_pose(truth.ids[i]), truth.get_pose(i, shown - truth.tick)))
+				_add(distance(link.bodies[truth.ids[i]].transform, truth.get_pose(i, shown - truth.tick)))
 		_waiting.remove_at(at)
 
 
@@ -77,13 +77,13 @@ func _compare_untimed(truth: Truth, link: PoseLink) -> void:
 	for step: int in Truth.TICKS:
 		var sum := 0.0
 		for i: int in truth.ids.size():
-			sum += distance(link.get_pose(truth.ids[i]), truth.get_pose(i, step))
+			sum += distance(link.bodies[truth.ids[i]].transform, truth.get_pose(i, step))
 		_means[step] = _means[step] * KEPT + sum / truth.ids.size() * (1.0 - KEPT)
 	var best := 0
 	for step: int in Truth.TICKS:
 		best = step if _means[step] < _means[best] else best
 	for i: int in truth.ids.size():
-		_add(distance(link.get_pose(truth.ids[i]), truth.get_pose(i, best)))
+		_add(distance(link.bodies[truth.ids[i]].transform, truth.get_pose(i, best)))
 
 
 func _add(error: float) -> void:

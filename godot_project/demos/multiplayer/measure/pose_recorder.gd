@@ -2,11 +2,10 @@ extends RefCounted
 ## Writes poses to a file, for the measurement (tools/lib/pose_record.py reads it).
 ##
 ## Little-endian: 8 bytes "GAPOSES1", u32 number of bodies; then for each record f64 wall clock
-## (seconds since 1970), f64 media time (server ticks, -1 if unknown), and for each body 12 float32: rows of
+## (seconds since 1970), f64 media time (ticks of the stream, not whole at a client; -1 if unknown), and for each body 12 float32: rows of
 ## the 3x4 matrix, as in a MultiMesh.
 
 const MAGIC := "GAPOSES1"
-const NO_TICK := -1.0
 
 var _file: FileAccess
 var _body_count: int

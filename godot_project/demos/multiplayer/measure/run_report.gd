@@ -7,25 +7,23 @@ const TrafficMeter := preload("traffic_meter.gd")
 var _begun_at := 0.0
 var _bytes := 0
 var _packets := 0
-var _poses := 0
 var _values: Dictionary = {}
 
 
 ## The scene begins.
-func begin(link: PoseLink, meter: TrafficMeter) -> void:
+func begin(meter: TrafficMeter) -> void:
 	meter.update()
 	_begun_at = _get_seconds()
 	_bytes = meter.bytes
 	_packets = meter.packets
-	_poses = link.pose_count
 
 
 ## The scene has ended at the server.
-func finish(method: String, link: PoseLink, meter: TrafficMeter) -> void:
+func finish(method: String, meter: TrafficMeter) -> void:
 	meter.update()
 	_values = {
 		"role": "client", "method": method, "seconds": _get_seconds() - _begun_at, "bytes": meter.bytes - _bytes,
-		"packets": meter.packets - _packets, "poses": link.pose_count - _poses,
+		"packets": meter.packets - _packets,
 	}
 
 

@@ -1,18 +1,19 @@
 extends RefCounted
 ## Where a few moving bodies truly were at three ticks in a row: what a server tells a client that shows its error.
 ##
-## As bytes, little-endian: u32 first tick, u8 number of bodies, then for each u16 number and, for each tick, position
+## As bytes, little-endian: f64 first tick, u8 number of bodies, then for each u16 number and, for each tick, position
 ## and quaternion as 7 float32.
 
 const Truth := preload("res://demos/multiplayer/measure/truth.gd")
 
 const TICKS := 3
 const MOST_BODIES := 8
-const HEADER := 5
+const HEADER := 9
 const POSE_BYTES := 28
 const BODY_BYTES := 2 + TICKS * POSE_BYTES
 
-var tick := 0
+## The first of them, on the clock of [code]PoseLink.get_shown_tick()[/code].
+var tick := 0.0
 var ids := PackedInt32Array()
 ## For each tick the poses of all bodies, in the order of the numbers.
 var poses: Array[Transform3D] = []
@@ -21,8 +22,8 @@ var poses: Array[Transform3D] = []
 func to_bytes() -> PackedByteArray:
 	var bytes := PackedByteArray()
 	bytes.resize(HEADER + ids.size() * BODY_BYTES)
-	bytes.encode_u32(0, tick)
-	bytes.encode_u8(4, ids.size())
+	bytes.encode_double(0, tick)
+	bytes.encode_u8(8, ids.size())
 	for i: int in ids.size():
 		bytes.encode_u16(HEADER + i * BODY_BYTES, ids[i])
 		for step: int in TICKS:
@@ -32,11 +33,11 @@ func to_bytes() -> PackedByteArray:
 
 ## Null where the bytes are no such thing, or a number is not below [param body_count].
 static func from_bytes(bytes: PackedByteArray, body_count: int) -> Truth:
-	if bytes.size() < HEADER or bytes.size() != HEADER + bytes.decode_u8(4) * BODY_BYTES:
+	if bytes.size() < HEADER or bytes.size() != HEADER + bytes.decode_u8(8) * BODY_BYTES:
 		return null
 	var truth := Truth.new()
-	truth.tick = bytes.decode_u32(0)
-	for i: int in bytes.decode_u8(4):
+	truth.tick = bytes.decode_double(0)
+	for i: int in bytes.decode_u8(8):
 		truth.ids.append(bytes.decode_u16(HEADER + i * BODY_BYTES))
 		if truth.ids[i] >= body_count:
 			return null

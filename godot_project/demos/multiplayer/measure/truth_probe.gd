@@ -14,15 +14,17 @@ var watchers: Array[int] = []
 
 var _before: Dictionary[int, Transform3D] = {}
 var _truth: Truth
+var _ticks := 0
 var _random := RandomNumberGenerator.new()
 
 
-## Takes the poses of each tick. A truth that is complete, or null.
-func observe(tick: int, poses: Dictionary[int, Transform3D]) -> Truth:
+## Takes the poses of each tick, with what clients call it. A truth that is complete, or null.
+func observe(tick: float, poses: Dictionary[int, Transform3D]) -> Truth:
 	var complete: Truth = null
+	_ticks += 1
 	if watchers.is_empty():
 		_truth = null
-	elif tick % PAUSE == 0:
+	elif _ticks % PAUSE == 0:
 		_begin(tick, poses)
 	if _truth != null and not _add_tick(poses):
 		_truth = null
@@ -33,7 +35,7 @@ func observe(tick: int, poses: Dictionary[int, Transform3D]) -> Truth:
 	return complete
 
 
-func _begin(tick: int, poses: Dictionary[int, Transform3D]) -> void:
+func _begin(tick: float, poses: Dictionary[int, Transform3D]) -> void:
 	_truth = Truth.new()
 	_truth.tick = tick
 	var ids := poses.keys()

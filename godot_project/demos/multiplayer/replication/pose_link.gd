@@ -1,73 +1,24 @@
 @abstract
 extends Node
 ## How poses get from the server to the clients: the border behind which methods are exchanged.
-## The server calls the first half, a client the second. Bodies have numbers from 0.
+## The server calls the first part, a client the second. Bodies have numbers from 0; each is a node.
 
 const PoseRecorder := preload("../measure/pose_recorder.gd")
 
-## Pose updates that this client received, or that the server sent to each.
-var pose_count := 0
+## Where the link says it knows no time.
+const NO_TICK := -1.0
+
+## The bodies, at a client as they are shown.
+var bodies: Array[Node3D] = []
 
 
-## Server: begins, with numbers below [param body_count].
-@abstract func open_sender(body_count: int) -> void
-
-
-## Server: a body appears.
-@abstract func add_body(id: int, tick: int, pose: Transform3D) -> void
-
-
-## Server: a body is gone.
-@abstract func remove_body(id: int) -> void
-
-
-## Server: a client is ready; it gets the poses of all bodies now and their changes from now on.
-@abstract func add_receiver(peer: int, tick: int, poses: Dictionary[int, Transform3D]) -> void
-
-
-## Server: a client has left.
-@abstract func remove_receiver(peer: int) -> void
-
-
-## Server: the poses of all bodies after a step of the physics engine.
-@abstract func publish(tick: int, poses: Dictionary[int, Transform3D]) -> void
-
-
-## Client: begins, with numbers below [param body_count], of which the first [param present_count] are never absent.
-## Called again, it forgets everything and begins anew.
-@abstract func open_receiver(body_count: int, present_count: int) -> void
-
-
-## Client: brings what is shown to [param local] seconds, and writes it down if a recorder is given.
-@abstract func advance(local: float, recorder: PoseRecorder) -> void
-
-
-## Client: how many bodies there are room for.
-@abstract func get_body_count() -> int
-
-
-## Client: the pose of a body as shown.
-@abstract func get_pose(id: int) -> Transform3D
-
-
-## Client: writes the poses of the first bodies as shown into a MultiMesh with one instance a body.
-@abstract func show_in(multimesh: MultiMesh) -> void
-
-
-## Client: a body has left.
-@abstract func forget(id: int) -> void
-
-
-## Client: true once there is something to show.
-@abstract func is_ready() -> bool
-
-
-## Client: how far what is shown is behind what arrives, in ms.
-@abstract func get_delay_ms(local: float) -> float
-
-
-## Client: the tick that is shown, or a very large number where the method knows no time.
-@abstract func get_shown_tick() -> float
+## Both sides: begins, with that many bodies.
+func open(body_count: int) -> void:
+	for id: int in body_count:
+		var body := Node3D.new()
+		body.name = "B%d" % id
+		add_child(body)
+		bodies.append(body)
 
 
 ## Both sides: how far, in metres, what is shown may be from the truth, and the path between two samples
@@ -75,5 +26,51 @@ var pose_count := 0
 @abstract func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void
 
 
-## Client: further counts for the report: late, rejected.
+## Server: a body appears.
+@abstract func add_body(id: int, pose: Transform3D) -> void
+
+
+## Server: a body is gone.
+@abstract func remove_body(id: int) -> void
+
+
+## Server: a client gets the poses by this method from now on.
+@abstract func add_receiver(peer: int) -> void
+
+
+## Server: a client gets them no longer, or has left.
+@abstract func remove_receiver(peer: int) -> void
+
+
+## Server: the poses of all bodies at a step of the physics engine.
+func publish(poses: Dictionary[int, Transform3D]) -> void:
+	for id: int in poses:
+		bodies[id].transform = poses[id]
+
+
+## Server: the tick that clients call the poses published last by, or [constant NO_TICK].
+@abstract func get_sent_tick() -> float
+
+
+## Client: gets poses by this method from now on. Of the bodies the first [param present_count] are never absent.
+@abstract func begin(present_count: int) -> void
+
+
+## Client: gets them no longer.
+@abstract func end() -> void
+
+
+## Client: true once there is something to show.
+@abstract func is_ready() -> bool
+
+
+## Client: the server's tick that is shown, or [constant NO_TICK].
+@abstract func get_shown_tick() -> float
+
+
+## Client: how far what is shown is behind the server beside what the network takes at least, in seconds.
+@abstract func get_delay() -> float
+
+
+## Both sides: counts for the report: late, rejected.
 @abstract func get_counts() -> Dictionary[String, int]

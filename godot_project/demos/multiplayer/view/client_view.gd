@@ -40,7 +40,8 @@ func _process(_delta: float) -> void:
 	_hud.update()
 	if not _client.link.is_ready():
 		return
-	_client.link.show_in(_multimesh)
+	for id: int in _client.link.bodies.size():
+		_multimesh.set_instance_transform(id, _client.link.bodies[id].transform)
 	_update_balls()
 	_rig.target = _get_own_position()
 	_client.get_input().yaw = _rig.yaw
@@ -60,7 +61,7 @@ func _unhandled_input(event: InputEvent) -> void:
 func _on_opened(scene: String, cubes: int) -> void:
 	_scene = scene
 	var layout := Layout.new(scene, cubes)
-	var instance := CubesView.new(layout, _client.link.get_body_count())
+	var instance := CubesView.new(layout, _client.link.bodies.size())
 	_multimesh = instance.multimesh
 	add_child(instance)
 	add_child(Stage.new(scene, layout.half_extent))
@@ -81,7 +82,7 @@ func _update_balls() -> void:
 		_shown_roster = _client.roster
 		_rebuild_balls()
 	for slot: int in _balls:
-		_balls[slot].show_pose(_client.link.get_pose(_client.cube_count + slot))
+		_balls[slot].show_pose(_client.link.bodies[_client.cube_count + slot].transform)
 
 
 func _rebuild_balls() -> void:
@@ -99,7 +100,7 @@ func _rebuild_balls() -> void:
 
 func _get_own_position() -> Vector3:
 	var slot := _client.get_own_slot()
-	return _client.link.get_pose(_client.cube_count + slot).origin if _balls.has(slot) else Vector3.ZERO
+	return _client.link.bodies[_client.cube_count + slot].position if _balls.has(slot) else Vector3.ZERO
 
 
 ## The nearest cube on a ray as shown, or -1.
@@ -107,7 +108,7 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 	var best := -1
 	var best_along := INF
 	for i: int in _client.cube_count:
-		var offset := _client.link.get_pose(i).origin - origin
+		var offset := _client.link.bodies[i].position - origin
 		var along := offset.dot(direction)
 		if along > 0.0 and along < best_along and (offset - direction * along).length() < PICK_RADIUS:
 			best = i
