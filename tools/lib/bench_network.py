@@ -48,6 +48,8 @@ def add_options(parser):
     parser.add_argument("--seed", type=whole(0, 10 ** 15), default=1, help="of the link's chances (1)")
     parser.add_argument("--runs", type=whole(1, 1000), metavar="N",
                         help=f"runs with seeds from --seed on, taken together ({IMPAIRED_RUNS} where chance decides, else 1)")
+    parser.add_argument("--engine-seconds", type=whole(0, 3600), default=0, metavar="S",
+                        help="also run tools/demo's scene in the engine for so long, over ENet, beside MultiplayerSynchronizer (0: no)")
     parser.add_argument("--rate-distortion", metavar="PNG",
                         help="instead draw bytes per second over error, ga_godot's for tolerances of "
                              + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
@@ -95,7 +97,20 @@ def measure(options):
     for row in server:
         row["trace"] = "lissajous"
     print_server(server, link_text(options))
-    return rows + server
+    return rows + server + (measure_in_engine(options) if options.engine_seconds else [])
+
+
+def measure_in_engine(options):
+    """The multiplayer demo with real processes: its table, and its rows by ENet's own counters."""
+    with tempfile.TemporaryDirectory(prefix="ga_godot_bench_") as folder:
+        path = os.path.join(folder, "rows.json")
+        command = [os.path.join(checkout.TOOLS, "demo"), f"--seconds={options.engine_seconds}", f"--loss={options.loss:g}",
+                   f"--jitter={options.jitter:g}", "--json", path]
+        print(flush=True)
+        if subprocess.run(command, stdin=subprocess.DEVNULL, check=False).returncode != 0:
+            sys.exit("tools/bench: the demo did not run to its end")
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)["rows"]
 
 
 def measure_rate_distortion(options, traces):

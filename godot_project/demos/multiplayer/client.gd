@@ -42,7 +42,7 @@ var cube_count := 0
 var method := ""
 ## The bound in metres and the path that the server has decided on.
 var tolerance := 0.005
-var mode := MultivectorLerp.LINEAR
+var mode := MultivectorLerp.SEPARATE
 ## How bad the network is made; change it with [method set_conditions].
 var conditions: LineConditions
 

@@ -25,7 +25,7 @@ var _session: Session
 var _links: Dictionary[String, PoseLink]
 var _methods: Dictionary[int, String] = {}
 var _tolerance := 0.005
-var _mode := MultivectorLerp.LINEAR
+var _mode := MultivectorLerp.SEPARATE
 var _probe := TruthProbe.new()
 var _peer := ENetMultiplayerPeer.new()
 var _simulation: Simulation

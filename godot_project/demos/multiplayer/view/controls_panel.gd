@@ -22,7 +22,7 @@ var _delay := SliderRow.new("Delay", 0.0, 200.0, 5.0, "%d ms")
 var _jitter := SliderRow.new("Jitter", 0.0, 200.0, 5.0, "%d ms")
 var _tolerance := SliderRow.new("Tolerance", 1.0, 50.0, 0.5, "%.1f mm")
 var _modes: Array[Button] = []
-var _mode := MultivectorLerp.LINEAR
+var _mode := MultivectorLerp.SEPARATE
 var _has_wish := false
 var _next_wish := 0.0
 
