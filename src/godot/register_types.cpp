@@ -1,4 +1,5 @@
 #include "godot/editor_help.hpp"
+#include "godot/ga_scene.hpp"
 #include "godot/motor_codec.hpp"
 #include "godot/motor_pool.hpp"
 #include "godot/motor_receiver.hpp"
@@ -15,6 +16,7 @@ namespace ga_godot {
 static void initialize(godot::ModuleInitializationLevel p_level) {
 	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(Multivector);
+		GDREGISTER_CLASS(GAScene);
 		GDREGISTER_CLASS(MultivectorLerp);
 		GDREGISTER_CLASS(MotorPool);
 		GDREGISTER_CLASS(MotorCodec);

@@ -70,8 +70,9 @@ std::string ordinal(size_t index) {
 // Computes node by node, with the values that wait for what takes them on a stack.
 class Evaluation {
 public:
-	Evaluation(const Expression &expression, const Variables &variables) :
-			_expression(expression), _variables(variables) {
+	// `values` as the expression's variables(), null for those that `known` lacks.
+	Evaluation(const Expression &expression, const std::vector<const Multivector *> &values, const Variables &known) :
+			_expression(expression), _values(values), _known(known) {
 		_stack.reserve(size_t(expression.stack_size()));
 	}
 
@@ -137,12 +138,11 @@ private:
 	}
 
 	bool push_variable(const Node &node) {
-		const std::string &name = _expression.variables()[node.index];
-		const auto found = _variables.find(name);
-		if (found == _variables.end()) {
-			return fail_unknown(node, name);
+		const Multivector *value = _values[node.index];
+		if (!value) {
+			return fail_unknown(node, _expression.variables()[node.index]);
 		}
-		_stack.push_back(found->second);
+		_stack.push_back(*value);
 		return true;
 	}
 
@@ -151,7 +151,7 @@ private:
 			return fail(node, "unknown name '" + name + "'; to call the function write '" + name + "('");
 		}
 		std::vector<std::string_view> names = { "eo", "einf", "pi", "tau" };
-		for (const auto &variable : _variables) {
+		for (const auto &variable : _known) {
 			names.push_back(variable.first);
 		}
 		const std::string closest(closest_name(name, names));
@@ -217,7 +217,8 @@ private:
 	}
 
 	const Expression &_expression;
-	const Variables &_variables;
+	const std::vector<const Multivector *> &_values;
+	const Variables &_known;
 	std::vector<Multivector> _stack;
 	std::optional<cga::TextError> _error;
 };
@@ -225,7 +226,16 @@ private:
 } // namespace
 
 cga::TextResult<Multivector> evaluate(const Expression &expression, const Variables &variables) {
-	return Evaluation(expression, variables).run();
+	std::vector<const Multivector *> values;
+	for (const std::string &name : expression.variables()) {
+		const auto found = variables.find(name);
+		values.push_back(found == variables.end() ? nullptr : &found->second);
+	}
+	return Evaluation(expression, values, variables).run();
+}
+
+cga::TextResult<Multivector> evaluate(const Expression &expression, const std::vector<const Multivector *> &values) {
+	return Evaluation(expression, values, {}).run();
 }
 
 cga::TextResult<Multivector> evaluate(std::string_view text, const Variables &variables) {

@@ -58,7 +58,6 @@ constexpr Replacement REPLACEMENTS[] = {
 	{ "=", "an expression has no '='" },
 	{ "%", "an expression has no '%'" },
 	{ ";", "write ',' between arguments" },
-	{ "[", "write '(' and ')'" },
 	{ "]", "write '(' and ')'" },
 	{ "{", "write '(' and ')'" },
 	{ "}", "write '(' and ')'" },
@@ -123,6 +122,10 @@ Token Lexer::read_number() {
 
 Token Lexer::read_symbol() {
 	const std::string_view rest = _text.substr(_position);
+	if (rest[0] == '[') {
+		const size_t end = rest.find(']');
+		return take(TokenKind::LIST, end == std::string_view::npos ? rest.size() : end + 1);
+	}
 	for (const Symbol &symbol : SYMBOLS) {
 		if (starts_with(rest, symbol.text)) {
 			return take(symbol.kind, symbol.text.size());

@@ -26,6 +26,7 @@ enum class TokenKind : uint8_t {
 	OPEN, // (
 	CLOSE, // )
 	COMMA, // ,
+	LIST, // [ ... ], whose numbers the lexer does not look at; up to the end of the text where no ] follows
 	END, // of the text
 	INVALID, // Lexer::error() says why
 };

@@ -1,5 +1,6 @@
 #include "playground/parser.hpp"
 
+#include "cga/text/json.hpp"
 #include "cga/text/utf8.hpp"
 #include "playground/functions.hpp"
 #include "playground/lexer.hpp"
@@ -67,9 +68,9 @@ private:
 
 	// "expected X, found Y"
 	void fail_expected(const std::string &what) {
-		const std::string found = _token.kind == TokenKind::END ? "the end" : "'" + text_of(_token) + "'";
+		const std::string found = _token.kind == TokenKind::END ? "the end" : (_token.kind == TokenKind::LIST ? "'['" : "'" + text_of(_token) + "'");
 		std::string message = "expected " + what + ", found " + found;
-		if (!_wants_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN)) {
+		if (!_wants_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN || _token.kind == TokenKind::LIST)) {
 			message += "; write '*' to multiply";
 		}
 		const auto open = std::find_if(_waiting.rbegin(), _waiting.rend(), [](const Waiting &waiting) { return waiting.kind != Waiting::OPERATOR; });
@@ -107,6 +108,8 @@ private:
 			advance();
 		} else if (token.kind == TokenKind::NUMBER) {
 			read_number();
+		} else if (token.kind == TokenKind::LIST) {
+			read_coefficients(token);
 		} else if (token.kind == TokenKind::NAME) {
 			advance();
 			if (_token.kind == TokenKind::OPEN) {
@@ -140,21 +143,40 @@ private:
 		_wants_operand = true;
 	}
 
+	// All 32 coefficients, in ganja.js's form.
+	void read_coefficients(const Token &token) {
+		const cga::TextResult<cga::Multivector> value = cga::from_json(text_of(token));
+		if (!value) {
+			Token place = token;
+			place.offset += value.error().offset;
+			fail(place, value.error().message);
+			return;
+		}
+		add_constant(token, *value);
+		_wants_operand = false;
+		advance();
+	}
+
+	void add_constant(const Token &token, const cga::Multivector &value) {
+		Node node = node_at(NodeKind::CONSTANT, token);
+		node.index = uint16_t(_expression._constants.size());
+		_expression._constants.push_back(value);
+		_expression._nodes.push_back(node);
+	}
+
 	void read_name(const Token &token) {
 		const std::string name = text_of(token);
-		Node node = node_at(NodeKind::CONSTANT, token);
 		if (const std::optional<cga::Multivector> value = constant(name)) {
-			node.index = uint16_t(_expression._constants.size());
-			_expression._constants.push_back(*value);
+			add_constant(token, *value);
 		} else if (const std::string error = name_error(name); !error.empty()) {
 			fail(token, error);
 			return;
 		} else {
-			node.kind = NodeKind::VARIABLE;
+			Node node = node_at(NodeKind::VARIABLE, token);
 			node.index = variable_index(name);
 			_expression._uses.push_back({ node.index, node.offset, column_at(token.offset) });
+			_expression._nodes.push_back(node);
 		}
-		_expression._nodes.push_back(node);
 		_wants_operand = false;
 	}
 

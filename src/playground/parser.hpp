@@ -15,9 +15,10 @@
 //   outer      prefix ('^' prefix)*
 //   prefix     ('-' | '+' | '~' | '!')* term
 //   term       number (name | call | group)?        a number before what it multiplies: 2 e12
-//            | name | call | group
+//            | name | call | group | list
 //   call       name '(' (sum (',' sum)*)? ')'
 //   group      '(' sum ')'
+//   list       '[' 32 numbers as JSON has them ']'      the coefficients
 
 namespace playground {
 

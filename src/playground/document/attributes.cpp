@@ -1,0 +1,79 @@
+#include "playground/document/attributes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace playground {
+
+namespace {
+
+constexpr size_t MAX_KEY_LENGTH = 64;
+constexpr const char *TYPE_NAMES[] = { "nothing", "a bool", "a number", "a string" };
+
+bool is_key_character(char character) {
+	return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') || (character >= '0' && character <= '9') || std::string_view("_-./").find(character) != std::string_view::npos;
+}
+
+bool is_color(std::string_view text) {
+	const bool has_length = text.empty() || text.size() == 7 || text.size() == 9;
+	return has_length && (text.empty() || text[0] == '#') && (text.empty() || text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos);
+}
+
+} // namespace
+
+AttributeValue default_attribute(std::string_view key) {
+	if (key == "visible" || key == "label") {
+		return true;
+	}
+	if (key == "ipns") {
+		return false;
+	}
+	if (key == "color" || key == "note") {
+		return std::string();
+	}
+	return {};
+}
+
+std::string attribute_error(std::string_view key, const AttributeValue &value) {
+	if (key.empty() || key.size() > MAX_KEY_LENGTH || !std::all_of(key.begin(), key.end(), is_key_character)) {
+		return "the key of an attribute has letters, digits, '_', '-', '.' and '/' only, 1 to 64 of them";
+	}
+	const AttributeValue standard = default_attribute(key);
+	if (standard.index() != 0 && value.index() != 0 && standard.index() != value.index()) {
+		return "the attribute '" + std::string(key) + "' is " + TYPE_NAMES[standard.index()] + ", not " + TYPE_NAMES[value.index()];
+	}
+	const std::string *text = std::get_if<std::string>(&value);
+	if (key == "color" && text && !is_color(*text)) {
+		return "the attribute 'color' is written as #rrggbb or #rrggbbaa";
+	}
+	const double *number = std::get_if<double>(&value);
+	if (number && !std::isfinite(*number)) {
+		return "the attribute '" + std::string(key) + "' is not finite";
+	}
+	return {};
+}
+
+AttributeValue get_attribute(const Attributes &attributes, std::string_view key) {
+	const auto found = attributes.find(key);
+	return found == attributes.end() ? default_attribute(key) : found->second;
+}
+
+bool set_attribute(Attributes &attributes, std::string_view key, const AttributeValue &value) {
+	if (get_attribute(attributes, key) == (value.index() == 0 ? default_attribute(key) : value)) {
+		return false;
+	}
+	if (value.index() == 0 || value == default_attribute(key)) {
+		attributes.erase(attributes.find(key));
+	} else {
+		attributes.insert_or_assign(std::string(key), value);
+	}
+	return true;
+}
+
+bool is_set(const Attributes &attributes, std::string_view key) {
+	const AttributeValue value = get_attribute(attributes, key);
+	const bool *boolean = std::get_if<bool>(&value);
+	return boolean && *boolean;
+}
+
+} // namespace playground

@@ -1,0 +1,150 @@
+#include "playground/document/dependency_graph.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <utility>
+
+namespace playground {
+
+namespace {
+
+// Walks are told apart by number, so that no entry has to be cleared before one.
+std::atomic<uint64_t> last_visit = 0;
+
+bool contains(const std::vector<Entry *> &entries, const Entry *entry) {
+	return std::find(entries.begin(), entries.end(), entry) != entries.end();
+}
+
+} // namespace
+
+bool Entry::lacks_dependency() const {
+	return contains(dependencies, nullptr);
+}
+
+void disconnect(Entry &entry) {
+	for (Entry *dependency : entry.dependencies) {
+		if (dependency) {
+			std::vector<Entry *> &dependents = dependency->dependents;
+			dependents.erase(std::remove(dependents.begin(), dependents.end(), &entry), dependents.end());
+		}
+	}
+	entry.dependencies.clear();
+}
+
+void connect(Entry &entry, const EntryIndex &index) {
+	disconnect(entry);
+	if (!entry.expression) {
+		return;
+	}
+	for (const std::string &name : entry.expression->variables()) {
+		const auto found = index.find(name);
+		Entry *dependency = found == index.end() ? nullptr : found->second;
+		entry.dependencies.push_back(dependency);
+		if (dependency) {
+			// Variables are named once each, so that no dependent comes twice.
+			dependency->dependents.push_back(&entry);
+		}
+	}
+}
+
+std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries) {
+	const uint64_t visit = ++last_visit;
+	std::vector<Entry *> found;
+	const auto add = [&found, visit](Entry *entry) {
+		if (entry->visit != visit) {
+			entry->visit = visit;
+			found.push_back(entry);
+		}
+	};
+	std::for_each(entries.begin(), entries.end(), add);
+	for (size_t index = 0; index < found.size(); ++index) {
+		const Entry &entry = *found[index];
+		std::for_each(entry.dependents.begin(), entry.dependents.end(), add);
+	}
+	return found;
+}
+
+std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entries) {
+	constexpr int NOT_REACHED = -1;
+	constexpr int DONE = -2;
+	struct Step {
+		Entry *entry;
+		size_t next; // dependency
+		int lowest; // the first reached entry that this one leads back to
+	};
+	const uint64_t visit = ++last_visit;
+	for (Entry *entry : entries) {
+		entry->visit = visit;
+		entry->mark = NOT_REACHED;
+	}
+	std::vector<Component> components;
+	std::vector<Step> path;
+	std::vector<Entry *> open; // reached, in no component yet; marked with their place in it
+	const auto reach = [&path, &open](Entry *entry) {
+		entry->mark = int(open.size());
+		path.push_back({ entry, 0, entry->mark });
+		open.push_back(entry);
+	};
+	for (Entry *start : entries) {
+		if (start->mark != NOT_REACHED) {
+			continue;
+		}
+		reach(start);
+		while (!path.empty()) {
+			Step &step = path.back();
+			if (step.next < step.entry->dependencies.size()) {
+				Entry *dependency = step.entry->dependencies[step.next++];
+				if (!dependency || dependency->visit != visit || dependency->mark == DONE) {
+					continue;
+				}
+				if (dependency->mark == NOT_REACHED) {
+					reach(dependency);
+				} else {
+					step.lowest = std::min(step.lowest, dependency->mark);
+				}
+				continue;
+			}
+			const Step done = step;
+			path.pop_back();
+			if (!path.empty()) {
+				path.back().lowest = std::min(path.back().lowest, done.lowest);
+			}
+			if (done.lowest == done.entry->mark) {
+				Component component;
+				component.members.assign(open.begin() + done.lowest, open.end());
+				component.is_cycle = component.members.size() > 1 || contains(done.entry->dependencies, done.entry);
+				open.resize(size_t(done.lowest));
+				for (Entry *member : component.members) {
+					member->mark = DONE;
+				}
+				components.push_back(std::move(component));
+			}
+		}
+	}
+	return components;
+}
+
+std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component) {
+	// Breadth first, in the order of the variables; each with the one it was reached from.
+	std::map<const Entry *, const Entry *> origin;
+	std::vector<const Entry *> reached = { &entry };
+	for (size_t index = 0; index < reached.size(); ++index) {
+		for (Entry *dependency : reached[index]->dependencies) {
+			if (dependency == &entry) {
+				std::vector<const Entry *> cycle = { reached[index] };
+				while (cycle.back() != &entry) {
+					cycle.push_back(origin[cycle.back()]);
+				}
+				std::reverse(cycle.begin(), cycle.end());
+				return cycle;
+			}
+			if (dependency && contains(component.members, dependency) && origin.emplace(dependency, reached[index]).second) {
+				reached.push_back(dependency);
+			}
+		}
+	}
+	return {};
+}
+
+} // namespace playground

@@ -1,0 +1,71 @@
+#include "playground/document/describe_entry.hpp"
+
+#include "cga/motor/motor_multivector.hpp"
+#include "cga/object/classify.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace playground {
+
+namespace {
+
+constexpr double DEGREES = 180.0 / 3.14159265358979323846;
+
+// Six digits, as in describe.cpp.
+std::string number(double value) {
+	char text[32];
+	std::snprintf(text, sizeof(text), "%.6g", value == 0.0 ? 0.0 : value);
+	return text;
+}
+
+std::string vector(const cga::Vector3<double> &v) {
+	return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+}
+
+std::string motion(const cga::Pose<double> &pose) {
+	std::string text;
+	if (glm::length(pose.translation) > 0.0) {
+		text += ", by " + vector(pose.translation);
+	}
+	const cga::Vector3<double> sines(pose.rotation.x, pose.rotation.y, pose.rotation.z);
+	const double size = glm::length(sines);
+	// A turn too small for the six digits is none.
+	if (size > 1e-9) {
+		const double sign = pose.rotation.w < 0.0 ? -1.0 : 1.0;
+		text += ", " + number(2.0 * std::atan2(size, std::abs(pose.rotation.w)) * DEGREES) + " degrees about " + vector(sines * (sign / size));
+	}
+	if (std::abs(pose.scale - 1.0) > 1e-9) {
+		text += ", scale " + number(pose.scale);
+	}
+	return text;
+}
+
+} // namespace
+
+std::string describe(const Entry &entry) {
+	if (!entry.outcome.value) {
+		return "error: " + entry.outcome.error;
+	}
+	const cga::Multivector &value = *entry.outcome.value;
+	const cga::Classification found = cga::classify(value, is_set(entry.attributes, "ipns"));
+	switch (found.kind) {
+		case cga::Kind::scalar:
+			return "number " + number(value[0]);
+		case cga::Kind::rotor:
+		case cga::Kind::translator:
+		case cga::Kind::dilator:
+		case cga::Kind::motor: {
+			const std::optional<cga::Motor<double>> motor = cga::to_motor(value);
+			const std::optional<cga::Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
+			return cga::name_of(found.kind) + (pose ? motion(*pose) : std::string());
+		}
+		default:
+			return cga::describe(found);
+	}
+}
+
+} // namespace playground

@@ -1,0 +1,331 @@
+#include "playground/document/document_json.hpp"
+
+#include "cga/text/json.hpp"
+#include "cga/text/json_reader.hpp"
+#include "cga/text/number_text.hpp"
+#include "playground/document/document.hpp"
+#include "playground/names.hpp"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace playground {
+
+namespace {
+
+constexpr std::string_view FORMAT = "ga_godot_scene";
+constexpr size_t MAX_ERRORS = 100;
+
+void append_attributes(std::string &json, const Attributes &attributes) {
+	json += '{';
+	const char *separator = "";
+	for (const auto &[key, value] : attributes) {
+		json += separator;
+		separator = ", ";
+		cga::append_json_string(json, key);
+		json += ": ";
+		if (const bool *boolean = std::get_if<bool>(&value)) {
+			json += *boolean ? "true" : "false";
+		} else if (const double *number = std::get_if<double>(&value)) {
+			cga::append_number(json, *number);
+		} else if (const std::string *text = std::get_if<std::string>(&value)) {
+			cga::append_json_string(json, *text);
+		} else {
+			json += "null";
+		}
+	}
+	json += '}';
+}
+
+class DocumentReader {
+public:
+	explicit DocumentReader(std::string_view text) :
+			_text(text), _reader(text) {}
+
+	LoadedDocument read() {
+		if (_text.size() > MAX_DOCUMENT_LENGTH) {
+			add_error(cga::text_error(_text, 0, "a document has at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " bytes").describe());
+		} else if (_reader.next_is('[')) {
+			read_multivectors();
+		} else if (_reader.next_is('{')) {
+			read_document_object();
+			if (!_reader.error() && !_reader.is_at_end()) {
+				_reader.fail_expected("the end");
+			}
+			report_error();
+			_loaded.is_document = _has_format || _has_entries;
+			if (!_loaded.is_document && _loaded.errors.empty()) {
+				add_error("column 1: expected the key \"entries\" with the entries of the document");
+			}
+		} else {
+			_reader.fail_expected("'{' of a document, or '[' of 32 coefficients");
+			report_error();
+		}
+		return std::move(_loaded);
+	}
+
+private:
+	void add_error(std::string error) {
+		if (_loaded.errors.size() < MAX_ERRORS) {
+			_loaded.errors.push_back(std::move(error));
+		} else if (_loaded.errors.size() == MAX_ERRORS) {
+			_loaded.errors.push_back("and more");
+		}
+	}
+
+	void report_error() {
+		if (_reader.error()) {
+			add_error(_reader.error()->describe());
+		}
+	}
+
+	void report_at(size_t offset, std::string message) {
+		add_error(cga::text_error(_text, offset, std::move(message)).describe());
+	}
+
+	// Calls `read_member` with each key; false as soon as something is wrong.
+	template <class ReadMember>
+	bool read_object(ReadMember read_member) {
+		if (!_reader.take('{', "'{'")) {
+			return false;
+		}
+		bool is_first = true;
+		while (!_reader.next_is('}')) {
+			std::string key;
+			if ((!is_first && !_reader.take(',', "',' or '}'")) || !_reader.read_string(key) || !_reader.take(':', "':' after the key") || !read_member(key)) {
+				return false;
+			}
+			is_first = false;
+		}
+		return _reader.take('}', "'}'");
+	}
+
+	bool read_document_object() {
+		return read_object([this](const std::string &key) {
+			if (key == "format") {
+				return read_format();
+			}
+			if (key == "version") {
+				return read_version();
+			}
+			if (key == "attributes") {
+				return read_attributes(_loaded.state.attributes, "the document");
+			}
+			return key == "entries" ? read_entries() : _reader.skip_value();
+		});
+	}
+
+	bool read_format() {
+		std::string format;
+		_reader.next_character();
+		const size_t place = _reader.position();
+		if (!_reader.read_string(format)) {
+			return false;
+		}
+		_has_format = format == FORMAT;
+		return _has_format || _reader.fail(place, "expected the format \"" + std::string(FORMAT) + "\"; this is another file");
+	}
+
+	bool read_version() {
+		double version = 0.0;
+		_reader.next_character();
+		const size_t place = _reader.position();
+		if (!_reader.read_number(version)) {
+			return false;
+		}
+		if (!(version >= 1.0) || version != std::floor(version)) {
+			report_at(place, "expected a version, which is a whole number from 1 on");
+		} else if (version > DOCUMENT_VERSION) {
+			report_at(place, "the document is of a newer version than " + std::to_string(DOCUMENT_VERSION) + ", the newest that this one reads; update GA-Godot");
+		}
+		return true;
+	}
+
+	bool read_attribute(AttributeValue &value) {
+		const char first = _reader.next_character();
+		if (first == '"') {
+			return _reader.read_string(value.emplace<std::string>());
+		}
+		if (first == 't' || first == 'f') {
+			return _reader.read_boolean(value.emplace<bool>());
+		}
+		if (first == 'n') {
+			return _reader.read_null();
+		}
+		if (first == '[' || first == '{') {
+			report_at(_reader.position(), "expected a text, a number, true, false or null as attribute");
+			return _reader.skip_value();
+		}
+		return _reader.read_number(value.emplace<double>());
+	}
+
+	bool read_attributes(Attributes &attributes, const std::string &owner) {
+		return read_object([this, &attributes, &owner](const std::string &key) {
+			_reader.next_character();
+			const size_t place = _reader.position();
+			AttributeValue value;
+			if (!read_attribute(value)) {
+				return false;
+			}
+			if (const std::string error = attribute_error(key, value); !error.empty()) {
+				report_at(place, "attribute of " + owner + " skipped: " + error);
+			} else {
+				set_attribute(attributes, key, value);
+			}
+			return true;
+		});
+	}
+
+	bool read_entries() {
+		_has_entries = true;
+		if (!_reader.take('[', "'[' before the entries")) {
+			return false;
+		}
+		bool is_first = true;
+		while (!_reader.next_is(']')) {
+			if (is_first || _reader.take(',', "',' or ']'")) {
+				read_entry();
+			}
+			is_first = false;
+			if (_reader.error()) {
+				const size_t broken = _reader.error()->offset;
+				report_error();
+				if (!find_entry(broken)) {
+					return false;
+				}
+				is_first = true;
+			}
+		}
+		return _reader.take(']', "']'");
+	}
+
+	// Goes on at the next entry behind what is broken. No text between quotes has such a beginning within.
+	bool find_entry(size_t from) {
+		for (size_t start = _text.find('{', from); start != std::string_view::npos; start = _text.find('{', start + 1)) {
+			_reader.restart_at(start + 1);
+			if (_reader.next_is('"') && _text.substr(_reader.position(), 6) == "\"name\"") {
+				_reader.restart_at(start);
+				return true;
+			}
+		}
+		_reader.restart_at(_text.size());
+		return false;
+	}
+
+	void read_entry() {
+		_reader.next_character();
+		const size_t place = _reader.position();
+		EntryState entry;
+		bool has_text = false;
+		const bool is_read = read_object([this, &entry, &has_text](const std::string &key) {
+			if (key == "name") {
+				return _reader.read_string(entry.name);
+			}
+			if (key == "expression") {
+				has_text = true;
+				return _reader.read_string(entry.text);
+			}
+			if (key == "attributes") {
+				return read_attributes(entry.attributes, "'" + entry.name + "'");
+			}
+			return _reader.skip_value();
+		});
+		const std::string what = name_error(entry.name).empty() ? "entry '" + entry.name + "'" : "entry";
+		if (!is_read) {
+			const cga::TextError error = *_reader.error();
+			_reader.restart_at(error.offset);
+			_reader.fail(error.offset, what + " skipped: " + error.message);
+		} else if (const std::string error = entry_error(entry, has_text); !error.empty()) {
+			report_at(place, what + " skipped: " + error);
+		} else {
+			_names.insert(entry.name);
+			_loaded.state.entries.push_back(std::move(entry));
+		}
+	}
+
+	std::string entry_error(const EntryState &entry, bool has_text) const {
+		if (std::string error = name_error(entry.name); !error.empty()) {
+			return error;
+		}
+		if (!has_text) {
+			return "it has no expression";
+		}
+		if (_names.count(entry.name) > 0) {
+			return "there is an entry of that name before it";
+		}
+		return _names.size() < Document::MAX_ENTRIES ? std::string() : "a document has at most " + std::to_string(Document::MAX_ENTRIES) + " entries";
+	}
+
+	// At '[': an array of 32 numbers, or an array of such arrays.
+	void read_multivectors() {
+		_reader.take('[', "'['");
+		if (!_reader.next_is('[')) {
+			read_multivector(0, _text.size());
+			return;
+		}
+		do {
+			_reader.next_character();
+			const size_t start = _reader.position();
+			if (_reader.skip_value()) {
+				read_multivector(start, _reader.position());
+			}
+		} while (!_reader.error() && _reader.next_is(',') && _reader.take(',', "','"));
+		if (_reader.take(']', "',' or ']'") && !_reader.is_at_end()) {
+			_reader.fail_expected("the end");
+		}
+		report_error();
+	}
+
+	void read_multivector(size_t start, size_t end) {
+		const std::string_view array = _text.substr(start, end - start);
+		const cga::TextResult<cga::Multivector> value = cga::from_json(array);
+		if (!value) {
+			report_at(start + value.error().offset, "multivector skipped: " + value.error().message);
+			return;
+		}
+		_loaded.is_document = true;
+		_loaded.state.entries.push_back({ "x" + std::to_string(_loaded.state.entries.size() + 1), cga::to_json(*value), {} });
+	}
+
+	std::string_view _text;
+	cga::JsonReader _reader;
+	LoadedDocument _loaded;
+	std::set<std::string> _names;
+	bool _has_format = false;
+	bool _has_entries = false;
+};
+
+} // namespace
+
+std::string to_json(const DocumentState &state) {
+	std::string json = "{\n\t\"format\": ";
+	cga::append_json_string(json, FORMAT);
+	json += ",\n\t\"version\": " + std::to_string(DOCUMENT_VERSION);
+	if (!state.attributes.empty()) {
+		json += ",\n\t\"attributes\": ";
+		append_attributes(json, state.attributes);
+	}
+	json += ",\n\t\"entries\": [";
+	const char *separator = "\n";
+	for (const EntryState &entry : state.entries) {
+		json += separator;
+		separator = ",\n";
+		json += "\t\t{\"name\": ";
+		cga::append_json_string(json, entry.name);
+		json += ", \"expression\": ";
+		cga::append_json_string(json, entry.text);
+		if (!entry.attributes.empty()) {
+			json += ", \"attributes\": ";
+			append_attributes(json, entry.attributes);
+		}
+		json += '}';
+	}
+	return json + (state.entries.empty() ? "]\n}\n" : "\n\t]\n}\n");
+}
+
+LoadedDocument read_document(std::string_view text) {
+	return DocumentReader(text).read();
+}
+
+} // namespace playground
