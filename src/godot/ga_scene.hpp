@@ -40,6 +40,9 @@ public:
 	godot::PackedStringArray get_dependents(const godot::String &p_name) const;
 	godot::Ref<Multivector> evaluate(const godot::String &p_expression) const;
 
+	godot::Dictionary get_parameters(const godot::String &p_name) const;
+	godot::Error set_parameter(const godot::String &p_name, const godot::String &p_key, const godot::Variant &p_value);
+
 	godot::Error set_entry_attribute(const godot::String &p_name, const godot::String &p_key, const godot::Variant &p_value);
 	godot::Variant get_entry_attribute(const godot::String &p_name, const godot::String &p_key) const;
 	godot::Dictionary get_entry_attributes(const godot::String &p_name) const;

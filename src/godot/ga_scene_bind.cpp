@@ -30,6 +30,9 @@ void GAScene::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_dependents", "name"), &GAScene::get_dependents);
 	ClassDB::bind_method(D_METHOD("evaluate", "expression"), &GAScene::evaluate);
 
+	ClassDB::bind_method(D_METHOD("get_parameters", "name"), &GAScene::get_parameters);
+	ClassDB::bind_method(D_METHOD("set_parameter", "name", "key", "value"), &GAScene::set_parameter);
+
 	ClassDB::bind_method(D_METHOD("set_entry_attribute", "name", "key", "value"), &GAScene::set_entry_attribute);
 	ClassDB::bind_method(D_METHOD("get_entry_attribute", "name", "key"), &GAScene::get_entry_attribute);
 	ClassDB::bind_method(D_METHOD("get_entry_attributes", "name"), &GAScene::get_entry_attributes);

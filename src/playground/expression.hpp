@@ -58,6 +58,8 @@ public:
 	[[nodiscard]] const std::vector<std::string> &variables() const { return _variables; }
 	// Where it refers to them, from left to right.
 	[[nodiscard]] const std::vector<NameUse> &uses() const { return _uses; }
+	// Where it first refers to one of variables().
+	[[nodiscard]] const NameUse &first_use(size_t variable) const;
 	// The values of the constants that it uses.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
 	// Where the arguments of calls begin, in bytes; those of one call follow each other.

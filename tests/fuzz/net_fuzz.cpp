@@ -2,6 +2,8 @@
 // from fixed seeds, so many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is libFuzzer's target.
 // What fails ends it: by a sanitizer, or by an abort where an answer is not as it must be.
 
+#include "mutation.hpp"
+
 #include "net/delivery/envelope.hpp"
 #include "net/pose_codec.hpp"
 #include "net/receiver.hpp"
@@ -18,7 +20,7 @@
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using fuzz::Bytes;
 
 constexpr std::size_t MOST_BODIES = 64;
 constexpr double TICK = 1.0 / 60.0;
@@ -237,35 +239,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
 
 namespace {
 
-/// One of the ways in which bytes go wrong.
-void mutate(Bytes &bytes, std::mt19937 &random) {
-	if (bytes.empty()) {
-		bytes.push_back(std::uint8_t(random()));
-		return;
-	}
-	switch (random() % 6) {
-		case 0:
-			bytes[random() % bytes.size()] ^= std::uint8_t(1u << (random() % 8));
-			break;
-		case 1:
-			bytes[random() % bytes.size()] = std::uint8_t(random());
-			break;
-		case 2:
-			bytes.resize(random() % bytes.size());
-			break;
-		case 3:
-			bytes.insert(bytes.begin() + std::ptrdiff_t(random() % bytes.size()), 1 + random() % 20, std::uint8_t(random()));
-			break;
-		case 4:
-			for (std::uint8_t &byte : bytes) {
-				byte = std::uint8_t(random());
-			}
-			break;
-		default:
-			bytes[random() % std::min<std::size_t>(bytes.size(), 8)] = std::uint8_t(random() % 2 == 0 ? 0xff : 0);
-	}
-}
-
 Bytes input_of(std::uint8_t target, const std::vector<Bytes> &pieces) {
 	Bytes input = { target };
 	for (const Bytes &piece : pieces) {
@@ -286,7 +259,7 @@ int main(int count, char **arguments) {
 		for (int round = 0; round < rounds; ++round) {
 			std::vector<Bytes> pieces = seed;
 			for (std::size_t wrong = random() % 8; wrong > 0; --wrong) {
-				mutate(pieces[random() % pieces.size()], random);
+				fuzz::mutate(pieces[random() % pieces.size()], random);
 			}
 			if (random() % 4 == 0) {
 				std::swap(pieces[random() % pieces.size()], pieces[random() % pieces.size()]);

@@ -208,7 +208,7 @@ TEST_CASE("an error names the column and what was expected") {
 		{ "a · b", "column 3: '·' is not part of the language; write '|' for the inner product" },
 		{ "a − b", "column 3: '−' is not part of the language; write '-' for minus" },
 		{ "a ⌋ b", "column 3: '⌋' is not part of the language; write '<<' for the left contraction" },
-		{ "point[1]", "column 6: '[' is not part of the language; write '(' and ')'" },
+		{ "point[1]", "column 6: expected an operator or the end, found '['; write '*' to multiply" },
 		{ "sin(1;2)", "column 6: ';' is not part of the language; write ',' between arguments" },
 		{ "\"e12\"", "column 1: '\"' is not part of the language; an expression has no quotes" },
 		{ "a\xff", "column 2: expected a number, a name or an operator, found the byte 0xff" },

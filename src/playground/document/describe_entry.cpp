@@ -2,11 +2,11 @@
 
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/classify.hpp"
+#include "cga/text/readable.hpp"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace playground {
@@ -15,31 +15,20 @@ namespace {
 
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 
-// Six digits, as in describe.cpp.
-std::string number(double value) {
-	char text[32];
-	std::snprintf(text, sizeof(text), "%.6g", value == 0.0 ? 0.0 : value);
-	return text;
-}
-
-std::string vector(const cga::Vector3<double> &v) {
-	return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
-}
-
 std::string motion(const cga::Pose<double> &pose) {
 	std::string text;
 	if (glm::length(pose.translation) > 0.0) {
-		text += ", by " + vector(pose.translation);
+		text += ", by " + cga::readable(pose.translation);
 	}
 	const cga::Vector3<double> sines(pose.rotation.x, pose.rotation.y, pose.rotation.z);
 	const double size = glm::length(sines);
 	// A turn too small for the six digits is none.
 	if (size > 1e-9) {
 		const double sign = pose.rotation.w < 0.0 ? -1.0 : 1.0;
-		text += ", " + number(2.0 * std::atan2(size, std::abs(pose.rotation.w)) * DEGREES) + " degrees about " + vector(sines * (sign / size));
+		text += ", " + cga::readable(2.0 * std::atan2(size, std::abs(pose.rotation.w)) * DEGREES) + " degrees about " + cga::readable(sines * (sign / size));
 	}
 	if (std::abs(pose.scale - 1.0) > 1e-9) {
-		text += ", scale " + number(pose.scale);
+		text += ", scale " + cga::readable(pose.scale);
 	}
 	return text;
 }
@@ -54,7 +43,7 @@ std::string describe(const Entry &entry) {
 	const cga::Classification found = cga::classify(value, is_set(entry.attributes, "ipns"));
 	switch (found.kind) {
 		case cga::Kind::scalar:
-			return "number " + number(value[0]);
+			return "number " + cga::readable(value[0]);
 		case cga::Kind::rotor:
 		case cga::Kind::translator:
 		case cga::Kind::dilator:

@@ -1,6 +1,8 @@
 #include "playground/document/document.hpp"
 
 #include "playground/document/dependency_graph.hpp"
+#include "playground/document/missing_entry.hpp"
+#include "playground/document/parameters.hpp"
 #include "playground/document/pasted_text.hpp"
 #include "playground/document/reevaluate.hpp"
 #include "playground/document/rename_variable.hpp"
@@ -31,8 +33,8 @@ const Entry *Document::find(std::string_view name) const {
 	return found == _index.end() ? nullptr : found->second;
 }
 
-Entry *Document::find(std::string_view name) {
-	return const_cast<Entry *>(std::as_const(*this).find(name));
+Entry *Document::own_entry(std::string_view name) {
+	return const_cast<Entry *>(find(name));
 }
 
 size_t Document::index_of(std::string_view name) const {
@@ -115,7 +117,7 @@ Change Document::add(std::string_view name, std::string_view text, size_t index)
 }
 
 Change Document::set_expression(std::string_view name, std::string_view text) {
-	Entry *entry = find(name);
+	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
 	}
@@ -128,7 +130,7 @@ Change Document::set_expression(std::string_view name, std::string_view text) {
 }
 
 Change Document::rename(std::string_view from, std::string_view to) {
-	Entry *entry = find(from);
+	Entry *entry = own_entry(from);
 	if (!entry) {
 		return no_entry(from);
 	}
@@ -168,7 +170,7 @@ Change Document::rename(std::string_view from, std::string_view to) {
 }
 
 Change Document::remove(std::string_view name) {
-	Entry *entry = find(name);
+	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
 	}
@@ -199,8 +201,23 @@ Change Document::move(std::string_view name, size_t index) {
 	return {};
 }
 
+Change Document::set_parameter(std::string_view name, std::string_view parameter, const LiteralValue &value) {
+	const Entry *entry = find(name);
+	if (!entry) {
+		return no_entry(name);
+	}
+	Rewritten rewritten = with_parameter(entry->text, parameter, value);
+	if (!rewritten.error.empty()) {
+		return refused(std::move(rewritten.error));
+	}
+	if (const cga::TextResult<cga::Multivector> result = evaluate(rewritten.text); !result && entry->outcome.value) {
+		return refused(result.error().message);
+	}
+	return set_expression(name, rewritten.text);
+}
+
 Change Document::set_attribute(std::string_view name, std::string_view key, const AttributeValue &value) {
-	Entry *entry = find(name);
+	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
 	}
@@ -281,19 +298,15 @@ cga::TextResult<cga::Multivector> Document::evaluate(std::string_view text) cons
 	if (!expression) {
 		return expression.error();
 	}
-	Variables variables;
-	for (const NameUse &use : expression->uses()) {
-		const Entry *dependency = find(expression->variables()[use.variable]);
-		if (dependency && !dependency->outcome.value) {
-			return cga::text_error(text, use.offset, "'" + dependency->name + "' has an error: " + dependency->outcome.error);
+	std::vector<const cga::Multivector *> values;
+	for (const std::string &name : expression->variables()) {
+		const Entry *entry = find(name);
+		if (!entry || !entry->outcome.value) {
+			return cga::text_error(text, expression->first_use(values.size()).offset, entry ? "'" + name + "' has an error; " + entry->outcome.error : missing_entry(name, _index));
 		}
+		values.push_back(&*entry->outcome.value);
 	}
-	for (const auto &[name, known] : _index) {
-		if (known->outcome.value) {
-			variables.emplace(name, *known->outcome.value);
-		}
-	}
-	return playground::evaluate(*expression, variables);
+	return playground::evaluate(*expression, values);
 }
 
 } // namespace playground

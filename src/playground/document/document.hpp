@@ -3,6 +3,7 @@
 #include "cga/text/text_error.hpp"
 #include "playground/document/document_state.hpp"
 #include "playground/document/entry.hpp"
+#include "playground/document/literal.hpp"
 
 #include <memory>
 #include <string>
@@ -53,6 +54,8 @@ public:
 	Change remove(std::string_view name);
 	// To the place where it then has that index.
 	Change move(std::string_view name, size_t index);
+	// Of a free object (parameters.hpp). Refused where the expression would then have no value, as with a radius below 0.
+	Change set_parameter(std::string_view name, std::string_view parameter, const LiteralValue &value);
 	Change set_attribute(std::string_view name, std::string_view key, const AttributeValue &value);
 
 	[[nodiscard]] const Attributes &attributes() const { return _attributes; }
@@ -66,7 +69,7 @@ public:
 	[[nodiscard]] cga::TextResult<cga::Multivector> evaluate(std::string_view text) const;
 
 private:
-	Entry *find(std::string_view name);
+	Entry *own_entry(std::string_view name);
 	[[nodiscard]] std::string new_name_error(std::string_view name) const;
 	void set_text(Entry &entry, std::string_view text);
 	[[nodiscard]] std::vector<Entry *> entries_that_lack_others() const;

@@ -1,9 +1,8 @@
 #include "playground/document/reevaluate.hpp"
 
 #include "playground/document/dependency_graph.hpp"
+#include "playground/document/missing_entry.hpp"
 #include "playground/evaluate.hpp"
-#include "playground/functions.hpp"
-#include "playground/names.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -13,8 +12,7 @@ namespace playground {
 
 namespace {
 
-// A suggestion is looked for among as many entries, a way round is described through as many.
-constexpr size_t MAX_SUGGESTIONS = 100;
+// A way round through more entries is not described.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
 
 std::string quoted(const std::string &name) {
@@ -27,24 +25,7 @@ Outcome own_fault(const Entry &entry, std::string error) {
 
 // Where the expression first refers to its variable.
 Outcome fault_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
-	const std::vector<NameUse> &uses = entry.expression->uses();
-	const auto use = std::find_if(uses.begin(), uses.end(), [variable](const NameUse &candidate) { return candidate.variable == variable; });
-	return { std::nullopt, cga::text_error(entry.text, use->offset, std::move(message)).describe(), cause, false };
-}
-
-std::string missing_entry(const std::string &name, const EntryIndex &index) {
-	std::string message = "there is no entry " + quoted(name);
-	if (find_function(name)) {
-		return message + "; to call the function write '" + name + "('";
-	}
-	std::vector<std::string_view> names = { "eo", "einf", "pi", "tau" };
-	if (index.size() <= MAX_SUGGESTIONS) {
-		for (const auto &known : index) {
-			names.push_back(known.first);
-		}
-	}
-	const std::string closest(closest_name(name, names));
-	return closest.empty() ? message : message + "; did you mean " + quoted(closest) + "?";
+	return { std::nullopt, cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
 }
 
 Outcome evaluated(const Entry &entry, const EntryIndex &index) {

@@ -1,0 +1,24 @@
+#include "cga/text/readable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cga {
+
+// Smaller parts of a vector are what is left of zero after some operations.
+static constexpr double ROUNDING = 1e-12;
+
+std::string readable(double value) {
+	char text[32];
+	std::snprintf(text, sizeof(text), "%.6g", value == 0.0 ? 0.0 : value);
+	return text;
+}
+
+std::string readable(const Vector3<double> &vector, double size) {
+	const double smallest = ROUNDING * std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z), size });
+	const auto component = [smallest](double value) { return readable(std::abs(value) < smallest ? 0.0 : value); };
+	return "(" + component(vector.x) + ", " + component(vector.y) + ", " + component(vector.z) + ")";
+}
+
+} // namespace cga

@@ -1,0 +1,26 @@
+#include "playground/document/missing_entry.hpp"
+
+#include "playground/functions.hpp"
+#include "playground/names.hpp"
+
+namespace playground {
+
+// A suggestion is looked for among as many entries: the time it takes grows with them.
+static constexpr size_t MAX_SUGGESTIONS = 100;
+
+std::string missing_entry(const std::string &name, const EntryIndex &index) {
+	std::string message = "there is no entry '" + name + "'";
+	if (find_function(name)) {
+		return message + "; to call the function write '" + name + "('";
+	}
+	std::vector<std::string_view> names = { "eo", "einf", "pi", "tau" };
+	if (index.size() <= MAX_SUGGESTIONS) {
+		for (const auto &known : index) {
+			names.push_back(known.first);
+		}
+	}
+	const std::string closest(closest_name(name, names));
+	return closest.empty() ? message : message + "; did you mean '" + closest + "'" + "?";
+}
+
+} // namespace playground

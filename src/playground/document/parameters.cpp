@@ -1,0 +1,280 @@
+#include "playground/document/parameters.hpp"
+
+#include "playground/evaluate.hpp"
+#include "playground/functions.hpp"
+#include "playground/parser.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace playground {
+
+namespace {
+
+constexpr std::string_view ROTATION = "rotation";
+
+// Functions that make an object of parameters, and what their x, y, z are together.
+struct Constructor {
+	std::string_view name;
+	std::string_view of_three;
+};
+
+constexpr Constructor CONSTRUCTORS[] = {
+	{ "scalar", "" },
+	{ "vector", "vector" },
+	{ "point", "position" },
+	{ "flat_point", "position" },
+	{ "point_pair", "" },
+	{ "pair", "" },
+	{ "line", "" },
+	{ "line_through", "" },
+	{ "circle", "" },
+	{ "circle_through", "" },
+	{ "plane", "normal" },
+	{ "plane_through", "" },
+	{ "sphere", "center" },
+	{ "sphere_through", "" },
+	{ "imaginary_point_pair", "" },
+	{ "imaginary_circle", "" },
+	{ "imaginary_sphere", "" },
+	{ "tangent_along", "" },
+	{ "tangent_across", "" },
+	{ "direction", "" },
+	{ "direction_across", "" },
+	{ "translator", "offset" },
+	{ "rotor", "" },
+	{ "dilator", "" },
+	{ "motor", "" },
+	{ "motor_from", "" },
+};
+
+constexpr std::string_view WRAPPERS[] = { "dual", "undual", "reverse", "normalized", "normalize" };
+
+// Without signs, duals and brackets around it.
+TokenRange unwrapped(TokenRange range) {
+	for (;;) {
+		const TokenKind first = range.size() > 1 ? range[0].kind : TokenKind::END;
+		if (first == TokenKind::PLUS || first == TokenKind::MINUS || first == TokenKind::TILDE || first == TokenKind::EXCLAMATION) {
+			range = range.part(1, range.size());
+			continue;
+		}
+		if (first == TokenKind::OPEN && range.behind_bracket(0) == range.size()) {
+			range = range.part(1, range.size() - 1);
+			continue;
+		}
+		const std::vector<TokenRange> arguments = range.arguments();
+		if (arguments.size() != 1 || std::find(std::begin(WRAPPERS), std::end(WRAPPERS), range.text(0)) == std::end(WRAPPERS)) {
+			return range;
+		}
+		range = arguments[0];
+	}
+}
+
+std::vector<std::string_view> split(std::string_view parameters) {
+	std::vector<std::string_view> names;
+	for (size_t start = 0; start <= parameters.size();) {
+		const size_t end = std::min(parameters.find(", ", start), parameters.size());
+		names.push_back(parameters.substr(start, end - start));
+		start = end + 2;
+	}
+	return names;
+}
+
+// The overload that is called, as far as that can be told: what is computed from variables may be anything.
+const Overload *overload_of(const Function &function, const std::vector<TokenRange> &arguments) {
+	std::vector<std::optional<cga::Multivector>> values;
+	for (const TokenRange &argument : arguments) {
+		const cga::TextResult<cga::Multivector> value = evaluate(argument.text());
+		values.push_back(value ? std::optional<cga::Multivector>(*value) : std::nullopt);
+	}
+	for (const Overload *overload : function.overloads) {
+		bool fits = overload->count == arguments.size();
+		for (size_t index = 0; fits && index < values.size(); ++index) {
+			fits = !values[index] || is_of_kind(*values[index], overload->kinds[index]);
+		}
+		if (fits) {
+			return overload;
+		}
+	}
+	return nullptr;
+}
+
+// Axis and angle of a rotation, nearest to the ones that it had, so that a turn does not flip its axis.
+std::pair<cga::Vector3<double>, double> axis_and_angle(cga::Quaternion<double> rotation, const cga::Vector3<double> &old_axis) {
+	const cga::Vector3<double> sines(rotation.x, rotation.y, rotation.z);
+	const double size = glm::length(sines);
+	if (size == 0.0) {
+		return { old_axis, 0.0 };
+	}
+	const double sign = glm::dot(sines, old_axis) < 0.0 ? -1.0 : 1.0;
+	const cga::Vector3<double> axis = sines * (sign / size);
+	double angle = 2.0 * std::atan2(sign * size, rotation.w);
+	constexpr double HALF_TURN = 3.14159265358979323846;
+	angle = angle > HALF_TURN ? angle - 2.0 * HALF_TURN : (angle < -HALF_TURN ? angle + 2.0 * HALF_TURN : angle);
+	const double old_size = glm::length(old_axis);
+	const bool is_old = old_size > 0.0 && glm::distance(axis, old_axis / old_size) < 1e-6;
+	return { is_old ? old_axis : axis, angle };
+}
+
+class Collector {
+public:
+	std::vector<Parameter> found;
+
+	void collect(const TokenRange &call) {
+		const std::vector<TokenRange> arguments = call.arguments();
+		const auto constructor = std::find_if(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), [&call](const Constructor &candidate) { return call.text(0) == candidate.name; });
+		const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
+		const Overload *overload = function && constructor != std::end(CONSTRUCTORS) ? overload_of(functions()[*function], arguments) : nullptr;
+		if (!overload) {
+			return;
+		}
+		const std::vector<std::string_view> names = split(overload->parameters);
+		size_t index = 0;
+		if (names[0] == "x" && names.size() >= 3) {
+			index = names.size() == 4 && names[3] == "w" ? collect_group(arguments, 4, ROTATION) : collect_group(arguments, 3, constructor->of_three);
+		}
+		for (; index < arguments.size(); ++index) {
+			collect_argument(arguments[index], overload->kinds[index], names[index]);
+		}
+		if (overload->name == "rotor" && overload->kinds[0] == ArgumentKind::VECTOR) {
+			add_rotation();
+		}
+	}
+
+private:
+	void add(std::string_view name, std::optional<Literal> literal) {
+		if (literal) {
+			found.push_back({ std::string(name), std::move(*literal) });
+		}
+	}
+
+	// Numbers that belong together, if all are literals: as many are done.
+	size_t collect_group(const std::vector<TokenRange> &arguments, size_t count, std::string_view name) {
+		std::vector<Literal> numbers;
+		std::vector<double> values;
+		for (size_t index = 0; index < count; ++index) {
+			const std::optional<Literal> number = number_literal(arguments[index]);
+			if (!number || number->form != Literal::NUMBERS) {
+				return 0;
+			}
+			numbers.push_back(*number);
+			values.push_back(*std::get_if<double>(&number->value));
+		}
+		if (count == 4) {
+			add(name, joined(numbers, cga::Quaternion<double>(values[3], values[0], values[1], values[2])));
+		} else {
+			add(name, joined(numbers, cga::Vector3<double>(values[0], values[1], values[2])));
+		}
+		return count;
+	}
+
+	void collect_argument(const TokenRange &argument, ArgumentKind kind, std::string_view name) {
+		switch (kind) {
+			case ArgumentKind::NUMBER:
+				add(name, number_literal(argument));
+				break;
+			case ArgumentKind::VECTOR:
+			case ArgumentKind::LOCATION:
+				add(name, vector_literal(argument));
+				break;
+			case ArgumentKind::ROTATION:
+				if (number_literal(argument)) {
+					add(ROTATION, Literal{ Literal::ROTOR, cga::Quaternion<double>(1.0, 0.0, 0.0, 0.0), { argument.span() } });
+				} else if (argument.size() > 0 && argument.text(0) == "rotor") {
+					collect(argument);
+				}
+				break;
+			case ArgumentKind::ANY:
+				break;
+		}
+	}
+
+	// Of an axis and an angle, both found just now: the same as a quaternion, without a place of its own.
+	void add_rotation() {
+		if (found.size() < 2 || found[found.size() - 2].name != "axis" || found.back().name != "angle") {
+			return;
+		}
+		const cga::Vector3<double> axis = *std::get_if<cga::Vector3<double>>(&found[found.size() - 2].literal.value);
+		const double angle = *std::get_if<double>(&found.back().literal.value);
+		const double size = glm::length(axis);
+		if (size > 0.0 && std::isfinite(size)) {
+			const cga::Vector3<double> sines = axis * (std::sin(0.5 * angle) / size);
+			found.push_back({ std::string(ROTATION), Literal{ Literal::ROTOR, cga::Quaternion<double>(std::cos(0.5 * angle), sines.x, sines.y, sines.z), {} } });
+		}
+	}
+};
+
+const Parameter *find(const std::vector<Parameter> &parameters, std::string_view name) {
+	const auto found = std::find_if(parameters.begin(), parameters.end(), [name](const Parameter &parameter) { return parameter.name == name; });
+	return found == parameters.end() ? nullptr : &*found;
+}
+
+bool is_finite(const LiteralValue &value) {
+	if (const double *number = std::get_if<double>(&value)) {
+		return std::isfinite(*number);
+	}
+	if (const cga::Vector3<double> *vector = std::get_if<cga::Vector3<double>>(&value)) {
+		return std::isfinite(vector->x) && std::isfinite(vector->y) && std::isfinite(vector->z);
+	}
+	if (const cga::Quaternion<double> *rotation = std::get_if<cga::Quaternion<double>>(&value)) {
+		return std::isfinite(rotation->x + rotation->y + rotation->z + rotation->w);
+	}
+	return std::get_if<cga::Multivector>(&value)->is_finite();
+}
+
+} // namespace
+
+std::vector<Parameter> parameters_of(std::string_view text) {
+	const std::vector<Token> tokens = parse(text) ? tokens_of(text) : std::vector<Token>();
+	if (tokens.empty()) {
+		return {};
+	}
+	const TokenRange all(text, tokens.data(), tokens.data() + tokens.size());
+	Collector collector;
+	if (const std::optional<Literal> number = number_literal(all)) {
+		collector.found.push_back({ "value", *number });
+	}
+	const TokenRange inner = unwrapped(all);
+	const bool is_list = inner.is(0, TokenKind::LIST);
+	if (const std::optional<Literal> multivector = multivector_literal(is_list ? inner : all)) {
+		collector.found.push_back({ "coefficients", *multivector });
+	}
+	collector.collect(inner);
+	return std::move(collector.found);
+}
+
+Rewritten with_parameter(std::string_view text, std::string_view name, const LiteralValue &value) {
+	constexpr const char *TYPES[] = { "a number", "a vector", "a rotation", "32 coefficients" };
+	const std::vector<Parameter> parameters = parameters_of(text);
+	const Parameter *parameter = find(parameters, name);
+	if (!parameter) {
+		std::string names;
+		for (const Parameter &known : parameters) {
+			names += (names.empty() ? "; it has " : ", ") + known.name;
+		}
+		return { "the expression has no parameter '" + std::string(name) + "'" + (names.empty() ? "; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)" : names), {} };
+	}
+	if (parameter->literal.value.index() != value.index()) {
+		return { "the parameter '" + parameter->name + "' is " + TYPES[parameter->literal.value.index()] + ", not " + TYPES[value.index()], {} };
+	}
+	if (!is_finite(value)) {
+		return { "the parameter '" + parameter->name + "' must be finite", {} };
+	}
+	if (!parameter->literal.spans.empty()) {
+		return { {}, edited(text, edits_for(parameter->literal, value)) };
+	}
+	// The rotation of an axis and an angle.
+	const Literal &axis = find(parameters, "axis")->literal;
+	const Literal &angle = find(parameters, "angle")->literal;
+	const auto [new_axis, new_angle] = axis_and_angle(*std::get_if<cga::Quaternion<double>>(&value), *std::get_if<cga::Vector3<double>>(&axis.value));
+	std::vector<TextEdit> edits = edits_for(axis, new_axis);
+	for (TextEdit &edit : edits_for(angle, new_angle)) {
+		edits.push_back(std::move(edit));
+	}
+	return { {}, edited(text, std::move(edits)) };
+}
+
+} // namespace playground

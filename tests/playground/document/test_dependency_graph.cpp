@@ -1,0 +1,68 @@
+#include "playground/document/dependency_graph.hpp"
+
+#include "playground/document/document.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace playground;
+
+namespace {
+
+// Entries on their own, to look at what the walks do with them.
+class Graph {
+public:
+	Graph(std::initializer_list<std::pair<const char *, const char *>> entries) {
+		for (const auto &[name, text] : entries) {
+			_document.add(name, text);
+		}
+	}
+
+	Entry *operator[](const char *name) { return const_cast<Entry *>(_document.find(name)); }
+
+	std::vector<Entry *> all() {
+		std::vector<Entry *> entries;
+		for (size_t index = 0; index < _document.size(); ++index) {
+			entries.push_back(const_cast<Entry *>(&_document.at(index)));
+		}
+		return entries;
+	}
+
+private:
+	Document _document;
+};
+
+std::string names_of(const std::vector<Component> &components) {
+	std::string names;
+	for (const Component &component : components) {
+		names += names.empty() ? "" : " ";
+		for (const Entry *entry : component.members) {
+			names += entry->name;
+		}
+		names += component.is_cycle ? "*" : "";
+	}
+	return names;
+}
+
+} // namespace
+
+TEST_CASE("dependencies come before what depends on them") {
+	Graph graph{ { "d", "b + c" }, { "b", "a" }, { "c", "a + b" }, { "a", "1" } };
+	CHECK(names_of(in_order_of_evaluation(graph.all())) == "a b c d");
+	CHECK(names_of(in_order_of_evaluation({ graph["d"], graph["c"] })) == "c d");
+	CHECK(with_dependents({ graph["b"] }).size() == 3);
+	CHECK(with_dependents({ graph["d"], graph["d"] }).size() == 1);
+}
+
+TEST_CASE("circles are found, and the shortest way round") {
+	Graph graph{ { "a", "b + c" }, { "b", "d" }, { "c", "a" }, { "d", "a" }, { "e", "e + a" }, { "f", "missing" } };
+	const std::vector<Component> components = in_order_of_evaluation(graph.all());
+	CHECK(names_of(components) == "abdc* e* f");
+	std::string way;
+	for (const Entry *entry : shortest_cycle(*graph["a"], components[0])) {
+		way += entry->name;
+	}
+	CHECK(way == "ac");
+	CHECK(shortest_cycle(*graph["e"], components[1]).size() == 1);
+}
