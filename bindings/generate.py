@@ -20,7 +20,7 @@ METAS.update({"float": "float", "double": "double"})
 PLAIN = {*NUMBERS.values(), *METAS.values()}
 
 # Built-in types written by hand, in include/godot_cpp/variant/.
-HAND_WRITTEN = ("Vector3", "Quaternion", "Basis", "Transform3D", "Variant")
+HAND_WRITTEN = ("Vector2", "Vector3", "Quaternion", "AABB", "Basis", "Transform3D", "Color", "RID", "Variant")
 
 # Built-in types that are handles to engine memory. The class with the methods is generated; what makes it pleasant to
 # use from C++ is its hand-written base: (header of the base, base). Other built-in types are not in the subset, and
@@ -44,6 +44,9 @@ HANDLES = {
     "PackedFloat32Array": packed("float"),
     "PackedFloat64Array": packed("double"),
     "PackedStringArray": packed("String"),
+    "PackedVector2Array": packed("Vector2"),
+    "PackedVector3Array": packed("Vector3"),
+    "PackedColorArray": packed("Color"),
 }
 
 # Operators of built-in types with an operand of the same type, or of the types given below it.
@@ -112,11 +115,12 @@ class Api:
         if json_type in self.classes:
             return f"Ref<{json_type}>" if self.classes[json_type]["is_refcounted"] else f"{json_type} *"
         kind, _, name = json_type.partition("::")
-        if kind == "enum":
+        if kind in ("enum", "bitfield"):
             owner, _, enum = name.rpartition(".")
-            if not owner:
-                return enum
-            return f"{owner}::{enum}" if owner in self.classes else None
+            if owner and owner not in self.classes:
+                return None
+            enum = f"{owner}::{enum}" if owner else enum
+            return f"BitField<{enum}>" if kind == "bitfield" else enum
         if kind == "typedarray":
             element = name if name in self.classes else self.spell(name)
             return element and f"TypedArray<{element}>"
@@ -125,9 +129,9 @@ class Api:
     def default(self, json_type, text):
         """A default argument in C++, from the way the engine writes it in its own script language."""
         spelled = self.spell(json_type)
-        if json_type in NUMBERS or json_type in ("Vector3", "Transform3D"):
+        if json_type in NUMBERS or json_type in ("Vector2", "Vector3", "Transform3D", "Color"):
             return text
-        if json_type.startswith("enum::"):
+        if json_type.startswith(("enum::", "bitfield::")):
             return f"{spelled}({text})"
         if text == "null":
             return "nullptr" if spelled.endswith("*") else f"{spelled}()"

@@ -2,6 +2,7 @@
 
 #include <godot_cpp/classes/wrapped.hpp>
 #include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/core/type_info.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 namespace godot::internal {
@@ -79,12 +80,16 @@ struct Arg<double> : WideArg<double, double, GDEXTENSION_VARIANT_TYPE_FLOAT, GDE
 	struct Arg<m_type> : ValueArg<m_type, GDEXTENSION_VARIANT_TYPE_##m_variant_type> {}
 
 GODOT_CPP_VALUE_ARG(String, STRING);
+GODOT_CPP_VALUE_ARG(Vector2, VECTOR2);
 GODOT_CPP_VALUE_ARG(Vector3, VECTOR3);
 GODOT_CPP_VALUE_ARG(Quaternion, QUATERNION);
+GODOT_CPP_VALUE_ARG(AABB, AABB);
 GODOT_CPP_VALUE_ARG(Basis, BASIS);
 GODOT_CPP_VALUE_ARG(Transform3D, TRANSFORM3D);
+GODOT_CPP_VALUE_ARG(Color, COLOR);
 GODOT_CPP_VALUE_ARG(StringName, STRING_NAME);
 GODOT_CPP_VALUE_ARG(NodePath, NODE_PATH);
+GODOT_CPP_VALUE_ARG(RID, RID);
 GODOT_CPP_VALUE_ARG(Callable, CALLABLE);
 GODOT_CPP_VALUE_ARG(Dictionary, DICTIONARY);
 GODOT_CPP_VALUE_ARG(Array, ARRAY);
@@ -93,6 +98,9 @@ GODOT_CPP_VALUE_ARG(PackedInt32Array, PACKED_INT32_ARRAY);
 GODOT_CPP_VALUE_ARG(PackedFloat32Array, PACKED_FLOAT32_ARRAY);
 GODOT_CPP_VALUE_ARG(PackedFloat64Array, PACKED_FLOAT64_ARRAY);
 GODOT_CPP_VALUE_ARG(PackedStringArray, PACKED_STRING_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedVector2Array, PACKED_VECTOR2_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedVector3Array, PACKED_VECTOR3_ARRAY);
+GODOT_CPP_VALUE_ARG(PackedColorArray, PACKED_COLOR_ARRAY);
 
 template <>
 struct Arg<Variant> : ValueArg<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
@@ -121,6 +129,9 @@ struct Arg<TypedArray<T>> : ArgBase<GDEXTENSION_VARIANT_TYPE_ARRAY> {
 	static TypedArray<T> from_variant(const Variant &p_variant) { return TypedArray<T>(p_variant); }
 	static PropertyInfo info() { return PropertyInfo(Variant::ARRAY, StringName(), PROPERTY_HINT_ARRAY_TYPE, element_type_name<T>()); }
 };
+
+template <typename T>
+struct Arg<BitField<T>> : WideArg<BitField<T>, int64_t, GDEXTENSION_VARIANT_TYPE_INT> {};
 
 template <typename T>
 struct EnumArg : WideArg<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT> {};

@@ -1,19 +1,26 @@
 #pragma once
 
+#include <godot_cpp/variant/aabb.hpp>
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_color_array.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
+#include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/vector2.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
 #include <cstddef>
@@ -116,12 +123,16 @@ public:
 	Variant(const char *p_latin1) :
 			Variant(String(p_latin1)) {}
 	Variant(const String &p_value) { construct(STRING, &p_value); }
+	Variant(const Vector2 &p_value) { construct(VECTOR2, &p_value); }
 	Variant(const Vector3 &p_value) { construct(VECTOR3, &p_value); }
 	Variant(const Quaternion &p_value) { construct(QUATERNION, &p_value); }
+	Variant(const ::godot::AABB &p_value) { construct(AABB, &p_value); }
 	Variant(const Basis &p_value) { construct(BASIS, &p_value); }
 	Variant(const Transform3D &p_value) { construct(TRANSFORM3D, &p_value); }
+	Variant(const Color &p_value) { construct(COLOR, &p_value); }
 	Variant(const StringName &p_value) { construct(STRING_NAME, &p_value); }
 	Variant(const NodePath &p_value) { construct(NODE_PATH, &p_value); }
+	Variant(const ::godot::RID &p_value) { construct(RID, &p_value); }
 	Variant(const Object *p_value);
 	Variant(const Callable &p_value) { construct(CALLABLE, &p_value); }
 	Variant(const Dictionary &p_value) { construct(DICTIONARY, &p_value); }
@@ -131,6 +142,9 @@ public:
 	Variant(const PackedFloat32Array &p_value) { construct(PACKED_FLOAT32_ARRAY, &p_value); }
 	Variant(const PackedFloat64Array &p_value) { construct(PACKED_FLOAT64_ARRAY, &p_value); }
 	Variant(const PackedStringArray &p_value) { construct(PACKED_STRING_ARRAY, &p_value); }
+	Variant(const PackedVector2Array &p_value) { construct(PACKED_VECTOR2_ARRAY, &p_value); }
+	Variant(const PackedVector3Array &p_value) { construct(PACKED_VECTOR3_ARRAY, &p_value); }
+	Variant(const PackedColorArray &p_value) { construct(PACKED_COLOR_ARRAY, &p_value); }
 
 	operator bool() const;
 	operator int64_t() const;
@@ -144,12 +158,16 @@ public:
 	operator double() const;
 	operator float() const { return static_cast<float>(operator double()); }
 	operator String() const { return convert<String>(STRING); }
+	operator Vector2() const { return convert<Vector2>(VECTOR2); }
 	operator Vector3() const { return convert<Vector3>(VECTOR3); }
 	operator Quaternion() const { return convert<Quaternion>(QUATERNION); }
+	operator ::godot::AABB() const { return convert<::godot::AABB>(AABB); }
 	operator Basis() const { return convert<Basis>(BASIS); }
 	operator Transform3D() const { return convert<Transform3D>(TRANSFORM3D); }
+	operator Color() const { return convert<Color>(COLOR); }
 	operator StringName() const { return convert<StringName>(STRING_NAME); }
 	operator NodePath() const { return convert<NodePath>(NODE_PATH); }
+	operator ::godot::RID() const { return convert<::godot::RID>(RID); }
 	operator Callable() const { return convert<Callable>(CALLABLE); }
 	operator Dictionary() const { return convert<Dictionary>(DICTIONARY); }
 	operator Array() const { return convert<Array>(ARRAY); }
@@ -158,6 +176,9 @@ public:
 	operator PackedFloat32Array() const { return convert<PackedFloat32Array>(PACKED_FLOAT32_ARRAY); }
 	operator PackedFloat64Array() const { return convert<PackedFloat64Array>(PACKED_FLOAT64_ARRAY); }
 	operator PackedStringArray() const { return convert<PackedStringArray>(PACKED_STRING_ARRAY); }
+	operator PackedVector2Array() const { return convert<PackedVector2Array>(PACKED_VECTOR2_ARRAY); }
+	operator PackedVector3Array() const { return convert<PackedVector3Array>(PACKED_VECTOR3_ARRAY); }
+	operator PackedColorArray() const { return convert<PackedColorArray>(PACKED_COLOR_ARRAY); }
 
 	// Null where there is no object or it has been freed.
 	operator Object *() const { return get_validated_object(); }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <godot_cpp/variant/vector3.hpp>
+
+namespace godot {
+
+// A box along the axes: its least corner and its size.
+struct AABB {
+	Vector3 position;
+	Vector3 size;
+
+	AABB() = default;
+	AABB(const Vector3 &p_position, const Vector3 &p_size) :
+			position(p_position), size(p_size) {}
+
+	bool operator==(const AABB &p_other) const { return position == p_other.position && size == p_other.size; }
+	bool operator!=(const AABB &p_other) const { return !(*this == p_other); }
+};
+
+} // namespace godot
