@@ -4,6 +4,8 @@ tools/bench kernels   blend of pose pairs, n from 1 to 1,000,000: C++ against GL
                       and MotorPool against Transform3D.interpolate_with in the engine
 tools/bench network   recorded motion over a simulated link: bytes, errors and delay beside
                       fixed-rate poses and the GA-Unity paper's scheme; the load of a server
+tools/bench playground
+                      a drag in a document of 200 objects beside a full evaluation
 tools/bench all       every suite there is
 
 A row says what one subject took; only ratios between rows of one run mean something.
@@ -17,9 +19,10 @@ import sys
 
 import bench_kernels
 import bench_network
+import bench_playground
 import checkout
 
-SUITES = {"kernels": bench_kernels, "network": bench_network}
+SUITES = {"kernels": bench_kernels, "network": bench_network, "playground": bench_playground}
 
 
 def machine():

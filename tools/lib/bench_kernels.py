@@ -2,10 +2,9 @@
 
 import json
 import os
-import subprocess
-import sys
 import tempfile
 
+import bench_native
 import checkout
 import project
 from build import LIBRARY, build
@@ -29,41 +28,20 @@ def measure(options):
     return rows
 
 
-def run_quietly(command, what):
-    """Runs a command; on failure shows what it printed and ends the program."""
-    print(f"{what} ...", file=sys.stderr, flush=True)
-    done = subprocess.run(command, cwd=checkout.ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"{done.stdout}\n{what}: failed with exit code {done.returncode}")
-
-
 def native_rows(repetitions):
     """Rows of the C++ benchmark program: medians over its repetitions."""
-    binary = os.path.join(checkout.variant(), "bench", "kernels_bench")
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "kernels.json")
-        run_quietly([binary, f"--benchmark_out={path}", "--benchmark_out_format=json",
-                     f"--benchmark_repetitions={repetitions}", "--benchmark_enable_random_interleaving=true",
-                     "--benchmark_min_time=0.05"], "C++ kernels against GLM (about a minute)")
-        with open(path, encoding="utf-8") as file:
-            report = json.load(file)
-    rows = []
-    for run in report["benchmarks"]:
-        if run.get("aggregate_name") != "median":
-            continue
-        case, subject, n = run["run_name"].split("/")[:3]
-        rows.append({"suite": "kernels", "case": case, "subject": subject, "n": int(n),
-                     "value": run["cpu_time"] / int(n), "unit": "ns/pose", "where": "C++"})
-    return rows
+    medians = bench_native.medians("kernels_bench", repetitions, "C++ kernels against GLM (about a minute)")
+    return [{"suite": "kernels", "case": case, "subject": subject, "n": n, "value": value / n, "unit": "ns/pose", "where": "C++"}
+            for case, subject, n, value in medians]
 
 
 def engine_rows():
     """Rows of the same blends called from GDScript."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "engine.json")
-        run_quietly([checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--script",
-                     "res://tests/bench/kernels.gd", "--", f"--json={path}"],
-                    "MotorPool against Transform3D.interpolate_with in the engine (about a minute)")
+        bench_native.run_quietly([checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--script",
+                                  "res://tests/bench/kernels.gd", "--", f"--json={path}"],
+                                 "MotorPool against Transform3D.interpolate_with in the engine (about a minute)")
         with open(path, encoding="utf-8") as file:
             rows = json.load(file)["rows"]
     for row in rows:

@@ -121,4 +121,7 @@ func _type_of(info: Dictionary) -> String:
 	var hint: int = info["hint"]
 	if type == TYPE_ARRAY and hint == PROPERTY_HINT_ARRAY_TYPE:
 		return "%s[]" % info["hint_string"]
-	return info["class_name"] if type == TYPE_OBJECT else "void" if type == TYPE_NIL else type_string(type)
+	var usage: int = info["usage"]
+	if type == TYPE_NIL:
+		return "Variant" if usage & PROPERTY_USAGE_NIL_IS_VARIANT else "void"
+	return info["class_name"] if type == TYPE_OBJECT else type_string(type)

@@ -53,6 +53,11 @@ std::vector<double> components_of(const LiteralValue &value) {
 	return { coefficients.begin(), coefficients.end() };
 }
 
+bool is_same_component(double left, double right, size_t count) {
+	const bool is_single = count == 3 || count == 4;
+	return is_single ? float(left) == float(right) : left == right;
+}
+
 double size_of(const std::vector<double> &components) {
 	double size = 0.0;
 	for (const double component : components) {
@@ -228,15 +233,18 @@ Literal joined(const std::vector<Literal> &numbers, LiteralValue value) {
 	return all;
 }
 
+bool is_same(const LiteralValue &left, const LiteralValue &right) {
+	const std::vector<double> before = components_of(left);
+	const std::vector<double> after = components_of(right);
+	return std::equal(before.begin(), before.end(), after.begin(), after.end(), [&after](double old_one, double new_one) { return is_same_component(old_one, new_one, after.size()); });
+}
+
 std::vector<TextEdit> edits_for(const Literal &literal, const LiteralValue &value) {
-	const std::vector<double> before = components_of(literal.value);
-	const std::vector<double> after = components_of(value);
-	// Vectors and rotations come from the engine, in single precision.
-	const bool is_single = after.size() == 3 || after.size() == 4;
-	const auto is_same = [is_single](double left, double right) { return is_single ? float(left) == float(right) : left == right; };
-	if (std::equal(before.begin(), before.end(), after.begin(), after.end(), is_same)) {
+	if (is_same(literal.value, value)) {
 		return {};
 	}
+	const std::vector<double> before = components_of(literal.value);
+	const std::vector<double> after = components_of(value);
 	switch (literal.form) {
 		case Literal::DEGREES:
 			return { { literal.spans[0], number_text(after[0] / RADIANS, 0.0) } };
@@ -252,7 +260,7 @@ std::vector<TextEdit> edits_for(const Literal &literal, const LiteralValue &valu
 	std::vector<TextEdit> edits;
 	const double size = size_of(after);
 	for (size_t index = 0; index < literal.spans.size(); ++index) {
-		if (!is_same(before[index], after[index])) {
+		if (!is_same_component(before[index], after[index], after.size())) {
 			std::string text;
 			if (after.size() == size_t(cga::BLADE_COUNT)) {
 				cga::append_number(text, after[index]);

@@ -72,6 +72,10 @@ struct Literal {
 // The numbers of literals, as spans of one.
 [[nodiscard]] Literal joined(const std::vector<Literal> &numbers, LiteralValue value);
 
+// Whether two values of a type are the same to whoever sets them: vectors and rotations, which come from the engine, in single
+// precision.
+[[nodiscard]] bool is_same(const LiteralValue &left, const LiteralValue &right);
+
 struct TextEdit {
 	TextSpan span;
 	std::string text;

@@ -263,6 +263,9 @@ Rewritten with_parameter(std::string_view text, std::string_view name, const Lit
 	if (!is_finite(value)) {
 		return { "the parameter '" + parameter->name + "' must be finite", {} };
 	}
+	if (is_same(parameter->literal.value, value)) {
+		return { {}, std::string(text) };
+	}
 	if (!parameter->literal.spans.empty()) {
 		return { {}, edited(text, edits_for(parameter->literal, value)) };
 	}

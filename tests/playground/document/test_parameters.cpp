@@ -156,7 +156,7 @@ TEST_CASE("what a parameter cannot be") {
 }
 
 TEST_CASE("setting a parameter to what it is changes no letter, and the value set is the value got") {
-	for (const char *text : { "2.50", "point(1.0, 2, 3)", "sphere( e2*2, 01.5)", "rotor(e3, deg(33.3))", "motor(2 e1, rotor(e1 + e2, 0.3), 2)", "plane(1, 2, 3, 4)", "1 + 2 e12 - e3", "pair(0, e1)" }) {
+	for (const char *text : { "2.50", "point(1.0, 2, 3)", "sphere( e2*2, 01.5)", "rotor(e3, deg(33.3))", "rotor(e3, deg(111111111111111133.3))", "motor(2 e1, rotor(e1 + e2, 0.3), 2)", "plane(1, 2, 3, 4)", "1 + 2 e12 - e3", "pair(0, e1)" }) {
 		for (const Parameter &parameter : parameters_of(text)) {
 			CHECK_MESSAGE(changed(text, parameter.name.c_str(), parameter.literal.value) == text, text, " ", parameter.name);
 		}

@@ -1,0 +1,32 @@
+extends "res://tests/framework/test_case.gd"
+## The class reference of GAScene: it documents every member as registered, each with an example that
+## runs and prints what it says.
+
+const ClassReference := preload("res://tests/framework/class_reference.gd")
+const CodeSample := preload("res://tests/framework/code_sample.gd")
+
+var _reference := ClassReference.new(&"GAScene")
+
+
+func test_every_member_is_documented_as_registered() -> void:
+	expect_equal(_reference.error, OK, "reading the reference")
+	var registered := _reference.registered_methods()
+	expect_true(registered.size() > 20, "number of methods")
+	for method_name in registered:
+		expect_equal(_reference.methods.get(method_name, ""), registered[method_name], "signature of %s" % method_name)
+	for method_name in _reference.methods:
+		expect_true(registered.has(method_name), "registration of %s" % method_name)
+	expect_equal(_reference.members, _reference.registered_members(), "members")
+	expect_equal(_reference.signals, _reference.registered_signals(), "signals")
+
+
+func test_every_description_has_an_example_that_holds() -> void:
+	expect_true(_reference.descriptions.has("signal entries_changed"), "a description of the signal")
+	for title in _reference.descriptions:
+		if title.begins_with("signal "):
+			continue
+		var samples := _reference.samples_of(title)
+		expect_true(samples.size() > 0, "an example of %s" % title)
+		for code in samples:
+			expect_true(CodeSample.count_prints(code) > 0, "a checked print() in the example of %s" % title)
+			expect_equal(CodeSample.find_faults(code), PackedStringArray(), "faults of the example of %s" % title)

@@ -1,0 +1,87 @@
+#include "cga/text/json_reader.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace cga;
+
+namespace {
+
+std::string string_of(std::string_view json) {
+	JsonReader reader(json);
+	std::string value;
+	return reader.read_string(value) ? value : "error: " + reader.error()->describe();
+}
+
+std::string skipped(std::string_view json) {
+	JsonReader reader(json);
+	if (!reader.skip_value()) {
+		return reader.error()->describe();
+	}
+	return reader.is_at_end() ? "all" : "up to " + std::to_string(reader.position());
+}
+
+std::string written(std::string_view text) {
+	std::string json;
+	append_json_string(json, text);
+	return json;
+}
+
+} // namespace
+
+TEST_CASE("strings, with every escape") {
+	CHECK(string_of(" \"a ä 𝔸\"") == "a ä 𝔸");
+	CHECK(string_of(R"("\"\\\/\b\f\n\r\t")") == "\"\\/\b\f\n\r\t");
+	CHECK(string_of(R"("\u0041\u00e4\u20ac\ud835\udd38")") == "Aä€𝔸");
+	CHECK(string_of(R"("\u00E4\u0000")") == std::string("ä\0", 3));
+	CHECK(string_of("x") == "error: column 1: expected a text in double quotes, found 'x'");
+	CHECK(string_of("\"x") == "error: column 3: expected '\"' at the end of the text, found the end");
+	CHECK(string_of("\"x\n\"") == "error: column 3: expected a character or '\"', found the control character 0x0a");
+	CHECK(string_of("\"\xff\"") == "error: column 2: expected a character or '\"', found the byte 0xff");
+	for (const char *bad : { R"("\x")", R"("\u12")", R"("\u12g4")", "\"\\" }) {
+		CHECK(string_of(bad) == R"(error: column 2: expected one of \" \\ \/ \b \f \n \r \t or \u and four hexadecimal digits)");
+	}
+	for (const char *half : { R"("\ud835")", R"("\ud835\n")", R"("\ud835\u0041")", R"("\udd38")" }) {
+		CHECK(string_of(half) == "error: column 2: expected a character; this is half of a UTF-16 pair");
+	}
+}
+
+TEST_CASE("strings are written so that they read back as themselves") {
+	CHECK(written("a\"\\\n\x01ä") == R"("a\"\\\n\u0001ä")");
+	CHECK(written("\xff") == "\"\xef\xbf\xbd\"");
+	std::string all;
+	for (int code = 0; code < 128; ++code) {
+		all += char(code);
+	}
+	CHECK(string_of(written(all)) == all);
+}
+
+TEST_CASE("values are passed over") {
+	for (const char *value : { "1", "-0.5e+3", "\"a]\"", "true", "false", "null", "[]", "{}", "[1, [2, {}], {\"a\": [], \"b\": {\"c\": null}}]", " {\"a\" : 1 , \"b\" : 2} " }) {
+		CHECK_MESSAGE(skipped(value) == "all", value);
+	}
+	CHECK(skipped("[1] 2") == "up to 4");
+	CHECK(skipped("") == "column 1: expected a number, found the end");
+	CHECK(skipped("[1") == "column 3: expected ',' or ']', found the end");
+	CHECK(skipped("[1,]") == "column 4: expected a number, found ']'");
+	CHECK(skipped("[1}") == "column 3: expected ',' or ']', found '}'");
+	CHECK(skipped("{1}") == "column 2: expected a text in double quotes, found '1'");
+	CHECK(skipped("{\"a\" 1}") == "column 6: expected ':' after the key, found '1'");
+	CHECK(skipped("{\"a\": 1 \"b\"}") == "column 9: expected ',' or '}', found '\"'");
+	CHECK(skipped("nil") == "column 1: expected null, found 'n'");
+	CHECK(skipped("tru") == "column 1: expected true or false, found 't'");
+	CHECK(skipped(std::string(256, '[') + std::string(256, ']')) == "all");
+	CHECK(skipped(std::string(257, '[')) == "column 257: expected a simpler value; more than 256 brackets inside each other here");
+}
+
+TEST_CASE("what went wrong is kept until reading goes on elsewhere") {
+	JsonReader reader("[x, 5]");
+	double value = 0.0;
+	CHECK(reader.take('[', "'['"));
+	CHECK(!reader.read_number(value));
+	CHECK(!reader.take('x', "'x'"));
+	CHECK(reader.error()->describe() == "column 2: expected a number, found 'x'");
+	reader.restart_at(4);
+	CHECK(reader.read_number(value));
+	CHECK(value == 5.0);
+	CHECK(!reader.error());
+}
