@@ -2,11 +2,16 @@
 #include "godot/ga_scene.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/color.hpp>
+
+#include <algorithm>
+#include <string>
 
 // What entries and scenes have beside expressions.
 
 namespace ga_godot {
 
+using godot::Color;
 using godot::Dictionary;
 using godot::Error;
 using godot::String;
@@ -14,7 +19,21 @@ using godot::Variant;
 using godot::vformat;
 using playground::AttributeValue;
 
-static constexpr const char *NO_ATTRIBUTE = "GAScene.%s: the attribute \"%s\" must be a bool, a number, a string, or null for none, not %s.";
+static constexpr const char *NO_ATTRIBUTE = "GAScene.%s: the attribute \"%s\" must be a bool, a number, a string, a Color, or null for none, not %s.";
+
+// "#rrggbb", and the alpha where it is not opaque; components outside of 0..1 are taken to its ends.
+static std::string hexadecimal(const Color &p_color) {
+	constexpr char DIGITS[] = "0123456789abcdef";
+	const float components[] = { p_color.r, p_color.g, p_color.b, p_color.a };
+	std::string text = "#";
+	for (const float component : components) {
+		// Written so that NaN is 0.
+		const int byte = component > 0.0f ? int(std::min(component, 1.0f) * 255.0f + 0.5f) : 0;
+		text += DIGITS[byte >> 4];
+		text += DIGITS[byte & 15];
+	}
+	return text.substr(0, text.compare(7, 2, "ff") == 0 ? 7 : 9);
+}
 
 // False if a value of this type cannot be kept.
 static bool to_attribute(const Variant &p_value, AttributeValue &r_attribute) {
@@ -30,8 +49,13 @@ static bool to_attribute(const Variant &p_value, AttributeValue &r_attribute) {
 			r_attribute = double(p_value);
 			return true;
 		case Variant::STRING:
-		case Variant::STRING_NAME:
-			r_attribute = to_utf8(String(p_value));
+		case Variant::STRING_NAME: {
+			const String text = p_value;
+			r_attribute = to_utf8(text);
+			return true;
+		}
+		case Variant::COLOR:
+			r_attribute = hexadecimal(p_value);
 			return true;
 		default:
 			return false;

@@ -47,12 +47,16 @@ static bool to_literal(const Variant &p_value, LiteralValue &r_value) {
 		case Variant::FLOAT:
 			r_value = double(p_value);
 			return true;
-		case Variant::VECTOR3:
-			r_value = to_glm(Vector3(p_value));
+		case Variant::VECTOR3: {
+			const Vector3 vector = p_value;
+			r_value = to_glm(vector);
 			return true;
-		case Variant::QUATERNION:
-			r_value = to_glm(Quaternion(p_value));
+		}
+		case Variant::QUATERNION: {
+			const Quaternion rotation = p_value;
+			r_value = to_glm(rotation);
 			return true;
+		}
 		case Variant::PACKED_FLOAT64_ARRAY: {
 			const PackedFloat64Array numbers = p_value;
 			cga::Multivector multivector;
