@@ -1,4 +1,6 @@
 #include "godot/editor_help.hpp"
+#include "godot/form_meshes.hpp"
+#include "godot/ga_node_3d.hpp"
 #include "godot/ga_scene.hpp"
 #include "godot/motor_codec.hpp"
 #include "godot/motor_pool.hpp"
@@ -17,6 +19,7 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(Multivector);
 		GDREGISTER_CLASS(GAScene);
+		GDREGISTER_CLASS(GANode3D);
 		GDREGISTER_CLASS(MultivectorLerp);
 		GDREGISTER_CLASS(MotorPool);
 		GDREGISTER_CLASS(MotorCodec);
@@ -29,7 +32,10 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 }
 
 // The bindings unregister the classes themselves.
-static void terminate(godot::ModuleInitializationLevel) {
+static void terminate(godot::ModuleInitializationLevel p_level) {
+	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+		FormMeshes::free_all();
+	}
 }
 
 } // namespace ga_godot

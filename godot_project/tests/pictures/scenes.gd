@@ -1,6 +1,8 @@
 extends RefCounted
 ## The pictures that are compared: how each scene is brought into one state that never changes.
 
+const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
+const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 
 const MENU := "res://menu/menu.tscn"
@@ -16,6 +18,9 @@ static func list() -> Dictionary[String, Callable]:
 		"interpolation_paths": interpolation.bind(0, MultivectorLerp.SCREW, false),
 		"interpolation_half_turn": interpolation.bind(1, MultivectorLerp.LINEAR, false),
 		"interpolation_door": interpolation.bind(2, MultivectorLerp.SEPARATE, false),
+		"drawn_objects": drawn_objects.bind(false),
+		"drawn_objects_on_light": drawn_objects.bind(true),
+		"drawn_scene": drawn_scene,
 	}
 
 
@@ -24,6 +29,18 @@ static func open(parent: Node, path: String) -> Node:
 	var scene := packed.instantiate()
 	parent.add_child(scene)
 	return scene
+
+
+static func drawn_objects(parent: Node, light: bool) -> Node:
+	var picture := DrawnObjects.make(light)
+	parent.add_child(picture)
+	return picture
+
+
+static func drawn_scene(parent: Node) -> Node:
+	var picture := DrawnScene.make()
+	parent.add_child(picture)
+	return picture
 
 
 static func interpolation(parent: Node, preset := 0, mode := MultivectorLerp.SCREW, with_panels := true) -> Interpolation:

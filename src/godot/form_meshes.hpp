@@ -1,0 +1,46 @@
+#pragma once
+
+#include "playground/drawing/form.hpp"
+#include "playground/drawing/shader.hpp"
+
+#include <godot_cpp/variant/rid.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ga_godot {
+
+/// The meshes, materials and shaders that all GANode3D share: one of each, made when first asked for, on the
+/// rendering server. Main thread only.
+class FormMeshes {
+public:
+	FormMeshes();
+
+	/// The only one, or one made now.
+	static FormMeshes &get();
+	/// Frees everything; before the rendering server goes.
+	static void free_all();
+
+	godot::RID mesh_of(playground::drawing::Form p_form);
+	/// A new mesh with an object's own strokes, in metres; the caller frees it.
+	godot::RID make_mesh(const playground::drawing::Strokes &p_strokes);
+
+private:
+	static constexpr int SPACES = 5;
+
+	godot::RID stroke_material(playground::drawing::Space p_space);
+	godot::RID fill_material(playground::drawing::Space p_space);
+	godot::RID make_material(const std::string &p_code, int p_priority);
+	void add_strokes(const godot::RID &p_mesh, const playground::drawing::Strokes &p_strokes, playground::drawing::Space p_space);
+	void add_fill(const godot::RID &p_mesh, const playground::drawing::Fill &p_fill, playground::drawing::Space p_space);
+
+	playground::drawing::Renderer _renderer = playground::drawing::Renderer::compatibility;
+	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _meshes;
+	std::array<godot::RID, SPACES> _stroke_materials;
+	std::array<godot::RID, SPACES> _fringe_materials;
+	std::array<godot::RID, SPACES> _fill_materials;
+	std::vector<godot::RID> _shaders;
+};
+
+} // namespace ga_godot

@@ -1,0 +1,45 @@
+#include "playground/drawing/endless_places.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <set>
+
+using namespace playground::drawing::shared;
+
+TEST_CASE("endless forms reach beyond everything that a camera sees") {
+	for (const float far_plane : { 10.0f, 100.0f, 4000.0f, 1e5f }) {
+		for (const float near_extent : { 1e-4f, 1.0f, 30.0f, 1e6f }) {
+			CHECK(endless_extent(0.0f, near_extent, far_plane) == 0.0f);
+			float previous = 0.0f;
+			for (float step = 1.0f; step < 3.5f; step += 1.0f) {
+				const float extent = endless_extent(step, near_extent, far_plane);
+				CHECK(extent > previous);
+				previous = extent;
+			}
+			// The corner of a view of 120 degrees by 16 : 9 is four times as far as the far plane.
+			CHECK(previous > 8.0f * far_plane);
+			// Within half of what is seen, depth is exact.
+			CHECK(endless_extent(2.0f, near_extent, far_plane) == 0.5f * far_plane);
+		}
+	}
+}
+
+TEST_CASE("arrowheads of a line stay where they are") {
+	// As the eye moves along, the places that both views have in common are the same ones.
+	std::set<float> before, after;
+	for (float index = -6.0f; index <= 5.0f; index += 1.0f) {
+		before.insert(line_arrow_place(index, 0.0f, 5.0f));
+		after.insert(line_arrow_place(index, 3.0f, 6.0f));
+	}
+	int shared_places = 0;
+	for (const float place : before) {
+		shared_places += int(after.count(place));
+	}
+	CHECK(shared_places >= 10);
+	// Some are within the view, at any distance.
+	for (const float distance : { 1e-3f, 0.1f, 3.0f, 1e4f }) {
+		CHECK(std::abs(line_arrow_place(0.0f, 17.0f, distance) - 17.0f) <= 0.5f * distance);
+	}
+}
