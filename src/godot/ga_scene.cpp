@@ -120,6 +120,15 @@ Ref<Multivector> GAScene::evaluate(const String &p_expression) const {
 	return Multivector::make(*value);
 }
 
+String GAScene::get_expression_error(const String &p_expression) const {
+	const cga::TextResult<cga::Multivector> value = _document.evaluate(to_utf8(p_expression));
+	return value ? String() : to_godot(value.error().describe());
+}
+
+String GAScene::get_name_error(const String &p_name) const {
+	return to_godot(_document.new_name_error(to_utf8(p_name)));
+}
+
 PackedStringArray GAScene::get_load_errors() const {
 	return to_strings(_load_errors);
 }

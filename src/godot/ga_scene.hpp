@@ -39,6 +39,8 @@ public:
 	godot::PackedStringArray get_dependencies(const godot::String &p_name) const;
 	godot::PackedStringArray get_dependents(const godot::String &p_name) const;
 	godot::Ref<Multivector> evaluate(const godot::String &p_expression) const;
+	godot::String get_expression_error(const godot::String &p_expression) const;
+	godot::String get_name_error(const godot::String &p_name) const;
 
 	godot::Dictionary get_parameters(const godot::String &p_name) const;
 	godot::Error set_parameter(const godot::String &p_name, const godot::String &p_key, const godot::Variant &p_value);

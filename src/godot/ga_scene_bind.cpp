@@ -29,6 +29,8 @@ void GAScene::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_dependencies", "name"), &GAScene::get_dependencies);
 	ClassDB::bind_method(D_METHOD("get_dependents", "name"), &GAScene::get_dependents);
 	ClassDB::bind_method(D_METHOD("evaluate", "expression"), &GAScene::evaluate);
+	ClassDB::bind_method(D_METHOD("get_expression_error", "expression"), &GAScene::get_expression_error);
+	ClassDB::bind_method(D_METHOD("get_name_error", "name"), &GAScene::get_name_error);
 
 	ClassDB::bind_method(D_METHOD("get_parameters", "name"), &GAScene::get_parameters);
 	ClassDB::bind_method(D_METHOD("set_parameter", "name", "key", "value"), &GAScene::set_parameter);

@@ -46,6 +46,9 @@ public:
 	// All that are computed from it, directly or by way of others, in the order of the document.
 	[[nodiscard]] std::vector<std::string> dependents_of(std::string_view name) const;
 
+	// Why an entry to be added cannot have this name, as a sentence; empty if it can.
+	[[nodiscard]] std::string new_name_error(std::string_view name) const;
+
 	// Before the entry at `index`; at the end if that is size() or beyond it.
 	Change add(std::string_view name, std::string_view text, size_t index = MAX_ENTRIES);
 	Change set_expression(std::string_view name, std::string_view text);
@@ -70,7 +73,6 @@ public:
 
 private:
 	Entry *own_entry(std::string_view name);
-	[[nodiscard]] std::string new_name_error(std::string_view name) const;
 	void set_text(Entry &entry, std::string_view text);
 	[[nodiscard]] std::vector<Entry *> entries_that_lack_others() const;
 	Change change(const std::vector<Entry *> &stale, std::vector<std::string> names = {});
