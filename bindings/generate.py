@@ -15,8 +15,8 @@ NEWEST_INTERFACE = (4, 6)  # functions that only later engines have are left out
 
 # C++ types of JSON types that are numbers, by their "meta" where they have one.
 NUMBERS = {"bool": "bool", "int": "int64_t", "float": "double"}
-METAS = {f"{sign}int{bits}": f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32, 64)}
-METAS.update({"float": "float", "double": "double"})
+INTEGERS = [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)]
+METAS = {**{name: name + "_t" for name in INTEGERS}, "float": "float", "double": "double"}
 PLAIN = {*NUMBERS.values(), *METAS.values()}
 
 # Built-in types written by hand, in include/godot_cpp/variant/.
@@ -117,10 +117,9 @@ class Api:
         kind, _, name = json_type.partition("::")
         if kind in ("enum", "bitfield"):
             owner, _, enum = name.rpartition(".")
-            if owner and owner not in self.classes:
-                return None
-            enum = f"{owner}::{enum}" if owner else enum
-            return f"BitField<{enum}>" if kind == "bitfield" else enum
+            spelled = f"{owner}::{enum}" if owner else enum
+            known = not owner or owner in self.classes
+            return (f"BitField<{spelled}>" if kind == "bitfield" else spelled) if known else None
         if kind == "typedarray":
             element = name if name in self.classes else self.spell(name)
             return element and f"TypedArray<{element}>"
@@ -483,11 +482,9 @@ bindings/include and DIR/include as include paths. Only single precision on 64 b
         sys.exit("generate.py: this engine was built with double precision, which the bindings do not support")
     with open(options.profile, encoding="utf-8") as file:
         api = Api(description, json.load(file))
-    with open(options.interface, encoding="utf-8") as file:
-        header = file.read()
-
     output = Output(options.output)
-    write_interface(output, header)
+    with open(options.interface, encoding="utf-8") as file:
+        write_interface(output, file.read())
     write_global_constants(output, api)
     write_utility_functions(output, api)
     for name in HANDLES:
