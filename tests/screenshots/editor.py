@@ -7,7 +7,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PLUGIN = '"res://addons/ga_godot/plugin.cfg"'
-PROBE = "addons/editor_probe"
+PROBE = "editor_probe"
 MESSAGE = re.compile(r"^WARNING: GA-Godot: .*$", re.MULTILINE)
 EDITOR_SECONDS = 120
 IMPORT_SECONDS = 120
@@ -36,10 +36,10 @@ def tests(engine, project, output):
         yield "no extension file", check_message(engine, bare, "is missing. Copy the whole folder")
 
 
-def copy_project(project, copy):
-    """A copy with the probe as a second plugin."""
+def copy_project(project, copy, probe=PROBE):
+    """A copy with a probe of this folder as a second plugin."""
     shutil.copytree(project, copy, ignore=shutil.ignore_patterns(".godot"))
-    shutil.copytree(os.path.join(HERE, "editor_probe"), os.path.join(copy, PROBE))
+    shutil.copytree(os.path.join(HERE, probe), os.path.join(copy, "addons", probe))
     os.makedirs(os.path.join(copy, ".godot"))
     with open(os.path.join(copy, ".godot", "extension_list.cfg"), "w", encoding="utf-8") as file:
         file.write("res://addons/ga_godot/ga_godot.gdextension\n")
@@ -49,7 +49,7 @@ def copy_project(project, copy):
     if PLUGIN not in settings:
         raise RuntimeError("project.godot does not enable the plugin")
     with open(path, "w", encoding="utf-8") as file:
-        file.write(settings.replace(PLUGIN, f'{PLUGIN}, "res://{PROBE}/plugin.cfg"'))
+        file.write(settings.replace(PLUGIN, f'{PLUGIN}, "res://addons/{probe}/plugin.cfg"'))
 
 
 def make_bare_project(copy, bare):
@@ -60,7 +60,7 @@ def make_bare_project(copy, bare):
     with open(os.path.join(bare, "project.godot"), "w", encoding="utf-8") as file:
         file.write('config_version=5\n\n[application]\n\nconfig/name="Bare"\n'
                    'config/features=PackedStringArray("4.6", "GL Compatibility")\n\n[editor_plugins]\n\n'
-                   f'enabled=PackedStringArray({PLUGIN}, "res://{PROBE}/plugin.cfg")\n')
+                   f'enabled=PackedStringArray({PLUGIN}, "res://addons/{PROBE}/plugin.cfg")\n')
 
 
 def run_problems(run):

@@ -30,6 +30,10 @@ class Engine:
         self._command = shlex.split(command)
         self._environment = {**os.environ, **environment}
 
+    def with_environment(self, variables):
+        """The same engine with more variables."""
+        return Engine(shlex.join(self._command), {**self._environment, **variables})
+
     def run(self, arguments, seconds, drawing=True):
         """Starts the engine and waits for it, at most that long."""
         command = self._command + (DRAWING if drawing else ["--headless"]) + arguments

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What can only be seen with a display: pictures of the demos, and the plugin in the real editor.
+"""What can only be seen with a display: pictures of the demos, the plugin and its dock in the real editor.
 
     tests/screenshots/run.py [--engine CMD] [--update | --docs]
 
@@ -10,6 +10,7 @@ Pictures of failures and of the editor are left in build/screenshots.
 
 import argparse
 import contextlib
+import itertools
 import os
 import re
 import shutil
@@ -21,6 +22,7 @@ sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 sys.path.insert(0, HERE)
 
 import display  # noqa: E402
+import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 
@@ -44,6 +46,7 @@ def main():
     with screen() as environment:
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
+            dock.write_reference(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine))
@@ -60,7 +63,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    for title, problems in editor.tests(engine, PROJECT, OUTPUT):
+    in_editor = itertools.chain(editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
+    for title, problems in in_editor:
         if problems:
             failed += 1
             print(f"FAIL {title}")

@@ -1,16 +1,23 @@
 @tool
 extends EditorPlugin
 ## Everything GA-Godot offers to scripts and scenes comes from the extension, which the engine loads
-## with or without this plugin. The plugin tells whoever enabled it when the library is missing.
+## with or without this plugin. The plugin adds the dock "GA Playground" and tells whoever enabled it when the library is
+## missing.
 ##
 ## It names no class of the extension: on the first opening of a project the library may not be there.
 
 const EXTENSION_PATH := "res://addons/ga_godot/ga_godot.gdextension"
 const ENTRY_CLASS := &"Multivector"
+const SCENE_CLASS := "GAScene"
+## Loaded once the classes that it names are there.
+const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
+
+var _dock: EditorDock
 
 
 func _enter_tree() -> void:
 	if ClassDB.class_exists(ENTRY_CLASS):
+		_open_dock()
 		return
 	# A copied addon is imported after the plugins are enabled for the first time.
 	var file_system := EditorInterface.get_resource_filesystem()
@@ -20,8 +27,40 @@ func _enter_tree() -> void:
 		_report_missing_library()
 
 
+func _exit_tree() -> void:
+	if _dock != null:
+		_dock.call(&"keep_session")
+		remove_dock(_dock)
+		_dock.queue_free()
+		_dock = null
+
+
+func _handles(object: Object) -> bool:
+	return _dock != null and object.is_class(SCENE_CLASS)
+
+
+func _edit(object: Object) -> void:
+	if object != null and _dock != null:
+		_dock.call(&"show_scene", object)
+		_dock.make_visible()
+
+
+func _save_external_data() -> void:
+	if _dock != null:
+		_dock.call(&"keep")
+
+
+func _open_dock() -> void:
+	var script: GDScript = load(DOCK_SCRIPT)
+	_dock = script.new()
+	_dock.call(&"set_up", get_undo_redo())
+	add_dock(_dock)
+
+
 func _report_missing_library() -> void:
 	if ClassDB.class_exists(ENTRY_CLASS):
+		if _dock == null:
+			_open_dock()
 		return
 	var message := "GA-Godot: %s" % _describe_fault()
 	push_warning(message)

@@ -1,0 +1,122 @@
+@tool
+extends FoldableContainer
+## The 32 coefficients of the selected entry. Those of an entry that depends on no other can be changed, while it is drawn.
+
+const PlaygroundDocument := preload("playground_document.gd")
+const EntryList := preload("entry_list.gd")
+const BasisBlades := preload("basis_blades.gd")
+
+const WIDTH := 96.0
+const HEIGHT := 170.0
+const STEP := 0.001
+const PARAMETER := "coefficients"
+## A sum of blades, which then can be given any coefficients.
+const ANY_SUM := "1 + e1"
+
+var _document: PlaygroundDocument
+var _list: EntryList
+var _entry := ""
+var _basis := OptionButton.new()
+var _sliders: Array[EditorSpinSlider] = []
+
+
+func _init(document: PlaygroundDocument, list: EntryList) -> void:
+	name = "Coefficients"
+	title = "Coefficients"
+	folded = true
+	_document = document
+	_list = list
+	_basis.name = "Basis"
+	_basis.flat = true
+	_basis.focus_mode = Control.FOCUS_NONE
+	_basis.add_item("e4, e5")
+	_basis.add_item("eo, e∞")
+	_basis.tooltip_text = "The basis that coefficients are given in."
+	_basis.item_selected.connect(func(_index: int) -> void: _show_coefficients())
+	add_title_bar_control(_basis)
+	var scroll := ScrollContainer.new()
+	scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	scroll.custom_minimum_size.y = HEIGHT * EditorInterface.get_editor_scale()
+	add_child(scroll)
+	var grades := VBoxContainer.new()
+	grades.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	scroll.add_child(grades)
+	for grade in BasisBlades.GRADE_TITLES.size():
+		grades.add_child(_make_grade(grade))
+	_document.changed.connect(_show_coefficients)
+	_list.selection_changed.connect(_show_coefficients)
+	folding_changed.connect(func(_is_folded: bool) -> void: _show_coefficients())
+
+
+func _make_grade(grade: int) -> Control:
+	var column := VBoxContainer.new()
+	column.add_theme_constant_override(&"separation", 0)
+	var heading := Label.new()
+	heading.text = "%s (grade %d)" % [BasisBlades.GRADE_TITLES[grade], grade]
+	heading.modulate = Color(1, 1, 1, 0.65)
+	heading.theme_type_variation = &"HeaderSmall"
+	column.add_child(heading)
+	var flow := HFlowContainer.new()
+	column.add_child(flow)
+	for index in range(BasisBlades.GRADES[grade], BasisBlades.GRADES[grade + 1]):
+		flow.add_child(_make_slider(index))
+	return column
+
+
+func _make_slider(index: int) -> EditorSpinSlider:
+	var slider := EditorSpinSlider.new()
+	slider.name = BasisBlades.NAMES[index]
+	slider.custom_minimum_size.x = WIDTH * EditorInterface.get_editor_scale()
+	slider.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	slider.step = STEP
+	slider.hide_slider = true
+	slider.allow_greater = true
+	slider.allow_lesser = true
+	slider.value_changed.connect(_on_value_changed.bind(index))
+	slider.grabbed.connect(_document.begin_gesture)
+	slider.ungrabbed.connect(func() -> void: _document.end_gesture(_step_title(index)))
+	_sliders.append(slider)
+	return slider
+
+
+func _show_coefficients() -> void:
+	_entry = _list.selection[-1] if not _list.selection.is_empty() else ""
+	var is_there := _document.scene.has_entry(_entry)
+	title = "Coefficients of %s" % _entry if is_there else "Coefficients"
+	if folded:
+		return
+	var value: Multivector = _document.scene.get_value(_entry) if is_there else null
+	var numbers := PackedFloat64Array()
+	numbers.resize(BasisBlades.NAMES.size())
+	if value != null:
+		numbers = BasisBlades.from_standard(value.coefficients, _is_null_basis())
+	var is_free := value != null and _document.scene.get_dependencies(_entry).is_empty()
+	for index in _sliders.size():
+		_sliders[index].label = BasisBlades.name_of(index, _is_null_basis())
+		_sliders[index].read_only = not is_free
+		_sliders[index].set_value_no_signal(numbers[index])
+		_sliders[index].modulate.a = 0.5 if is_zero_approx(numbers[index]) else 1.0
+		_sliders[index].tooltip_text = "" if is_free else "It follows from other entries." if value != null else "No value."
+
+
+func _on_value_changed(number: float, index: int) -> void:
+	if _document.is_in_gesture():
+		_apply(_document.scene, index, number)
+	else:
+		_document.change(_step_title(index), _apply.bind(index, number))
+
+
+func _apply(scene: GAScene, index: int, number: float) -> void:
+	var numbers := BasisBlades.from_standard(scene.get_value(_entry).coefficients, _is_null_basis())
+	numbers[index] = number
+	if not scene.get_parameters(_entry).has(PARAMETER):
+		scene.set_expression(_entry, ANY_SUM)
+	scene.set_parameter(_entry, PARAMETER, BasisBlades.to_standard(numbers, _is_null_basis()))
+
+
+func _is_null_basis() -> bool:
+	return _basis.selected == 1
+
+
+func _step_title(index: int) -> String:
+	return "Set %s of %s" % [BasisBlades.name_of(index, _is_null_basis()), _entry]

@@ -1,0 +1,119 @@
+@tool
+extends ScrollContainer
+## The entries of the scene in their order, and which of them are selected, in the order of selection.
+
+const PlaygroundDocument := preload("playground_document.gd")
+const EntryEdits := preload("entry_edits.gd")
+const EntryRow := preload("entry_row.gd")
+
+signal selection_changed
+signal menu_requested(row: Control)
+signal deletion_requested
+
+const HINT := "Nothing here yet. Add an object with a button above, or type an expression below, such as\npoint(1, 2, 3)"
+
+var selection := PackedStringArray()
+
+var _document: PlaygroundDocument
+var _edits: EntryEdits
+var _rows := VBoxContainer.new()
+var _hint := Label.new()
+
+
+func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
+	name = "Entries"
+	_document = document
+	_edits = edits
+	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	size_flags_vertical = Control.SIZE_EXPAND_FILL
+	follow_focus = true
+	_rows.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_rows.add_theme_constant_override(&"separation", 0)
+	add_child(_rows)
+	_hint.text = HINT
+	_hint.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_hint.modulate = Color(1, 1, 1, 0.65)
+	_rows.add_child(_hint)
+	_document.changed.connect(show_entries)
+
+
+func show_entries() -> void:
+	var names := _document.scene.get_names()
+	var rows := get_rows()
+	for index in range(names.size(), rows.size()):
+		rows[index].entry = ""
+		_rows.remove_child(rows[index])
+		rows[index].queue_free()
+	for index in names.size():
+		var row := rows[index] if index < rows.size() else _add_row()
+		row.show_entry(names[index])
+	_hint.visible = names.is_empty()
+	select(PackedStringArray(Array(selection).filter(names.has)))
+
+
+func get_rows() -> Array[EntryRow]:
+	var rows: Array[EntryRow] = []
+	for child in _rows.get_children():
+		if child is EntryRow:
+			rows.append(child)
+	return rows
+
+
+func find_row(entry: String) -> EntryRow:
+	for row in get_rows():
+		if row.entry == entry:
+			return row
+	return null
+
+
+func scroll_to(entry: String) -> void:
+	var row := find_row(entry)
+	if row != null and is_visible_in_tree():
+		ensure_control_visible(row)
+
+
+func select(entries: PackedStringArray) -> void:
+	selection = entries
+	for row in get_rows():
+		row.selected = selection.has(row.entry)
+	selection_changed.emit()
+
+
+func _add_row() -> EntryRow:
+	var row := EntryRow.new(_document, _edits)
+	_rows.add_child(row)
+	row.pressed.connect(_on_row_pressed)
+	row.menu_requested.connect(_on_menu_requested)
+	row.gui_input.connect(_on_row_input.bind(row))
+	return row
+
+
+func _on_row_pressed(row: EntryRow, adding: bool) -> void:
+	var entries := selection.duplicate() if adding else PackedStringArray()
+	if adding and entries.has(row.entry):
+		entries.remove_at(entries.find(row.entry))
+	else:
+		entries.append(row.entry)
+	select(entries)
+
+
+func _on_menu_requested(row: EntryRow) -> void:
+	if not selection.has(row.entry):
+		select([row.entry])
+	menu_requested.emit(row)
+
+
+## Keys while no text is edited.
+func _on_row_input(event: InputEvent, row: EntryRow) -> void:
+	var key := event as InputEventKey
+	if key == null or not key.pressed:
+		return
+	if key.keycode == KEY_DELETE:
+		deletion_requested.emit()
+		row.accept_event()
+	elif key.keycode == KEY_F2:
+		row.start_renaming()
+		row.accept_event()
+	elif key.alt_pressed and key.keycode in [KEY_UP, KEY_DOWN]:
+		_edits.move(row.entry, _document.scene.get_index(row.entry) + (-1 if key.keycode == KEY_UP else 1))
+		row.accept_event()

@@ -1,0 +1,136 @@
+@tool
+extends MenuButton
+## New, open, save, and the clipboard.
+
+const PlaygroundDocument := preload("playground_document.gd")
+const EntryEdits := preload("entry_edits.gd")
+
+enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE }
+
+## A ganja.js element: a list of 32 numbers, or an object with the keys 0 to 31.
+const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
+
+var _document: PlaygroundDocument
+var _edits: EntryEdits
+var _files := EditorFileDialog.new()
+var _question := ConfirmationDialog.new()
+var _after_question := Callable()
+
+
+func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
+	name = "File"
+	text = "File"
+	flat = true
+	_document = document
+	_edits = edits
+	var menu := get_popup()
+	menu.add_item("New", Item.NEW)
+	menu.add_item("Open...", Item.OPEN)
+	menu.add_separator()
+	menu.add_item("Save", Item.SAVE)
+	menu.add_item("Save As...", Item.SAVE_AS)
+	menu.add_separator()
+	menu.add_item("Copy JSON", Item.COPY_JSON)
+	menu.add_item("Paste JSON or 32 Numbers", Item.PASTE)
+	menu.id_pressed.connect(_on_item_pressed)
+	_files.name = "Files"
+	_files.access = EditorFileDialog.ACCESS_RESOURCES
+	_files.add_filter("*.tres", "GAScene")
+	_files.add_filter("*.json", "GAScene as JSON")
+	_files.file_selected.connect(_on_file_selected)
+	add_child(_files)
+	_question.name = "Question"
+	_question.dialog_text = "The playground has changes that are not saved."
+	_question.ok_button_text = "Discard"
+	_question.confirmed.connect(func() -> void: _after_question.call())
+	add_child(_question)
+
+
+## Shows the scene of a .tres or .json file; what is wrong with it is told.
+func open(path: String) -> void:
+	var scene: GAScene
+	if path.get_extension() == "json":
+		scene = GAScene.new()
+		if scene.load_json(FileAccess.get_file_as_string(path)) != OK:
+			_warn("%s: %s" % [path, ", ".join(scene.get_load_errors())])
+	else:
+		scene = ResourceLoader.load(path) as GAScene
+	if scene == null:
+		_warn("%s is no GAScene." % path)
+		return
+	_document.show_scene(scene, path)
+
+
+func save(path: String) -> void:
+	var outcome := OK
+	if path.get_extension() == "json":
+		var file := FileAccess.open(path, FileAccess.WRITE)
+		outcome = FileAccess.get_open_error() if file == null else OK
+		if file != null:
+			file.store_string(_document.scene.to_json())
+	else:
+		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
+	if outcome != OK:
+		_warn("%s cannot be saved: %s." % [path, error_string(outcome)])
+		return
+	_document.mark_saved(path)
+	EditorInterface.get_resource_filesystem().update_file(path)
+
+
+func save_or_ask() -> void:
+	if _document.path.is_empty():
+		_ask_for_file(EditorFileDialog.FILE_MODE_SAVE_FILE)
+	else:
+		save(_document.path)
+
+
+## An element of ganja.js becomes an entry; a whole document takes the place of what is there, which can be undone.
+func paste(text: String) -> void:
+	var parsed := JSON.new()
+	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
+		_warn("The clipboard has neither a document nor a list of 32 numbers.")
+		return
+	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
+		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))
+	else:
+		_edits.add("", text.strip_edges())
+
+
+func _on_item_pressed(item: int) -> void:
+	match item:
+		Item.NEW:
+			_unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
+		Item.OPEN:
+			_unless_unsaved(_ask_for_file.bind(EditorFileDialog.FILE_MODE_OPEN_FILE))
+		Item.SAVE:
+			save_or_ask()
+		Item.SAVE_AS:
+			_ask_for_file(EditorFileDialog.FILE_MODE_SAVE_FILE)
+		Item.COPY_JSON:
+			DisplayServer.clipboard_set(_document.scene.to_json())
+		Item.PASTE:
+			paste(DisplayServer.clipboard_get())
+
+
+func _unless_unsaved(act: Callable) -> void:
+	if not _document.is_unsaved():
+		act.call()
+		return
+	_after_question = act
+	_question.popup_centered()
+
+
+func _ask_for_file(mode: EditorFileDialog.FileMode) -> void:
+	_files.file_mode = mode
+	_files.popup_file_dialog()
+
+
+func _on_file_selected(path: String) -> void:
+	if _files.file_mode == EditorFileDialog.FILE_MODE_OPEN_FILE:
+		open(path)
+	else:
+		save(path)
+
+
+func _warn(words: String) -> void:
+	EditorInterface.get_editor_toaster().push_toast("GA Playground: " + words, EditorToaster.SEVERITY_WARNING)

@@ -1,0 +1,39 @@
+@tool
+extends RefCounted
+## Makes entries nodes of the edited scene, which draw them in the game.
+
+const PlaygroundDocument := preload("playground_document.gd")
+
+const NODE_CLASS := &"GANode3D"
+
+var _document: PlaygroundDocument
+var _undo_redo: EditorUndoRedoManager
+
+
+func _init(document: PlaygroundDocument, undo_redo: EditorUndoRedoManager) -> void:
+	_document = document
+	_undo_redo = undo_redo
+
+
+func is_possible() -> bool:
+	return ClassDB.class_exists(NODE_CLASS) and EditorInterface.get_edited_scene_root() != null
+
+
+## Below the scene's root; it follows the entry.
+func create(entry: String) -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var node: Node3D = ClassDB.instantiate(NODE_CLASS)
+	node.name = entry
+	node.set(&"scene", _document.scene)
+	node.set(&"entry", StringName(entry))
+	node.set(&"ipns", _document.scene.get_entry_attribute(entry, "ipns"))
+	node.set(&"show_label", _document.scene.get_entry_attribute(entry, "label"))
+	var color: String = _document.scene.get_entry_attribute(entry, "color")
+	if not color.is_empty():
+		node.set(&"color", Color.from_string(color, Color.WHITE))
+	_undo_redo.create_action("Create Node of %s" % entry, UndoRedo.MERGE_DISABLE, root)
+	_undo_redo.add_do_method(root, &"add_child", node, true)
+	_undo_redo.add_do_property(node, &"owner", root)
+	_undo_redo.add_do_reference(node)
+	_undo_redo.add_undo_method(root, &"remove_child", node)
+	_undo_redo.commit_action()
