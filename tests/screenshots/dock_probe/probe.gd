@@ -9,15 +9,16 @@ const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const DOCK_NAME := ^"GAPlayground"
 ## Option: the picture to compare with.
 const REFERENCE := "--dock-reference="
+const EDITED_SCENE := "res://demos/interpolation/interpolation.tscn"
 const SAVED := "res://probe_scene.tres"
 const SETTLING_FRAMES := 6
 const FIRST_FRAMES := 40
 
 var _steps: Array[Callable] = [
 	_open_dock, _add_points, _type_wrong, _see_error, _type_right, _see_description, _join, _edit_in_place, _rename, _undo_rename, _redo_rename, _refuse_rename, _see_refusal,
-	_hide, _slide_add, _slide, _undo_slide, _coefficients_open, _coefficient, _undo_coefficient, _reorder, _ask_to_delete, _answer, _see_deleted,
+	_hide, _add_dual, _slide_add, _slide, _undo_slide, _coefficients_open, _coefficient, _undo_coefficient, _reorder, _ask_to_delete, _answer, _see_deleted,
 	_undo_delete, _take_picture, _save, _new, _reopen, _paste, _show_tab_menu, _float, _edit_floating, _see_floating, _see_docked, _close, _open_again, _disable, _enable,
-	_after_restart, _end,
+	_after_restart, _open_edited_scene, _create_node, _end,
 ]
 var _frames := -FIRST_FRAMES
 var _step := 0
@@ -122,6 +123,15 @@ func _hide() -> void:
 	_undo()
 	_undo()
 	_expect(_scene().get_entry_attributes("s").get("visible", true), true, "visibility after undo")
+
+
+## The toggle makes of the next object its dual.
+func _add_dual() -> void:
+	Hands.click(_part("Objects/dual"))
+	Hands.click(_part("Objects/plane"))
+	_expect(_words_of("p1"), "dual plane, distance 0, normal (0, 1, 0)", "a dual plane by buttons")
+	Hands.click(_part("Objects/dual"))
+	_undo()
 
 
 func _slide_add() -> void:
@@ -282,6 +292,28 @@ func _enable() -> void:
 func _after_restart() -> void:
 	_dock().make_visible()
 	_expect(_scene().document, _before, "document after the plugin was off and on")
+
+
+func _open_edited_scene() -> void:
+	EditorInterface.open_scene_from_path(EDITED_SCENE)
+
+
+## By the menu of an entry; the class of the node may be missing in the library, and the item then is.
+func _create_node() -> void:
+	var menu := _dock().get_node("EntryMenu") as PopupMenu
+	Hands.click(_row_part("s", "Words"))
+	(_row_part("s", "Menu") as Button).pressed.emit()
+	var items := range(menu.item_count).map(func(index: int) -> String: return menu.get_item_text(index))
+	menu.hide()
+	_expect(items.has("Create Node"), ClassDB.class_exists(&"GANode3D"), "the item Create Node")
+	if not items.has("Create Node"):
+		return
+	var root := EditorInterface.get_edited_scene_root()
+	menu.id_pressed.emit(menu.get_item_id(items.find("Create Node")))
+	var node := root.get_node_or_null(^"s")
+	_expect(node != null and node.owner == root and node.get(&"scene") == _scene(), true, "a node that follows the entry")
+	get_undo_redo().get_history_undo_redo(get_undo_redo().get_object_history_id(root)).undo()
+	_expect(root.has_node(^"s"), false, "the node after undo")
 
 
 func _end() -> void:

@@ -202,7 +202,7 @@ func _show_words(scene: GAScene, shown: String) -> void:
 	var error := scene.get_error(shown)
 	_tell(error)
 	if error.is_empty():
-		_words.text = ("dual " if scene.get_entry_attribute(shown, "ipns") else "") + scene.get_description(shown)
+		_words.text = scene.get_description(shown)
 		_words.tooltip_text = _words.text
 
 
