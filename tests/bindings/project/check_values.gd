@@ -49,6 +49,17 @@ func check_geometry() -> void:
 			same(values.to_basis(Quaternion(axis, angle)), basis)
 
 
+func check_plain_data() -> void:
+	same(values.halfway(Vector2(1, 2), Vector2(3, 8)), Vector2(2, 5))
+	same(values.moved_box(AABB(Vector3(1, 2, 3), Vector3(4, 5, 6)), Vector3(1, 1, 1)), AABB(Vector3(2, 3, 4), Vector3(4, 5, 6)))
+	same(values.without_red(Color(0.25, 0.5, 0.75, 0.125)), Color(0, 0.5, 0.75, 0.125))
+	same(values.make_rid(), true)
+	var packed: Array = [Vector2(1, 2), Vector3(1, 2, 3), Vector3(4, 5, 6), Color(1, 0, 0)]
+	same(values.pack(PackedVector2Array([packed[0]]), PackedVector3Array([packed[1], packed[2]]), PackedColorArray([packed[3]])), packed)
+	both(&"halfway", [Vector2(1, 2), Vector2(3, 8)], Vector2(2, 5))
+	both(&"without_red", [Color(1, 1, 1)], Color(0, 1, 1))
+
+
 func check_measures() -> void:
 	var measured: Array = values.measure(Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4)))
 	same(measured, [25.0, 5.0, 12.0, 24.0, true, false, Vector3(3, 4, 12) / 13.0])

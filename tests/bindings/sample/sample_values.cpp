@@ -1,6 +1,7 @@
 #include "sample_values.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -75,6 +76,41 @@ Basis SampleValues::to_basis(const Quaternion &p_rotation) const {
 
 Quaternion SampleValues::to_quaternion(const Basis &p_basis) const {
 	return p_basis.get_quaternion();
+}
+
+Vector2 SampleValues::halfway(const Vector2 &p_a, const Vector2 &p_b) const {
+	return (p_a + p_b) * 0.5f;
+}
+
+AABB SampleValues::moved_box(const AABB &p_box, const Vector3 &p_offset) const {
+	return AABB(p_box.position + p_offset, p_box.size);
+}
+
+Color SampleValues::without_red(const Color &p_color) const {
+	return Color(0, p_color.g, p_color.b, p_color.a);
+}
+
+bool SampleValues::make_rid() const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const RID mesh = server->mesh_create();
+	const Variant as_variant = mesh;
+	const bool valid = mesh.is_valid() && mesh != RID() && RID(as_variant) == mesh;
+	server->free_rid(mesh);
+	return valid;
+}
+
+Array SampleValues::pack(const PackedVector2Array &p_flat, const PackedVector3Array &p_vectors, const PackedColorArray &p_colors) const {
+	Array packed;
+	for (const Vector2 &vector : p_flat) {
+		packed.push_back(vector);
+	}
+	for (const Vector3 &vector : p_vectors) {
+		packed.push_back(vector);
+	}
+	for (const Color &color : p_colors) {
+		packed.push_back(color);
+	}
+	return packed;
 }
 
 Transform3D SampleValues::chain(const Transform3D &p_a, const Transform3D &p_b) const {
@@ -287,6 +323,11 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("turn_twice", "rotation"), &SampleValues::turn_twice);
 	ClassDB::bind_method(D_METHOD("to_basis", "rotation"), &SampleValues::to_basis);
 	ClassDB::bind_method(D_METHOD("to_quaternion", "basis"), &SampleValues::to_quaternion);
+	ClassDB::bind_method(D_METHOD("halfway", "a", "b"), &SampleValues::halfway);
+	ClassDB::bind_method(D_METHOD("moved_box", "box", "offset"), &SampleValues::moved_box);
+	ClassDB::bind_method(D_METHOD("without_red", "color"), &SampleValues::without_red);
+	ClassDB::bind_method(D_METHOD("make_rid"), &SampleValues::make_rid);
+	ClassDB::bind_method(D_METHOD("pack", "flat", "vectors", "colors"), &SampleValues::pack);
 	ClassDB::bind_method(D_METHOD("chain", "a", "b"), &SampleValues::chain);
 	ClassDB::bind_method(D_METHOD("measure", "a", "b", "basis"), &SampleValues::measure);
 	ClassDB::bind_method(D_METHOD("mix", "a", "b"), &SampleValues::mix);

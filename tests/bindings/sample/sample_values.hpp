@@ -40,6 +40,13 @@ public:
 	godot::Quaternion turn_twice(const godot::Quaternion &p_rotation) const;
 	godot::Basis to_basis(const godot::Quaternion &p_rotation) const;
 	godot::Quaternion to_quaternion(const godot::Basis &p_basis) const;
+	godot::Vector2 halfway(const godot::Vector2 &p_a, const godot::Vector2 &p_b) const;
+	godot::AABB moved_box(const godot::AABB &p_box, const godot::Vector3 &p_offset) const;
+	godot::Color without_red(const godot::Color &p_color) const;
+	/// An id of the rendering server, made and freed here; whether it was valid.
+	bool make_rid() const;
+	/// Those of the vectors and colours of which there is one each, in one array.
+	godot::Array pack(const godot::PackedVector2Array &p_flat, const godot::PackedVector3Array &p_vectors, const godot::PackedColorArray &p_colors) const;
 	godot::Transform3D chain(const godot::Transform3D &p_a, const godot::Transform3D &p_b) const;
 	/// a.b, |a|, |a - b|, the determinant, whether all is finite and a nearly b, and b with length 1.
 	godot::Array measure(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Basis &p_basis) const;
