@@ -20,12 +20,13 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import bad_network_cases  # noqa: E402
 import cases  # noqa: E402
 import guide_case  # noqa: E402
+import hostile_case  # noqa: E402
 import checkout  # noqa: E402
 import project  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
-CASES = (*cases.CASES, *bad_network_cases.CASES, guide_case.the_guide_leads_to_smooth_motion)
+CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, guide_case.the_guide_leads_to_smooth_motion)
 LONG_SECONDS = "60"
 
 

@@ -23,11 +23,10 @@ import checkout
 import demo_network
 import display
 import project
-from demo_measure import METHODS, SPARE_SECONDS, run_arm
+from demo_measure import CUBES, METHODS, SPARE_SECONDS, run_arm
 from demo_run import DemoRun, RunFailed, progress
 from demo_table import json_rows, print_table
 
-CUBES = {"cubes": 250, "push": 901}
 
 
 def parse_arguments(arguments):

@@ -5,6 +5,8 @@ from demo_run import DemoRun, RunFailed, progress
 from pose_error import ErrorSummary, compare_by_tick, compare_by_wall_clock
 from pose_record import PoseRecord, moving_bodies
 
+# Of each scene.
+CUBES = {"cubes": 250, "push": 901}
 METHODS = ("motors", "synchronizer")
 SPARE_SECONDS = 40
 

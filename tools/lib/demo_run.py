@@ -31,7 +31,8 @@ def free_port():
 class DemoProcess:
     """One engine process; its output goes to a file."""
 
-    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT):
+    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None):
+        """With a window, numbered for its place on the screen, or without; `script` runs instead of the demo's scene."""
         self.name = name
         self.log_path = os.path.join(folder, name + ".log")
         self.record_path = os.path.join(folder, name + ".poses")
@@ -39,7 +40,8 @@ class DemoProcess:
         if window is not None:
             screen = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy", "--resolution", "1152x648",
                       "--position", f"{40 + 60 * window},{40 + 60 * window}"]
-        command = [*engine, *screen, "--path", project, SCENE, "--", *arguments]
+        program = ["--script", script] if script else [SCENE]
+        command = [*engine, *screen, "--path", project, *program, "--", *arguments]
         with open(self.log_path, "w", encoding="utf-8") as log:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log,
                                             stderr=subprocess.STDOUT, start_new_session=True)
@@ -111,9 +113,9 @@ class DemoRun:
         self.server = self._start("server", ["--role=server", *arguments])
         self.server.wait_for_line(LISTENING, START_SECONDS)
 
-    def start_client(self, *arguments, window=None):
+    def start_client(self, *arguments, window=None, script=None):
         name = f"client{len(self.clients) + 1}"
-        client = self._start(name, ["--role=client", f"--name=Player {len(self.clients) + 1}", *arguments], window)
+        client = self._start(name, ["--role=client", f"--name=Player {len(self.clients) + 1}", *arguments], window, script)
         self.clients.append(client)
         return client
 
@@ -135,10 +137,10 @@ class DemoRun:
         for process in [self.server, *self.clients]:
             process.check_log()
 
-    def _start(self, name, arguments, window=None):
+    def _start(self, name, arguments, window=None, script=None):
         record = os.path.join(self.folder, name + ".poses")
         return DemoProcess(self.engine, name, self.folder,
-                           [f"--port={self.port}", f"--record={record}", *arguments], window, self.project)
+                           [f"--port={self.port}", f"--record={record}", *arguments], window, self.project, script)
 
 
 def progress(phase, detail=""):

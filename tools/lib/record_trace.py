@@ -11,7 +11,7 @@ import tempfile
 import checkout
 import project
 from build import LIBRARY, build
-from demo import CUBES
+from demo_measure import CUBES
 from demo_run import DemoRun, RunFailed
 from pose_record import ROW_FLOATS, PoseRecord
 
@@ -52,7 +52,7 @@ def write_trace(record, file):
     """Writes a record as lines; consecutive quaternions of a body lie in one hemisphere."""
     file.write("t,id,x,y,z,qw,qx,qy,qz\n")
     last = [(1.0, 0.0, 0.0, 0.0)] * record.body_count
-    for tick, rows in zip(record.ticks, record.rows):
+    for tick, rows in enumerate(record.rows):
         for body in range(record.body_count):
             row = rows[ROW_FLOATS * body:ROW_FLOATS * (body + 1)]
             q = quaternion((row[0:3], row[4:7], row[8:11]))

@@ -60,5 +60,5 @@ SUITES = (
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
           lambda: runner("screenshots", seconds=240), display=True),
-    Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=240)),
+    Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=400)),
 )

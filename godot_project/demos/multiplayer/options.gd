@@ -42,7 +42,8 @@ var conditions := LineConditions.new()
 var seed_value := 1
 ## Name over the player's ball.
 var player_name := "Player"
-## A scripted player: "none", "circle" (drives round) or "kick" (kicks cube 0 every second).
+## A scripted player: "none", "circle" (drives round), "kick" (kicks cube 0 every second) or "fiddle" (changes method,
+## bound and path in turn, one a second, and ends with what there was).
 var autopilot := "none"
 ## Where a window saves a picture, and after how many seconds, before it closes.
 var picture := ""
@@ -73,7 +74,7 @@ func _take(argument: String) -> void:
 		"method":
 			method = _choice(argument, value, METHODS)
 		"autopilot":
-			autopilot = _choice(argument, value, ["none", "circle", "kick"])
+			autopilot = _choice(argument, value, ["none", "circle", "kick", "fiddle"])
 		"life":
 			life = _choice(argument, value, ["on", "off"]) == "on"
 		"quit-when-empty":

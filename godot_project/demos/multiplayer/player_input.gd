@@ -10,7 +10,8 @@ const IDLE_PAUSE := 0.5
 ## Seconds for which the direction is still sent after the keys are released.
 const SEND_AFTER := 0.3
 const CIRCLE_TURN := 0.9
-const KICK_PAUSE := 1.0
+## Seconds between two acts of a scripted player.
+const ACT_PAUSE := 1.0
 
 ## Direction in which the camera looks, seen from above.
 var yaw := 0.0
@@ -19,7 +20,8 @@ var _session: Session
 var _autopilot: String
 var _seconds := 0.0
 var _sent_at := -IDLE_PAUSE
-var _next_kick := KICK_PAUSE
+var _next_act := ACT_PAUSE
+var _acts := 0
 ## Until then the direction is sent even if it is none: a message may be lost.
 var _send_until := 0.0
 var _wants_jump := false
@@ -32,9 +34,9 @@ func _init(session: Session, autopilot: String) -> void:
 
 func _process(delta: float) -> void:
 	_seconds += delta
-	if _autopilot == "kick" and _seconds >= _next_kick:
-		_next_kick += KICK_PAUSE
-		kick(0, Vector3(1.0, 0.0, 0.4))
+	if _seconds >= _next_act:
+		_next_act += ACT_PAUSE
+		_act()
 	var drive := _get_drive()
 	if drive != Vector2.ZERO or _wants_jump:
 		_send_until = _seconds + SEND_AFTER
@@ -59,6 +61,25 @@ func kick(cube: int, direction: Vector3) -> void:
 ## True if nobody sits at this client.
 func is_scripted() -> bool:
 	return _autopilot != "none"
+
+
+func _act() -> void:
+	_acts += 1
+	if _autopilot == "kick":
+		kick(0, Vector3(1.0, 0.0, 0.4))
+	if _autopilot != "fiddle":
+		return
+	match _acts:
+		1:
+			_session.want_tuning.rpc_id(1, 0.02, MultivectorLerp.SCREW)
+		2:
+			_session.want_method.rpc_id(1, "synchronizer")
+		3:
+			_session.want_tuning.rpc_id(1, 0.002, MultivectorLerp.LINEAR)
+		4:
+			_session.want_method.rpc_id(1, "motors")
+		5:
+			_session.want_tuning.rpc_id(1, 0.005, MultivectorLerp.SEPARATE)
 
 
 func _get_drive() -> Vector2:

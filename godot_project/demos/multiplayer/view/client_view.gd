@@ -13,6 +13,8 @@ const Stage := preload("stage.gd")
 
 ## A click kicks the nearest cube that the ray passes this close, in metres.
 const PICK_RADIUS := 0.42
+## Frames until shaders are compiled and shadows drawn.
+const PICTURE_FRAMES := 4
 
 var _client: Client
 var _options: Options
@@ -22,6 +24,8 @@ var _rig: CameraRig
 var _balls: Dictionary[int, BallView] = {}
 var _shown_roster: Array = []
 var _hud: Hud
+## True while the picture is taken: the figures stay as they are.
+var _is_posing := false
 
 
 func _init(client: Client, options: Options) -> void:
@@ -37,7 +41,8 @@ func _init(client: Client, options: Options) -> void:
 func _process(_delta: float) -> void:
 	if _multimesh == null:
 		return
-	_hud.update()
+	if not _is_posing:
+		_hud.update()
 	if not _client.link.is_ready():
 		return
 	for id: int in _client.link.bodies.size():
@@ -116,8 +121,10 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 	return best
 
 
-## The other method first, so that the picture shows what both cost.
+## The other method first, so that the picture shows what both cost. The scene itself is not drawn until then, so that a
+## machine without a graphics card shows the figures of one that draws in time.
 func _prepare_picture() -> void:
+	get_viewport().disable_3d = true
 	var other := "synchronizer" if _client.method == "motors" else "motors"
 	_client.want_method(other)
 	var back := get_tree().create_timer(_options.picture_after * 0.5)
@@ -126,7 +133,10 @@ func _prepare_picture() -> void:
 
 
 func _take_picture() -> void:
-	await RenderingServer.frame_post_draw
+	_is_posing = true
+	get_viewport().disable_3d = false
+	for frame: int in PICTURE_FRAMES:
+		await RenderingServer.frame_post_draw
 	var error := get_viewport().get_texture().get_image().save_png(_options.picture)
 	if error != OK:
 		printerr("Cannot write the picture %s: %s" % [_options.picture, error_string(error)])

@@ -10,7 +10,7 @@ const Palette := preload("palette.gd")
 const Sparkline := preload("sparkline.gd")
 
 const TITLES: Dictionary[String, String] = {
-	"motors": "Quantised motors", "synchronizer": "MultiplayerSynchronizer",
+	"motors": "MotorSynchronizer", "synchronizer": "MultiplayerSynchronizer",
 }
 const LINES: Dictionary[String, String] = {
 	"motors": "GA-Godot: what the tolerance asks for", "synchronizer": "Godot: every transform, 20 times a second",
