@@ -245,10 +245,8 @@ const char *Receiver::State::finish_state(double now) {
 
 bool Receiver::State::is_behind(const StateHeader &next) const {
 	// It came so late that the windows after it have been decoded, with what was there before.
-	const StreamSettings &was = header.settings;
-	const StreamSettings &is = next.settings;
 	return decoder != nullptr && !broken && is_next_state() && double(next.tick) <= window_end && double(next.tick) >= window_end - MOST_TICKS &&
-			is.tick == was.tick && is.mode == was.mode && is.position_tolerance == was.position_tolerance && is.rotation_tolerance == was.rotation_tolerance && is.max_latency == was.max_latency;
+			next.settings.is_same_stream(header.settings);
 }
 
 void Receiver::State::show(const BodyMotion &motion) {

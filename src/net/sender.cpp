@@ -63,6 +63,7 @@ struct Sender::State {
 	double step = 1.0; // ticks between flushes
 
 	[[nodiscard]] double ticks(double at) const { return (at - origin) / settings.tick; }
+	void begin_at(double first_time);
 	void start_encoder();
 	[[nodiscard]] double longest_window() const;
 	[[nodiscard]] bool is_window_due(std::int64_t now) const;
@@ -110,10 +111,7 @@ std::size_t Sender::body_count() const {
 
 bool Sender::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
 	State &s = *state_;
-	if (!s.has_origin) {
-		s.origin = s.time = time;
-		s.has_origin = true;
-	}
+	s.begin_at(time);
 	const auto found = s.bodies.find(id);
 	if (found == s.bodies.end() || !std::isfinite(time)) {
 		return false;
@@ -135,10 +133,7 @@ bool Sender::teleport(std::uint32_t id) {
 
 void Sender::add_receiver(std::uint32_t receiver, double time) {
 	State &s = *state_;
-	if (!s.has_origin) {
-		s.origin = s.time = time;
-		s.has_origin = true;
-	}
+	s.begin_at(time);
 	s.peers.erase(receiver);
 	s.peers.emplace(receiver, State::Peer{ Delivery(time) });
 }
@@ -152,6 +147,13 @@ void Sender::remove_receiver(std::uint32_t receiver) {
 
 bool Sender::has_receiver(std::uint32_t receiver) const {
 	return state_->peers.count(receiver) != 0;
+}
+
+void Sender::State::begin_at(double first_time) {
+	if (!has_origin) {
+		origin = time = first_time;
+		has_origin = true;
+	}
 }
 
 void Sender::State::start_encoder() {
@@ -250,10 +252,7 @@ void Sender::flush(double time) {
 	State &s = *state_;
 	s.bytes.clear();
 	s.packets.clear();
-	if (!s.has_origin) {
-		s.origin = time;
-		s.has_origin = true;
-	}
+	s.begin_at(time);
 	s.time = std::max(time, s.time);
 	const std::int64_t now = std::int64_t(std::floor(s.ticks(s.time) + SAME_TICK));
 	if (now > s.last_flush) {
@@ -307,8 +306,7 @@ const char *Sender::accept(std::uint32_t receiver, const std::uint8_t *packet, s
 void Sender::set_settings(const StreamSettings &settings) {
 	State &s = *state_;
 	const StreamSettings &old = s.settings;
-	const bool restarts = old.position_tolerance != settings.position_tolerance || old.rotation_tolerance != settings.rotation_tolerance ||
-			old.mode != settings.mode || old.tick != settings.tick || old.max_latency != settings.max_latency;
+	const bool restarts = !old.is_same_stream(settings);
 	if (old.tick != settings.tick) {
 		s.origin = s.time;
 		s.window_begin = s.last_flush = 0;

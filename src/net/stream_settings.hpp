@@ -21,6 +21,11 @@ struct StreamSettings {
 	cga::Mode mode = cga::Mode::SEPARATE;
 	/// Length of a tick in seconds: windows begin and end, and motion bends, at whole ticks.
 	double tick = 1.0 / 60.0;
+
+	/// True if a stream of these settings goes on with the others. (The rate is the sender's own affair.)
+	[[nodiscard]] bool is_same_stream(const StreamSettings &other) const {
+		return position_tolerance == other.position_tolerance && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
+	}
 };
 
 /// What receivers take at most to look at what has arrived, in seconds: a frame.

@@ -87,12 +87,11 @@ std::int64_t BodyState::predicted(int coordinate, int ticks) const {
 }
 
 SegmentSteps BodyState::steps(const SegmentCode &code) const {
-	SegmentSteps steps;
+	std::int64_t ends[6];
 	for (int i = 0; i < 6; ++i) {
-		steps.way[i] = predicted(i, code.ticks) + std::int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-		steps.bend[i] = code.bent[i / 3] ? std::int64_t(code.bend[i]) * StreamGrid::BEND : 0;
+		ends[i] = predicted(i, code.ticks);
 	}
-	return steps;
+	return SegmentSteps(ends, code);
 }
 
 MotionSegment BodyState::segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const {

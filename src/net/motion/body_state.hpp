@@ -23,8 +23,17 @@ struct SegmentCode {
 
 /// A segment in steps: where it ends from where it begins, and how it bends.
 struct SegmentSteps {
-	std::int64_t way[6];
-	std::int64_t bend[6];
+	std::int64_t way[6] = { 0, 0, 0, 0, 0, 0 };
+	std::int64_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+
+	SegmentSteps() = default;
+	/// What a code stands for where these ends are predicted.
+	SegmentSteps(const std::int64_t predicted[6], const SegmentCode &code) {
+		for (int i = 0; i < 6; ++i) {
+			way[i] = predicted[i] + std::int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+			bend[i] = code.bent[i / 3] ? std::int64_t(code.bend[i]) * StreamGrid::BEND : 0;
+		}
+	}
 };
 
 /// The probabilities of everything in a stream of motion.

@@ -35,7 +35,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		if (!motion.settles) {
 			return true;
 		}
-		SegmentSteps steps{};
+		SegmentSteps steps;
 		for (int i = 0; i < 6; ++i) {
 			std::uint32_t value = std::uint32_t(motion.offset[i] + 16);
 			coder.bits(value, 5);

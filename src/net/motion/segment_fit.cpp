@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-// The search may round differently from machine to machine, as only its result is sent: where the processor has wider
-// registers and fused operations, it uses them.
+// Where the processor has wider registers, the search uses them. (It might even round differently from machine to machine,
+// as only its result is sent.)
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define NET_WIDE __attribute__((target_clones("avx2,fma", "default")))
+#define NET_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define NET_WIDE
 #endif
@@ -87,7 +87,7 @@ double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, dou
 	return std::sqrt(worst) + lever * std::fabs(a.scale - b.scale);
 }
 
-void SegmentFit::load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
+void SegmentFit::begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
 	samples_ = samples;
 	loaded_ = std::min(count, MOST_SAMPLES);
 	known_ = available;
@@ -179,22 +179,11 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, std::size_t count
 	return turn < LONGEST_TURN;
 }
 
-SegmentSteps SegmentFit::steps(const SegmentCode &code) const {
-	SegmentSteps steps;
-	for (int i = 0; i < 6; ++i) {
-		steps.way[i] = predicted_[i] + std::int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-		steps.bend[i] = std::int64_t(code.bend[i]) * StreamGrid::BEND;
-	}
-	return steps;
-}
-
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
 	// What the mode's path does besides u times its end; an estimate, as it is taken at an estimated end.
 	SegmentCode code;
 	code.ticks = ticks;
-	SegmentSteps straight = steps;
-	std::fill(straight.bend, straight.bend + 6, 0);
-	const MotionSegment path = state.segment(code, straight, grid_, 0.0, mode_);
+	const MotionSegment path = state.segment(code, steps, grid_, 0.0, mode_);
 	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
 		const cga::Pose<double> pose = path.pose_at(double(u_[k]) * ticks);
 		const cga::Vector3<double> way = (pose.translation - path.from.translation - path.way * double(u_[k])) / grid_.position;
@@ -267,7 +256,7 @@ bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) 
 		const std::int32_t *bend = code.bend + 3 * group;
 		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
 	}
-	result.error = error_of(steps(result.code), limit);
+	result.error = error_of(SegmentSteps(predicted_, result.code), limit);
 	return result.error <= tolerance_;
 }
 
@@ -341,11 +330,11 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	for (int i = 0; i < 6; ++i) {
 		uy[i] += pin_weight_ * pin_[i];
 	}
-	double way[6];
+	double straight_way[6];
 	for (int i = 0; i < 6; ++i) {
-		way[i] = uy[i] / uu;
+		straight_way[i] = uy[i] / uu;
 	}
-	round_end(way, straight);
+	round_end(straight_way, straight);
 	bool found = try_code(straight, NO_LIMIT, result);
 	if (!found && thoroughly && result.error < NEARLY * tolerance_) {
 		found = improve_error(result);
@@ -354,11 +343,12 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	const double determinant = uu * ww - uw * uw;
 	if (!found && count_ >= 3 && determinant > 1e-3 * uu * ww) {
 		SegmentCode bent = straight;
+		double way[6];
 		for (int i = 0; i < 6; ++i) {
 			way[i] = (uy[i] * ww - wy[i] * uw) / determinant;
 		}
 		round_end(way, bent);
-		const SegmentSteps steps = state.steps(bent);
+		const SegmentSteps steps(predicted_, bent);
 		for (int i = 0; i < 6; ++i) {
 			const double bend = (wy[i] - double(steps.way[i]) * uw) / ww;
 			bent.bend[i] = std::int32_t(std::clamp(std::nearbyint(bend / StreamGrid::BEND), double(-MOST_END), double(MOST_END)));
@@ -390,10 +380,7 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	if (!found && count_ <= 2) {
 		SegmentCode fine = straight;
 		fine.fine = true;
-		for (int i = 0; i < 6; ++i) {
-			way[i] = uy[i] / uu;
-		}
-		round_end(way, fine);
+		round_end(straight_way, fine);
 		found = try_code(fine, NO_LIMIT, result) || improve_error(result);
 	}
 	if (found && thoroughly) {
@@ -416,7 +403,7 @@ bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, bool 
 		return search(state, ticks, thoroughly, models, result);
 	}
 	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
-	SegmentSteps straight{};
+	SegmentSteps straight;
 	for (std::size_t i = 0; i < 6; ++i) {
 		straight.way[i] = std::int64_t(target_[i][std::size_t(count_ - 1)] / u_[std::size_t(count_ - 1)]);
 	}
@@ -448,10 +435,7 @@ bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, Res
 		way[i] = pin_weight_ == 1.0 ? pin_[i] : double(target_[i][index]);
 	}
 	round_end(way, code);
-	if (std::any_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) > MOST_END; })) {
-		return false;
-	}
-	return true;
+	return std::all_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) <= MOST_END; });
 }
 
 } // namespace net

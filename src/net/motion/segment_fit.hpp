@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace net {
 
@@ -21,7 +20,7 @@ struct MotionSample {
 
 /// Searches for the cheapest code of a segment that passes all samples within the tolerance.
 ///
-/// The path is linear in its coefficients but for the curvature of rotations, which the left Jacobian of each sample
+/// The path is linear in its coefficients but for the curvature of rotations, which the right Jacobian of each sample
 /// takes out: least squares give coefficients, rounding them gives a code, and single steps then make it feasible and
 /// cheap. Errors of all samples are computed side by side.
 class SegmentFit {
@@ -37,7 +36,7 @@ public:
 			grid_(grid), mode_(mode) {}
 
 	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
-	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) { load(state, begin, samples, count, available); }
+	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
 	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
 	/// tolerance; `thoroughly`: and is as cheap as can be found.
 	bool fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result);
@@ -45,11 +44,9 @@ public:
 	bool reach(const BodyState &state, int ticks, std::size_t index, Result &result);
 
 private:
-	void load(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
 	void pin_end(int ticks);
 	bool set_length(const BodyState &state, int ticks, std::size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
-	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
 	void round_end(const double way[6], SegmentCode &code) const;
 	bool try_code(const SegmentCode &code, float limit, Result &result) const;
 	/// In 1/256 bit.

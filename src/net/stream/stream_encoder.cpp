@@ -29,12 +29,7 @@ int tick_in_window(double time, double begin, int ticks) {
 } // namespace
 
 StreamEncoder::StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
-		grid_(position_tolerance, rotation_tolerance), mode_(mode), planner_(grid_, mode) {}
-
-void StreamEncoder::set_mode(cga::Mode mode) {
-	mode_ = mode;
-	planner_ = MotionPlanner(grid_, mode);
-}
+		grid_(position_tolerance, rotation_tolerance), planner_(grid_, mode) {}
 
 bool StreamEncoder::add_body(std::uint32_t id, double time, const cga::Pose<double> &pose) {
 	Body body;

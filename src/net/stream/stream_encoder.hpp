@@ -38,8 +38,6 @@ public:
 	void encode_state(std::vector<std::uint8_t> &bytes);
 
 	[[nodiscard]] const StreamGrid &grid() const { return grid_; }
-	[[nodiscard]] cga::Mode mode() const { return mode_; }
-	void set_mode(cga::Mode mode);
 
 private:
 	struct Body {
@@ -62,7 +60,6 @@ private:
 	[[nodiscard]] bool is_news(const Body &body, const cga::Pose<double> &pose) const;
 
 	StreamGrid grid_;
-	cga::Mode mode_;
 	MotionPlanner planner_;
 	MotionModels models_;
 	MotionCode motion_;
