@@ -1,8 +1,9 @@
 #include "net/receiver.hpp"
 
 #include "net/delivery/chunk_buffer.hpp"
-#include "net/motion/motion_track.hpp"
 #include "net/delivery/playback_clock.hpp"
+#include "net/delivery/state_parts.hpp"
+#include "net/motion/motion_track.hpp"
 #include "net/stream/state_header.hpp"
 #include "net/stream/stream_decoder.hpp"
 
@@ -47,14 +48,7 @@ struct Receiver::State {
 	std::vector<BodyMotion> motions;
 	std::vector<std::uint8_t> window;
 
-	// A state that is arriving.
-	bool state_is_open = false;
-	std::uint8_t state_number = 0;
-	std::uint8_t state_next_chunk = 0;
-	std::vector<std::vector<std::uint8_t>> state_parts;
-	std::vector<bool> has_part;
-	std::size_t parts_missing = 0;
-
+	StateParts parts; // of the state that is arriving, or the last one
 	bool state_done = false; // the last one has been read
 	std::uint8_t last_state = 0; // number of the one before
 	bool broken = false; // the stream cannot be followed without a new state
@@ -74,7 +68,7 @@ struct Receiver::State {
 	const char *check_parts() const;
 	void take_part(const StatePartItem &part, double now);
 	const char *finish_state(double now);
-	[[nodiscard]] bool is_next_state() const { return std::uint8_t(state_number - last_state) <= MOST_STATES_MISSED; }
+	[[nodiscard]] bool is_next_state() const { return std::uint8_t(parts.number() - last_state) <= MOST_STATES_MISSED; }
 	[[nodiscard]] bool is_behind(const StateHeader &next) const;
 	[[nodiscard]] bool is_lost(double now) const;
 	void decode_windows(double now);
@@ -119,7 +113,7 @@ const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, doubl
 		s.state_ack_due = true;
 		s.take_part(part, now);
 	}
-	if (s.state_is_open && s.parts_missing == 0) {
+	if (s.parts.is_complete()) {
 		error = s.finish_state(now);
 		if (error != nullptr) {
 			++s.statistics.packets_rejected;
@@ -142,7 +136,7 @@ void Receiver::State::count_loss(std::uint8_t number, bool is_new) {
 }
 
 const char *Receiver::State::check_parts() const {
-	const std::size_t most_parts = (most_bodies * BODY_BYTES + MODEL_BYTES) / 1280 + 1;
+	const std::size_t most_parts = (most_bodies * BODY_BYTES + MODEL_BYTES) / StateSnapshot::PART_BYTES + 1;
 	for (const StatePartItem &part : content.parts) {
 		if (part.parts == 0 || part.part >= part.parts || part.size == 0) {
 			return "a state's part has a wrong number";
@@ -155,35 +149,23 @@ const char *Receiver::State::check_parts() const {
 }
 
 void Receiver::State::take_part(const StatePartItem &part, double now) {
-	if (state_done && part.state == state_number) {
+	if (state_done && part.state == parts.number()) {
 		return;
 	}
-	if ((state_is_open || state_done) && std::int8_t(part.state - state_number) < 0 && now - progressed < STRAGGLERS) {
+	if ((parts.is_open() || state_done) && std::int8_t(part.state - parts.number()) < 0 && now - progressed < STRAGGLERS) {
 		return;
 	}
-	if (!state_is_open || part.state != state_number || part.parts != state_parts.size()) {
-		state_is_open = true;
+	if (!parts.belongs(part)) {
 		state_done = false;
-		state_number = part.state;
-		state_next_chunk = part.next_chunk;
-		state_parts.assign(part.parts, {});
-		has_part.assign(part.parts, false);
-		parts_missing = part.parts;
+		parts.start(part);
 	}
-	if (!has_part[part.part]) {
-		has_part[part.part] = true;
-		state_parts[part.part].assign(part.bytes, part.bytes + part.size);
-		--parts_missing;
+	if (parts.add(part)) {
 		progressed = part_came = now;
 	}
 }
 
 const char *Receiver::State::finish_state(double now) {
-	state_is_open = false;
-	window.clear();
-	for (const std::vector<std::uint8_t> &part : state_parts) {
-		window.insert(window.end(), part.begin(), part.end());
-	}
+	parts.close(window);
 	StateHeader next;
 	const char *error = read_state_header(window.data(), window.size(), next);
 	if (error != nullptr) {
@@ -204,7 +186,7 @@ const char *Receiver::State::finish_state(double now) {
 	decoder = std::move(fresh);
 	window_end = double(header.tick);
 	state_done = true;
-	last_state = state_number;
+	last_state = parts.number();
 	broken = false;
 	if (!goes_on) {
 		clock.start(window_end * tick(), std::max(double(header.window), usual_delay()), now);
@@ -214,9 +196,9 @@ const char *Receiver::State::finish_state(double now) {
 	}
 	set_limits();
 	clock.observe(window_end * tick(), now);
-	chunks.restart(state_next_chunk);
-	if (!goes_on || std::int8_t(newest_chunk - state_next_chunk) < 0) {
-		newest_chunk = std::uint8_t(state_next_chunk - 1);
+	chunks.restart(parts.next_chunk());
+	if (!goes_on || std::int8_t(newest_chunk - parts.next_chunk()) < 0) {
+		newest_chunk = std::uint8_t(parts.next_chunk() - 1);
 	}
 	// Bodies of the state are there from now on; those that are not in it have gone.
 	std::unordered_map<std::uint32_t, bool> present;
@@ -301,10 +283,10 @@ void Receiver::State::set_limits() {
 }
 
 bool Receiver::State::is_lost(double now) const {
-	if (state_is_open && now - part_came < PART_PAUSE) {
+	if (parts.is_open() && now - part_came < PART_PAUSE) {
 		return false;
 	}
-	return broken || (has_heard && now - progressed > (decoder == nullptr && !state_is_open ? PAUSE : SILENCE));
+	return broken || (has_heard && now - progressed > (decoder == nullptr && !parts.is_open() ? PAUSE : SILENCE));
 }
 
 bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
@@ -315,16 +297,7 @@ bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
 		put_state_wish(packet);
 	}
 	if (s.state_ack_due) {
-		StateAckItem ack;
-		ack.state = s.state_number;
-		const std::size_t parts = s.has_part.size();
-		while (ack.next < parts && (s.state_done || s.has_part[ack.next])) {
-			++ack.next;
-		}
-		for (std::size_t bit = 0; bit < 32 && ack.next + 1 + bit < parts; ++bit) {
-			ack.later |= s.has_part[ack.next + 1 + bit] ? std::uint32_t(1) << bit : 0;
-		}
-		put_state_ack(packet, ack);
+		put_state_ack(packet, s.parts.ack(s.state_done));
 		s.state_ack_due = false;
 	}
 	if (s.answer_due && s.decoder != nullptr && !s.broken) {

@@ -30,21 +30,6 @@ constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 
 } // namespace
 
-void ChunkRing::push_window(const std::vector<std::uint8_t> &window, std::uint8_t check) {
-	constexpr std::size_t MOST = std::size_t(MOST_PACKET_BYTES) - CHUNK_HEADER - 8;
-	std::size_t at = 0;
-	do {
-		Chunk &chunk = chunks_[next_++ % RING];
-		const std::size_t size = std::min(MOST, window.size() - at);
-		chunk.size = size;
-		std::copy_n(window.begin() + std::ptrdiff_t(at), size, chunk.bytes.begin());
-		chunk.first = at == 0;
-		at += size;
-		chunk.last = at == window.size();
-		chunk.check = chunk.last ? check : 0;
-	} while (at < window.size());
-}
-
 void Delivery::want_state(double time) {
 	if (time - state_made_ >= STATE_PAUSE) {
 		needs_state_ = true;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "net/delivery/packet.hpp"
+#include "net/delivery/chunk_ring.hpp"
+#include "net/delivery/state_parts.hpp"
 #include "net/stream_settings.hpp"
 
 #include <algorithm>
@@ -11,43 +12,6 @@
 #include <vector>
 
 namespace net {
-
-/// The windows of a stream in pieces, the last RING of them.
-class ChunkRing {
-public:
-	static constexpr std::uint32_t RING = 256;
-
-	struct Chunk {
-		std::array<std::uint8_t, std::size_t(MOST_PACKET_BYTES)> bytes;
-		std::size_t size = 0;
-		bool first = false;
-		bool last = false;
-		std::uint8_t check = 0;
-	};
-
-	ChunkRing() :
-			chunks_(RING) {}
-
-	/// Cuts a window up.
-	void push_window(const std::vector<std::uint8_t> &window, std::uint8_t check);
-	[[nodiscard]] const Chunk &chunk(std::uint32_t number) const { return chunks_[number % RING]; }
-	/// The number that the next chunk will get.
-	[[nodiscard]] std::uint32_t next() const { return next_; }
-
-private:
-	std::vector<Chunk> chunks_;
-	std::uint32_t next_ = 0;
-};
-
-/// A whole state, cut up, as it was before chunk `next_chunk`.
-struct StateSnapshot {
-	static constexpr std::size_t PART_BYTES = 1280;
-	std::uint8_t number = 0;
-	std::uint32_t next_chunk = 0;
-	std::vector<std::uint8_t> bytes;
-
-	[[nodiscard]] std::size_t parts() const { return (bytes.size() + PART_BYTES - 1) / PART_BYTES; }
-};
 
 /// What one receiver has of a stream, and when to send it what it lacks. Times in seconds.
 class Delivery {
@@ -151,7 +115,7 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<std::uint8_t
 	}
 	constexpr double TELL_EVERY = 5.0;
 	if (!due_chunks_.empty() && round_trip_ > 0.0 && time - told_round_trip_ > TELL_EVERY) {
-		make_room(3);
+		make_room(ROUND_TRIP_BYTES);
 		put_round_trip(bytes, round_trip_);
 		told_round_trip_ = time;
 	}

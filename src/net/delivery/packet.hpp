@@ -61,6 +61,8 @@ struct PacketContent {
 /// Largest number of bytes that the header of a chunk, of a state's part takes.
 inline constexpr std::size_t CHUNK_HEADER = 5;
 inline constexpr std::size_t STATE_PART_HEADER = 9;
+/// What the item of a round trip takes.
+inline constexpr std::size_t ROUND_TRIP_BYTES = 3;
 
 /// Appends an item. A chunk that is the packet's last item leaves its length out, and may be short.
 void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
