@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/coding/lattice_rotation.hpp"
+#include "net/coding/quantisation.hpp"
 #include "net/motion/motion_segment.hpp"
 #include "net/coding/residual_model.hpp"
 #include "net/coding/stream_grid.hpp"
@@ -78,9 +79,9 @@ struct MotionModels {
 class BodyState {
 public:
 	static constexpr std::int64_t MOST_STEPS = std::int64_t(1) << 46; ///< of a position on an axis
-	static constexpr std::int32_t MOST_SCALE = 16 * 4096;
+	static constexpr std::int32_t MOST_SCALE = MAX_SCALE_LEVEL + 1;
 	static constexpr double LEAST_SCALE = 1.0 / 65536.0;
-	static constexpr double SCALE_LEVELS = 4096.0; ///< in an octave
+	static constexpr double SCALE_LEVELS = SCALE_LEVELS_PER_OCTAVE;
 
 	/// True for finite poses within 2^46 steps of the origin, of a rotation that is not zero and a scale of 2^-16 to 2^16.
 	[[nodiscard]] static bool can_hold(const cga::Pose<double> &pose, const StreamGrid &grid);

@@ -37,55 +37,7 @@ void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
 	}
 }
 
-/// The right Jacobian of the exponential map at a rotation vector: I - a [v]x + b [v]x^2 with
-/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143).
-void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
-	const double t2 = glm::dot(v, v);
-	double a = 0.5 - t2 / 24.0 + t2 * t2 / 720.0;
-	double b = 1.0 / 6.0 - t2 / 120.0 + t2 * t2 / 5040.0;
-	if (t2 > 0.25) {
-		const double t = std::sqrt(t2);
-		a = (1.0 - std::cos(t)) / t2;
-		b = (t - std::sin(t)) / (t2 * t);
-	}
-	m[0] = 1.0 + b * (v.x * v.x - t2);
-	m[4] = 1.0 + b * (v.y * v.y - t2);
-	m[8] = 1.0 + b * (v.z * v.z - t2);
-	m[1] = b * v.x * v.y + a * v.z;
-	m[3] = b * v.x * v.y - a * v.z;
-	m[2] = b * v.x * v.z - a * v.y;
-	m[6] = b * v.x * v.z + a * v.y;
-	m[5] = b * v.y * v.z + a * v.x;
-	m[7] = b * v.y * v.z - a * v.x;
-}
-
-/// Of the vectors of a rotation, the one nearest to `before`, so that fast turns go on beyond half a turn.
-cga::Vector3<double> unwrapped(const cga::Vector3<double> &vector, const cga::Vector3<double> &before) {
-	const double angle = glm::length(vector);
-	if (angle < 1.0) {
-		return vector;
-	}
-	constexpr double TURN = 6.28318530717958647693;
-	const cga::Vector3<double> other = vector * (1.0 - TURN / angle);
-	const cga::Vector3<double> more = vector * (1.0 + TURN / angle);
-	const auto distance = [&](const cga::Vector3<double> &v) { return glm::dot(v - before, v - before); };
-	const cga::Vector3<double> &better = distance(other) < distance(more) ? other : more;
-	return distance(better) < distance(vector) ? better : vector;
-}
-
 } // namespace
-
-double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever) {
-	// The bound of the rotation is an angle, whatever the size: levers are not scaled, and the scales' difference is added.
-	const cga::Vector3<double> offset = a.translation - b.translation;
-	const glm::dmat3 difference = glm::mat3_cast(a.rotation) - glm::mat3_cast(b.rotation);
-	double worst = glm::dot(offset, offset);
-	for (int i = 0; i < 3; ++i) {
-		const cga::Vector3<double> point = offset + lever * difference[i];
-		worst = std::max(worst, glm::dot(point, point));
-	}
-	return std::sqrt(worst) + lever * std::fabs(a.scale - b.scale);
-}
 
 void SegmentFit::begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
 	samples_ = samples;
