@@ -68,7 +68,7 @@ def everybody_ends_alike_whoever_comes_and_goes(run):
     for client in [*stay, late]:
         expect_same_end(run, client, 120)
     for client in stay:
-        expect_errors_within(run, client, 120, 0.75, most=float("inf"), after=SETTLING)
+        expect_errors_within(run, client, 120, share=0.75, most=float("inf"), after=SETTLING)
 
 
 CASES = (
