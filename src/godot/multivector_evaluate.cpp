@@ -2,7 +2,7 @@
 
 #include "cga/algebra/null_basis.hpp"
 #include "godot/conversions.hpp"
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>

@@ -9,7 +9,7 @@
 #include "playground/document/document_json.hpp"
 #include "playground/document/parameters.hpp"
 #include "playground/document/pasted_text.hpp"
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -5,7 +5,7 @@
 
 #include "cga/text/json.hpp"
 #include "cga/text/text.hpp"
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include <string>
 

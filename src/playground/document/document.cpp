@@ -6,9 +6,9 @@
 #include "playground/document/pasted_text.hpp"
 #include "playground/document/reevaluate.hpp"
 #include "playground/document/rename_variable.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/names.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/names.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <algorithm>
 #include <set>

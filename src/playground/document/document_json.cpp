@@ -4,7 +4,7 @@
 #include "cga/text/json_reader.hpp"
 #include "cga/text/number_text.hpp"
 #include "playground/document/document.hpp"
-#include "playground/names.hpp"
+#include "playground/expression/names.hpp"
 
 #include <cmath>
 #include <set>

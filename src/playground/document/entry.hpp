@@ -2,7 +2,7 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "playground/document/attributes.hpp"
-#include "playground/expression.hpp"
+#include "playground/expression/expression.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -5,9 +5,9 @@
 #include "cga/text/number_text.hpp"
 #include "cga/text/text.hpp"
 #include "playground/document/number_digits.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/functions.hpp"
-#include "playground/names.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/names.hpp"
 
 #include <algorithm>
 #include <cmath>

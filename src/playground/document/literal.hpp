@@ -2,7 +2,7 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "cga/vector.hpp"
-#include "playground/lexer.hpp"
+#include "playground/expression/lexer.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "playground/document/missing_entry.hpp"
 
-#include "playground/functions.hpp"
-#include "playground/names.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/names.hpp"
 
 namespace playground {
 

@@ -1,8 +1,8 @@
 #include "playground/document/parameters.hpp"
 
-#include "playground/evaluate.hpp"
-#include "playground/functions.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>

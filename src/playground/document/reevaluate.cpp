@@ -2,7 +2,7 @@
 
 #include "playground/document/dependency_graph.hpp"
 #include "playground/document/missing_entry.hpp"
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "playground/document/rename_variable.hpp"
 
-#include "playground/lexer.hpp"
+#include "playground/expression/lexer.hpp"
 
 namespace playground {
 

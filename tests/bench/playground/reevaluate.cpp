@@ -2,8 +2,8 @@
 // evaluation, which parses and computes every entry, as a playground without dependencies does after each change.
 
 #include "playground/document/document.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "playground/document/parameters.hpp"
 
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include <doctest/doctest.h>
 

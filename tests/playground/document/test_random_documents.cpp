@@ -4,8 +4,8 @@
 #include "random_document.hpp"
 
 #include "playground/document/document_json.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <doctest/doctest.h>
 

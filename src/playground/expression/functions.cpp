@@ -1,8 +1,8 @@
-#include "playground/functions.hpp"
+#include "playground/expression/functions.hpp"
 
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/versor.hpp"
-#include "playground/function_table.hpp"
+#include "playground/expression/function_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "playground/function_table.hpp"
+#include "playground/expression/function_table.hpp"
 
 #include "cga/algebra/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"

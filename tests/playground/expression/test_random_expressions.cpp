@@ -1,12 +1,12 @@
 // Tens of thousands of random expressions, right ones, nearly right ones and nonsense: each has a finite value or an
 // error with a place, none crashes or takes long.
 
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
-#include "../cga/random_poses.hpp"
+#include "../../cga/random_poses.hpp"
 #include "cga/text/utf8.hpp"
-#include "playground/functions.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "playground/names.hpp"
+#include "playground/expression/names.hpp"
 
 #include "cga/text/utf8.hpp"
 

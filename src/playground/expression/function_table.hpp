@@ -1,6 +1,6 @@
 #pragma once
 
-#include "playground/functions.hpp"
+#include "playground/expression/functions.hpp"
 
 // The parts of the table that functions() puts together, one source file for each subject.
 

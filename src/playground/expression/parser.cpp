@@ -1,11 +1,11 @@
-#include "playground/parser.hpp"
+#include "playground/expression/parser.hpp"
 
 #include "cga/text/json.hpp"
 #include "cga/text/utf8.hpp"
-#include "playground/functions.hpp"
-#include "playground/lexer.hpp"
-#include "playground/names.hpp"
-#include "playground/operators.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/lexer.hpp"
+#include "playground/expression/names.hpp"
+#include "playground/expression/operators.hpp"
 
 #include <algorithm>
 #include <map>

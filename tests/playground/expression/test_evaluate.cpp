@@ -1,8 +1,8 @@
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
-#include "../cga/random_poses.hpp"
+#include "../../cga/random_poses.hpp"
 #include "cga/text/text.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <doctest/doctest.h>
 

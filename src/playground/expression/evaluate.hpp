@@ -2,7 +2,7 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "cga/text/text_error.hpp"
-#include "playground/expression.hpp"
+#include "playground/expression/expression.hpp"
 
 #include <functional>
 #include <map>

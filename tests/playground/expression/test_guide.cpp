@@ -1,8 +1,8 @@
 // docs/guides/expressions.md: its examples are right, and it names every function. Run from the repository's root.
 
 #include "cga/text/text.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/functions.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/functions.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
-#include "playground/lexer.hpp"
+#include "playground/expression/lexer.hpp"
 
 #include "cga/algebra/blade.hpp"
 #include "cga/text/number_text.hpp"
 #include "cga/text/text_error.hpp"
-#include "playground/names.hpp"
+#include "playground/expression/names.hpp"
 
 #include <optional>
 

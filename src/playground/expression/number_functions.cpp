@@ -1,4 +1,4 @@
-#include "playground/function_table.hpp"
+#include "playground/expression/function_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "playground/parser.hpp"
+#include "playground/expression/parser.hpp"
 
-#include "playground/functions.hpp"
+#include "playground/expression/functions.hpp"
 
 #include <doctest/doctest.h>
 

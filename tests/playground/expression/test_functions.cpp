@@ -1,8 +1,8 @@
-#include "playground/functions.hpp"
+#include "playground/expression/functions.hpp"
 
 #include "cga/text/text.hpp"
-#include "playground/evaluate.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/evaluate.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
-#include "playground/evaluate.hpp"
+#include "playground/expression/evaluate.hpp"
 
 #include "cga/algebra/inverse.hpp"
-#include "playground/functions.hpp"
-#include "playground/names.hpp"
-#include "playground/parser.hpp"
+#include "playground/expression/functions.hpp"
+#include "playground/expression/names.hpp"
+#include "playground/expression/parser.hpp"
 
 #include <algorithm>
 #include <optional>

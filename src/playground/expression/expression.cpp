@@ -1,4 +1,4 @@
-#include "playground/expression.hpp"
+#include "playground/expression/expression.hpp"
 
 #include <algorithm>
 

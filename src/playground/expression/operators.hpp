@@ -1,7 +1,7 @@
 #pragma once
 
-#include "playground/expression.hpp"
-#include "playground/lexer.hpp"
+#include "playground/expression/expression.hpp"
+#include "playground/expression/lexer.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cga/text/text_error.hpp"
-#include "playground/expression.hpp"
+#include "playground/expression/expression.hpp"
 
 #include <cstddef>
 #include <string_view>

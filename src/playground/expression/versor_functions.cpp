@@ -1,4 +1,4 @@
-#include "playground/function_table.hpp"
+#include "playground/expression/function_table.hpp"
 
 #include "cga/motor/axis_angle.hpp"
 #include "cga/motor/motor_multivector.hpp"
