@@ -1,0 +1,64 @@
+@tool
+extends Node3D
+## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one.
+
+## By what Multivector.classify tells; all else has the last.
+const COLORS: Dictionary[StringName, Color] = {
+	&"point": Color(0.98, 0.45, 0.45), &"flat_point": Color(0.98, 0.45, 0.45), &"point_pair": Color(0.95, 0.55, 0.75),
+	&"line": Color(1.0, 0.75, 0.35), &"circle": Color(0.55, 0.85, 0.45), &"plane": Color(0.6, 0.7, 0.85),
+	&"sphere": Color(0.35, 0.7, 1.0), &"motor": Color(0.8, 0.6, 1.0), &"rotor": Color(0.8, 0.6, 1.0),
+	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
+}
+const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+
+var scene: GAScene: set = set_scene
+
+var _nodes: Dictionary[String, GANode3D] = {}
+
+
+func set_scene(new_scene: GAScene) -> void:
+	if scene != null:
+		scene.changed.disconnect(_draw)
+	scene = new_scene
+	for entry in _nodes:
+		_nodes[entry].queue_free()
+	_nodes.clear()
+	if scene != null:
+		scene.changed.connect(_draw)
+		_draw()
+
+
+## The node that draws an entry, or null.
+func find_node_of(entry: String) -> GANode3D:
+	return _nodes.get(entry)
+
+
+static func color_of(of_scene: GAScene, entry: String) -> Color:
+	var own: String = of_scene.get_entry_attribute(entry, "color")
+	if not own.is_empty():
+		return Color.from_string(own, OTHER_COLOR)
+	var value := of_scene.get_value(entry)
+	if value == null:
+		return OTHER_COLOR
+	var is_dual: bool = of_scene.get_entry_attribute(entry, "ipns")
+	return COLORS.get(value.classify(is_dual)["kind"], OTHER_COLOR)
+
+
+func _draw() -> void:
+	for entry: String in _nodes.keys():
+		if not scene.has_entry(entry):
+			_nodes[entry].queue_free()
+			_nodes.erase(entry)
+	for entry in scene.get_names():
+		if not _nodes.has(entry):
+			_nodes[entry] = _make_node(entry)
+		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
+
+
+func _make_node(entry: String) -> GANode3D:
+	var node := GANode3D.new()
+	node.scene = scene
+	node.entry = entry
+	add_child(node)
+	return node
