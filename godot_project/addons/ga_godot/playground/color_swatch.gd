@@ -3,6 +3,7 @@ extends ColorPickerButton
 ## The colour of an entry: shown at once while it is chosen, one step of the history when the picker closes.
 
 const PlaygroundDocument := preload("playground_document.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 
 const WIDTH := 14.0
 ## Of what has no colour of its own.
@@ -18,7 +19,7 @@ func _init(document: PlaygroundDocument) -> void:
 	tooltip_text = "Colour"
 	focus_mode = Control.FOCUS_NONE
 	size_flags_vertical = Control.SIZE_SHRINK_CENTER
-	var side := WIDTH * EditorInterface.get_editor_scale()
+	var side := WIDTH * PlaygroundStyle.scale()
 	custom_minimum_size = Vector2(side, side)
 	for style: StringName in [&"normal", &"hover", &"pressed", &"focus", &"hover_pressed", &"disabled"]:
 		add_theme_stylebox_override(style, StyleBoxEmpty.new())
