@@ -4,10 +4,9 @@ extends ColorPickerButton
 
 const PlaygroundDocument := preload("playground_document.gd")
 const PlaygroundStyle := preload("playground_style.gd")
+const SceneDrawing := preload("view/scene_drawing.gd")
 
 const WIDTH := 14.0
-## Of what has no colour of its own.
-const DEFAULT := Color(0.35, 0.7, 1.0)
 
 var _entry := ""
 var _document: PlaygroundDocument
@@ -30,8 +29,7 @@ func _init(document: PlaygroundDocument) -> void:
 
 func show_entry(entry: String) -> void:
 	_entry = entry
-	var text: String = _document.scene.get_entry_attribute(entry, "color")
-	color = Color.from_string(text, DEFAULT)
+	color = SceneDrawing.color_of(_document.scene, entry)
 
 
 func _on_color_changed(chosen: Color) -> void:

@@ -40,7 +40,7 @@ func show_for(row: EntryRow) -> void:
 	_row = row
 	_fill()
 	reset_size()
-	position = DisplayServer.mouse_get_position()
+	position = row.get_screen_transform() * row.get_local_mouse_position()
 	popup()
 
 

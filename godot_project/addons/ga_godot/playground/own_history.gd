@@ -13,6 +13,7 @@ func _init() -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE:
+		_undo_redo.set_block_signals(true)
 		_undo_redo.free()
 
 

@@ -44,6 +44,11 @@ func is_unsaved() -> bool:
 	return scene.document != _saved_text
 
 
+## The scene as it was when it was opened or last saved.
+func get_saved_text() -> String:
+	return _saved_text
+
+
 func mark_saved(new_path: String) -> void:
 	path = new_path
 	_saved_text = scene.document

@@ -30,6 +30,5 @@ const PICTURES: Dictionary[StringName, String] = {
 static func make(picture: StringName, control: Control) -> Texture2D:
 	var color := control.get_theme_color(&"font_color", &"Editor")
 	var body := PICTURES[picture].replace("COLOR", "#" + color.to_html(false))
-	var image := Image.new()
-	image.load_svg_from_string('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>' % [SIZE, SIZE, body], PlaygroundStyle.scale())
-	return ImageTexture.create_from_image(image)
+	var source := '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>' % [SIZE, SIZE, body]
+	return DPITexture.create_from_string(source, PlaygroundStyle.scale())
