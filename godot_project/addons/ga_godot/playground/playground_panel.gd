@@ -13,12 +13,16 @@ const ObjectButtons := preload("object_buttons.gd")
 const CombinationButtons := preload("combination_buttons.gd")
 const ExpressionLine := preload("expression_line.gd")
 const CoefficientsPanel := preload("coefficients_panel.gd")
+const InterpolationLab := preload("lab/interpolation_lab.gd")
+const LabPanel := preload("lab/lab_panel.gd")
 
 var host: PlaygroundHost
 var document: PlaygroundDocument
 var edits: EntryEdits
 var list: EntryList
 var file_menu: FileMenu
+## What lab/lab_drawing.gd draws in a view.
+var lab: InterpolationLab
 ## Menus and buttons for the scene as a whole; one more goes before the file's name by add_to_head().
 var head := HBoxContainer.new()
 ## Texts about the scene, above the buttons.
@@ -43,6 +47,9 @@ func _init(p_host: PlaygroundHost) -> void:
 	top.name = "Top"
 	bottom.name = "Bottom"
 	bottom.add_child(CoefficientsPanel.new(document, list, host))
+	lab = InterpolationLab.new(document)
+	var lab_panel := LabPanel.new(lab, list, host)
+	bottom.add_child(lab_panel)
 	for part: Control in [head, top, objects, combinations, HSeparator.new(), list, line, bottom]:
 		add_child(part)
 	top.visible = false
@@ -51,6 +58,7 @@ func _init(p_host: PlaygroundHost) -> void:
 	objects.added.connect(select)
 	combinations.added.connect(select)
 	line.added.connect(select)
+	lab_panel.added.connect(select)
 	document.changed.connect(_show_file_name)
 	document.scene_switched.connect(_show_file_name)
 	list.show_entries()
