@@ -49,7 +49,19 @@ std::optional<Drag> dragged_angle(const FreeObject &object, const Handle &start,
 	return object.rotation() ? std::optional<Drag>(Drag{ "rotation", glm::angleAxis(angle, start.constraint.axis) }) : std::nullopt;
 }
 
-std::optional<Drag> moved_object(const FreeObject &object, const Vector &place, const Steps &steps) {
+// On the grid, but for the coordinate that the motion leaves alone: the height on a level, the depth in a view along an axis.
+Vector rounded_place(const Handle &start, const ViewRay &ray, const Vector &place, double step) {
+	Vector on_grid = rounded(place, step);
+	const double size = cga::detail::length(ray.view);
+	for (int axis = 0; axis < 3; ++axis) {
+		if (start.constraint.motion == Motion::FREE && std::abs(ray.view[axis]) > (1.0 - 1e-6) * size) {
+			on_grid[axis] = start.constraint.place[axis];
+		}
+	}
+	return on_grid;
+}
+
+std::optional<Drag> moved_object(const FreeObject &object, const Vector &place, const Vector &on_grid, const Steps &steps) {
 	const cga::Classification &old = object.classification();
 	const cga::Multivector *coefficients = object.coefficients();
 	if (!coefficients) {
@@ -59,7 +71,7 @@ std::optional<Drag> moved_object(const FreeObject &object, const Vector &place, 
 	if (old.kind == cga::Kind::plane) {
 		offset = *old.normal * (rounded(glm::dot(place, *old.normal), steps.length) - *old.distance);
 	} else if (old.center) {
-		offset = rounded(place, steps.length) - *old.center;
+		offset = on_grid - *old.center;
 	}
 	// Duals and signs around the literal commute with the motion.
 	const cga::Multivector motion = cga::translator(offset);
@@ -109,9 +121,9 @@ std::optional<Drag> drag(const Document &document, std::string_view name, const 
 	}
 	std::optional<Drag> result;
 	if (std::find(std::begin(PLACES), std::end(PLACES), start.key) != std::end(PLACES)) {
-		result = object->can_set(start.key) ? std::optional<Drag>(Drag{ start.key, rounded(*place, steps.length) }) : std::nullopt;
+		result = object->can_set(start.key) ? std::optional<Drag>(Drag{ start.key, rounded_place(start, ray, *place, steps.length) }) : std::nullopt;
 	} else if (start.key == "object") {
-		result = moved_object(*object, *place, steps);
+		result = moved_object(*object, *place, rounded_place(start, ray, *place, steps.length), steps);
 	} else if (start.key == "angle") {
 		result = dragged_angle(*object, start, *place, steps);
 	} else if (held.motion == Motion::SPHERE) {

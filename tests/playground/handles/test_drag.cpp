@@ -102,6 +102,8 @@ TEST_CASE("what is written") {
 	const ViewRay straight{ { 2.34, 5.0, -1.27 }, { 0.0, -1.0, 0.0 }, { 0.0, 1.0, 0.0 } };
 	CHECK(dragged("point( 1, 2,3 )", "position", straight, steps) == "point( 2.3, 2,-1.3 )");
 	CHECK(dragged("point( 1, 2,3 )", "position", straight) == "point( 2.34, 2,-1.27 )");
+	// The height on a level is not on the grid.
+	CHECK(dragged("point(1, 2.06, 3)", "position", straight, steps) == "point(2.3, 2.06, -1.3)");
 	CHECK(dragged("sphere(point(1, 2, 3), 2)", "radius", { { 2.66, 2.0, 9.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 } }, steps) == "sphere(point(1, 2, 3), 1.7)");
 	CHECK(dragged("plane(e2, 1)", "distance", through({ 0.0, -2.02, 0.0 }), steps) == "plane(e2, -2)");
 	CHECK(dragged("circle(0, e3, 1)", "normal", through({ 0.05, 0.99, 0.02 }), steps) == "circle(0, e2, 1)");
