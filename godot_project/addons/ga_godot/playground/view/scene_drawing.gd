@@ -11,9 +11,16 @@ const COLORS: Dictionary[StringName, Color] = {
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
 
+## Line widths in pixels.
+const PLAIN_WIDTH := 2.0
+const SELECTED_WIDTH := 3.0
+const HOVERED_WIDTH := 3.6
+
 var scene: GAScene: set = set_scene
 
 var _nodes: Dictionary[String, GANode3D] = {}
+var _hovered := ""
+var _selected := PackedStringArray()
 
 
 func set_scene(new_scene: GAScene) -> void:
@@ -31,6 +38,18 @@ func set_scene(new_scene: GAScene) -> void:
 ## The node that draws an entry, or null.
 func find_node_of(entry: String) -> GANode3D:
 	return _nodes.get(entry)
+
+
+func get_nodes() -> Array[GANode3D]:
+	return Array(_nodes.values(), TYPE_OBJECT, &"GANode3D", null)
+
+
+## Draws the one under the mouse, and those that are selected, with wider lines.
+func emphasize(hovered: String, selected: PackedStringArray) -> void:
+	_hovered = hovered
+	_selected = selected
+	for entry in _nodes:
+		_nodes[entry].line_width = _width_of(entry)
 
 
 static func color_of(of_scene: GAScene, entry: String) -> Color:
@@ -56,9 +75,16 @@ func _draw() -> void:
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
 
 
+func _width_of(entry: String) -> float:
+	if entry == _hovered:
+		return HOVERED_WIDTH
+	return SELECTED_WIDTH if _selected.has(entry) else PLAIN_WIDTH
+
+
 func _make_node(entry: String) -> GANode3D:
 	var node := GANode3D.new()
 	node.scene = scene
 	node.entry = entry
+	node.line_width = _width_of(entry)
 	add_child(node)
 	return node
