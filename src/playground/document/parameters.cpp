@@ -188,6 +188,7 @@ private:
 				}
 				break;
 			case ArgumentKind::ANY:
+			case ArgumentKind::MOTOR:
 				break;
 		}
 	}
