@@ -26,6 +26,8 @@ static func list() -> Array[Demos]:
 				"One cube between two poses: linear, screw and separate paths side by side."),
 		Demos.new(&"multiplayer", "Multiplayer",
 				"A physics server replicates 250 cubes as quantised motors; push them around."),
+		Demos.new(&"playground", "Playground",
+				"Points, circles, spheres and motors that follow each other: build, drag, type and read them."),
 	]
 
 

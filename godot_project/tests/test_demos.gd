@@ -12,7 +12,7 @@ func test_the_menu_lists_every_demo() -> void:
 	var titles := PackedStringArray()
 	for button: Button in menu.find_children("*", "Button", true, false):
 		titles.append(button.name)
-	expect_equal(titles, PackedStringArray(["Interpolation", "Multiplayer"]))
+	expect_equal(titles, PackedStringArray(["Interpolation", "Multiplayer", "Playground"]))
 
 
 func test_choosing_a_card_emits_its_demo() -> void:
@@ -23,7 +23,7 @@ func test_choosing_a_card_emits_its_demo() -> void:
 	expect_true(tree.root.gui_get_focus_owner() == cards[0], "focus of the first card")
 	for card: Button in cards:
 		card.pressed.emit()
-	expect_equal(chosen, ["interpolation", "multiplayer"] as Array[String])
+	expect_equal(chosen, ["interpolation", "multiplayer", "playground"] as Array[String])
 
 
 func test_the_keyboard_chooses_a_demo() -> void:
@@ -55,7 +55,7 @@ func test_an_unknown_demo_is_refused() -> void:
 	var output: Array = []
 	expect_equal(_start(["--demo=nonsense"], output), 1, "exit code")
 	var text: String = output[0]
-	expect_true(text.contains("There is no demo named \"nonsense\". Known: interpolation, multiplayer."), "the reason in \"%s\"" % text)
+	expect_true(text.contains("There is no demo named \"nonsense\". Known: interpolation, multiplayer, playground."), "the reason in \"%s\"" % text)
 
 
 func test_escape_returns_to_the_menu() -> void:

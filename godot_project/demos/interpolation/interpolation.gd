@@ -7,7 +7,7 @@ const CubeMesh := preload("res://demos/interpolation/cube_mesh.gd")
 const GhostPath := preload("res://demos/interpolation/ghost_path.gd")
 const Legend := preload("res://demos/interpolation/legend.gd")
 const Modes := preload("res://demos/interpolation/modes.gd")
-const OrbitCamera := preload("res://demos/interpolation/orbit_camera.gd")
+const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 const PlayBar := preload("res://demos/interpolation/play_bar.gd")
 const ReadoutPanel := preload("res://demos/interpolation/readout_panel.gd")
 

@@ -152,14 +152,14 @@ func _undo_slide() -> void:
 
 func _coefficients_open() -> void:
 	Hands.click(_row_part("B", "Words"))
-	(_part("Coefficients") as FoldableContainer).expand()
+	(_part("Bottom/Coefficients") as FoldableContainer).expand()
 
 
 func _coefficient() -> void:
 	_before = _scene().document
-	var slider := _part("Coefficients").find_child("e1", true, false) as EditorSpinSlider
+	var slider := _number("e1")
 	_expect(slider.read_only, false, "a free object being editable")
-	_expect((_part("Coefficients").find_child("e2", true, false) as EditorSpinSlider).value, 4.0, "e2 of B")
+	_expect(_number("e2").value, 4.0, "e2 of B")
 	slider.value = 2.5
 	_expect(_scene().get_value("B").coefficients[1], 2.5, "e1 after editing")
 
@@ -168,7 +168,7 @@ func _undo_coefficient() -> void:
 	_undo()
 	_expect(_scene().document, _before, "document after undoing a coefficient")
 	Hands.click(_row_part("pair1", "Words"))
-	_expect((_part("Coefficients").find_child("e1", true, false) as EditorSpinSlider).read_only, true, "what depends on others")
+	_expect(_number("e1").read_only, true, "what depends on others")
 
 
 func _reorder() -> void:
@@ -300,7 +300,7 @@ func _open_edited_scene() -> void:
 
 ## By the menu of an entry; the class of the node may be missing in the library, and the item then is.
 func _create_node() -> void:
-	var menu := _dock().get_node("EntryMenu") as PopupMenu
+	var menu := _dock().get_node("Panel/EntryMenu") as PopupMenu
 	Hands.click(_row_part("s", "Words"))
 	(_row_part("s", "Menu") as Button).pressed.emit()
 	var items := range(menu.item_count).map(func(index: int) -> String: return menu.get_item_text(index))
@@ -350,7 +350,11 @@ func _dock() -> EditorDock:
 
 
 func _part(path: String) -> Control:
-	return _dock().get_node("Column/" + path)
+	return _dock().get_node("Panel/" + path)
+
+
+func _number(blade: String) -> EditorSpinSlider:
+	return _part("Bottom/Coefficients").find_child(blade, true, false).get_child(0)
 
 
 func _line() -> LineEdit:
@@ -366,7 +370,7 @@ func _file() -> MenuButton:
 
 
 func _question() -> ConfirmationDialog:
-	return _dock().get_node("EntryMenu/Question")
+	return _dock().get_node("Panel/EntryMenu/Question")
 
 
 func _row_part(entry: String, part: String) -> Control:

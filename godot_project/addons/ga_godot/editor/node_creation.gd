@@ -2,16 +2,12 @@
 extends RefCounted
 ## Makes entries nodes of the edited scene, which draw them in the game.
 
-const PlaygroundDocument := preload("playground_document.gd")
-
 const NODE_CLASS := &"GANode3D"
 
-var _document: PlaygroundDocument
 var _undo_redo: EditorUndoRedoManager
 
 
-func _init(document: PlaygroundDocument, undo_redo: EditorUndoRedoManager) -> void:
-	_document = document
+func _init(undo_redo: EditorUndoRedoManager) -> void:
 	_undo_redo = undo_redo
 
 
@@ -20,15 +16,15 @@ func is_possible() -> bool:
 
 
 ## Below the scene's root; it follows the entry.
-func create(entry: String) -> void:
+func create(scene: GAScene, entry: String) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var node: Node3D = ClassDB.instantiate(NODE_CLASS)
 	node.name = entry
-	node.set(&"scene", _document.scene)
+	node.set(&"scene", scene)
 	node.set(&"entry", StringName(entry))
-	node.set(&"ipns", _document.scene.get_entry_attribute(entry, "ipns"))
-	node.set(&"show_label", _document.scene.get_entry_attribute(entry, "label"))
-	var color: String = _document.scene.get_entry_attribute(entry, "color")
+	node.set(&"ipns", scene.get_entry_attribute(entry, "ipns"))
+	node.set(&"show_label", scene.get_entry_attribute(entry, "label"))
+	var color: String = scene.get_entry_attribute(entry, "color")
 	if not color.is_empty():
 		node.set(&"color", Color.from_string(color, Color.WHITE))
 	_undo_redo.create_action("Create Node of %s" % entry, UndoRedo.MERGE_DISABLE, root)

@@ -3,10 +3,10 @@ extends ColorPickerButton
 ## The colour of an entry: shown at once while it is chosen, one step of the history when the picker closes.
 
 const PlaygroundDocument := preload("playground_document.gd")
+const PlaygroundStyle := preload("playground_style.gd")
+const SceneDrawing := preload("view/scene_drawing.gd")
 
 const WIDTH := 14.0
-## Of what has no colour of its own.
-const DEFAULT := Color(0.35, 0.7, 1.0)
 
 var _entry := ""
 var _document: PlaygroundDocument
@@ -18,7 +18,7 @@ func _init(document: PlaygroundDocument) -> void:
 	tooltip_text = "Colour"
 	focus_mode = Control.FOCUS_NONE
 	size_flags_vertical = Control.SIZE_SHRINK_CENTER
-	var side := WIDTH * EditorInterface.get_editor_scale()
+	var side := WIDTH * PlaygroundStyle.scale()
 	custom_minimum_size = Vector2(side, side)
 	for style: StringName in [&"normal", &"hover", &"pressed", &"focus", &"hover_pressed", &"disabled"]:
 		add_theme_stylebox_override(style, StyleBoxEmpty.new())
@@ -29,8 +29,7 @@ func _init(document: PlaygroundDocument) -> void:
 
 func show_entry(entry: String) -> void:
 	_entry = entry
-	var text: String = _document.scene.get_entry_attribute(entry, "color")
-	color = Color.from_string(text, DEFAULT)
+	color = SceneDrawing.color_of(_document.scene, entry)
 
 
 func _on_color_changed(chosen: Color) -> void:

@@ -103,17 +103,23 @@ func _on_menu_requested(row: EntryRow) -> void:
 	menu_requested.emit(row)
 
 
-## Keys while no text is edited.
 func _on_row_input(event: InputEvent, row: EntryRow) -> void:
-	var key := event as InputEventKey
-	if key == null or not key.pressed:
-		return
+	if press_key(event as InputEventKey):
+		row.accept_event()
+
+
+## What a key does to the entry that was selected last, while no text is edited; false if nothing.
+func press_key(key: InputEventKey) -> bool:
+	if key == null or not key.pressed or selection.is_empty():
+		return false
+	var entry := selection[-1]
 	if key.keycode == KEY_DELETE:
 		deletion_requested.emit()
-		row.accept_event()
 	elif key.keycode == KEY_F2:
-		row.start_renaming()
-		row.accept_event()
+		scroll_to(entry)
+		find_row(entry).start_renaming()
 	elif key.alt_pressed and key.keycode in [KEY_UP, KEY_DOWN]:
-		_edits.move(row.entry, _document.scene.get_index(row.entry) + (-1 if key.keycode == KEY_UP else 1))
-		row.accept_event()
+		_edits.move(entry, _document.scene.get_index(entry) + (-1 if key.keycode == KEY_UP else 1))
+	else:
+		return false
+	return true

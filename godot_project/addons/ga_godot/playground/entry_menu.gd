@@ -7,24 +7,25 @@ const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryRow := preload("entry_row.gd")
 const WrittenCode := preload("written_code.gd")
-const NodeCreation := preload("node_creation.gd")
+const PlaygroundHost := preload("playground_host.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 
 enum Item { RENAME, UP, DOWN, DUAL, NODE, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
 var _list: EntryList
-var _nodes: NodeCreation
+var _host: PlaygroundHost
 var _row: EntryRow
 var _question := ConfirmationDialog.new()
 
 
-func _init(document: PlaygroundDocument, edits: EntryEdits, list: EntryList, nodes: NodeCreation) -> void:
+func _init(document: PlaygroundDocument, edits: EntryEdits, list: EntryList, host: PlaygroundHost) -> void:
 	name = "EntryMenu"
 	_document = document
 	_edits = edits
 	_list = list
-	_nodes = nodes
+	_host = host
 	_question.name = "Question"
 	_question.dialog_autowrap = true
 	_question.ok_button_text = "Delete"
@@ -39,7 +40,7 @@ func show_for(row: EntryRow) -> void:
 	_row = row
 	_fill()
 	reset_size()
-	position = DisplayServer.mouse_get_position()
+	position = row.get_screen_transform() * row.get_local_mouse_position()
 	popup()
 
 
@@ -52,7 +53,7 @@ func delete_selected() -> void:
 	_question.title = "Delete %s?" % ", ".join(_list.selection)
 	_question.dialog_text = "%s depend%s on %s and will have no value without it. Undo brings everything back." % [
 		", ".join(dependents), "s" if dependents.size() == 1 else "", ", ".join(_list.selection)]
-	_question.popup_centered(Vector2i(Vector2(320, 90) * EditorInterface.get_editor_scale()))
+	_question.popup_centered(Vector2i(Vector2(320, 90) * PlaygroundStyle.scale()))
 
 
 func _fill() -> void:
@@ -65,7 +66,7 @@ func _fill() -> void:
 	set_item_disabled(-1, index == _document.scene.get_entry_count() - 1)
 	add_check_item("Read as Dual (IPNS)", Item.DUAL)
 	set_item_checked(-1, _is_dual())
-	if _nodes.is_possible():
+	if _host.can_create_nodes():
 		add_separator()
 		add_item("Create Node", Item.NODE)
 	add_separator()
@@ -90,7 +91,7 @@ func _on_item_pressed(item: int) -> void:
 			_edits.set_attribute(entry, "ipns", not _is_dual())
 		Item.NODE:
 			for selected in _list.selection:
-				_nodes.create(selected)
+				_host.create_node(_document.scene, selected)
 		Item.GDSCRIPT:
 			DisplayServer.clipboard_set(WrittenCode.gdscript(_document.scene, _list.selection))
 		Item.CPP:

@@ -4,6 +4,7 @@ extends MenuButton
 
 const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
+const PlaygroundHost := preload("playground_host.gd")
 
 enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE }
 
@@ -12,17 +13,20 @@ const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
-var _files := EditorFileDialog.new()
+var _host: PlaygroundHost
+var _files: FileDialog
 var _question := ConfirmationDialog.new()
 var _after_question := Callable()
 
 
-func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
+func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost) -> void:
 	name = "File"
 	text = "File"
 	flat = true
 	_document = document
 	_edits = edits
+	_host = host
+	_files = host.make_file_dialog()
 	var menu := get_popup()
 	menu.add_item("New", Item.NEW)
 	menu.add_item("Open...", Item.OPEN)
@@ -34,7 +38,6 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	menu.add_item("Paste JSON or 32 Numbers", Item.PASTE)
 	menu.id_pressed.connect(_on_item_pressed)
 	_files.name = "Files"
-	_files.access = EditorFileDialog.ACCESS_RESOURCES
 	_files.add_filter("*.tres", "GAScene")
 	_files.add_filter("*.json", "GAScene as JSON")
 	_files.file_selected.connect(_on_file_selected)
@@ -74,12 +77,12 @@ func save(path: String) -> void:
 		_warn("%s cannot be saved: %s." % [path, error_string(outcome)])
 		return
 	_document.mark_saved(path)
-	EditorInterface.get_resource_filesystem().update_file(path)
+	_host.note_file(path)
 
 
 func save_or_ask() -> void:
 	if _document.path.is_empty():
-		_ask_for_file(EditorFileDialog.FILE_MODE_SAVE_FILE)
+		_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
 	else:
 		save(_document.path)
 
@@ -101,11 +104,11 @@ func _on_item_pressed(item: int) -> void:
 		Item.NEW:
 			_unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
 		Item.OPEN:
-			_unless_unsaved(_ask_for_file.bind(EditorFileDialog.FILE_MODE_OPEN_FILE))
+			_unless_unsaved(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
 		Item.SAVE:
 			save_or_ask()
 		Item.SAVE_AS:
-			_ask_for_file(EditorFileDialog.FILE_MODE_SAVE_FILE)
+			_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
 		Item.COPY_JSON:
 			DisplayServer.clipboard_set(_document.scene.to_json())
 		Item.PASTE:
@@ -120,17 +123,17 @@ func _unless_unsaved(act: Callable) -> void:
 	_question.popup_centered()
 
 
-func _ask_for_file(mode: EditorFileDialog.FileMode) -> void:
+func _ask_for_file(mode: FileDialog.FileMode) -> void:
 	_files.file_mode = mode
 	_files.popup_file_dialog()
 
 
 func _on_file_selected(path: String) -> void:
-	if _files.file_mode == EditorFileDialog.FILE_MODE_OPEN_FILE:
+	if _files.file_mode == FileDialog.FILE_MODE_OPEN_FILE:
 		open(path)
 	else:
 		save(path)
 
 
 func _warn(words: String) -> void:
-	EditorInterface.get_editor_toaster().push_toast("GA Playground: " + words, EditorToaster.SEVERITY_WARNING)
+	_host.warn(words)

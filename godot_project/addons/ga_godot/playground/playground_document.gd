@@ -1,11 +1,13 @@
 @tool
 extends RefCounted
-## The scene that the dock shows, where it is saved, and every change to it as one step that can be undone.
+## The scene that the playground shows, where it is saved, and every change to it as one step that can be undone.
 
 ## Another scene is shown, or it has another file.
 signal scene_switched
 ## Something of the scene changed; also when it was undone.
 signal changed
+
+const EditHistory := preload("edit_history.gd")
 
 ## What an expression that is being typed is called meanwhile.
 const TYPED := "_typed"
@@ -15,14 +17,14 @@ var scene: GAScene
 ## Of the file; empty if it was never saved.
 var path := ""
 
-var _undo_redo: EditorUndoRedoManager
+var _history: EditHistory
 var _saved_text := ""
 var _text_before_gesture := ""
 var _in_gesture := false
 
 
-func _init(undo_redo: EditorUndoRedoManager) -> void:
-	_undo_redo = undo_redo
+func _init(history: EditHistory) -> void:
+	_history = history
 	show_scene(GAScene.new(), "")
 
 
@@ -40,6 +42,11 @@ func show_scene(new_scene: GAScene, new_path: String) -> void:
 
 func is_unsaved() -> bool:
 	return scene.document != _saved_text
+
+
+## The scene as it was when it was opened or last saved.
+func get_saved_text() -> String:
+	return _saved_text
 
 
 func mark_saved(new_path: String) -> void:
@@ -98,25 +105,9 @@ func preview(text: String, entry := TYPED) -> GAScene:
 	return copy
 
 
-## What a step of the history does.
-func write(target: GAScene, text: String) -> void:
-	target.document = text
-
-
-# The history of an action is that of the object that it is done to: of the edited scene for a resource within it, else
-# of the project, for which this object stands.
 func _commit(title: String, before: String, after: String) -> void:
-	if before == after:
-		return
-	if scene.resource_path.contains("::"):
-		_undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, scene)
-		_undo_redo.add_do_property(scene, &"document", after)
-		_undo_redo.add_undo_property(scene, &"document", before)
-	else:
-		_undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, self)
-		_undo_redo.add_do_method(self, &"write", scene, after)
-		_undo_redo.add_undo_method(self, &"write", scene, before)
-	_undo_redo.commit_action()
+	if before != after:
+		_history.commit(title, scene, before, after)
 
 
 func _on_changed() -> void:

@@ -5,6 +5,9 @@ extends FoldableContainer
 const PlaygroundDocument := preload("playground_document.gd")
 const EntryList := preload("entry_list.gd")
 const BasisBlades := preload("basis_blades.gd")
+const NumberField := preload("number_field.gd")
+const PlaygroundHost := preload("playground_host.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 
 const WIDTH := 96.0
 const HEIGHT := 170.0
@@ -17,15 +20,17 @@ var _document: PlaygroundDocument
 var _list: EntryList
 var _entry := ""
 var _basis := OptionButton.new()
-var _sliders: Array[EditorSpinSlider] = []
+var _host: PlaygroundHost
+var _fields: Array[NumberField] = []
 
 
-func _init(document: PlaygroundDocument, list: EntryList) -> void:
+func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) -> void:
 	name = "Coefficients"
 	title = "Coefficients"
 	folded = true
 	_document = document
 	_list = list
+	_host = host
 	_basis.name = "Basis"
 	_basis.flat = true
 	_basis.focus_mode = Control.FOCUS_NONE
@@ -36,7 +41,7 @@ func _init(document: PlaygroundDocument, list: EntryList) -> void:
 	add_title_bar_control(_basis)
 	var scroll := ScrollContainer.new()
 	scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
-	scroll.custom_minimum_size.y = HEIGHT * EditorInterface.get_editor_scale()
+	scroll.custom_minimum_size.y = HEIGHT * PlaygroundStyle.scale()
 	add_child(scroll)
 	var grades := VBoxContainer.new()
 	grades.size_flags_horizontal = Control.SIZE_EXPAND_FILL
@@ -59,24 +64,20 @@ func _make_grade(grade: int) -> Control:
 	var flow := HFlowContainer.new()
 	column.add_child(flow)
 	for index in range(BasisBlades.GRADES[grade], BasisBlades.GRADES[grade + 1]):
-		flow.add_child(_make_slider(index))
+		flow.add_child(_make_field(index))
 	return column
 
 
-func _make_slider(index: int) -> EditorSpinSlider:
-	var slider := EditorSpinSlider.new()
-	slider.name = BasisBlades.NAMES[index]
-	slider.custom_minimum_size.x = WIDTH * EditorInterface.get_editor_scale()
-	slider.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	slider.step = STEP
-	slider.hide_slider = true
-	slider.allow_greater = true
-	slider.allow_lesser = true
-	slider.value_changed.connect(_on_value_changed.bind(index))
-	slider.grabbed.connect(_document.begin_gesture)
-	slider.ungrabbed.connect(func() -> void: _document.end_gesture(_step_title(index)))
-	_sliders.append(slider)
-	return slider
+func _make_field(index: int) -> NumberField:
+	var field := _host.make_number_field(STEP)
+	field.name = BasisBlades.NAMES[index]
+	field.custom_minimum_size.x = WIDTH * PlaygroundStyle.scale()
+	field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	field.edited.connect(_on_edited.bind(index))
+	field.grabbed.connect(_document.begin_gesture)
+	field.ungrabbed.connect(func() -> void: _document.end_gesture(_step_title(index)))
+	_fields.append(field)
+	return field
 
 
 func _show_coefficients() -> void:
@@ -91,15 +92,15 @@ func _show_coefficients() -> void:
 	if value != null:
 		numbers = BasisBlades.from_standard(value.coefficients, _is_null_basis())
 	var is_free := value != null and _document.scene.get_dependencies(_entry).is_empty()
-	for index in _sliders.size():
-		_sliders[index].label = BasisBlades.name_of(index, _is_null_basis())
-		_sliders[index].read_only = not is_free
-		_sliders[index].set_value_no_signal(numbers[index])
-		_sliders[index].modulate.a = 0.5 if is_zero_approx(numbers[index]) else 1.0
-		_sliders[index].tooltip_text = "" if is_free else "It follows from other entries." if value != null else "No value."
+	for index in _fields.size():
+		_fields[index].show_label(BasisBlades.name_of(index, _is_null_basis()))
+		_fields[index].set_read_only(not is_free)
+		_fields[index].show_number(numbers[index])
+		_fields[index].modulate.a = 0.5 if is_zero_approx(numbers[index]) else 1.0
+		_fields[index].tooltip_text = "" if is_free else "It follows from other entries." if value != null else "No value."
 
 
-func _on_value_changed(number: float, index: int) -> void:
+func _on_edited(number: float, index: int) -> void:
 	if _document.is_in_gesture():
 		_apply(_document.scene, index, number)
 	else:

@@ -1,6 +1,8 @@
 @tool
 extends RefCounted
-## The dock's pictures that the editor has no icon for, drawn in the theme's colour at the editor's scale.
+## The playground's pictures that the editor has no icon for, drawn in the theme's colour.
+
+const PlaygroundStyle := preload("playground_style.gd")
 
 const SIZE := 16
 ## Within <svg>, where COLOR stands for the colour of the theme's text.
@@ -28,6 +30,5 @@ const PICTURES: Dictionary[StringName, String] = {
 static func make(picture: StringName, control: Control) -> Texture2D:
 	var color := control.get_theme_color(&"font_color", &"Editor")
 	var body := PICTURES[picture].replace("COLOR", "#" + color.to_html(false))
-	var image := Image.new()
-	image.load_svg_from_string('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>' % [SIZE, SIZE, body], EditorInterface.get_editor_scale())
-	return ImageTexture.create_from_image(image)
+	var source := '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>' % [SIZE, SIZE, body]
+	return DPITexture.create_from_string(source, PlaygroundStyle.scale())

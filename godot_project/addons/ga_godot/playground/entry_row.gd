@@ -5,6 +5,7 @@ extends PanelContainer
 const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
 const PlaygroundIcons := preload("playground_icons.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
 
@@ -46,7 +47,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	add_child(lines)
 	var line := HBoxContainer.new()
 	line.mouse_filter = Control.MOUSE_FILTER_PASS
-	line.add_theme_constant_override(&"separation", roundi(2 * EditorInterface.get_editor_scale()))
+	line.add_theme_constant_override(&"separation", roundi(2 * PlaygroundStyle.scale()))
 	lines.add_child(line)
 	_prepare_texts()
 	_prepare_buttons()
@@ -55,7 +56,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	lines.add_child(_slider)
 	var words := HBoxContainer.new()
 	words.mouse_filter = Control.MOUSE_FILTER_PASS
-	words.add_theme_constant_override(&"separation", roundi(2 * EditorInterface.get_editor_scale()))
+	words.add_theme_constant_override(&"separation", roundi(2 * PlaygroundStyle.scale()))
 	for part: Control in [_error_icon, _words, _eye, _label_toggle, _menu]:
 		words.add_child(part)
 	lines.add_child(words)
@@ -99,7 +100,7 @@ func start_renaming() -> void:
 
 
 func _prepare_texts() -> void:
-	var scale := EditorInterface.get_editor_scale()
+	var scale := PlaygroundStyle.scale()
 	_name.name = "Name"
 	_name.flat = true
 	_name.expand_to_text_length = true
@@ -230,13 +231,13 @@ func _wrap_words() -> void:
 # Narrower than a button by itself.
 func _button_style() -> StyleBox:
 	var style := StyleBoxEmpty.new()
-	style.set_content_margin_all(2 * EditorInterface.get_editor_scale())
+	style.set_content_margin_all(2 * PlaygroundStyle.scale())
 	return style
 
 
 func _show_selection() -> void:
 	var style: StyleBox = get_theme_stylebox(&"selected", &"Tree").duplicate() if selected else StyleBoxEmpty.new()
-	style.set_content_margin_all(3 * EditorInterface.get_editor_scale())
+	style.set_content_margin_all(3 * PlaygroundStyle.scale())
 	# An override counts as a change of the theme.
 	_is_styling = true
 	add_theme_stylebox_override(&"panel", style)

@@ -1,0 +1,40 @@
+@tool
+extends "../playground/playground_host.gd"
+## The editor around the panel.
+
+const EditorHistory := preload("editor_history.gd")
+const EditorNumberField := preload("editor_number_field.gd")
+const NodeCreation := preload("node_creation.gd")
+
+var _nodes: NodeCreation
+
+
+func _init(undo_redo: EditorUndoRedoManager) -> void:
+	history = EditorHistory.new(undo_redo)
+	_nodes = NodeCreation.new(undo_redo)
+
+
+func make_number_field(step: float) -> NumberField:
+	return EditorNumberField.new(step)
+
+
+func make_file_dialog() -> FileDialog:
+	var files := EditorFileDialog.new()
+	files.access = FileDialog.ACCESS_RESOURCES
+	return files
+
+
+func warn(words: String) -> void:
+	EditorInterface.get_editor_toaster().push_toast("GA Playground: " + words, EditorToaster.SEVERITY_WARNING)
+
+
+func note_file(path: String) -> void:
+	EditorInterface.get_resource_filesystem().update_file(path)
+
+
+func can_create_nodes() -> bool:
+	return _nodes.is_possible()
+
+
+func create_node(scene: GAScene, entry: String) -> void:
+	_nodes.create(scene, entry)

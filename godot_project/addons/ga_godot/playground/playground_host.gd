@@ -1,0 +1,34 @@
+@tool
+@abstract
+extends RefCounted
+## What the panel asks of where it stands: the editor, or a running game.
+
+const EditHistory := preload("edit_history.gd")
+const NumberField := preload("number_field.gd")
+
+var history: EditHistory
+
+
+@abstract func make_number_field(step: float) -> NumberField
+
+
+## For files of a scene.
+@abstract func make_file_dialog() -> FileDialog
+
+
+## Tells a person what went wrong.
+@abstract func warn(words: String) -> void
+
+
+## A file was written.
+func note_file(_path: String) -> void:
+	pass
+
+
+func can_create_nodes() -> bool:
+	return false
+
+
+## Makes the entry a node of the scene that is edited.
+func create_node(_scene: GAScene, _entry: String) -> void:
+	pass

@@ -1,0 +1,90 @@
+@tool
+extends VBoxContainer
+## All of the playground that is not the view: what can be added, the entries, where expressions are typed, coefficients.
+## The same in the editor's dock and in a running game; `host` is which of them it is.
+
+const PlaygroundDocument := preload("playground_document.gd")
+const PlaygroundHost := preload("playground_host.gd")
+const EntryEdits := preload("entry_edits.gd")
+const EntryList := preload("entry_list.gd")
+const EntryMenu := preload("entry_menu.gd")
+const FileMenu := preload("file_menu.gd")
+const ObjectButtons := preload("object_buttons.gd")
+const CombinationButtons := preload("combination_buttons.gd")
+const ExpressionLine := preload("expression_line.gd")
+const CoefficientsPanel := preload("coefficients_panel.gd")
+
+var host: PlaygroundHost
+var document: PlaygroundDocument
+var edits: EntryEdits
+var list: EntryList
+var file_menu: FileMenu
+## Menus and buttons for the scene as a whole; one more goes before the file's name by add_to_head().
+var head := HBoxContainer.new()
+## Texts about the scene, above the buttons.
+var top := VBoxContainer.new()
+## Foldable panels about the selection, below the coefficients.
+var bottom := VBoxContainer.new()
+
+var _file_name := Label.new()
+
+
+func _init(p_host: PlaygroundHost) -> void:
+	name = "Panel"
+	host = p_host
+	document = PlaygroundDocument.new(host.history)
+	edits = EntryEdits.new(document)
+	list = EntryList.new(document, edits)
+	file_menu = FileMenu.new(document, edits, host)
+	var objects := ObjectButtons.new(edits)
+	var combinations := CombinationButtons.new(edits, list)
+	var line := ExpressionLine.new(document, edits)
+	_make_head()
+	top.name = "Top"
+	bottom.name = "Bottom"
+	bottom.add_child(CoefficientsPanel.new(document, list, host))
+	for part: Control in [head, top, objects, combinations, HSeparator.new(), list, line, bottom]:
+		add_child(part)
+	top.visible = false
+	top.child_entered_tree.connect(func(_child: Node) -> void: top.visible = true)
+	add_child(EntryMenu.new(document, edits, list, host))
+	objects.added.connect(select)
+	combinations.added.connect(select)
+	line.added.connect(select)
+	document.changed.connect(_show_file_name)
+	document.scene_switched.connect(_show_file_name)
+	list.show_entries()
+	_show_file_name()
+
+
+func show_scene(scene: GAScene) -> void:
+	if scene != document.scene:
+		document.show_scene(scene, scene.resource_path)
+
+
+func select(entry: String) -> void:
+	list.select([entry])
+	list.scroll_to.call_deferred(entry)
+
+
+## A menu or button beside File.
+func add_to_head(control: Control) -> void:
+	head.add_child(control)
+	head.move_child(control, _file_name.get_index())
+
+
+func _make_head() -> void:
+	head.name = "Head"
+	head.add_child(file_menu)
+	_file_name.name = "FileName"
+	_file_name.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_file_name.text_overrun_behavior = TextServer.OVERRUN_TRIM_ELLIPSIS
+	_file_name.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	_file_name.modulate = Color(1, 1, 1, 0.65)
+	_file_name.mouse_filter = Control.MOUSE_FILTER_PASS
+	head.add_child(_file_name)
+
+
+func _show_file_name() -> void:
+	_file_name.text = ("not saved yet" if document.path.is_empty() else document.path.get_file()) + ("*" if document.is_unsaved() else "")
+	_file_name.tooltip_text = document.path

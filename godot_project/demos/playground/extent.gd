@@ -1,0 +1,47 @@
+extends RefCounted
+## Where objects lie, to look at them.
+
+const MOTIONS: Array[StringName] = [&"motor", &"rotor", &"translator", &"dilator"]
+## What has no end has a place only.
+const ENDLESS: Array[StringName] = [&"line", &"plane"]
+## Half the side of the box of what is only a place.
+const PLACE := 0.05
+
+
+## A box around these entries; without volume if none of them has a place. What has no end counts if there is nothing else.
+static func of(scene: GAScene, entries: PackedStringArray) -> AABB:
+	var bounded := AABB()
+	var endless := AABB()
+	for entry in entries:
+		var value := scene.get_value(entry)
+		if value == null:
+			continue
+		var facts := value.classify(scene.get_entry_attribute(entry, "ipns") as bool)
+		var box := _box_of(value, facts)
+		if facts["kind"] in ENDLESS:
+			endless = _merge(endless, box)
+		else:
+			bounded = _merge(bounded, box)
+	return bounded if bounded.has_volume() else endless
+
+
+static func _box_of(value: Multivector, facts: Dictionary) -> AABB:
+	var radius: float = maxf(facts.get("radius", 0.0) as float, PLACE)
+	if facts.has("center"):
+		return _box(facts["center"] as Vector3, radius)
+	if facts["kind"] == &"plane":
+		return _box((facts["normal"] as Vector3) * (facts["distance"] as float), radius)
+	if facts["kind"] in MOTIONS:
+		return _merge(_box(Vector3.ZERO, PLACE), _box(value.to_transform().origin, PLACE))
+	return AABB()
+
+
+static func _box(center: Vector3, radius: float) -> AABB:
+	var half := Vector3.ONE * radius
+	return AABB(center - half, 2.0 * half) if center.is_finite() and is_finite(radius) else AABB()
+
+
+static func _merge(box: AABB, other: AABB) -> AABB:
+	if not box.has_volume():
+		return other
+	return box.merge(other) if other.has_volume() else box

@@ -1,0 +1,45 @@
+extends RefCounted
+## What the playground keeps from one start to the next: the document with unsaved changes, and how it looks.
+
+const PlaygroundDocument := preload("res://addons/ga_godot/playground/playground_document.gd")
+
+const SECTION := "playground"
+
+## Empty: nothing is kept.
+var path: String
+
+var _file := ConfigFile.new()
+
+
+func _init(p_path: String) -> void:
+	path = p_path
+	if not path.is_empty() and FileAccess.file_exists(path):
+		_file.load(path)
+
+
+func get_setting(key: String, otherwise: Variant) -> Variant:
+	return _file.get_value(SECTION, key, otherwise)
+
+
+func keep(document: PlaygroundDocument, settings: Dictionary[String, Variant]) -> void:
+	if path.is_empty():
+		return
+	_file.set_value(SECTION, "path", document.path)
+	_file.set_value(SECTION, "saved", document.get_saved_text())
+	_file.set_value(SECTION, "document", document.scene.document)
+	for key in settings:
+		_file.set_value(SECTION, key, settings[key])
+	_file.save(path)
+
+
+func has_document() -> bool:
+	return _file.has_section_key(SECTION, "document")
+
+
+func restore(document: PlaygroundDocument) -> void:
+	if not has_document():
+		return
+	var scene := GAScene.new()
+	scene.document = get_setting("saved", "")
+	document.show_scene(scene, get_setting("path", "") as String)
+	scene.document = get_setting("document", "")

@@ -1,0 +1,175 @@
+extends Control
+## The playground in a running game: the panel that the editor's dock has, beside a view of its objects.
+
+const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
+const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
+const PlaygroundTheme := preload("res://addons/ga_godot/playground/playground_theme.gd")
+const SceneDrawing := preload("res://addons/ga_godot/playground/view/scene_drawing.gd")
+const Extent := preload("extent.gd")
+const Ground := preload("ground.gd")
+const KeptState := preload("kept_state.gd")
+const Notice := preload("notice.gd")
+const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
+const ViewPane := preload("view_pane.gd")
+
+const PANEL_WIDTH := 340
+const LIGHT := "light"
+const WIDTH := "width"
+## Of what has no size, such as a point, when it is framed.
+const LEAST_FRAME := 1.2
+const FRAME_MARGIN := 1.2
+## A document to begin with, for who was never here.
+const FIRST_ENTRIES: Dictionary[String, String] = {
+	"A": "point(-1.5, 0, 1)", "B": "point(0.5, 2, 0)", "S": "sphere(B, 1.6)", "p": "plane(e2, 1.2)", "c": "meet(S, p)", "l": "join(A, B) ^ einf",
+}
+
+## Where unsaved work and the look are kept between two starts; empty: nowhere.
+var state_path := "user://playground.cfg"
+var host := GameHost.new()
+var panel: PlaygroundPanel
+
+var _state: KeptState
+var _is_light := false
+var _drawing := SceneDrawing.new()
+var _shown_scene: GAScene
+var _undo_button := Button.new()
+var _redo_button := Button.new()
+var _frame_button := Button.new()
+var _light_button := Button.new()
+
+@onready var _split: HSplitContainer = $Split
+@onready var _side: PanelContainer = %Side
+@onready var _view: ViewPane = %View
+@onready var _camera: OrbitCamera = %View/Viewport/OrbitCamera
+@onready var _ground: Ground = %View/Viewport/Ground
+@onready var _world: WorldEnvironment = %View/Viewport/WorldEnvironment
+@onready var _notice: Notice = %Notice
+
+
+func _ready() -> void:
+	_state = KeptState.new(state_path)
+	_make_panel()
+	_view.viewport.add_child(_drawing)
+	_camera.moved.connect(_on_camera_moved)
+	_on_camera_moved()
+	set_light(_state.get_setting(LIGHT, false) as bool)
+	_split.split_offsets = [_state.get_setting(WIDTH, PANEL_WIDTH) as int]
+	if _state.has_document():
+		_state.restore(panel.document)
+	else:
+		_show_first_entries()
+	frame_selection()
+
+
+func _exit_tree() -> void:
+	_state.keep(panel.document, {LIGHT: _is_light, WIDTH: _split.split_offsets[0]})
+
+
+## The dark look or the light one.
+func set_light(light: bool) -> void:
+	_is_light = light
+	theme = PlaygroundTheme.make(light)
+	var colors := PlaygroundTheme.palette(light)
+	_world.environment.background_color = colors[&"view"]
+	_ground.set_light(light)
+	_undo_button.icon = theme.get_icon(&"Undo", &"EditorIcons")
+	_redo_button.icon = theme.get_icon(&"Redo", &"EditorIcons")
+	_frame_button.icon = theme.get_icon(&"Frame", &"EditorIcons")
+	_light_button.icon = theme.get_icon(&"Moon" if light else &"Sun", &"EditorIcons")
+
+
+func undo() -> void:
+	var title := host.own_history.undo()
+	if not title.is_empty():
+		_notice.tell("Undone: %s" % title)
+
+
+func redo() -> void:
+	var title := host.own_history.redo()
+	if not title.is_empty():
+		_notice.tell("Done again: %s" % title)
+
+
+## Moves the camera so that the selected entries fill the view, or all that are drawn.
+func frame_selection() -> void:
+	var scene := panel.document.scene
+	var box := Extent.of(scene, panel.list.selection if not panel.list.selection.is_empty() else scene.get_names())
+	if box.has_volume():
+		_camera.frame(box.get_center(), maxf(box.size.length() / 2.0 * FRAME_MARGIN, LEAST_FRAME))
+
+
+func _make_panel() -> void:
+	panel = PlaygroundPanel.new(host)
+	_side.add_child(panel)
+	panel.document.scene_switched.connect(_on_scene_switched)
+	host.warned.connect(_notice.tell)
+	host.own_history.changed.connect(_show_history)
+	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z)", undo, panel.add_to_head)
+	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z)", redo, panel.add_to_head)
+	_add_button(_frame_button, "Frame", "Frame the selection (F)", frame_selection, %Tools.add_child)
+	_add_button(_light_button, "Light", "Light or dark", func() -> void: set_light(not _is_light), %Tools.add_child)
+	_show_history()
+	_on_scene_switched()
+
+
+func _add_button(button: Button, title: String, hint: String, act: Callable, place: Callable) -> void:
+	button.name = title
+	button.tooltip_text = hint
+	button.theme_type_variation = &"FlatButton"
+	button.focus_mode = Control.FOCUS_NONE
+	button.pressed.connect(act)
+	place.call(button)
+
+
+func _unhandled_key_input(event: InputEvent) -> void:
+	var key := event as InputEventKey
+	if key == null or not key.pressed:
+		return
+	if _press_key(key) or panel.list.press_key(key):
+		get_viewport().set_input_as_handled()
+
+
+func _press_key(key: InputEventKey) -> bool:
+	if key.is_command_or_control_pressed():
+		match key.keycode:
+			KEY_Z when not key.shift_pressed:
+				undo()
+			KEY_Z, KEY_Y:
+				redo()
+			KEY_S:
+				panel.file_menu.save_or_ask()
+			_:
+				return false
+		return true
+	if key.keycode == KEY_F:
+		frame_selection()
+		return true
+	if key.is_action_pressed(&"ui_cancel") and not panel.list.selection.is_empty():
+		panel.list.select(PackedStringArray())
+		return true
+	return false
+
+
+func _on_scene_switched() -> void:
+	if _shown_scene != panel.document.scene:
+		_shown_scene = panel.document.scene
+		_drawing.scene = _shown_scene
+		host.own_history.clear()
+
+
+func _on_camera_moved() -> void:
+	_ground.fit_to(_camera)
+	_camera.camera.near = clampf(_camera.get_distance() * 0.01, 0.002, 0.1)
+	_camera.camera.far = maxf(_camera.get_distance() * 50.0, 1000.0)
+
+
+func _show_history() -> void:
+	_undo_button.disabled = not host.own_history.has_undo()
+	_redo_button.disabled = not host.own_history.has_redo()
+
+
+func _show_first_entries() -> void:
+	var scene := GAScene.new()
+	for entry in FIRST_ENTRIES:
+		scene.add_entry(entry, FIRST_ENTRIES[entry])
+	panel.document.show_scene(scene, "")
