@@ -1,6 +1,7 @@
 @tool
 extends Node3D
-## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one.
+## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
+## the usual width unless its attribute "line_width" tells another one in pixels.
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
@@ -10,6 +11,9 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+const LINE_WIDTH := 2.0
+const THINNEST := 0.25
+const THICKEST := 20.0
 
 ## Line widths in pixels.
 const PLAIN_WIDTH := 2.0
@@ -63,6 +67,11 @@ static func color_of(of_scene: GAScene, entry: String) -> Color:
 	return COLORS.get(value.classify(is_dual)["kind"], OTHER_COLOR)
 
 
+static func width_of(of_scene: GAScene, entry: String) -> float:
+	var own: Variant = of_scene.get_entry_attribute(entry, "line_width")
+	return clampf(own, THINNEST, THICKEST) if own is float else LINE_WIDTH
+
+
 func _draw() -> void:
 	for entry: String in _nodes.keys():
 		if not scene.has_entry(entry):
@@ -72,6 +81,7 @@ func _draw() -> void:
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
 		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].line_width = width_of(scene, entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
 
 
