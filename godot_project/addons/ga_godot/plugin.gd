@@ -11,8 +11,10 @@ const ENTRY_CLASS := &"Multivector"
 const SCENE_CLASS := "GAScene"
 ## Loaded once the classes that it names are there.
 const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
+const EXPORT_SCRIPT := "res://addons/ga_godot/editor/playground_export.gd"
 
 var _dock: EditorDock
+var _export: EditorExportPlugin
 
 
 func _enter_tree() -> void:
@@ -28,6 +30,9 @@ func _enter_tree() -> void:
 
 
 func _exit_tree() -> void:
+	if _export != null:
+		remove_export_plugin(_export)
+		_export = null
 	if _dock != null:
 		_dock.call(&"keep_session")
 		remove_dock(_dock)
@@ -55,6 +60,9 @@ func _open_dock() -> void:
 	_dock = script.new()
 	_dock.call(&"set_up", get_undo_redo())
 	add_dock(_dock)
+	var export_script: GDScript = load(EXPORT_SCRIPT)
+	_export = export_script.new()
+	add_export_plugin(_export)
 
 
 func _report_missing_library() -> void:

@@ -90,6 +90,15 @@ func redo() -> void:
 		_notice.tell("Done again: %s" % title)
 
 
+func get_viewport_camera() -> Camera3D:
+	return _camera.camera
+
+
+## What is told at the moment.
+func get_notice() -> String:
+	return _notice.get_words()
+
+
 ## Moves the camera so that the selected entries fill the view, or all that are drawn.
 func frame_selection() -> void:
 	var scene := panel.document.scene

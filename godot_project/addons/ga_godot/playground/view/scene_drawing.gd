@@ -1,6 +1,7 @@
 @tool
 extends Node3D
-## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one.
+## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
+## the usual width unless its attribute "line_width" tells another one in pixels.
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
@@ -10,10 +11,20 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+const LINE_WIDTH := 2.0
+const THINNEST := 0.25
+const THICKEST := 20.0
+
+## Line widths in pixels.
+const PLAIN_WIDTH := 2.0
+const SELECTED_WIDTH := 3.0
+const HOVERED_WIDTH := 3.6
 
 var scene: GAScene: set = set_scene
 
 var _nodes: Dictionary[String, GANode3D] = {}
+var _hovered := ""
+var _selected := PackedStringArray()
 
 
 func set_scene(new_scene: GAScene) -> void:
@@ -33,6 +44,18 @@ func find_node_of(entry: String) -> GANode3D:
 	return _nodes.get(entry)
 
 
+func get_nodes() -> Array[GANode3D]:
+	return Array(_nodes.values(), TYPE_OBJECT, &"GANode3D", null)
+
+
+## Draws the one under the mouse, and those that are selected, with wider lines.
+func emphasize(hovered: String, selected: PackedStringArray) -> void:
+	_hovered = hovered
+	_selected = selected
+	for entry in _nodes:
+		_nodes[entry].line_width = _width_of(entry)
+
+
 static func color_of(of_scene: GAScene, entry: String) -> Color:
 	var own: String = of_scene.get_entry_attribute(entry, "color")
 	if not own.is_empty():
@@ -44,6 +67,11 @@ static func color_of(of_scene: GAScene, entry: String) -> Color:
 	return COLORS.get(value.classify(is_dual)["kind"], OTHER_COLOR)
 
 
+static func width_of(of_scene: GAScene, entry: String) -> float:
+	var own: Variant = of_scene.get_entry_attribute(entry, "line_width")
+	return clampf(own, THINNEST, THICKEST) if own is float else LINE_WIDTH
+
+
 func _draw() -> void:
 	for entry: String in _nodes.keys():
 		if not scene.has_entry(entry):
@@ -53,12 +81,20 @@ func _draw() -> void:
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
 		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].line_width = width_of(scene, entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
+
+
+func _width_of(entry: String) -> float:
+	if entry == _hovered:
+		return HOVERED_WIDTH
+	return SELECTED_WIDTH if _selected.has(entry) else PLAIN_WIDTH
 
 
 func _make_node(entry: String) -> GANode3D:
 	var node := GANode3D.new()
 	node.scene = scene
 	node.entry = entry
+	node.line_width = _width_of(entry)
 	add_child(node)
 	return node
