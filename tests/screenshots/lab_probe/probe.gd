@@ -10,7 +10,7 @@ const FIRST_FRAMES := 40
 const WIDE := Vector2i(600, 760)
 
 var _steps: Array[Callable] = [
-	_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _use_selection, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
+	_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
 	_undo_keep, _rename, _see_renamed, _delete, _see_deleted, _undo_delete, _take_picture, _show_tab_menu, _float, _widen, _take_wide_picture, _end,
 ]
 var _frames := -FIRST_FRAMES
@@ -59,6 +59,10 @@ func _see_suggestion() -> void:
 
 func _select() -> void:
 	Hands.click(_row_words("m1"))
+	_list().call(&"scroll_to", "B")
+
+
+func _select_another() -> void:
 	Hands.click(_row_words("B"), MOUSE_BUTTON_LEFT, true)
 
 
@@ -184,6 +188,10 @@ func _panel() -> Control:
 	return _dock().get_node(^"Panel")
 
 
+func _list() -> Control:
+	return _panel().get_node(^"Entries")
+
+
 func _edits() -> RefCounted:
 	return _panel().get(&"edits")
 
@@ -220,7 +228,7 @@ func _said_words() -> String:
 
 
 func _row_words(entry: String) -> Control:
-	var row: Control = _panel().get_node(^"Entries").call(&"find_row", entry)
+	var row: Control = _list().call(&"find_row", entry)
 	return row.find_child("Words", true, false)
 
 

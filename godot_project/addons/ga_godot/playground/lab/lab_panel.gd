@@ -17,7 +17,7 @@ signal added(entry: String)
 
 ## It scrolls where it would leave the list of entries less than that, and where there is no list beside it, and never gets
 ## lower than that.
-const LEAST_LIST := 120.0
+const LEAST_LIST := 160.0
 const HEIGHT := 420.0
 const LEAST_HEIGHT := 150.0
 
