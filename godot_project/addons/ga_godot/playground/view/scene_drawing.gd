@@ -11,14 +11,12 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+## Line widths in pixels, and what is added to them.
 const LINE_WIDTH := 2.0
+const SELECTED_EXTRA := 1.0
+const HOVERED_EXTRA := 1.6
 const THINNEST := 0.25
 const THICKEST := 20.0
-
-## Line widths in pixels.
-const PLAIN_WIDTH := 2.0
-const SELECTED_WIDTH := 3.0
-const HOVERED_WIDTH := 3.6
 
 var scene: GAScene: set = set_scene
 
@@ -53,7 +51,8 @@ func emphasize(hovered: String, selected: PackedStringArray) -> void:
 	_hovered = hovered
 	_selected = selected
 	for entry in _nodes:
-		_nodes[entry].line_width = _width_of(entry)
+		if scene.has_entry(entry):
+			_nodes[entry].line_width = _width_of(entry)
 
 
 static func color_of(of_scene: GAScene, entry: String) -> Color:
@@ -81,14 +80,13 @@ func _draw() -> void:
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
 		_nodes[entry].color = color_of(scene, entry)
-		_nodes[entry].line_width = width_of(scene, entry)
+		_nodes[entry].line_width = _width_of(entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
 
 
 func _width_of(entry: String) -> float:
-	if entry == _hovered:
-		return HOVERED_WIDTH
-	return SELECTED_WIDTH if _selected.has(entry) else PLAIN_WIDTH
+	var extra := SELECTED_EXTRA if _selected.has(entry) else 0.0
+	return width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)
 
 
 func _make_node(entry: String) -> GANode3D:
