@@ -85,6 +85,7 @@ func set_light(light: bool) -> void:
 	host.background = colors[&"view"]
 	_world.environment.background_color = colors[&"view"]
 	_ground.set_light(light)
+	_drawing.on_light = light
 	_undo_button.icon = theme.get_icon(&"Undo", &"EditorIcons")
 	_redo_button.icon = theme.get_icon(&"Redo", &"EditorIcons")
 	_frame_button.icon = theme.get_icon(&"Frame", &"EditorIcons")

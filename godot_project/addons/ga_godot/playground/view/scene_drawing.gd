@@ -18,7 +18,12 @@ const HOVERED_EXTRA := 1.6
 const THINNEST := 0.25
 const THICKEST := 20.0
 
+## Before a light background nothing is lighter.
+const LIGHTEST := 0.42
+
 var scene: GAScene: set = set_scene
+## Whether what is behind the objects is light; their colours are then darker where they have to.
+var on_light := false: set = set_on_light
 
 var _nodes: Dictionary[String, GANode3D] = {}
 var _hovered := ""
@@ -34,6 +39,12 @@ func set_scene(new_scene: GAScene) -> void:
 	_nodes.clear()
 	if scene != null:
 		scene.changed.connect(_draw)
+		_draw()
+
+
+func set_on_light(value: bool) -> void:
+	on_light = value
+	if scene != null:
 		_draw()
 
 
@@ -79,9 +90,14 @@ func _draw() -> void:
 	for entry in scene.get_names():
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
-		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].color = _on_background(color_of(scene, entry))
 		_nodes[entry].line_width = _width_of(entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
+
+
+func _on_background(color: Color) -> Color:
+	var factor := LIGHTEST / maxf(color.get_luminance(), LIGHTEST) if on_light else 1.0
+	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
 
 
 func _width_of(entry: String) -> float:
