@@ -17,6 +17,8 @@ const SELECTED_WIDTH := 3.0
 const HOVERED_WIDTH := 3.6
 
 var scene: GAScene: set = set_scene
+## Entries that something else draws in the same place.
+var left_out := PackedStringArray(): set = set_left_out
 
 var _nodes: Dictionary[String, GANode3D] = {}
 var _hovered := ""
@@ -33,6 +35,12 @@ func set_scene(new_scene: GAScene) -> void:
 	if scene != null:
 		scene.changed.connect(_draw)
 		_draw()
+
+
+func set_left_out(entries: PackedStringArray) -> void:
+	left_out = entries
+	for entry in _nodes:
+		_nodes[entry].visible = not left_out.has(entry)
 
 
 ## The node that draws an entry, or null.
@@ -86,5 +94,6 @@ func _make_node(entry: String) -> GANode3D:
 	node.scene = scene
 	node.entry = entry
 	node.line_width = _width_of(entry)
+	node.visible = not left_out.has(entry)
 	add_child(node)
 	return node
