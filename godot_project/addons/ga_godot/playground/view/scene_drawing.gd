@@ -24,6 +24,8 @@ const LIGHTEST := 0.42
 var scene: GAScene: set = set_scene
 ## Whether what is behind the objects is light; their colours are then darker where they have to.
 var on_light := false: set = set_on_light
+## Entries that something else draws in the same place.
+var left_out := PackedStringArray(): set = set_left_out
 
 var _nodes: Dictionary[String, GANode3D] = {}
 var _hovered := ""
@@ -46,6 +48,12 @@ func set_on_light(value: bool) -> void:
 	on_light = value
 	if scene != null:
 		_draw()
+
+
+func set_left_out(entries: PackedStringArray) -> void:
+	left_out = entries
+	for entry in _nodes:
+		_nodes[entry].visible = not left_out.has(entry)
 
 
 ## The node that draws an entry, or null.
@@ -110,5 +118,6 @@ func _make_node(entry: String) -> GANode3D:
 	node.scene = scene
 	node.entry = entry
 	node.line_width = _width_of(entry)
+	node.visible = not left_out.has(entry)
 	add_child(node)
 	return node
