@@ -16,12 +16,16 @@ const CoefficientsPanel := preload("coefficients_panel.gd")
 const DescriptionPanel := preload("description_panel.gd")
 const ExamplesMenu := preload("examples_menu.gd")
 const PictureDialog := preload("picture_dialog.gd")
+const InterpolationLab := preload("lab/interpolation_lab.gd")
+const LabPanel := preload("lab/lab_panel.gd")
 
 var host: PlaygroundHost
 var document: PlaygroundDocument
 var edits: EntryEdits
 var list: EntryList
 var file_menu: FileMenu
+## What lab/lab_drawing.gd draws in a view.
+var lab: InterpolationLab
 ## Menus and buttons for the scene as a whole; one more goes before the file's name by add_to_head().
 var head := HBoxContainer.new()
 ## Texts about the scene, above the buttons.
@@ -50,6 +54,9 @@ func _init(p_host: PlaygroundHost) -> void:
 	top.name = "Top"
 	bottom.name = "Bottom"
 	bottom.add_child(CoefficientsPanel.new(document, list, host))
+	lab = InterpolationLab.new(document)
+	var lab_panel := LabPanel.new(lab, list, host)
+	bottom.add_child(lab_panel)
 	for part: Control in [head, top, objects, combinations, HSeparator.new(), list, line, bottom]:
 		add_child(part)
 	top.add_child(_description)
@@ -59,6 +66,7 @@ func _init(p_host: PlaygroundHost) -> void:
 	objects.added.connect(select)
 	combinations.added.connect(select)
 	line.added.connect(select)
+	lab_panel.added.connect(select)
 	document.changed.connect(_show_file_name)
 	document.scene_switched.connect(_on_scene_switched)
 	file_menu.picture_requested.connect(_on_picture_requested)
