@@ -17,6 +17,7 @@ const DescriptionPanel := preload("description_panel.gd")
 const ExamplesMenu := preload("examples_menu.gd")
 const PictureDialog := preload("picture_dialog.gd")
 const InterpolationLab := preload("lab/interpolation_lab.gd")
+const LabDrawing := preload("lab/lab_drawing.gd")
 const LabPanel := preload("lab/lab_panel.gd")
 
 var host: PlaygroundHost
@@ -127,7 +128,11 @@ func _on_picture_requested() -> void:
 	if view == null:
 		host.warn("There is no 3D view to draw a picture of.")
 	else:
-		_picture_dialog.ask(document.scene, view, host.get_view_size())
+		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
+
+
+func _draw_lab() -> Array[Node3D]:
+	return [LabDrawing.new(lab)]
 
 
 func _on_scene_switched() -> void:
