@@ -7,6 +7,7 @@ const Hands := preload("res://tests/framework/hands.gd")
 const NumberField := preload("res://addons/ga_godot/playground/number_field.gd")
 const Playground := preload("res://demos/playground/playground.gd")
 const PlaygroundTheme := preload("res://addons/ga_godot/playground/playground_theme.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
 
 const STATE := "user://test_playground.cfg"
 const SAVED := "user://test_playground.json"
@@ -95,6 +96,46 @@ func test_the_mouse_turns_moves_and_zooms_the_view() -> void:
 	expect_near(camera.position.z, distance / 1.1, 1e-4, "distance after a step of the wheel")
 
 
+func test_objects_are_selected_and_dragged_in_the_view() -> void:
+	await _open_with({"A": "point(0, 0, 0)", "s": "sphere(A, 1)"})
+	var place := _demo.get_viewport_camera().unproject_position(Vector3.ZERO)
+	_drag_in_view(place, place)
+	expect_equal(_demo.panel.list.selection, PackedStringArray(["A"]), "selection after a click at the point")
+	_drag_in_view(place, place + Vector2(120, 0))
+	var to: Vector3 = _scene().get_parameters("A")["position"]
+	expect_vector_near(Vector3(_demo.get_viewport_camera().unproject_position(to).x, 0, 0), Vector3(place.x + 120.0, 0, 0), 1.0, "where the point is seen")
+	expect_vector_near(_scene().get_value("s").classify()["center"] as Vector3, to, 1e-5, "centre of what depends on it")
+	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
+	expect_equal(_scene().get_expression("A"), "point(0, 0, 0)", "after one undo of the drag")
+
+
+func test_a_kind_is_chosen_and_added_by_clicks() -> void:
+	await _open_empty()
+	var menu := _demo.find_child("Adding", true, false) as MenuButton
+	menu.get_popup().index_pressed.emit(5)
+	expect_equal((_demo.find_child("Keys", true, false) as Label).text.begins_with("Click to add: Sphere"), true, "what is told")
+	var place := _demo.get_viewport_camera().unproject_position(Vector3(1, 0, 2))
+	_drag_in_view(place, place)
+	expect_equal(_scene().get_value("s1").classify()["kind"], "sphere", "what is added")
+	expect_vector_near(_scene().get_value("s1").classify()["center"] as Vector3, Vector3(1, 0, 2), 0.02, "its place on the ground")
+	Hands.press_key(_window(), KEY_ESCAPE)
+	_drag_in_view(place + Vector2(0, 150), place + Vector2(0, 150))
+	expect_equal(_names(), ["s1"], "entries after Escape and a click")
+
+
+func test_an_example_is_opened_from_its_menu() -> void:
+	await _open_empty()
+	Hands.click(_demo.panel.head.get_node(^"ExamplesButton") as Control)
+	var examples := _demo.panel.head.find_child("Examples", true, false) as PopupMenu
+	expect_true(examples.visible, "the menu being open")
+	examples.hide()
+	examples.index_pressed.emit(0)
+	expect_equal(_demo.panel.document.scene.get_scene_attribute("title"), "Circle through three points", "title of what is shown")
+	expect_true((_demo.panel.top.get_node(^"Description") as Control).visible, "a description")
+	var view := ViewPoint.of(_scene())
+	expect_vector_near(_demo.get_viewport_camera().global_position, view.from, 1e-3, "where it is looked at from")
+
+
 func test_f_frames_the_selection() -> void:
 	await _open_with({"s": "sphere(point(10, 20, 30), 2)", "t": "sphere(point(0, 0, 0), 1)"})
 	_demo.panel.list.select(["s"])
@@ -109,7 +150,7 @@ func test_f_frames_the_selection() -> void:
 func test_coefficients_are_dragged_and_typed() -> void:
 	await _open_with({"v": "e1 + 2 e2"})
 	_demo.panel.list.select(["v"])
-	var panel := _part("Bottom/Coefficients") as FoldableContainer
+	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
 	panel.expand()
 	await wait_frames(3)
 	var field := panel.find_child("e1", true, false) as NumberField
@@ -273,6 +314,11 @@ func _numbers(first: float) -> PackedStringArray:
 	for index in 31:
 		numbers.append("0")
 	return numbers
+
+
+## Between places in the view.
+func _drag_in_view(from: Vector2, to: Vector2) -> void:
+	Hands.drag(_view(), from / _view().size, _view(), to / _view().size)
 
 
 func _part(path: String) -> Control:

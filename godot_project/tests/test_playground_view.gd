@@ -40,7 +40,7 @@ func test_beside_all_objects() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)", "p": "plane(e2, -1)"})
 	_list.select(["A"])
-	_pointer.takes_planes = false
+	_pointer.takes_faces = false
 	expect_equal(_click(_at(Vector3(3, -1, 0))), false, "a plane, which is everywhere")
 	expect_equal(_list.selection, PackedStringArray(), "selection")
 	_list.select(["A"])

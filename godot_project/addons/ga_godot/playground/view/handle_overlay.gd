@@ -35,7 +35,7 @@ static func draw(canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer) -> 
 			_draw_disc(canvas, handle.place, _is_active(handle, pointer), scale)
 			if pointer.is_dragging() and handle.is_same(pointer.get_drag().start):
 				_draw_text(canvas, handle.place, _words(handle), scale)
-	if not pointer.adding.is_empty() and pointer.mouse.is_finite():
+	if not pointer.adding.is_empty() and pointer.mouse.is_finite() and pointer.mouse_camera == camera:
 		_draw_target(canvas, camera, pointer, scale)
 
 

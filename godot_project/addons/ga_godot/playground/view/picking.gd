@@ -22,12 +22,13 @@ static func find_handle(handles: Array[RefCounted], point: Vector2) -> ViewHandl
 	return best
 
 
-## Null if there is none. A plane fills the view: with its face, too, it is everywhere under the mouse.
-static func find_object(nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_planes: bool) -> GANode3D:
+## Null if there is none. Planes fill the view, and spheres hold other things: with their faces they are taken wherever the mouse
+## is on them, without only by their lines.
+static func find_object(nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_faces: bool) -> GANode3D:
 	var best: GANode3D = null
 	var best_rank := INF
 	for node in nodes:
-		var rank := _rank(node, camera, point, with_planes)
+		var rank := _rank(node, camera, point, with_faces)
 		if rank < best_rank:
 			best = node
 			best_rank = rank
@@ -44,7 +45,7 @@ static func classify(node: GANode3D) -> Dictionary:
 
 
 # The lower, the sooner it is taken; infinite if it is not under the mouse.
-static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_planes: bool) -> float:
+static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: bool) -> float:
 	if not node.is_visible_in_tree():
 		return INF
 	var pixels := node.get_screen_distance(camera, point)
@@ -58,12 +59,18 @@ static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_planes:
 	if kind not in SURFACES:
 		return reach + pixels
 	if kind == &"plane":
-		if pixels == 0.0 and not with_planes:
-			return INF
-		return 1e30
-	# Of spheres within each other the smallest; the one around the eye is no target.
+		return 1e30 if with_faces or pixels > 0.0 else INF
+	# Of spheres within each other the smallest; the one around the eye is the last before the planes.
+	var center: Vector3 = facts["center"]
+	var radius: float = facts["radius"]
 	var eye := node.global_transform.affine_inverse() * camera.global_position
-	var is_around: bool = eye.distance_to(facts["center"] as Vector3) < (facts["radius"] as float)
-	if is_around and not with_planes:
-		return INF
-	return 1e29 if is_around else 1e6 + minf(facts["radius"] as float, 1e20)
+	if with_faces:
+		return 1e29 if eye.distance_to(center) < radius else 1e6 + minf(radius, 1e20)
+	return 2.0 * reach if _is_on_outline(node, camera, point, center, radius, reach) else INF
+
+
+static func _is_on_outline(node: GANode3D, camera: Camera3D, point: Vector2, center: Vector3, radius: float, reach: float) -> bool:
+	var ray := ViewRay.new(camera, point, node.global_transform)
+	var nearest := ray.pass_by(center)
+	var pixel := ViewScale.pixel(camera, node.global_transform * nearest) / node.global_transform.basis.x.length()
+	return absf(nearest.distance_to(center) - radius) < reach * pixel

@@ -25,8 +25,10 @@ const CLICK := 4.0
 var adding := &"": set = set_adding
 ## The kind that a double click beside all objects adds; empty for none.
 var double_click_adds := &""
-## Whether the face of a plane, and of a sphere around the eye, is taken: it is all over the view.
-var takes_planes := true
+## Whether planes and spheres are taken by their faces, too, which may be all over the view.
+var takes_faces := true
+## Whether an object is taken at that place of the screen, for which the camera and the place are given.
+var may_take := func(_camera: Camera3D, _point: Vector2) -> bool: return true
 ## Whether a click beside all objects selects nothing.
 var clears_selection := true
 ## What draws entries of the document beside the drawing, with handles as well.
@@ -36,8 +38,9 @@ var document: PlaygroundDocument
 var drawing: SceneDrawing
 var hovered_handle: ViewHandle
 var hovered_node: GANode3D
-## Where the mouse was last, to show what a click would add.
+## Where the mouse was last, and by which camera it was seen there.
 var mouse := Vector2.INF
+var mouse_camera: Camera3D
 
 var _edits: EntryEdits
 var _list: EntryList
@@ -146,6 +149,7 @@ func _escape() -> bool:
 
 func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
 	mouse = motion.position
+	mouse_camera = camera
 	if _drag == null and _pressed != null and mouse.distance_to(_pressed_at) >= CLICK:
 		_drag = HandleDrag.new(document, _pressed, _pressed_at)
 	if _drag != null:
@@ -237,7 +241,10 @@ func _hover_at(camera: Camera3D, point: Vector2) -> void:
 		redraw_needed.emit()
 		return
 	var handle := Picking.find_handle(get_handles(camera), point)
-	_hover(handle, null if handle != null else Picking.find_object(get_nodes(), camera, point, takes_planes))
+	var node: GANode3D = null
+	if handle == null and may_take.call(camera, point):
+		node = Picking.find_object(get_nodes(), camera, point, takes_faces)
+	_hover(handle, node)
 
 
 func _hover(handle: ViewHandle, node: GANode3D) -> void:

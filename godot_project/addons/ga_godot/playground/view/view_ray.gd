@@ -41,3 +41,8 @@ func meet_line(point: Vector3, along: Vector3) -> Vector3:
 		return Vector3.INF
 	var between := origin - point
 	return point + along * ((between.dot(along) - cosine * between.dot(direction)) / across)
+
+
+## The place of the ray that is nearest to a point.
+func pass_by(point: Vector3) -> Vector3:
+	return origin + direction * direction.dot(point - origin)
