@@ -26,6 +26,7 @@ import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 import export  # noqa: E402
+import lab  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -64,7 +65,7 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, export))
+    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, export, lab))
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1
