@@ -4,12 +4,15 @@ extends "res://tests/framework/test_case.gd"
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
+const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
 const LabPanel := preload("res://addons/ga_godot/playground/lab/lab_panel.gd")
 const LabWords := preload("res://addons/ga_godot/playground/lab/lab_words.gd")
 
 const A := "motor(e1 + e2, rotor(e3, 1), 2)"
 const B := "motor(3 e3, rotor(e1 + e2, 2), 0.7)"
 const SIZE := Vector2i(250, 1000)
+## In milliseconds.
+const BUDGET := 2.0
 
 var _host := GameHost.new()
 var _view := SubViewport.new()
@@ -295,6 +298,20 @@ func test_it_fits_into_a_narrow_panel() -> void:
 	_open({"a_rather_long_name_of_a_pose": A, "another_long_name_of_a_pose": B})
 	await wait_frames(8)
 	expect_true(_lab_panel.get_combined_minimum_size().x <= 250.0, "least width %s" % _lab_panel.get_combined_minimum_size().x)
+
+
+func test_a_dragged_pose_is_shown_within_the_budget() -> void:
+	_open({"A": A, "B": B})
+	add_node(LabDrawing.new(_lab))
+	await wait_frames(8)
+	var best := INF
+	for i in 60:
+		_scene().set_parameter("B", "translation", Vector3(0.01 * i, 1, 0.5))
+		var start := Time.get_ticks_usec()
+		_lab.changed.emit()
+		best = minf(best, (Time.get_ticks_usec() - start) / 1000.0)
+	print("[lab] panel and drawing after a change of a pose %.3f ms" % best)
+	expect_true(best < BUDGET, "a change of a pose within %s ms, being %s" % [BUDGET, best])
 
 
 func _open(entries: Dictionary, unfolded := true) -> void:
