@@ -189,6 +189,10 @@ func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
 	_expect_kept(0.6)
 	_host.own_history.undo()
 	_expect_kept(0.75)
+	_lab.begin_move()
+	_scene().remove_entry("t")
+	_lab.end_move()
+	expect_equal(_panel.document.is_in_gesture(), false, "being in a gesture after the entry went away in it")
 
 
 func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
