@@ -19,7 +19,7 @@ const THINNEST := 0.25
 const THICKEST := 20.0
 
 ## Before a light background nothing is lighter.
-const LIGHTEST := 0.42
+const LIGHTEST := 0.48
 
 var scene: GAScene: set = set_scene
 ## Whether what is behind the objects is light; their colours are then darker where they have to.
