@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What can only be seen with a display: pictures of the demos, the plugin and its dock in the real editor.
+"""What can only be seen with a display: pictures of the demos, the plugin, its dock and its 3D viewports in the real editor.
 
     tests/screenshots/run.py [--engine CMD] [--update | --docs]
 
@@ -25,6 +25,7 @@ import display  # noqa: E402
 import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
+import view  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -47,6 +48,7 @@ def main():
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
             dock.write_reference(engine, PROJECT, OUTPUT)
+            view.write_reference(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine))
@@ -63,7 +65,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    in_editor = itertools.chain(editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
+    in_editor = itertools.chain(editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT),
+                                view.tests(engine, PROJECT, OUTPUT))
     for title, problems in in_editor:
         if problems:
             failed += 1
