@@ -11,9 +11,11 @@ const ENTRY_CLASS := &"Multivector"
 const SCENE_CLASS := "GAScene"
 ## Loaded once the classes that it names are there.
 const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
+const EXPORT_SCRIPT := "res://addons/ga_godot/editor/playground_export.gd"
 const TOOL_SCRIPT := "res://addons/ga_godot/editor/viewport_tool.gd"
 
 var _dock: EditorDock
+var _export: EditorExportPlugin
 ## What the dock shows, in the 3D viewports.
 var _tool: Node3D
 
@@ -31,6 +33,9 @@ func _enter_tree() -> void:
 
 
 func _exit_tree() -> void:
+	if _export != null:
+		remove_export_plugin(_export)
+		_export = null
 	if _tool != null:
 		remove_child(_tool)
 		_tool.free()
@@ -71,6 +76,9 @@ func _open_dock() -> void:
 	_dock = script.new()
 	_dock.call(&"set_up", get_undo_redo())
 	add_dock(_dock)
+	var export_script: GDScript = load(EXPORT_SCRIPT)
+	_export = export_script.new()
+	add_export_plugin(_export)
 	var tool_script: GDScript = load(TOOL_SCRIPT)
 	_tool = tool_script.new()
 	add_child(_tool)

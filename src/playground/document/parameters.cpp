@@ -197,6 +197,7 @@ private:
 				}
 				break;
 			case ArgumentKind::ANY:
+			case ArgumentKind::MOTOR:
 				break;
 		}
 	}

@@ -1,6 +1,9 @@
 @tool
 extends Node3D
-## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one.
+## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
+## the usual width unless its attribute "line_width" tells another one in pixels.
+
+const PlaygroundStyle := preload("../playground_style.gd")
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
@@ -10,13 +13,19 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+## Line widths in pixels, and what is added to them.
+const LINE_WIDTH := 2.0
+const SELECTED_EXTRA := 1.0
+const HOVERED_EXTRA := 1.6
+const THINNEST := 0.25
+const THICKEST := 20.0
 
-## Line widths in pixels.
-const PLAIN_WIDTH := 2.0
-const SELECTED_WIDTH := 3.0
-const HOVERED_WIDTH := 3.6
+## Before a light background nothing is lighter.
+const LIGHTEST := 0.42
 
 var scene: GAScene: set = set_scene
+## Whether what is behind the objects is light; their colours are then darker where they have to.
+var on_light := false: set = set_on_light
 ## Entries that something else draws in the same place.
 var left_out := PackedStringArray(): set = set_left_out
 
@@ -34,6 +43,12 @@ func set_scene(new_scene: GAScene) -> void:
 	_nodes.clear()
 	if scene != null:
 		scene.changed.connect(_draw)
+		_draw()
+
+
+func set_on_light(value: bool) -> void:
+	on_light = value
+	if scene != null:
 		_draw()
 
 
@@ -57,7 +72,8 @@ func emphasize(hovered: String, selected: PackedStringArray) -> void:
 	_hovered = hovered
 	_selected = selected
 	for entry in _nodes:
-		_nodes[entry].line_width = _width_of(entry)
+		if scene.has_entry(entry):
+			_nodes[entry].line_width = _width_of(entry)
 
 
 static func color_of(of_scene: GAScene, entry: String) -> Color:
@@ -71,6 +87,11 @@ static func color_of(of_scene: GAScene, entry: String) -> Color:
 	return COLORS.get(value.classify(is_dual)["kind"], OTHER_COLOR)
 
 
+static func width_of(of_scene: GAScene, entry: String) -> float:
+	var own: Variant = of_scene.get_entry_attribute(entry, "line_width")
+	return clampf(own, THINNEST, THICKEST) if own is float else LINE_WIDTH
+
+
 func _draw() -> void:
 	for entry: String in _nodes.keys():
 		if not scene.has_entry(entry):
@@ -79,14 +100,19 @@ func _draw() -> void:
 	for entry in scene.get_names():
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
-		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].color = _on_background(color_of(scene, entry))
+		_nodes[entry].line_width = _width_of(entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
 
 
+func _on_background(color: Color) -> Color:
+	var factor := LIGHTEST / maxf(color.get_luminance(), LIGHTEST) if on_light else 1.0
+	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
+
+
 func _width_of(entry: String) -> float:
-	if entry == _hovered:
-		return HOVERED_WIDTH
-	return SELECTED_WIDTH if _selected.has(entry) else PLAIN_WIDTH
+	var extra := SELECTED_EXTRA if _selected.has(entry) else 0.0
+	return width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)
 
 
 func _make_node(entry: String) -> GANode3D:
