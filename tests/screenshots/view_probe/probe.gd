@@ -1,9 +1,8 @@
 @tool
-extends EditorPlugin
+extends "person.gd"
 ## Drives the playground in the editor's 3D viewport as a person would, one step after another; each mistake prints a line that
 ## begins with [probe] FAIL. Pictures go into the folder of the user argument --pictures=FOLDER.
 
-const Hands := preload("hands.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
 const PICTURES := "--pictures="
@@ -26,12 +25,11 @@ const OBJECTS: Dictionary[String, String] = {
 
 var _steps: Array[Callable] = [
 	_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
-	_select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
+	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
 ]
 var _frames := -FIRST_FRAMES
 var _step := 0
 var _before := ""
-var _said := 0
 
 
 func _process(_delta: float) -> void:
@@ -133,6 +131,42 @@ func _snap() -> void:
 	_undo()
 
 
+func _click_object() -> void:
+	_select([])
+	_click_at(_scene().get_parameters("A").position as Vector3)
+	_expect(_selection(), PackedStringArray(["A"]), "selection by a click on a point")
+	var circle := _scene().get_value("k").classify()
+	_click_at((circle["center"] as Vector3) + Vector3.BACK * (circle["radius"] as float))
+	_expect(_selection(), PackedStringArray(["k"]), "selection by a click on a circle")
+
+
+## In the middle of a drag.
+func _hold() -> void:
+	_select(["s", "c"])
+	var place := _handle_place("s", "radius")
+	_move_mouse(place, 0)
+	_press(place, true)
+	_move_mouse(place + Vector2(-40, 0), MOUSE_BUTTON_MASK_LEFT)
+	_before = _scene().document
+
+
+func _see_held() -> void:
+	_save_window("viewport_drag.png")
+	_press(_handle_place("s", "radius"), false)
+	_expect(_scene().document, _before, "document after the release")
+	_undo()
+
+
+func _aim() -> void:
+	_pointer().set(&"adding", &"circle")
+	_move_mouse(Vector2(0.75, 0.4) * _surface().size, 0)
+
+
+func _see_aim() -> void:
+	_save_window("viewport_adding.png")
+	_pointer().set(&"adding", &"")
+
+
 func _select_all() -> void:
 	_select(["A", "s", "c", "p", "m"])
 
@@ -145,7 +179,7 @@ func _hover() -> void:
 func _take_picture() -> void:
 	var picture := get_tree().root.get_texture().get_image().get_region(Rect2i(_surface().get_global_rect()))
 	picture.save_png(_option(PICTURES).path_join("viewport.png"))
-	get_tree().root.get_texture().get_image().save_png(_option(PICTURES).path_join("viewport_editor.png"))
+	_save_window("viewport_editor.png")
 	if not _option(REFERENCE).is_empty():
 		var compared := PictureComparison.compare(picture, Image.load_from_file(_option(REFERENCE)))
 		_expect(compared.is_alike(), true, compared.describe())
@@ -240,7 +274,7 @@ func _four() -> void:
 
 
 func _see_four() -> void:
-	get_tree().root.get_texture().get_image().save_png(_option(PICTURES).path_join("viewport_four.png"))
+	_save_window("viewport_four.png")
 
 
 func _end() -> void:
@@ -274,50 +308,6 @@ func _check_drag(entry: String, key: String, by: Vector2, dependents: Array[Stri
 	_expect(scene.document, before, "one undo takes back %s of %s" % [key, entry])
 
 
-func _drag(from: Vector2, to: Vector2, with_control := false) -> void:
-	_move_mouse(from, 0)
-	_press(from, true)
-	for step in 4:
-		_move_mouse(from.lerp(to, (step + 1) / 4.0), MOUSE_BUTTON_MASK_LEFT, with_control)
-	_press(to, false)
-
-
-func _click_at(place: Vector3) -> void:
-	var point := _camera().unproject_position(place)
-	_move_mouse(point, 0)
-	_press(point, true)
-	_press(point, false)
-
-
-func _press(place: Vector2, pressed: bool) -> void:
-	var event := InputEventMouseButton.new()
-	event.button_index = MOUSE_BUTTON_LEFT
-	event.pressed = pressed
-	event.button_mask = MOUSE_BUTTON_MASK_LEFT if pressed else 0 as MouseButtonMask
-	_send(event, place)
-
-
-func _move_mouse(place: Vector2, buttons: int, with_control := false) -> void:
-	var event := InputEventMouseMotion.new()
-	event.button_mask = buttons as MouseButtonMask
-	event.ctrl_pressed = with_control
-	_send(event, place)
-
-
-func _send(event: InputEventMouse, place: Vector2) -> void:
-	event.position = _surface().get_global_transform_with_canvas() * place
-	event.global_position = event.position
-	_surface().get_viewport().push_input(event)
-
-
-func _handle_place(entry: String, key: String) -> Vector2:
-	for handle: RefCounted in _pointer().call(&"get_handles", _camera()):
-		if (handle.get(&"node") as GANode3D).entry == StringName(entry) and (handle.get(&"handle") as Dictionary)["key"] == key:
-			return handle.get(&"place")
-	_expect("none", key, "handle of %s" % entry)
-	return Vector2.ZERO
-
-
 func _values(entries: Array[String]) -> Array:
 	return entries.map(func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients)
 
@@ -347,53 +337,8 @@ func _make_scene() -> void:
 	root.free()
 
 
-func _undo() -> void:
-	get_undo_redo().get_history_undo_redo(EditorUndoRedoManager.GLOBAL_HISTORY if not _scene().resource_path.contains("::") else get_undo_redo().get_object_history_id(_edited())).undo()
-
-
-func _select(entries: PackedStringArray) -> void:
-	var list: Control = _dock().find_child("Entries", true, false)
-	list.call(&"select", entries)
-
-
-func _selection() -> PackedStringArray:
-	return _dock().find_child("Entries", true, false).get(&"selection")
-
-
-func _selected_nodes() -> Array:
-	return EditorInterface.get_selection().get_selected_nodes()
-
-
-func _edited() -> Node:
-	return EditorInterface.get_edited_scene_root()
-
-
-func _surface() -> Control:
-	return EditorInterface.get_editor_viewport_3d(0).get_parent()
-
-
-func _camera() -> Camera3D:
-	return EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
-
-
-func _tool() -> Node3D:
-	return get_tree().root.find_child("ViewportTool", true, false)
-
-
-func _pointer() -> RefCounted:
-	return _tool().get(&"pointer")
-
-
-func _tools() -> Control:
-	return get_tree().root.find_child("GAPlaygroundTools", true, false)
-
-
-func _dock() -> EditorDock:
-	return get_tree().root.find_children("GAPlayground", "EditorDock", true, false)[0]
-
-
-func _scene() -> GAScene:
-	return (_dock().get(&"document") as RefCounted).get(&"scene")
+func _save_window(file: String) -> void:
+	get_tree().root.get_texture().get_image().save_png(_option(PICTURES).path_join(file))
 
 
 func _option(option: String) -> String:
@@ -401,9 +346,3 @@ func _option(option: String) -> String:
 		if argument.begins_with(option):
 			return argument.trim_prefix(option)
 	return ""
-
-
-func _expect(got: Variant, wanted: Variant, what: String) -> void:
-	_said += 1
-	if got != wanted:
-		print("[probe] FAIL %s: %s, expected %s" % [what, got, wanted])
