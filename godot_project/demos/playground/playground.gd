@@ -2,6 +2,7 @@ extends Control
 ## The playground in a running game: the panel that the editor's dock has, beside a view of its objects.
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
+const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
 const NewObjects := preload("res://addons/ga_godot/playground/new_objects.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
 const PlaygroundTheme := preload("res://addons/ga_godot/playground/playground_theme.gd")
@@ -126,6 +127,7 @@ func _frame(entries: PackedStringArray) -> void:
 
 func _make_view() -> void:
 	_view.viewport.add_child(_drawing)
+	_view.viewport.add_child(LabDrawing.new(panel.lab))
 	_pointer = ViewPointer.new(_drawing, panel.document, panel.edits, panel.list)
 	_pointer.double_click_adds = &"point"
 	_pointer.adding_changed.connect(_show_keys)

@@ -3,6 +3,7 @@ extends RefCounted
 
 const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
 const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
+const InterpolationLab := preload("res://tests/pictures/interpolation_lab.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const Playground := preload("res://demos/playground/playground.gd")
 
@@ -25,6 +26,8 @@ static func list() -> Dictionary[String, Callable]:
 		"drawn_scene": drawn_scene,
 		"playground": playground.bind(false),
 		"playground_on_light": playground.bind(true),
+		"interpolation_lab": interpolation_lab.bind("cube"),
+		"interpolation_lab_frames": interpolation_lab.bind("frame"),
 	}
 
 
@@ -43,6 +46,12 @@ static func drawn_objects(parent: Node, light: bool) -> Node:
 
 static func drawn_scene(parent: Node) -> Node:
 	var picture := DrawnScene.make()
+	parent.add_child(picture)
+	return picture
+
+
+static func interpolation_lab(parent: Node, body: String) -> Node:
+	var picture := InterpolationLab.make(body)
 	parent.add_child(picture)
 	return picture
 

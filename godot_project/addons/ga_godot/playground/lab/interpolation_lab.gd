@@ -28,7 +28,9 @@ var t := 0.5
 
 var _playback := LabPlayback.new()
 var _t_before_play := 0.0
+## The settings as they were last read, and t among them: what is slid or played is not there.
 var _summary := {}
+var _kept_t := NAN
 
 
 func _init(p_document: PlaygroundDocument) -> void:
@@ -179,6 +181,7 @@ func keep(mode: MultivectorLerp.Mode) -> String:
 
 func _on_scene_switched() -> void:
 	_playback.stop()
+	_kept_t = NAN
 	_read_settings()
 	changed.emit()
 
@@ -198,8 +201,10 @@ func _on_poses_changed() -> void:
 
 func _read_settings() -> void:
 	_summary = LabSettings.summary(document.scene)
-	if not _follow_t_entry() and get_t_entry().is_empty() and not is_playing():
-		t = get_setting(&"t")
+	var kept_t: float = get_setting(&"t")
+	if not _follow_t_entry() and get_t_entry().is_empty() and kept_t != _kept_t:
+		t = kept_t
+	_kept_t = kept_t
 	var from: String = get_setting(&"from")
 	var to: String = get_setting(&"to")
 	poses.choose(from, to)

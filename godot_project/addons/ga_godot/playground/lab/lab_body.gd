@@ -7,7 +7,7 @@ const FrameMesh := preload("frame_mesh.gd")
 
 const CUBE := &"cube"
 const FRAME := &"frame"
-const KINDS: Array[StringName] = [CUBE, FRAME]
+const KINDS: Array[StringName] = [FRAME, CUBE]
 const TITLES: Dictionary[StringName, String] = {CUBE: "Cube", FRAME: "Frame"}
 
 const THICKNESS := 0.022

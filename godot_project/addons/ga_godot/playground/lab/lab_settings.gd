@@ -16,16 +16,16 @@ const DEFAULTS: Dictionary[StringName, Variant] = {
 	&"ghosts": true,
 	&"ghost_count": 9.0,
 	&"path": true,
-	&"body": "cube", # or "frame"
+	&"body": "frame", # or "cube"
 	&"lever": 1.0, # metres
 	&"duration": 2.5, # seconds
 	&"repeat": "there and back", # or "loop", "once"
 }
-const RANGES: Dictionary[StringName, Vector2] = {
-	&"t": Vector2(0.0, 1.0), &"ghost_count": Vector2(2.0, 60.0), &"lever": Vector2(0.0, 1000.0), &"duration": Vector2(0.1, 60.0),
+const RANGES: Dictionary[StringName, Array] = {
+	&"t": [0.0, 1.0], &"ghost_count": [2.0, 60.0], &"lever": [0.0, 1000.0], &"duration": [0.1, 60.0],
 }
 const CHOICES: Dictionary[StringName, Array] = {
-	&"body": ["cube", "frame"], &"repeat": ["there and back", "loop", "once"],
+	&"body": ["frame", "cube"], &"repeat": ["there and back", "loop", "once"],
 }
 ## By MultivectorLerp.Mode.
 const MODES: Array[StringName] = [&"linear", &"screw", &"separate"]
@@ -37,9 +37,11 @@ static func read(scene: GAScene, key: StringName) -> Variant:
 	var standard: Variant = DEFAULTS[key]
 	if typeof(value) != typeof(standard) or (CHOICES.has(key) and not value in CHOICES[key]):
 		return standard
-	if RANGES.has(key):
-		return clampf(value as float, RANGES[key].x, RANGES[key].y)
-	return value
+	return clamped(key, value as float) if RANGES.has(key) else value
+
+
+static func clamped(key: StringName, number: float) -> float:
+	return clampf(number, RANGES[key][0] as float, RANGES[key][1] as float)
 
 
 static func write(scene: GAScene, key: StringName, value: Variant) -> void:
