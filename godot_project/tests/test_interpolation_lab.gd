@@ -3,6 +3,7 @@ extends "res://tests/framework/test_case.gd"
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
+const EntryList := preload("res://addons/ga_godot/playground/entry_list.gd")
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
 const LabPanel := preload("res://addons/ga_godot/playground/lab/lab_panel.gd")
 const LabWords := preload("res://addons/ga_godot/playground/lab/lab_words.gd")
@@ -265,8 +266,7 @@ func test_settings_are_kept_unless_they_are_as_by_default() -> void:
 	await _click(_lab_panel.find_child("Repeat", true, false) as Button)
 	expect_equal(_setting("repeat"), "loop", "attribute repeat")
 	var path: CheckBox = _lab_panel.find_child("Path", true, false)
-	var scroll: ScrollContainer = _lab_panel.find_child("Scroll", true, false)
-	scroll.ensure_control_visible(path)
+	(_panel.find_child("Lower", true, false) as ScrollContainer).ensure_control_visible(path)
 	await wait_frames(8)
 	await _click(path)
 	expect_equal(_setting("path"), false, "attribute path")
@@ -296,16 +296,14 @@ func test_it_fits_into_a_narrow_panel() -> void:
 	_open({"a_rather_long_name_of_a_pose": A, "another_long_name_of_a_pose": B})
 	await wait_frames(8)
 	expect_true(_lab_panel.get_combined_minimum_size().x <= 250.0, "least width %s" % _lab_panel.get_combined_minimum_size().x)
-	var scroll: ScrollContainer = _lab_panel.find_child("Scroll", true, false)
-	expect_true(_panel.list.size.y >= LabPanel.LEAST_LIST - 1.0, "room for the list, %s" % _panel.list.size.y)
-	for i in 4:
-		# Not in one step: it is no smaller than it needs to be at the time.
-		_panel.size.y = 500.0
-		await wait_frames(8)
-	expect_true(scroll.size.y >= LabPanel.LEAST_HEIGHT - 1.0 and scroll.size.y < LabPanel.LEAST_HEIGHT + 60.0, "height of the lab where there is little room, %s" % scroll.size.y)
-	_panel.size.y = 1600.0
-	await wait_frames(8)
-	expect_equal(scroll.size.y, scroll.get_child(0).get(&"size").y, "height of the lab where there is much room")
+	var scroll: ScrollContainer = _panel.find_child("Lower", true, false)
+	for height: float in [700.0, 500.0, 1600.0]:
+		_panel.size.y = height
+		await wait_frames(4)
+		expect_equal(_panel.size.y, height, "height of the panel")
+		expect_true(_panel.list.size.y >= EntryList.LEAST_HEIGHT, "room for the list in %s: %s" % [height, _panel.list.size.y])
+		var content: Control = scroll.get_child(0)
+		expect_equal(scroll.size.y < content.size.y, height < 1000.0, "scrolling in %s" % height)
 
 
 func _open(entries: Dictionary, unfolded := true) -> void:
