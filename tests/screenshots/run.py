@@ -25,6 +25,7 @@ import display  # noqa: E402
 import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
+import indexed_png  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -34,6 +35,12 @@ REFERENCE_SIZE = "1152x648"
 DOCS_SIZE = "1920x1080"
 # Only these of the pictures go into the documentation.
 DOCS_PICTURES = ("interpolation.png",)
+# A picture for each document of the gallery, and a sheet with all of them.
+GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
+GALLERY_SECONDS = 300
+GALLERY_SHEET = "all.png"
+LARGEST_IMAGE = 150_000
+LARGEST_SHEET = 250_000
 
 
 def main():
@@ -49,7 +56,7 @@ def main():
             dock.write_reference(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
-            sys.exit(write_documentation(engine))
+            sys.exit(write_documentation(engine) or write_gallery(engine))
         sys.exit(run_tests(engine))
 
 
@@ -119,6 +126,29 @@ def write_documentation(engine):
             shutil.copyfile(os.path.join(folder, name), os.path.join(DOCS_IMAGES, name))
             print(f"wrote {os.path.relpath(os.path.join(DOCS_IMAGES, name), ROOT)}")
     return code
+
+
+def write_gallery(engine):
+    """The pictures of the gallery, small enough for the repository."""
+    folder = os.path.join(OUTPUT, "gallery")
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    run = engine.run(["--path", PROJECT, "--windowed", "--resolution", "640x360", "--position", "0,0",
+                      "--", f"--gallery-pictures={folder}"], seconds=GALLERY_SECONDS)
+    print(run.text, end="")
+    if run.code != 0 or run.problems():
+        return 1
+    os.makedirs(GALLERY_IMAGES, exist_ok=True)
+    too_large = 0
+    for name in sorted(os.listdir(folder)):
+        path = os.path.join(GALLERY_IMAGES, name)
+        shutil.copyfile(os.path.join(folder, name), path)
+        indexed_png.shrink(path)
+        size = os.path.getsize(path)
+        fits = size <= (LARGEST_SHEET if name == GALLERY_SHEET else LARGEST_IMAGE)
+        too_large += not fits
+        print(f"wrote {os.path.relpath(path, ROOT)}, {size // 1000} kB{'' if fits else ', which is too large'}")
+    return 1 if too_large else 0
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ extends Node
 ##
 ## The window's size is the pictures' size.
 
+const ExportChecks := preload("res://tests/pictures/export_checks.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const Scenes := preload("res://tests/pictures/scenes.gd")
@@ -51,7 +52,8 @@ func _update() -> void:
 			get_tree().quit(1)
 			return
 		print("wrote %s" % _reference_path(title))
-	get_tree().quit(0)
+	var exported := await ExportChecks.new(self).draw_reference()
+	get_tree().quit(0 if exported.save_png(_reference_path(ExportChecks.TITLE)) == OK else 1)
 
 
 func _compare_all() -> void:
@@ -62,6 +64,7 @@ func _compare_all() -> void:
 	await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
 	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+	await _check_export()
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -95,6 +98,17 @@ func _expect_different(change: String, make_scene: Callable) -> void:
 		_fail("%s is not noticed" % change)
 	else:
 		_passed += 1
+
+
+func _check_export() -> void:
+	var reference := _load_reference(ExportChecks.TITLE)
+	if reference == null:
+		_fail("exported pictures: there is no reference %s" % _reference_path(ExportChecks.TITLE))
+		return
+	var problems := await ExportChecks.new(self).find_problems(reference)
+	for problem in problems:
+		_fail("exported pictures: %s" % problem)
+	_passed += int(problems.is_empty())
 
 
 func _with_moved_cube(parent: Node) -> Node:

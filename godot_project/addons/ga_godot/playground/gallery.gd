@@ -19,6 +19,7 @@ const EXAMPLES: Dictionary[String, String] = {
 	"cube_between_poses": "A cube between two poses",
 	"blending_methods": "Three ways from pose to pose",
 	"shell": "A motion that turns and scales",
+	"loxodrome": "From pole to pole",
 	"robot_arm": "A robot arm",
 	"apollonius": "The problem of Apollonius",
 	"hexlet": "Soddy's hexlet",
