@@ -161,6 +161,7 @@ func _fill_choices() -> void:
 		field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		field.suffix = "px"
 		_own_size.add_child(field)
+	_own_size.name = "OwnSize"
 	_backgrounds.name = "Background"
 	for words: String in ["As shown", "Transparent", "A colour"]:
 		_backgrounds.add_item(words)
