@@ -24,10 +24,10 @@ func test_title_and_text_are_shown_and_followed() -> void:
 	_panel.scene = scene
 	expect_equal(_panel.visible, true, "with a title")
 	expect_equal(_label("Title").text, "Two spheres", "title")
-	expect_equal(_label("Text").visible, false, "no text, no space for it")
+	expect_equal(_label("Text").is_visible_in_tree(), false, "no text, no space for it")
 	scene.set_scene_attribute("description", " They meet in a circle. ")
 	expect_equal(_label("Text").text, "They meet in a circle.", "text")
-	expect_equal(_label("Text").visible, true, "a text is shown")
+	expect_equal(_label("Text").is_visible_in_tree(), true, "a text is shown")
 	scene.set_scene_attribute("title", 3.0)
 	expect_equal(_label("Title").text, "", "a title that is none")
 	_panel.scene = null
