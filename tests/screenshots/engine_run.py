@@ -26,20 +26,26 @@ class Run:
 class Engine:
     """An engine command, and the environment that it draws in."""
 
-    def __init__(self, command, environment):
+    def __init__(self, command, environment, folder=None):
         self._command = shlex.split(command)
+        self._folder = folder
         self._environment = {**os.environ, **environment}
 
     def with_environment(self, variables):
         """The same engine with more variables."""
-        return Engine(shlex.join(self._command), {**self._environment, **variables})
+        return Engine(shlex.join(self._command), {**self._environment, **variables}, self._folder)
+
+    def in_folder(self, folder):
+        """The same engine, started in that folder."""
+        return Engine(shlex.join(self._command), self._environment, folder)
 
     def run(self, arguments, seconds, drawing=True):
         """Starts the engine and waits for it, at most that long."""
         command = self._command + (DRAWING if drawing else ["--headless"]) + arguments
         try:
-            done = subprocess.run(command, env=self._environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, timeout=seconds, text=True, errors="replace", check=False)
+            done = subprocess.run(command, cwd=self._folder, env=self._environment, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, text=True,
+                                  errors="replace", check=False)
         except subprocess.TimeoutExpired as stopped:
             output = stopped.stdout or b""
             text = output.decode(errors="replace") if isinstance(output, bytes) else output

@@ -26,6 +26,7 @@ import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 import indexed_png  # noqa: E402
+import export  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -70,8 +71,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    in_editor = itertools.chain(editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
-    for title, problems in in_editor:
+    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, export))
+    for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1
             print(f"FAIL {title}")

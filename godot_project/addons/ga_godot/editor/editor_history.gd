@@ -21,3 +21,8 @@ func commit(title: String, scene: GAScene, before: String, after: String) -> voi
 		_undo_redo.add_do_method(self, &"write", scene, after)
 		_undo_redo.add_undo_method(self, &"write", scene, before)
 	_undo_redo.commit_action()
+
+
+## What a step does.
+func write(scene: GAScene, text: String) -> void:
+	scene.document = text

@@ -6,8 +6,3 @@ extends RefCounted
 
 ## Makes the scene's text `after`, as one step.
 @abstract func commit(title: String, scene: GAScene, before: String, after: String) -> void
-
-
-## What a step does.
-func write(scene: GAScene, text: String) -> void:
-	scene.document = text

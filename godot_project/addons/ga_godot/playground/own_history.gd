@@ -19,8 +19,8 @@ func _notification(what: int) -> void:
 
 func commit(title: String, scene: GAScene, before: String, after: String) -> void:
 	_undo_redo.create_action(title)
-	_undo_redo.add_do_method(write.bind(scene, after))
-	_undo_redo.add_undo_method(write.bind(scene, before))
+	_undo_redo.add_do_property(scene, &"document", after)
+	_undo_redo.add_undo_property(scene, &"document", before)
 	_undo_redo.commit_action()
 
 

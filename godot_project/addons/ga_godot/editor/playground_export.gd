@@ -1,0 +1,34 @@
+@tool
+extends EditorExportPlugin
+## Adds the playground to exported games. Its folder is hidden from the editor's file system, which would complain about
+## every script of it where the library is missing.
+
+const FOLDER := "res://addons/ga_godot/playground"
+const OPTION := &"ga_godot/include_playground"
+const LEFT_OUT: PackedStringArray = ["uid", "gdignore"]
+
+
+func _get_name() -> String:
+	return "GAGodotPlayground"
+
+
+func _supports_platform(_platform: EditorExportPlatform) -> bool:
+	return true
+
+
+func _get_export_options(_platform: EditorExportPlatform) -> Array[Dictionary]:
+	return [{"option": {"name": OPTION, "type": TYPE_BOOL}, "default_value": true}]
+
+
+func _export_begin(_features: PackedStringArray, _is_debug: bool, _path: String, _flags: int) -> void:
+	if get_option(OPTION):
+		_add_folder(FOLDER)
+
+
+func _add_folder(folder: String) -> void:
+	for file in DirAccess.get_files_at(folder):
+		if not LEFT_OUT.has(file.get_extension()):
+			var path := folder.path_join(file)
+			add_file(path, FileAccess.get_file_as_bytes(path), false)
+	for inner in DirAccess.get_directories_at(folder):
+		_add_folder(folder.path_join(inner))

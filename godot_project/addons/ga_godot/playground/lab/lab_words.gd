@@ -1,0 +1,50 @@
+@tool
+extends RefCounted
+## Poses and deviations in words.
+
+## In metres and radians; what is nearer is the same.
+const NEAR := 1e-6
+
+
+## "at (1, 2, 3), turned 45° about (0, 0, 1), scale 2"
+static func pose(motor: Multivector) -> String:
+	var words := PackedStringArray(["at %s" % _vector(motor.get_translation())])
+	var rotation := motor.get_rotation()
+	if rotation.w < 0.0:
+		rotation = -rotation
+	var sines := Vector3(rotation.x, rotation.y, rotation.z)
+	if sines.length() > NEAR:
+		words.append("turned %s about %s" % [angle(2.0 * atan2(sines.length(), rotation.w)), _vector(sines.normalized())])
+	if absf(motor.get_scale() - 1.0) > NEAR:
+		words.append("scale %s" % _number(motor.get_scale()))
+	return ", ".join(words)
+
+
+## Of what MultivectorLerp.measure_deviation gives.
+static func deviation(found: Dictionary) -> String:
+	var parts := PackedStringArray()
+	if found["distance"] > NEAR:
+		parts.append("%s (at t %.2f)" % [length(found["distance"] as float), found["distance_weight"]])
+	if found["angle"] > NEAR:
+		parts.append("%s (at t %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
+	return "the same as the screw" if parts.is_empty() else "off the screw: %s" % ", ".join(parts)
+
+
+static func length(metres: float) -> String:
+	if metres >= 1.0:
+		return "%s m" % _number(metres)
+	return "%s mm" % String.num(metres * 1000.0, 3 if metres < 1e-3 else 1 if metres < 0.1 else 0).trim_suffix(".0")
+
+
+static func angle(radians: float) -> String:
+	var degrees := rad_to_deg(radians)
+	return "%s°" % String.num(degrees, 4 if degrees < 0.1 else 2 if degrees < 10.0 else 1).trim_suffix(".0")
+
+
+static func _vector(vector: Vector3) -> String:
+	return "(%s, %s, %s)" % [_number(vector.x), _number(vector.y), _number(vector.z)]
+
+
+static func _number(number: float) -> String:
+	var text := String.num(number, 2 if absf(number) >= 0.1 else 3).trim_suffix(".0")
+	return "0" if text == "-0" else text
