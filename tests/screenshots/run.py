@@ -25,8 +25,8 @@ import display  # noqa: E402
 import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
-import indexed_png  # noqa: E402
 import export  # noqa: E402
+import indexed_png  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")

@@ -11,6 +11,7 @@ extends Node
 
 const ExportChecks := preload("res://tests/pictures/export_checks.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
+const LineChecks := preload("res://tests/pictures/line_checks.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const Scenes := preload("res://tests/pictures/scenes.gd")
 
@@ -65,6 +66,7 @@ func _compare_all() -> void:
 	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
 	await _check_export()
+	await _check_line()
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -109,6 +111,14 @@ func _check_export() -> void:
 	for problem in problems:
 		_fail("exported pictures: %s" % problem)
 	_passed += int(problems.is_empty())
+
+
+func _check_line() -> void:
+	var problem := await LineChecks.find_problem(self)
+	if problem.is_empty():
+		_passed += 1
+	else:
+		_fail(problem)
 
 
 func _with_moved_cube(parent: Node) -> Node:
