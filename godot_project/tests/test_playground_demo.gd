@@ -150,7 +150,7 @@ func test_f_frames_the_selection() -> void:
 func test_coefficients_are_dragged_and_typed() -> void:
 	await _open_with({"v": "e1 + 2 e2"})
 	_demo.panel.list.select(["v"])
-	var panel := _part("Bottom/Coefficients") as FoldableContainer
+	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
 	panel.expand()
 	await wait_frames(3)
 	var field := panel.find_child("e1", true, false) as NumberField

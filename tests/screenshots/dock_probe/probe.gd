@@ -152,7 +152,7 @@ func _undo_slide() -> void:
 
 func _coefficients_open() -> void:
 	Hands.click(_row_part("B", "Words"))
-	(_part("Bottom/Coefficients") as FoldableContainer).expand()
+	_coefficients().expand()
 
 
 func _coefficient() -> void:
@@ -353,8 +353,12 @@ func _part(path: String) -> Control:
 	return _dock().get_node("Panel/" + path)
 
 
+func _coefficients() -> FoldableContainer:
+	return _dock().find_child("Coefficients", true, false)
+
+
 func _number(blade: String) -> EditorSpinSlider:
-	return _part("Bottom/Coefficients").find_child(blade, true, false).get_child(0)
+	return _coefficients().find_child(blade, true, false).get_child(0)
 
 
 func _line() -> LineEdit:

@@ -5,11 +5,14 @@ extends ScrollContainer
 const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryRow := preload("entry_row.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 
 signal selection_changed
 signal menu_requested(row: Control)
 signal deletion_requested
 
+## Of two rows.
+const LEAST_HEIGHT := 104.0
 ## The key of an entry's name in what is dragged.
 const DRAGGED := "ga_playground_entry"
 const HINT := "Nothing here yet. Add an object with a button above, or type an expression below, such as\npoint(1, 2, 3)"
@@ -28,6 +31,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	name = "Entries"
 	_document = document
 	_edits = edits
+	custom_minimum_size.y = LEAST_HEIGHT * PlaygroundStyle.scale()
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	size_flags_vertical = Control.SIZE_EXPAND_FILL
 	follow_focus = true

@@ -5,6 +5,8 @@ extends VBoxContainer
 
 const PlaygroundDocument := preload("playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
+const PlaygroundStyle := preload("playground_style.gd")
+const CappedScroll := preload("capped_scroll.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryMenu := preload("entry_menu.gd")
@@ -20,6 +22,11 @@ const InterpolationLab := preload("lab/interpolation_lab.gd")
 const LabDrawing := preload("lab/lab_drawing.gd")
 const LabPanel := preload("lab/lab_panel.gd")
 
+## Of what is left for both, if they want more.
+const TOP_SHARE := 0.4
+## However little is left.
+const LEAST_HEIGHT := 60.0
+
 var host: PlaygroundHost
 var document: PlaygroundDocument
 var edits: EntryEdits
@@ -34,6 +41,8 @@ var top := VBoxContainer.new()
 ## Foldable panels about the selection, below the coefficients.
 var bottom := VBoxContainer.new()
 
+var _top_scroll := CappedScroll.new(top)
+var _bottom_scroll := CappedScroll.new(bottom)
 var _file_name := Label.new()
 var _examples := ExamplesMenu.new()
 var _examples_button := Button.new()
@@ -58,9 +67,14 @@ func _init(p_host: PlaygroundHost) -> void:
 	lab = InterpolationLab.new(document)
 	var lab_panel := LabPanel.new(lab, list, host)
 	bottom.add_child(lab_panel)
-	for part: Control in [head, top, objects, combinations, HSeparator.new(), list, line, bottom]:
+	for part: Control in [head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll]:
 		add_child(part)
 	top.add_child(_description)
+	for scroll: CappedScroll in [_top_scroll, _bottom_scroll]:
+		scroll.wanted_height_changed.connect(_share_height)
+	for part: Control in [head, objects, combinations, line]:
+		part.minimum_size_changed.connect(_share_height)
+	resized.connect(_share_height)
 	_picture_dialog = PictureDialog.new(host.make_file_dialog())
 	add_child(_picture_dialog)
 	add_child(EntryMenu.new(document, edits, list, host))
@@ -129,6 +143,18 @@ func _on_picture_requested() -> void:
 		host.warn("There is no 3D view to draw a picture of.")
 	else:
 		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
+
+
+# What is above and below the list may scroll before the list has less than its least height.
+func _share_height() -> void:
+	var room := size.y
+	for part: Control in find_children("*", "Control", false, false):
+		if part.visible:
+			room -= get_theme_constant(&"separation")
+			room -= part.get_combined_minimum_size().y if not part is CappedScroll else 0.0
+	var least := LEAST_HEIGHT * PlaygroundStyle.scale()
+	_top_scroll.cap = maxf(least, room - minf(_bottom_scroll.get_wanted_height(), room * (1.0 - TOP_SHARE)))
+	_bottom_scroll.cap = maxf(least, room - minf(_top_scroll.get_wanted_height(), room * TOP_SHARE))
 
 
 func _draw_lab() -> Array[Node3D]:

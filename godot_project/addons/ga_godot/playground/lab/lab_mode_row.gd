@@ -8,9 +8,10 @@ const LabSettings := preload("lab_settings.gd")
 const LabWords := preload("lab_words.gd")
 const Modes := preload("interpolation_modes.gd")
 
-const SWATCH := 12
+const SWATCH := Vector2(4.0, 16.0)
 const INDENT := 14.0
 const QUIET := Color(1, 1, 1, 0.65)
+const FAINT := Color(1, 1, 1, 0.35)
 
 var _lab: InterpolationLab
 var _mode: MultivectorLerp.Mode
@@ -18,6 +19,7 @@ var _toggle := CheckBox.new()
 var _indent := MarginContainer.new()
 var _words := Label.new()
 var _deviation := ""
+var _width := 0.0
 
 
 func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
@@ -28,9 +30,11 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 	_toggle.name = "Toggle"
 	_toggle.text = Modes.TITLES[mode]
 	_toggle.tooltip_text = Modes.LINES[mode] + "."
-	_toggle.icon = _make_swatch(Modes.COLORS[mode])
 	_toggle.toggled.connect(func(on: bool) -> void: _lab.set_setting(LabSettings.MODES[_mode], on))
-	add_child(_toggle)
+	var line := HBoxContainer.new()
+	line.add_child(_make_swatch(Modes.COLORS[mode]))
+	line.add_child(_toggle)
+	add_child(line)
 	_indent.add_theme_constant_override(&"margin_left", roundi(INDENT * PlaygroundStyle.scale()))
 	add_child(_indent)
 	_words.name = "Words"
@@ -43,15 +47,17 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 func refresh() -> void:
 	var is_shown := _lab.shows_mode(_mode)
 	_toggle.set_pressed_no_signal(is_shown)
-	_indent.visible = is_shown
-	if is_shown:
-		_measure()
-		refresh_moment()
+	# Told all the same: nothing moves away from under the mouse.
+	_words.modulate = QUIET if is_shown else FAINT
+	_measure()
+	refresh_moment()
 
 
 func refresh_moment() -> void:
-	if _indent.visible:
-		_words.text = LabWords.pose(_lab.get_moment(_mode)) + _deviation
+	_words.text = LabWords.pose(_lab.get_moment(_mode)) + _deviation
+	# It grows, but does not jump while t moves.
+	_words.custom_minimum_size.y = _words.size.y if _words.size.x == _width else 0.0
+	_width = _words.size.x
 
 
 func _measure() -> void:
@@ -63,8 +69,10 @@ func _measure() -> void:
 	_words.tooltip_text = "The pose at t, and the largest deviation on the way. The distance is that of a point %s from the body's origin, of all such points the one that fares worst." % LabWords.length(lever)
 
 
-static func _make_swatch(color: Color) -> Texture2D:
-	var side := roundi(SWATCH * PlaygroundStyle.scale())
-	var image := Image.create_empty(side, side, false, Image.FORMAT_RGBA8)
-	image.fill(color)
-	return ImageTexture.create_from_image(image)
+static func _make_swatch(color: Color) -> Control:
+	var swatch := ColorRect.new()
+	swatch.color = color
+	swatch.custom_minimum_size = SWATCH * PlaygroundStyle.scale()
+	swatch.size_flags_vertical = Control.SIZE_SHRINK_CENTER
+	swatch.mouse_filter = Control.MOUSE_FILTER_IGNORE
+	return swatch

@@ -15,11 +15,15 @@ const Modes := preload("interpolation_modes.gd")
 ## An entry was made.
 signal added(entry: String)
 
-## Beyond this it scrolls.
-const HEIGHT := 330.0
+## It scrolls where it would leave the list of entries less than that, and where there is no list beside it, and never gets
+## lower than that.
+const LEAST_LIST := 160.0
+const HEIGHT := 420.0
+const LEAST_HEIGHT := 150.0
 
 var lab: InterpolationLab
 
+var _list: EntryList
 var _scroll := ScrollContainer.new()
 var _column := VBoxContainer.new()
 var _below := VBoxContainer.new()
@@ -35,6 +39,7 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	title = "Interpolation"
 	folded = true
 	lab = p_lab
+	_list = list
 	_ends = LabEnds.new(lab, list)
 	_player = LabPlayer.new(lab)
 	_shown = LabShown.new(lab, host)
@@ -53,7 +58,9 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 		_below.add_child(_rows[-1])
 	_below.add_child(_shown)
 	_make_keep()
-	_column.minimum_size_changed.connect(_fit)
+	_column.minimum_size_changed.connect(_fit_soon)
+	_list.resized.connect(_fit_soon)
+	_scroll.resized.connect(_fit_soon)
 	lab.changed.connect(_refresh)
 	lab.moved.connect(_refresh_moment)
 	lab.document.scene_switched.connect(_on_scene_switched)
@@ -63,6 +70,7 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
+		_fit_soon()
 		_keep.icon = get_theme_icon(&"arrow", &"OptionButton")
 		_refresh()
 
@@ -122,5 +130,15 @@ func _on_keep_pressed(mode: int) -> void:
 	added.emit(lab.keep(mode as MultivectorLerp.Mode))
 
 
+# When all around has its size; sooner, one would be of before and another of after.
+func _fit_soon() -> void:
+	if is_inside_tree() and not get_tree().process_frame.is_connected(_fit):
+		get_tree().process_frame.connect(_fit, CONNECT_ONE_SHOT)
+
+
 func _fit() -> void:
-	_scroll.custom_minimum_size.y = minf(_column.get_combined_minimum_size().y, HEIGHT * PlaygroundStyle.scale())
+	var scale := PlaygroundStyle.scale()
+	var room := HEIGHT * scale
+	if _list.is_inside_tree():
+		room = _list.size.y + _scroll.size.y * (0.0 if folded else 1.0) - LEAST_LIST * scale
+	_scroll.custom_minimum_size.y = minf(_column.get_combined_minimum_size().y, maxf(room, LEAST_HEIGHT * scale))

@@ -6,17 +6,18 @@ extends RefCounted
 const NEAR := 1e-6
 
 
-## "at (1, 2, 3), turned 45° about (0, 0, 1), scale 2"
+## "at (1.00, 2.00, 3.00), turned 45.0° about (0.00, 0.00, 1.00), scale 2.00": as long at each t.
 static func pose(motor: Multivector) -> String:
-	var words := PackedStringArray(["at %s" % _vector(motor.get_translation())])
+	var position := motor.get_translation()
+	var words := PackedStringArray(["at %s" % _vector(position, 2 if position.length() >= 1.0 else 3)])
 	var rotation := motor.get_rotation()
 	if rotation.w < 0.0:
 		rotation = -rotation
 	var sines := Vector3(rotation.x, rotation.y, rotation.z)
 	if sines.length() > NEAR:
-		words.append("turned %s about %s" % [angle(2.0 * atan2(sines.length(), rotation.w)), _vector(sines.normalized())])
+		words.append("turned %s° about %s" % [_number(rad_to_deg(2.0 * atan2(sines.length(), rotation.w)), 1), _vector(sines.normalized(), 2)])
 	if absf(motor.get_scale() - 1.0) > NEAR:
-		words.append("scale %s" % _number(motor.get_scale()))
+		words.append("scale %s" % _number(motor.get_scale(), 2 if motor.get_scale() >= 0.1 else 4))
 	return ", ".join(words)
 
 
@@ -32,19 +33,19 @@ static func deviation(found: Dictionary) -> String:
 
 static func length(metres: float) -> String:
 	if metres >= 1.0:
-		return "%s m" % _number(metres)
+		return "%.2f m" % metres
 	return "%s mm" % String.num(metres * 1000.0, 3 if metres < 1e-3 else 1 if metres < 0.1 else 0).trim_suffix(".0")
 
 
 static func angle(radians: float) -> String:
 	var degrees := rad_to_deg(radians)
-	return "%s°" % String.num(degrees, 4 if degrees < 0.1 else 2 if degrees < 10.0 else 1).trim_suffix(".0")
+	return "%s°" % String.num(degrees, 4 if degrees < 0.1 else 2 if degrees < 10.0 else 1)
 
 
-static func _vector(vector: Vector3) -> String:
-	return "(%s, %s, %s)" % [_number(vector.x), _number(vector.y), _number(vector.z)]
+static func _vector(vector: Vector3, decimals: int) -> String:
+	return "(%s, %s, %s)" % [_number(vector.x, decimals), _number(vector.y, decimals), _number(vector.z, decimals)]
 
 
-static func _number(number: float) -> String:
-	var text := String.num(number, 2 if absf(number) >= 0.1 else 3).trim_suffix(".0")
-	return "0" if text == "-0" else text
+# No "-0.00".
+static func _number(number: float, decimals: int) -> String:
+	return String.num(snappedf(number, pow(10.0, -decimals)) + 0.0, decimals).pad_decimals(decimals)
