@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What can only be seen with a display: pictures of the demos, the plugin and its dock in the real editor.
+"""What can only be seen with a display: pictures of the demos, the plugin, its dock and its 3D viewports in the real editor.
 
     tests/screenshots/run.py [--engine CMD] [--update | --docs]
 
@@ -27,6 +27,7 @@ import editor  # noqa: E402
 import engine_run  # noqa: E402
 import export  # noqa: E402
 import indexed_png  # noqa: E402
+import view  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -55,6 +56,7 @@ def main():
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
             dock.write_reference(engine, PROJECT, OUTPUT)
+            view.write_reference(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine) or write_gallery(engine))
@@ -71,7 +73,7 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, export))
+    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export))
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1

@@ -136,11 +136,12 @@ private:
 
 	void collect_motion(const cga::Pose<double> &pose) {
 		if (_object.can_set("translation")) {
-			add_free("translation", pose.translation, Vector(0.0), true);
+			add_free("translation", pose.translation, pose.translation, true);
 		}
 		add_turn(pose);
 		if (_object.can_set("scale")) {
-			const Vector along = pose.rotation * Vector(1.0, 0.0, 0.0);
+			// Between the frame's axes, apart from what is on them.
+			const Vector along = pose.rotation * glm::normalize(Vector(1.0));
 			add("scale", { Motion::LINE, pose.translation + along * (drawing::FRAME_SIZE * pose.scale), {}, along }, pose.translation, false, false);
 		}
 	}

@@ -16,7 +16,7 @@ namespace playground::handles {
 //   lines, tangents                                      point: free; direction, normal: the tip of an arm
 //   translators, vectors                                 offset, vector: free, from the origin
 //   rotors, motors, dilators                             translation: free; axis: the tip of an arm; angle: on a circle about
-//                                                        it; scale: along the x axis of the frame that is carried
+//                                                        it; scale: along the diagonal of the frame that is carried
 //   objects written as a list or a sum of blades         object: free, of planes along the normal
 //
 // `right` is where the radius of a sphere is taken hold of, seen from its centre; of a circle as near to it as it gets. None

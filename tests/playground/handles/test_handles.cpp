@@ -115,6 +115,7 @@ TEST_CASE("where they are, and what moves the object") {
 	CHECK(is_near(handle(motor, "translation").constraint.place, { 1.0, 0.0, 0.0 }));
 	CHECK(is_near(handle(motor, "axis").constraint.place, { 1.0, 0.0, 1.0 }));
 	CHECK(is_near(handle(motor, "angle").constraint.place, { 1.0, 0.65, 0.0 }));
-	CHECK(is_near(handle(motor, "scale").constraint.place, { 1.0, 1.0, 0.0 }));
+	const double third = 1.0 / std::sqrt(3.0);
+	CHECK(is_near(handle(motor, "scale").constraint.place, { 1.0 - third, third, third }));
 	CHECK(is_near(handle("motor(v, rotor(e3, 1))", "axis").constraint.place, { 0.0, 3.0, 1.0 }));
 }
