@@ -27,6 +27,7 @@ import editor  # noqa: E402
 import engine_run  # noqa: E402
 import export  # noqa: E402
 import indexed_png  # noqa: E402
+import lab  # noqa: E402
 import view  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
@@ -73,7 +74,7 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export))
+    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export, lab))
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1

@@ -67,6 +67,7 @@ func _compare_all() -> void:
 	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
 	await _check_export()
 	await _check_line()
+	await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -88,9 +89,9 @@ func _expect_alike(title: String, make_scene: Callable) -> void:
 		print("   what was drawn: %s" % _output.path_join(title + ".png"))
 
 
-## The changed scene must not pass for the picture without panels.
-func _expect_different(change: String, make_scene: Callable) -> void:
-	var reference := _load_reference("interpolation_paths")
+## The changed scene must not pass for the picture of what it was; by default that of the demo without panels.
+func _expect_different(change: String, make_scene: Callable, title := "interpolation_paths") -> void:
+	var reference := _load_reference(title)
 	if reference == null:
 		_fail("%s: there is no reference" % change)
 		return
@@ -132,6 +133,13 @@ func _with_hidden(parent: Node, path: NodePath) -> Node:
 	var node: Node3D = demo.get_node(path)
 	node.hide()
 	return demo
+
+
+func _without_screw(parent: Node) -> Node:
+	var picture := Scenes.interpolation_lab(parent, "frame")
+	var path: Node3D = picture.get_node(^"Interpolation/Screw/Path")
+	path.hide()
+	return picture
 
 
 func _take(make_scene: Callable) -> Image:

@@ -4,7 +4,6 @@ extends FoldableContainer
 
 const EntryList := preload("../entry_list.gd")
 const PlaygroundHost := preload("../playground_host.gd")
-const PlaygroundStyle := preload("../playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabEnds := preload("lab_ends.gd")
 const LabModeRow := preload("lab_mode_row.gd")
@@ -15,16 +14,8 @@ const Modes := preload("interpolation_modes.gd")
 ## An entry was made.
 signal added(entry: String)
 
-## It scrolls where it would leave the list of entries less than that, and where there is no list beside it, and never gets
-## lower than that.
-const LEAST_LIST := 160.0
-const HEIGHT := 420.0
-const LEAST_HEIGHT := 150.0
-
 var lab: InterpolationLab
 
-var _list: EntryList
-var _scroll := ScrollContainer.new()
 var _column := VBoxContainer.new()
 var _below := VBoxContainer.new()
 var _ends: LabEnds
@@ -39,16 +30,11 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	title = "Interpolation"
 	folded = true
 	lab = p_lab
-	_list = list
 	_ends = LabEnds.new(lab, list)
 	_player = LabPlayer.new(lab)
 	_shown = LabShown.new(lab, host)
-	_scroll.name = "Scroll"
-	_scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
-	add_child(_scroll)
 	_column.name = "Column"
-	_column.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	_scroll.add_child(_column)
+	add_child(_column)
 	_column.add_child(_ends)
 	_below.name = "Below"
 	_column.add_child(_below)
@@ -58,9 +44,6 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 		_below.add_child(_rows[-1])
 	_below.add_child(_shown)
 	_make_keep()
-	_column.minimum_size_changed.connect(_fit_soon)
-	_list.resized.connect(_fit_soon)
-	_scroll.resized.connect(_fit_soon)
 	lab.changed.connect(_refresh)
 	lab.moved.connect(_refresh_moment)
 	lab.document.scene_switched.connect(_on_scene_switched)
@@ -70,7 +53,6 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
-		_fit_soon()
 		_keep.icon = get_theme_icon(&"arrow", &"OptionButton")
 		_refresh()
 
@@ -128,17 +110,3 @@ func _on_folding_changed(is_folded: bool) -> void:
 
 func _on_keep_pressed(mode: int) -> void:
 	added.emit(lab.keep(mode as MultivectorLerp.Mode))
-
-
-# When all around has its size; sooner, one would be of before and another of after.
-func _fit_soon() -> void:
-	if is_inside_tree() and not get_tree().process_frame.is_connected(_fit):
-		get_tree().process_frame.connect(_fit, CONNECT_ONE_SHOT)
-
-
-func _fit() -> void:
-	var scale := PlaygroundStyle.scale()
-	var room := HEIGHT * scale
-	if _list.is_inside_tree():
-		room = _list.size.y + _scroll.size.y * (0.0 if folded else 1.0) - LEAST_LIST * scale
-	_scroll.custom_minimum_size.y = minf(_column.get_combined_minimum_size().y, maxf(room, LEAST_HEIGHT * scale))
