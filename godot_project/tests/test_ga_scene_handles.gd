@@ -12,7 +12,7 @@ func test_the_handles_of_objects() -> void:
 		"sphere(e2, 2)": {"center": Vector3.UP, "radius": Vector3(2, 1, 0)},
 		"circle(0, e2, 2)": {"center": Vector3.ZERO, "radius": Vector3(2, 0, 0), "normal": Vector3.UP},
 		"plane(e3, 2)": {"distance": Vector3(0, 0, 2), "normal": Vector3(0, 0, 3)},
-		"motor(e1, rotor(e3, 0), 2)": {"translation": Vector3.RIGHT, "axis": Vector3(1, 0, 1), "angle": Vector3(1.65, 0, 0), "scale": Vector3(2, 0, 0)},
+		"motor(e1, rotor(e3, 0))": {"translation": Vector3.RIGHT, "axis": Vector3(1, 0, 1), "angle": Vector3(1.65, 0, 0)},
 		"2.5": {},
 		"point(1, 2": {},
 	}

@@ -129,7 +129,7 @@ func test_an_example_is_opened_from_its_menu() -> void:
 	var examples := _demo.panel.head.find_child("Examples", true, false) as PopupMenu
 	expect_true(examples.visible, "the menu being open")
 	examples.hide()
-	examples.index_pressed.emit(0)
+	examples.id_pressed.emit(0)
 	expect_equal(_demo.panel.document.scene.get_scene_attribute("title"), "Circle through three points", "title of what is shown")
 	expect_true((_demo.panel.top.get_node(^"Description") as Control).visible, "a description")
 	var view := ViewPoint.of(_scene())

@@ -67,8 +67,8 @@ func _forward_3d_force_draw_over_viewport(viewport_control: Control) -> void:
 
 
 func _save_external_data() -> void:
-	if _dock != null:
-		_dock.call(&"keep")
+	if _tool != null:
+		_tool.call(&"keep")
 
 
 func _open_dock() -> void:

@@ -9,7 +9,9 @@ extends Node
 ##
 ## The window's size is the pictures' size.
 
+const ExportChecks := preload("res://tests/pictures/export_checks.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
+const LineChecks := preload("res://tests/pictures/line_checks.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const Scenes := preload("res://tests/pictures/scenes.gd")
 
@@ -51,7 +53,8 @@ func _update() -> void:
 			get_tree().quit(1)
 			return
 		print("wrote %s" % _reference_path(title))
-	get_tree().quit(0)
+	var exported := await ExportChecks.new(self).draw_reference()
+	get_tree().quit(0 if exported.save_png(_reference_path(ExportChecks.TITLE)) == OK else 1)
 
 
 func _compare_all() -> void:
@@ -62,6 +65,8 @@ func _compare_all() -> void:
 	await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
 	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+	await _check_export()
+	await _check_line()
 	await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
@@ -96,6 +101,25 @@ func _expect_different(change: String, make_scene: Callable, title := "interpola
 		_fail("%s is not noticed" % change)
 	else:
 		_passed += 1
+
+
+func _check_export() -> void:
+	var reference := _load_reference(ExportChecks.TITLE)
+	if reference == null:
+		_fail("exported pictures: there is no reference %s" % _reference_path(ExportChecks.TITLE))
+		return
+	var problems := await ExportChecks.new(self).find_problems(reference)
+	for problem in problems:
+		_fail("exported pictures: %s" % problem)
+	_passed += int(problems.is_empty())
+
+
+func _check_line() -> void:
+	var problem := await LineChecks.find_problem(self)
+	if problem.is_empty():
+		_passed += 1
+	else:
+		_fail(problem)
 
 
 func _with_moved_cube(parent: Node) -> Node:

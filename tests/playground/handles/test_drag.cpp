@@ -69,7 +69,7 @@ TEST_CASE("after a drag the handle is under the mouse") {
 		{ "rotor(0, 0, 0.6, 0.8)", "axis", { 0.0, 0.6, 0.8 } },
 		{ "rotor(0, 0, 0.6, 0.8)", "angle", { 0.0, -0.65, 0.0 } },
 		{ "motor(e1, 1)", "angle", { 1.65, 0.0, 0.0 } },
-		{ "motor(e1, rotor(e3, deg(90)), 2)", "scale", { 1.0, 0.7, 0.0 } },
+		{ "motor(e1, rotor(e3, deg(90)), 2)", "scale", { 0.3, 0.7, 0.7 } },
 		{ "motor(e1, rotor(e3, deg(90)), 2)", "translation", { 2.0, 1.0, 0.0 } },
 		{ "e2 + 0.5 einf + eo", "object", { 1.0, 1.0, 1.0 } },
 		{ "!-[0, 0,1,0,-0.5,0.5, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0, 0]", "object", { 1.0, 1.0, 1.0 } },
@@ -109,8 +109,20 @@ TEST_CASE("what is written") {
 	CHECK(dragged("circle(0, e3, 1)", "normal", through({ 0.05, 0.99, 0.02 }), steps) == "circle(0, e2, 1)");
 	CHECK(dragged("rotor(e3, deg(90))", "angle", through({ 0.65 * std::cos(32.0 * DEGREE), 0.65 * std::sin(32.0 * DEGREE), 0.0 }), steps) == "rotor(e3, deg(30))");
 	CHECK(dragged("rotor(e3, deg(350))", "angle", through({ 0.65 * std::cos(29.0 * DEGREE), 0.65 * std::sin(29.0 * DEGREE), 0.0 }), steps) == "rotor(e3, deg(390))");
-	CHECK(dragged("motor(0, rotor(e3, deg(90)), 2)", "scale", through({ 0.0, 0.76, 0.0 }), steps) == "motor(0, rotor(e3, deg(90)), 1.5)");
+	CHECK(dragged("motor(0, rotor(e3, deg(90)), 2)", "scale", through({ -0.43, 0.43, 0.43 }), steps) == "motor(0, rotor(e3, deg(90)), 1.5)");
 	CHECK(dragged("e1 + 0.5 einf + eo", "object", straight, { 1.0, 0.0 }) == "2 e1 - e3 + 2 e4 + 3 e5");
+}
+
+TEST_CASE("the one coordinate that is free") {
+	Document document;
+	REQUIRE(document.add("t", "2"));
+	REQUIRE(document.add("x", "point(t, 1, t + 1)"));
+	const std::optional<Handle> start = find(document, "x", "y");
+	REQUIRE(start);
+	const std::optional<Drag> result = drag(document, "x", *start, through({ 2.0, -1.52, 3.0 }), { 0.1, 0.0 });
+	REQUIRE(result);
+	REQUIRE(document.set_parameter("x", result->parameter, result->value));
+	CHECK(document.find("x")->text == "point(t, -1.5, t + 1)");
 }
 
 TEST_CASE("a grid does not wear off the depth: planes across the view are those of the start") {
@@ -148,7 +160,7 @@ TEST_CASE("nothing follows a ray that leads nowhere") {
 	// Across the centre: no radius below zero, with a grid the least of it.
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 })) == "sphere(0, 2)");
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 }), { 0.1, 0.0 }) == "sphere(0, 0.1)");
-	CHECK(dragged("motor(0, 1, 2)", "scale", through({ -1.0, 0.0, 0.0 })) == "motor(0, 1, 2)");
+	CHECK(dragged("motor(0, 1, 2)", "scale", through({ -1.0, -1.0, -1.0 })) == "motor(0, 1, 2)");
 }
 
 TEST_CASE("nor what changed meanwhile") {

@@ -7,6 +7,7 @@ const PlaygroundDock := preload("playground_dock.gd")
 const Picking := preload("../playground/view/picking.gd")
 const SceneDrawing := preload("../playground/view/scene_drawing.gd")
 const ViewPointer := preload("../playground/view/view_pointer.gd")
+const ViewRay := preload("../playground/view/view_ray.gd")
 
 var _dock: PlaygroundDock
 var _drawing: SceneDrawing
@@ -31,6 +32,14 @@ func _init(dock: PlaygroundDock, drawing: SceneDrawing, pointer: ViewPointer) ->
 func stop() -> void:
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	_show(null)
+
+
+## Calls it while the dock has its own document, which is what is kept.
+func with_own_document(act: Callable) -> void:
+	var node := _node
+	_show(null)
+	act.call()
+	_show(node)
 
 
 ## True if the event was for a node of the edited scene.
@@ -109,8 +118,11 @@ func _show(node: GANode3D) -> void:
 
 ## The drawing around the selected node moves with it.
 func follow() -> void:
-	if is_instance_valid(_node) and _node.is_inside_tree() and _drawing.global_transform != _node.global_transform:
-		_drawing.global_transform = _node.global_transform
+	if not is_instance_valid(_node) or not _node.is_inside_tree():
+		return
+	var space := _node.global_transform
+	if _drawing.global_transform != space and not ViewRay.is_flat(space):
+		_drawing.global_transform = space
 
 
 func _show_own() -> void:

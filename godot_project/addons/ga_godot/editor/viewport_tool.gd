@@ -78,11 +78,18 @@ func forward_input(camera: Camera3D, event: InputEvent) -> int:
 
 func draw_over(overlay: Control) -> void:
 	var camera := _camera_below(overlay)
+	if not overlay.mouse_exited.is_connected(pointer.leave):
+		overlay.mouse_exited.connect(pointer.leave)
 	if visible and camera != null:
 		var stretch := _stretch_of(camera)
 		overlay.draw_set_transform(Vector2.ZERO, 0.0, Vector2.ONE * stretch)
 		HandleOverlay.draw(overlay, camera, pointer)
 		overlay.draw_set_transform(Vector2.ZERO)
+
+
+## What the dock keeps when a scene is saved is its own document, not that of a selected node.
+func keep() -> void:
+	_nodes.with_own_document(_dock.keep)
 
 
 func _update_visibility() -> void:

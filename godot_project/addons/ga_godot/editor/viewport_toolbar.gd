@@ -8,7 +8,7 @@ const ViewPointer := preload("../playground/view/view_pointer.gd")
 
 signal shown_toggled(on: bool)
 
-const SHOWN_TEXT := "Show the objects of the GA Playground in the viewports, and drag them there."
+const SHOWN_TEXT := "Show the objects of the GA Playground in the viewports.\nDrag them and the handles of what is selected there. Ctrl snaps, Shift keeps the height, Escape takes back."
 const ADDING_TEXT := "Add objects of the GA Playground by clicks into the viewport."
 
 var _pointer: ViewPointer

@@ -34,7 +34,7 @@ static func draw(canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer) -> 
 		if handle.is_visible:
 			_draw_disc(canvas, handle.place, _is_active(handle, pointer), scale)
 			if pointer.is_dragging() and handle.is_same(pointer.get_drag().start):
-				_draw_text(canvas, handle.place, _words(handle), scale)
+				_draw_text(canvas, camera.get_viewport().get_visible_rect(), handle.place, _words(handle), scale)
 	if not pointer.adding.is_empty() and pointer.mouse.is_finite() and pointer.mouse_camera == camera:
 		_draw_target(canvas, camera, pointer, scale)
 
@@ -67,13 +67,17 @@ static func _number(value: float) -> String:
 	return String.num(snappedf(value, 0.0001) + 0.0, 4).trim_suffix(".0")
 
 
-static func _draw_text(canvas: CanvasItem, place: Vector2, words: String, scale: float) -> void:
+static func _draw_text(canvas: CanvasItem, bounds: Rect2, place: Vector2, words: String, scale: float) -> void:
 	if words.is_empty():
 		return
 	var font := ThemeDB.fallback_font
 	var font_size := roundi(FONT_SIZE * scale)
 	var size := font.get_string_size(words, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
 	var corner := place + TEXT_OFFSET * scale - Vector2(0, size.y)
+	# Within the view; on the other side of the handle where there is no room.
+	var room := bounds.size - size - MARGIN * scale
+	corner.x = corner.x if corner.x < room.x else place.x - TEXT_OFFSET.x * scale - size.x
+	corner = corner.clamp(MARGIN * scale, room.max(MARGIN * scale))
 	canvas.draw_rect(Rect2(corner - MARGIN * scale, size + 2.0 * MARGIN * scale), PANEL)
 	canvas.draw_string(font, corner + Vector2(0, font.get_ascent(font_size)), words, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
 

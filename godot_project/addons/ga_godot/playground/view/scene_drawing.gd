@@ -3,6 +3,8 @@ extends Node3D
 ## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
 ## the usual width unless its attribute "line_width" tells another one in pixels.
 
+const PlaygroundStyle := preload("../playground_style.gd")
+
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
 	&"point": Color(0.98, 0.45, 0.45), &"flat_point": Color(0.98, 0.45, 0.45), &"point_pair": Color(0.95, 0.55, 0.75),
@@ -11,7 +13,7 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
-## Line widths in pixels, and what is added to them.
+## Line widths in pixels at the usual scale, and what is added to them.
 const LINE_WIDTH := 2.0
 const SELECTED_EXTRA := 1.0
 const HOVERED_EXTRA := 1.6
@@ -19,7 +21,7 @@ const THINNEST := 0.25
 const THICKEST := 20.0
 
 ## Before a light background nothing is lighter.
-const LIGHTEST := 0.42
+const LIGHTEST := 0.48
 
 var scene: GAScene: set = set_scene
 ## Whether what is behind the objects is light; their colours are then darker where they have to.
@@ -33,6 +35,8 @@ var _selected := PackedStringArray()
 
 
 func set_scene(new_scene: GAScene) -> void:
+	if scene == new_scene:
+		return
 	if scene != null:
 		scene.changed.disconnect(_draw)
 	scene = new_scene
@@ -98,7 +102,10 @@ func _draw() -> void:
 	for entry in scene.get_names():
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
-		_nodes[entry].color = _on_background(color_of(scene, entry))
+		var color := _on_background(color_of(scene, entry))
+		# While one is dragged all others stay as they are.
+		if _nodes[entry].color != color:
+			_nodes[entry].color = color
 		_nodes[entry].line_width = _width_of(entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
 
@@ -110,7 +117,7 @@ func _on_background(color: Color) -> Color:
 
 func _width_of(entry: String) -> float:
 	var extra := SELECTED_EXTRA if _selected.has(entry) else 0.0
-	return width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)
+	return (width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)) * PlaygroundStyle.scale()
 
 
 func _make_node(entry: String) -> GANode3D:

@@ -2,6 +2,7 @@
 extends RefCounted
 ## A handle as a camera sees it.
 
+const ViewRay := preload("view_ray.gd")
 const ViewScale := preload("view_scale.gd")
 
 ## In pixels, of what is the tip of an arm.
@@ -41,11 +42,13 @@ func is_same(other: RefCounted) -> bool:
 	return other != null and other.get(&"node") == node and (other.get(&"handle") as Dictionary)["key"] == handle["key"]
 
 
-## Those of an entry, that of the whole object last, so that it is found first where two are in one place.
+## Those of the entry that a node draws; none of what is hidden.
 static func of(of_node: GANode3D, camera: Camera3D) -> Array[RefCounted]:
 	var found: Array[RefCounted] = []
 	var scene := of_node.scene
-	if scene == null or not scene.has_entry(of_node.entry) or not of_node.is_visible_in_tree() or not scene.get_entry_attribute(of_node.entry, "visible"):
+	if scene == null or not scene.has_entry(of_node.entry) or not scene.get_entry_attribute(of_node.entry, "visible"):
+		return found
+	if not of_node.is_visible_in_tree() or ViewRay.is_flat(of_node.global_transform):
 		return found
 	var right := of_node.global_transform.affine_inverse().basis * camera.global_basis.x
 	for each in scene.get_handles(of_node.entry, right):

@@ -9,11 +9,18 @@ var direction: Vector3
 var view: Vector3
 
 
+## Without a direction in a space that is flat.
 func _init(camera: Camera3D, point: Vector2, space: Transform3D) -> void:
+	if is_flat(space):
+		return
 	var inverse := space.affine_inverse()
 	origin = inverse * camera.project_ray_origin(point)
 	direction = (inverse.basis * camera.project_ray_normal(point)).normalized()
 	view = (inverse.basis * -camera.global_basis.z).normalized()
+
+
+static func is_flat(space: Transform3D) -> bool:
+	return space.basis.determinant() == 0.0
 
 
 ## The nearer place in front of the eye; infinite if there is none.

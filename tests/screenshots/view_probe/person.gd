@@ -1,0 +1,107 @@
+@tool
+extends EditorPlugin
+## What a person sees of the editor, and does with the mouse in its first 3D viewport, where places are in pixels of it.
+
+const Hands := preload("hands.gd")
+
+## How many expectations there were.
+var _said := 0
+
+
+func _drag(from: Vector2, to: Vector2, with_control := false) -> void:
+	_move_mouse(from, 0)
+	_press(from, true)
+	for step in 4:
+		_move_mouse(from.lerp(to, (step + 1) / 4.0), MOUSE_BUTTON_MASK_LEFT, with_control)
+	_press(to, false)
+
+
+func _click_at(place: Vector3) -> void:
+	var point := _camera().unproject_position(place)
+	_move_mouse(point, 0)
+	_press(point, true)
+	_press(point, false)
+
+
+func _press(place: Vector2, pressed: bool) -> void:
+	var event := InputEventMouseButton.new()
+	event.button_index = MOUSE_BUTTON_LEFT
+	event.pressed = pressed
+	event.button_mask = MOUSE_BUTTON_MASK_LEFT if pressed else 0 as MouseButtonMask
+	_send(event, place)
+
+
+func _move_mouse(place: Vector2, buttons: int, with_control := false) -> void:
+	var event := InputEventMouseMotion.new()
+	event.button_mask = buttons as MouseButtonMask
+	event.ctrl_pressed = with_control
+	_send(event, place)
+
+
+func _send(event: InputEventMouse, place: Vector2) -> void:
+	event.position = _surface().get_global_transform_with_canvas() * place
+	event.global_position = event.position
+	_surface().get_viewport().push_input(event)
+
+
+func _handle_place(entry: String, key: String) -> Vector2:
+	for handle: RefCounted in _pointer().call(&"get_handles", _camera()):
+		if (handle.get(&"node") as GANode3D).entry == StringName(entry) and (handle.get(&"handle") as Dictionary)["key"] == key:
+			return handle.get(&"place")
+	_expect("none", key, "handle of %s" % entry)
+	return Vector2.ZERO
+
+
+func _undo() -> void:
+	get_undo_redo().get_history_undo_redo(EditorUndoRedoManager.GLOBAL_HISTORY if not _scene().resource_path.contains("::") else get_undo_redo().get_object_history_id(_edited())).undo()
+
+
+func _select(entries: PackedStringArray) -> void:
+	var list: Control = _dock().find_child("Entries", true, false)
+	list.call(&"select", entries)
+
+
+func _selection() -> PackedStringArray:
+	return _dock().find_child("Entries", true, false).get(&"selection")
+
+
+func _selected_nodes() -> Array:
+	return EditorInterface.get_selection().get_selected_nodes()
+
+
+func _edited() -> Node:
+	return EditorInterface.get_edited_scene_root()
+
+
+func _surface() -> Control:
+	return EditorInterface.get_editor_viewport_3d(0).get_parent()
+
+
+func _camera() -> Camera3D:
+	return EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
+
+
+func _tool() -> Node3D:
+	return get_tree().root.find_child("ViewportTool", true, false)
+
+
+func _pointer() -> RefCounted:
+	return _tool().get(&"pointer")
+
+
+func _tools() -> Control:
+	return get_tree().root.find_child("GAPlaygroundTools", true, false)
+
+
+func _dock() -> EditorDock:
+	return get_tree().root.find_children("GAPlayground", "EditorDock", true, false)[0]
+
+
+func _scene() -> GAScene:
+	return (_dock().get(&"document") as RefCounted).get(&"scene")
+
+
+func _expect(got: Variant, wanted: Variant, what: String) -> void:
+	_said += 1
+	if got != wanted:
+		print("[probe] FAIL %s: %s, expected %s" % [what, got, wanted])
