@@ -26,6 +26,7 @@ void GANode3D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_WORLD:
 			_in_world = true;
+			_meshes = FormMeshes::shared();
 			_stale = true;
 			update_drawing();
 			break;
@@ -116,7 +117,7 @@ void GANode3D::draw_parts() {
 		_drawn.clear();
 		const godot::RID scenario = get_world_3d()->get_scenario();
 		for (const playground::drawing::Part &part : _figure.parts) {
-			_drawn.push_back(std::make_unique<DrawnPart>(part.form, _figure.own, scenario));
+			_drawn.push_back(std::make_unique<DrawnPart>(*_meshes, part.form, _figure.own, scenario));
 		}
 	}
 	write_parts();

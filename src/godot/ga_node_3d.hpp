@@ -1,6 +1,7 @@
 #pragma once
 
 #include "godot/drawn_part.hpp"
+#include "godot/form_meshes.hpp"
 #include "godot/ga_scene.hpp"
 #include "godot/multivector.hpp"
 #include "playground/drawing/figure.hpp"
@@ -105,6 +106,7 @@ private:
 	Look _drawn_look;
 	std::optional<cga::Multivector> _drawn_value;
 	playground::drawing::Figure _figure;
+	std::shared_ptr<FormMeshes> _meshes; // since it was in a world
 	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is to be seen
 	godot::Label3D *_label_node = nullptr;
 	bool _stale = true; // the value has changed since it was drawn

@@ -25,6 +25,7 @@ import display  # noqa: E402
 import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
+import renderers  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
 REFERENCES = os.path.join(HERE, "reference")
@@ -47,6 +48,7 @@ def main():
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
             dock.write_reference(engine, PROJECT, OUTPUT)
+            renderers.write_references(engine, PROJECT, REFERENCES)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine))
@@ -63,8 +65,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    in_editor = itertools.chain(editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
-    for title, problems in in_editor:
+    others = itertools.chain(renderers.tests(engine, PROJECT, REFERENCES, OUTPUT), editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
+    for title, problems in others:
         if problems:
             failed += 1
             print(f"FAIL {title}")
