@@ -10,6 +10,7 @@ extends Node
 ##
 ## The window's size is the pictures' size.
 
+const DrawnChanges := preload("res://tests/pictures/drawn_changes.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const Scenes := preload("res://tests/pictures/scenes.gd")
@@ -67,6 +68,7 @@ func _compare_all() -> void:
 		await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
 		await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 		await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+		await _expect_same_after_changes()
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -107,6 +109,25 @@ func _expect_different(change: String, make_scene: Callable) -> void:
 		_fail("%s is not noticed" % change)
 	else:
 		_passed += 1
+
+
+## Drawn objects look as they are, whatever came before.
+func _expect_same_after_changes() -> void:
+	var picture := await _take(_with_changes.bind(true))
+	var comparison := PictureComparison.compare(picture, await _take(_with_changes.bind(false)))
+	print("objects after changes: %s" % comparison.describe())
+	if comparison.is_alike():
+		_passed += 1
+		return
+	_fail("objects after changes do not look as those that were made so")
+	if not _output.is_empty():
+		picture.save_png(_output.path_join("drawn_changes.png"))
+
+
+func _with_changes(parent: Node, through_changes: bool) -> Node:
+	var picture := DrawnChanges.make(through_changes)
+	parent.add_child(picture)
+	return picture
 
 
 func _with_moved_cube(parent: Node) -> Node:
