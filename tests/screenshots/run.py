@@ -23,6 +23,7 @@ sys.path.insert(0, HERE)
 
 import display  # noqa: E402
 import dock  # noqa: E402
+import drawing  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 import renderers  # noqa: E402
@@ -65,7 +66,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    others = itertools.chain(renderers.tests(engine, PROJECT, REFERENCES, OUTPUT), editor.tests(engine, PROJECT, OUTPUT), dock.tests(engine, PROJECT, OUTPUT))
+    others = itertools.chain(renderers.tests(engine, PROJECT, REFERENCES, OUTPUT), editor.tests(engine, PROJECT, OUTPUT),
+                             dock.tests(engine, PROJECT, OUTPUT), drawing.tests(engine, PROJECT, OUTPUT))
     for title, problems in others:
         if problems:
             failed += 1
