@@ -27,6 +27,7 @@ var _output := ""
 var _only := ""
 var _passed := 0
 var _failed := 0
+var _last_draw_calls := 0
 
 
 func _ready() -> void:
@@ -69,6 +70,7 @@ func _compare_all() -> void:
 		await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 		await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
 		await _expect_same_after_changes()
+		await _expect_shared_draw_calls()
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -124,6 +126,31 @@ func _expect_same_after_changes() -> void:
 		picture.save_png(_output.path_join("drawn_changes.png"))
 
 
+## A hundred circles are as many draw calls as one.
+func _expect_shared_draw_calls() -> void:
+	await _take(_with_circles.bind(1))
+	var one := _last_draw_calls
+	await _take(_with_circles.bind(100))
+	print("draw calls of 1 and 100 circles: %d, %d" % [one, _last_draw_calls])
+	if one > 0 and _last_draw_calls == one:
+		_passed += 1
+	else:
+		_fail("a hundred circles are not drawn together")
+
+
+func _with_circles(parent: Node, count: int) -> Node:
+	var scene := Node3D.new()
+	var camera := Camera3D.new()
+	camera.position = Vector3(0, 0, 10)
+	scene.add_child(camera)
+	for i in count:
+		var node := GANode3D.new()
+		node.multivector = Multivector.circle(Vector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0), Vector3.BACK, 1.0)
+		scene.add_child(node)
+	parent.add_child(scene)
+	return scene
+
+
 func _with_changes(parent: Node, through_changes: bool) -> Node:
 	var picture := DrawnChanges.make(through_changes)
 	parent.add_child(picture)
@@ -148,6 +175,7 @@ func _take(make_scene: Callable) -> Image:
 	for i in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
 	var picture := get_viewport().get_texture().get_image()
+	_last_draw_calls = get_viewport().get_render_info(Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_DRAW_CALLS_IN_FRAME)
 	scene.queue_free()
 	await get_tree().process_frame
 	return picture
