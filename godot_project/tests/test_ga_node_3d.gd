@@ -74,6 +74,35 @@ func test_attributes_of_an_entry() -> void:
 	expect_equal(_node.color, Color(0.35, 0.7, 1.0), "the node's own colour stays")
 
 
+func test_a_drawn_entry_that_changes_name_goes_and_comes() -> void:
+	_build()
+	var scene := GAScene.new()
+	scene.add_entry("a", "point(0, 0, 0)")
+	scene.add_entry("b", "point(2, 0, 0)")
+	_node.scene = scene
+	_node.entry = &"a"
+	await wait_frames(1)
+	scene.set_expression("b", "point(3, 0, 0)")
+	await wait_frames(1)
+	expect_near(_distance_to(Vector3.ZERO), 0.0, 0.5, "after a change of another entry")
+	scene.set_expression("a", "point(1, 0, 0)")
+	await wait_frames(1)
+	expect_near(_distance_to(Vector3(1, 0, 0)), 0.0, 0.5, "after a change")
+	scene.set_expression("a", "point(1, 0,")
+	await wait_frames(1)
+	expect_equal(_distance_to(Vector3(1, 0, 0)), INF, "an entry with an error")
+	scene.set_expression("a", "point(1, 0, 0)")
+	scene.rename_entry("a", "c")
+	await wait_frames(1)
+	expect_equal(_distance_to(Vector3(1, 0, 0)), INF, "after the entry was renamed")
+	scene.rename_entry("b", "a")
+	await wait_frames(1)
+	expect_near(_distance_to(Vector3(3, 0, 0)), 0.0, 0.5, "another entry of that name")
+	scene.remove_entry("a")
+	await wait_frames(1)
+	expect_equal(_distance_to(Vector3(3, 0, 0)), INF, "after the entry was removed")
+
+
 func test_every_kind_and_every_change_between_kinds() -> void:
 	_build()
 	_node.show_label = true

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/form_meshes.hpp"
 #include "godot/multimesh_instance.hpp"
 #include "godot/stroke_batch.hpp"
 #include "playground/drawing/figure.hpp"
@@ -16,8 +17,8 @@ namespace ga_godot {
 /// alone, since surfaces are drawn from back to front. Strokes that are no shared form are drawn alone, too.
 class DrawnPart {
 public:
-	/// Nothing is seen before write().
-	DrawnPart(playground::drawing::Form p_form, const playground::drawing::Strokes &p_own, const godot::RID &p_scenario);
+	/// The meshes outlive it. Nothing is seen before write().
+	DrawnPart(FormMeshes &p_meshes, playground::drawing::Form p_form, const playground::drawing::Strokes &p_own, const godot::RID &p_scenario);
 	~DrawnPart();
 	DrawnPart(const DrawnPart &) = delete;
 	DrawnPart &operator=(const DrawnPart &) = delete;
@@ -26,6 +27,7 @@ public:
 	void write(const InstanceLook &p_look);
 
 private:
+	FormMeshes &_meshes;
 	playground::drawing::Form _form;
 	godot::RID _scenario;
 	StrokeBatch *_batch = nullptr; // once it is in it

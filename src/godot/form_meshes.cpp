@@ -8,7 +8,7 @@
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-#include <memory>
+#include <algorithm>
 
 namespace ga_godot {
 
@@ -28,24 +28,12 @@ using playground::drawing::StrokeVertex;
 // Their order is explained at StrokePass.
 static constexpr int CORE_PRIORITY = -1, FILL_PRIORITY = 0, FRINGE_PRIORITY = 1;
 
-static std::unique_ptr<FormMeshes> only_one;
-
 FormMeshes::FormMeshes() {
 	const bool opengl = RenderingServer::get_singleton()->get_current_rendering_method() == "gl_compatibility";
 	_renderer = opengl ? playground::drawing::Renderer::compatibility : playground::drawing::Renderer::rendering_device;
 }
 
-FormMeshes &FormMeshes::get() {
-	if (!only_one) {
-		only_one = std::make_unique<FormMeshes>();
-	}
-	return *only_one;
-}
-
-void FormMeshes::free_all() {
-	if (!only_one) {
-		return;
-	}
+FormMeshes::~FormMeshes() {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const auto free_valid = [&](const auto &p_rids) {
 		for (const RID &rid : p_rids) {
@@ -54,13 +42,22 @@ void FormMeshes::free_all() {
 			}
 		}
 	};
-	free_valid(only_one->_strokes);
-	free_valid(only_one->_fills);
-	free_valid(only_one->_stroke_materials);
-	free_valid(only_one->_fringe_materials);
-	free_valid(only_one->_fill_materials);
-	free_valid(only_one->_shaders);
-	only_one.reset();
+	free_valid(_strokes);
+	free_valid(_fills);
+	free_valid(_stroke_materials);
+	free_valid(_fringe_materials);
+	free_valid(_fill_materials);
+	free_valid(_shaders);
+}
+
+std::shared_ptr<FormMeshes> FormMeshes::shared() {
+	static std::weak_ptr<FormMeshes> current;
+	std::shared_ptr<FormMeshes> meshes = current.lock();
+	if (!meshes) {
+		meshes = std::make_shared<FormMeshes>();
+		current = meshes;
+	}
+	return meshes;
 }
 
 RID FormMeshes::strokes_of(Form p_form) {

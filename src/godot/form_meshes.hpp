@@ -6,6 +6,7 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,14 +14,18 @@ namespace ga_godot {
 
 /// The meshes, materials and shaders that all GANode3D share: one of each, made when first asked for, on the
 /// rendering server. Main thread only.
+///
+/// They go with the last node that was drawn, not with the library: an engine that ends while the mobile renderer still
+/// compiles shaders that nobody has freed waits for that forever.
 class FormMeshes {
 public:
 	FormMeshes();
+	~FormMeshes();
+	FormMeshes(const FormMeshes &) = delete;
+	FormMeshes &operator=(const FormMeshes &) = delete;
 
-	/// The only one, or one made now.
-	static FormMeshes &get();
-	/// Frees everything; before the rendering server goes.
-	static void free_all();
+	/// Those there are, or new ones.
+	static std::shared_ptr<FormMeshes> shared();
 
 	/// The lines and signs of a form.
 	godot::RID strokes_of(playground::drawing::Form p_form);

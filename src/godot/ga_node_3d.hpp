@@ -1,6 +1,7 @@
 #pragma once
 
 #include "godot/drawn_part.hpp"
+#include "godot/form_meshes.hpp"
 #include "godot/ga_scene.hpp"
 #include "godot/multivector.hpp"
 #include "playground/drawing/figure.hpp"
@@ -16,6 +17,8 @@
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ga_godot {
@@ -65,19 +68,22 @@ protected:
 	void _notification(int p_what);
 
 private:
-	/// What the entry's attributes say beside the node's properties.
-	struct EntryLook {
+	/// How it is drawn, by the entry's attributes, or else by the node's properties.
+	struct Look {
 		bool visible = true;
 		bool ipns = false;
 		godot::Color color;
-		bool has_color = false;
+
+		bool operator==(const Look &p_other) const { return visible == p_other.visible && ipns == p_other.ipns && color == p_other.color; }
 	};
 
 	bool draws_entry() const;
-	EntryLook get_entry_look() const;
+	const playground::Entry *find_entry() const;
+	const cga::Multivector *find_value() const;
+	Look get_look() const;
+	bool is_drawn_as_it_is() const;
 	void value_changed();
 	void scene_changed();
-	void entries_changed(const godot::PackedStringArray &p_names);
 	void queue_update();
 	void show_parts();
 	void draw_parts();
@@ -89,17 +95,18 @@ private:
 	godot::Ref<Multivector> _multivector;
 	godot::Ref<GAScene> _scene;
 	godot::StringName _entry;
+	std::string _entry_name; // the same, as documents have it
 	godot::Color _color = godot::Color(0.35f, 0.7f, 1.0f);
 	double _line_width = 2.0;
 	bool _ipns = false;
 	bool _show_label = false;
 	godot::String _label;
 
-	// What the figure was made with: the entry's, or else the node's.
-	godot::Color _drawn_color;
-	bool _figure_visible = true;
-	bool _figure_ipns = false;
+	// What the figure was made of.
+	Look _drawn_look;
+	std::optional<cga::Multivector> _drawn_value;
 	playground::drawing::Figure _figure;
+	std::shared_ptr<FormMeshes> _meshes; // since it was in a world
 	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is to be seen
 	godot::Label3D *_label_node = nullptr;
 	bool _stale = true; // the value has changed since it was drawn

@@ -30,11 +30,8 @@ String GANode3D::label_text() const {
 }
 
 String GANode3D::describe() const {
-	const godot::Ref<Multivector> value = get_value();
-	if (value.is_null()) {
-		return "no value";
-	}
-	return to_godot(cga::describe(cga::classify(value->get_value(), _ipns || get_entry_look().ipns)));
+	const cga::Multivector *value = find_value();
+	return value ? to_godot(cga::describe(cga::classify(*value, get_look().ipns))) : String("no value");
 }
 
 void GANode3D::update_label() {
@@ -62,8 +59,8 @@ void GANode3D::update_label() {
 		add_child(_label_node, false, INTERNAL_MODE_FRONT);
 	}
 	// Letters on an outline that is as different from them as it gets: readable before light and dark.
-	const float lightness = 0.3f * _drawn_color.r + 0.59f * _drawn_color.g + 0.11f * _drawn_color.b;
-	_label_node->set_modulate(Color(_drawn_color.r, _drawn_color.g, _drawn_color.b));
+	const float lightness = 0.3f * _drawn_look.color.r + 0.59f * _drawn_look.color.g + 0.11f * _drawn_look.color.b;
+	_label_node->set_modulate(Color(_drawn_look.color.r, _drawn_look.color.g, _drawn_look.color.b));
 	_label_node->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));
 	_label_node->set_text(label_text());
 	_label_node->set_position(to_godot(*_figure.label_place));

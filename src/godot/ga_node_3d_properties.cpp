@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
+#include <variant>
 
 // The properties of a GANode3D, picking, and what scripts see of it.
 
@@ -24,10 +26,9 @@ using godot::StringName;
 using godot::vformat;
 
 // "#rrggbb" or "#rrggbbaa", which is how entries have it.
-static godot::Color color_of(const String &p_text) {
-	const std::string text = to_utf8(p_text);
+static godot::Color color_of(const std::string &p_text) {
 	const auto channel = [&](size_t p_index) {
-		const std::string digits = text.size() >= 2 * p_index + 3 ? text.substr(2 * p_index + 1, 2) : "ff";
+		const std::string digits = p_text.size() >= 2 * p_index + 3 ? p_text.substr(2 * p_index + 1, 2) : "ff";
 		return float(std::strtol(digits.c_str(), nullptr, 16)) / 255.0f;
 	};
 	return godot::Color(channel(0), channel(1), channel(2), channel(3));
@@ -57,14 +58,12 @@ void GANode3D::set_scene(const Ref<GAScene> &p_scene) {
 	if (p_scene == _scene) {
 		return;
 	}
-	const Callable on_entries(this, "_entries_changed"), on_change(this, "_scene_changed");
+	const Callable on_change(this, "_scene_changed");
 	if (_scene.is_valid()) {
-		_scene->disconnect("entries_changed", on_entries);
 		_scene->disconnect("changed", on_change);
 	}
 	_scene = p_scene;
 	if (_scene.is_valid()) {
-		_scene->connect("entries_changed", on_entries);
 		_scene->connect("changed", on_change);
 	}
 	value_changed();
@@ -77,6 +76,7 @@ Ref<GAScene> GANode3D::get_scene() const {
 
 void GANode3D::set_entry(const StringName &p_entry) {
 	_entry = p_entry;
+	_entry_name = to_utf8(String(p_entry));
 	value_changed();
 	update_configuration_warnings();
 }
@@ -86,25 +86,40 @@ StringName GANode3D::get_entry() const {
 }
 
 bool GANode3D::draws_entry() const {
-	return _scene.is_valid() && !String(_entry).is_empty();
+	return _scene.is_valid() && !_entry_name.empty();
 }
 
-GANode3D::EntryLook GANode3D::get_entry_look() const {
-	EntryLook look;
-	if (draws_entry() && _scene->has_entry(_entry)) {
-		look.visible = _scene->get_entry_attribute(_entry, "visible");
-		look.ipns = _scene->get_entry_attribute(_entry, "ipns");
-		const String color = _scene->get_entry_attribute(_entry, "color");
-		look.has_color = !color.is_empty();
-		look.color = look.has_color ? color_of(color) : godot::Color();
+// No entry of that name is a state to be in while names are edited, not an error.
+const playground::Entry *GANode3D::find_entry() const {
+	return draws_entry() ? _scene->find_entry(_entry_name) : nullptr;
+}
+
+const cga::Multivector *GANode3D::find_value() const {
+	if (draws_entry()) {
+		const playground::Entry *entry = find_entry();
+		return entry && entry->outcome.value ? &*entry->outcome.value : nullptr;
+	}
+	return _multivector.is_valid() ? &_multivector->get_value() : nullptr;
+}
+
+GANode3D::Look GANode3D::get_look() const {
+	Look look{ true, _ipns, _color };
+	if (const playground::Entry *entry = find_entry()) {
+		look.visible = playground::is_set(entry->attributes, "visible");
+		look.ipns = _ipns || playground::is_set(entry->attributes, "ipns");
+		const playground::AttributeValue color = playground::get_attribute(entry->attributes, "color");
+		const std::string *text = std::get_if<std::string>(&color);
+		if (text && !text->empty()) {
+			look.color = color_of(*text);
+		}
 	}
 	return look;
 }
 
 Ref<Multivector> GANode3D::get_value() const {
 	if (draws_entry()) {
-		// No entry of that name is a state to be in while names are edited, not an error.
-		return _scene->has_entry(_entry) ? _scene->get_value(_entry) : Ref<Multivector>();
+		const cga::Multivector *value = find_value();
+		return value ? Multivector::make(*value) : Ref<Multivector>();
 	}
 	return _multivector;
 }
@@ -226,7 +241,6 @@ void GANode3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_screen_distance", "camera", "point"), &GANode3D::get_screen_distance);
 	ClassDB::bind_method(D_METHOD("update_drawing"), &GANode3D::update_drawing);
 	ClassDB::bind_method(D_METHOD("_value_changed"), &GANode3D::value_changed);
-	ClassDB::bind_method(D_METHOD("_entries_changed", "names"), &GANode3D::entries_changed);
 	ClassDB::bind_method(D_METHOD("_scene_changed"), &GANode3D::scene_changed);
 
 	using godot::PROPERTY_HINT_RANGE;

@@ -61,6 +61,9 @@ public:
 	godot::Error load_json(const godot::String &p_text);
 	godot::PackedStringArray get_load_errors() const;
 
+	/// For C++: null, and no error, if there is none.
+	const playground::Entry *find_entry(const std::string &p_name) const { return _document.find(p_name); }
+
 	/// What is stored in files: the JSON text, empty without entries.
 	void set_document(const godot::String &p_text);
 	godot::String get_document() const;

@@ -1,5 +1,4 @@
 #include "godot/editor_help.hpp"
-#include "godot/form_meshes.hpp"
 #include "godot/ga_node_3d.hpp"
 #include "godot/ga_scene.hpp"
 #include "godot/motor_codec.hpp"
@@ -31,13 +30,6 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 	}
 }
 
-// The bindings unregister the classes themselves.
-static void terminate(godot::ModuleInitializationLevel p_level) {
-	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
-		FormMeshes::free_all();
-	}
-}
-
 } // namespace ga_godot
 
 extern "C" {
@@ -46,7 +38,6 @@ extern "C" {
 __attribute__((visibility("default"))) GDExtensionBool ga_godot_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
 	godot::GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(ga_godot::initialize);
-	init.register_terminator(ga_godot::terminate);
 	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);
 	return init.init();
 }

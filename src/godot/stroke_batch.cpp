@@ -1,7 +1,5 @@
 #include "godot/stroke_batch.hpp"
 
-#include "godot/form_meshes.hpp"
-
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -14,14 +12,14 @@ using playground::drawing::Form;
 // By world and form.
 static std::map<std::pair<int64_t, Form>, std::unique_ptr<StrokeBatch>> batches;
 
-StrokeBatch::StrokeBatch(Form p_form, const godot::RID &p_scenario) :
-		_form(p_form), _scenario(p_scenario), _drawn(FormMeshes::get().strokes_of(p_form), p_scenario) {
+StrokeBatch::StrokeBatch(Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario) :
+		_form(p_form), _scenario(p_scenario), _drawn(p_mesh, p_scenario) {
 }
 
-StrokeBatch &StrokeBatch::of(Form p_form, const godot::RID &p_scenario) {
+StrokeBatch &StrokeBatch::of(Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario) {
 	std::unique_ptr<StrokeBatch> &batch = batches[{ p_scenario.get_id(), p_form }];
 	if (!batch) {
-		batch = std::make_unique<StrokeBatch>(p_form, p_scenario);
+		batch = std::make_unique<StrokeBatch>(p_form, p_mesh, p_scenario);
 	}
 	return *batch;
 }

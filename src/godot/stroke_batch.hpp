@@ -18,10 +18,10 @@ namespace ga_godot {
 /// There is a batch while something is in it. Main thread only.
 class StrokeBatch {
 public:
-	StrokeBatch(playground::drawing::Form p_form, const godot::RID &p_scenario);
+	StrokeBatch(playground::drawing::Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario);
 
-	/// That of a form in a world, or one made now; it goes when all that was added is removed again.
-	static StrokeBatch &of(playground::drawing::Form p_form, const godot::RID &p_scenario);
+	/// That of a form in a world, or one made now with the form's mesh.
+	static StrokeBatch &of(playground::drawing::Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario);
 
 	/// The number by which to change and to remove it.
 	size_t add(const InstanceLook &p_look);

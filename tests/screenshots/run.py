@@ -23,11 +23,13 @@ sys.path.insert(0, HERE)
 
 import display  # noqa: E402
 import dock  # noqa: E402
+import drawing  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 import export  # noqa: E402
 import indexed_png  # noqa: E402
 import lab  # noqa: E402
+import renderers  # noqa: E402
 import view  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
@@ -59,6 +61,7 @@ def main():
         if options.update:
             dock.write_reference(engine, PROJECT, OUTPUT)
             view.write_reference(engine, PROJECT, OUTPUT)
+            renderers.write_references(engine, PROJECT, REFERENCES)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine) or write_gallery(engine))
@@ -75,7 +78,8 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export, lab))
+    parts = [renderers.tests(engine, PROJECT, REFERENCES, OUTPUT)]
+    parts += [part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, drawing, export, lab)]
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1

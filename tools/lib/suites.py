@@ -59,6 +59,6 @@ SUITES = (
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
-          lambda: runner("screenshots", seconds=240), display=True),
+          lambda: runner("screenshots", seconds=360), display=True),
     Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=400)),
 )

@@ -6,9 +6,11 @@ extends Node
 ## --screenshots=DIR   the folder of the references
 ## --output=DIR        where the pictures of failed comparisons are written
 ## --update            writes the references instead of comparing
+## --picture=NAME      this picture alone
 ##
 ## The window's size is the pictures' size.
 
+const DrawnChanges := preload("res://tests/pictures/drawn_changes.gd")
 const ExportChecks := preload("res://tests/pictures/export_checks.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const LineChecks := preload("res://tests/pictures/line_checks.gd")
@@ -24,8 +26,10 @@ const NOTICED_STEP := 0.05
 var argument := ""
 
 var _output := ""
+var _only := ""
 var _passed := 0
 var _failed := 0
+var _last_draw_calls := 0
 
 
 func _ready() -> void:
@@ -33,6 +37,8 @@ func _ready() -> void:
 	for other in OS.get_cmdline_user_args():
 		if other.begins_with("--output="):
 			_output = other.trim_prefix("--output=")
+		elif other.begins_with("--picture="):
+			_only = other.trim_prefix("--picture=")
 		update = update or other == "--update"
 	if DisplayServer.get_name() == "headless":
 		printerr("Pictures need a display; without a screen start under Xvfb.")
@@ -45,7 +51,7 @@ func _ready() -> void:
 
 
 func _update() -> void:
-	var scenes := Scenes.list()
+	var scenes := _scenes()
 	for title: String in scenes:
 		var picture := await _take(scenes[title])
 		if picture.save_png(_reference_path(title)) != OK:
@@ -58,16 +64,19 @@ func _update() -> void:
 
 
 func _compare_all() -> void:
-	var scenes := Scenes.list()
+	var scenes := _scenes()
 	for title: String in scenes:
 		await _expect_alike(title, scenes[title])
-	await _expect_different("a cube that moved by 5 % of its path", _with_moved_cube)
-	await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
-	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
-	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
-	await _check_export()
-	await _check_line()
-	await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
+	if _only.is_empty():
+		await _expect_different("a cube that moved by 5 % of its path", _with_moved_cube)
+		await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
+		await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
+		await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+		await _expect_same_after_changes()
+		await _expect_shared_draw_calls()
+		await _check_export()
+		await _check_line()
+		await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -87,6 +96,13 @@ func _expect_alike(title: String, make_scene: Callable) -> void:
 	if not _output.is_empty():
 		picture.save_png(_output.path_join(title + ".png"))
 		print("   what was drawn: %s" % _output.path_join(title + ".png"))
+
+
+func _scenes() -> Dictionary[String, Callable]:
+	var scenes := Scenes.list()
+	if _only.is_empty():
+		return scenes
+	return {_only: scenes[_only]}
 
 
 ## The changed scene must not pass for the picture of what it was; by default that of the demo without panels.
@@ -122,6 +138,50 @@ func _check_line() -> void:
 		_fail(problem)
 
 
+## Drawn objects look as they are, whatever came before.
+func _expect_same_after_changes() -> void:
+	var picture := await _take(_with_changes.bind(true))
+	var comparison := PictureComparison.compare(picture, await _take(_with_changes.bind(false)))
+	print("objects after changes: %s" % comparison.describe())
+	if comparison.is_alike():
+		_passed += 1
+		return
+	_fail("objects after changes do not look as those that were made so")
+	if not _output.is_empty():
+		picture.save_png(_output.path_join("drawn_changes.png"))
+
+
+## A hundred circles are as many draw calls as one.
+func _expect_shared_draw_calls() -> void:
+	await _take(_with_circles.bind(1))
+	var one := _last_draw_calls
+	await _take(_with_circles.bind(100))
+	print("draw calls of 1 and 100 circles: %d, %d" % [one, _last_draw_calls])
+	if one > 0 and _last_draw_calls == one:
+		_passed += 1
+	else:
+		_fail("a hundred circles are not drawn together")
+
+
+func _with_circles(parent: Node, count: int) -> Node:
+	var scene := Node3D.new()
+	var camera := Camera3D.new()
+	camera.position = Vector3(0, 0, 10)
+	scene.add_child(camera)
+	for i in count:
+		var node := GANode3D.new()
+		node.multivector = Multivector.circle(Vector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0), Vector3.BACK, 1.0)
+		scene.add_child(node)
+	parent.add_child(scene)
+	return scene
+
+
+func _with_changes(parent: Node, through_changes: bool) -> Node:
+	var picture := DrawnChanges.make(through_changes)
+	parent.add_child(picture)
+	return picture
+
+
 func _with_moved_cube(parent: Node) -> Node:
 	var demo := Scenes.interpolation(parent, 0, MultivectorLerp.SCREW, false)
 	demo.set_factor(Scenes.FACTOR + NOTICED_STEP)
@@ -147,6 +207,7 @@ func _take(make_scene: Callable) -> Image:
 	for i in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
 	var picture := get_viewport().get_texture().get_image()
+	_last_draw_calls = get_viewport().get_render_info(Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_DRAW_CALLS_IN_FRAME)
 	scene.queue_free()
 	await get_tree().process_frame
 	return picture
