@@ -24,7 +24,7 @@ const THICKEST := 20.0
 const LIGHTEST := 0.48
 
 var scene: GAScene: set = set_scene
-## Whether what is behind the objects is light; their colours are then darker where they have to.
+## Whether what is behind the objects is light; colours of kinds are then darker. An entry with its own keeps it.
 var on_light := false: set = set_on_light
 ## Entries that something else draws in the same place.
 var left_out := PackedStringArray(): set = set_left_out
