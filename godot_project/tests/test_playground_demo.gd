@@ -172,6 +172,28 @@ func test_coefficients_are_dragged_and_typed() -> void:
 	expect_equal(_scene().get_value("v").coefficients[1], 0.75, "e1 after typing what is no number")
 
 
+func test_colours_are_darker_before_a_light_background() -> void:
+	await _open_with({"A": "point(1, 0, 0)"})
+	var node := _demo.find_children("*", "GANode3D", true, false)[0] as GANode3D
+	var dark := node.color
+	_demo.set_light(true)
+	expect_near(node.color.h, dark.h, 1e-3, "hue in the light")
+	expect_true(node.color.v < 0.9 * dark.v, "value in the light: %s, in the dark: %s" % [node.color.v, dark.v])
+	_demo.set_light(false)
+	expect_equal(node.color, dark, "colour in the dark again")
+
+
+func test_coefficients_show_the_grade_that_is_there() -> void:
+	await _open_with({"S": "sphere(point(1, 0, 0), 2)"})
+	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
+	panel.expand()
+	_demo.panel.list.select(["S"])
+	await wait_frames(4)
+	var field := panel.find_child("e1235", true, false) as Control
+	expect_true(field.get_global_rect().intersects(panel.get_global_rect()), "e1235 in view")
+	expect_true(panel.get_global_rect().end.y <= _demo.panel.get_global_rect().end.y, "the panel in view")
+
+
 func test_a_row_is_dragged_to_another_place() -> void:
 	await _open_with({"a": "1", "b": "2", "c": "3", "d": "4"})
 	var last := _row("d").find_child("Words", true, false) as Control

@@ -111,7 +111,9 @@ func _draw() -> void:
 
 
 func _on_background(color: Color) -> Color:
-	var factor := LIGHTEST / maxf(color.get_luminance(), LIGHTEST) if on_light else 1.0
+	# As labels measure it, which then have a light outline.
+	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
+	var factor := LIGHTEST / maxf(lightness, LIGHTEST) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
 
 
