@@ -9,7 +9,7 @@ import dock
 import editor
 
 PROBE = "view_probe"
-SECONDS = 90
+SECONDS = 150
 REFERENCE = os.path.join(editor.HERE, "reference", "viewport.png")
 
 

@@ -8,6 +8,31 @@ const Hands := preload("hands.gd")
 var _said := 0
 
 
+## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.
+func _check_drag(entry: String, key: String, by: Vector2, dependents: Array[String], reaches := true) -> void:
+	var scene := _scene()
+	var before := scene.document
+	var values := _values(dependents)
+	var place := _handle_place(entry, key)
+	var followed := {}
+	_move_mouse(place, 0)
+	_press(place, true)
+	for step in 6:
+		_move_mouse(place + by * (step + 1) / 6.0, MOUSE_BUTTON_MASK_LEFT)
+		if step == 3:
+			for dependent in dependents:
+				followed[dependent] = _values([dependent])[0] != values[dependents.find(dependent)]
+	_press(place + by, false)
+	for dependent in dependents:
+		_expect(followed[dependent], true, "%s follows %s of %s" % [dependent, key, entry])
+	if reaches:
+		var distance := _handle_place(entry, key).distance_to(place + by)
+		_expect(distance < 2.5, true, "%s of %s is %f pixels from the mouse: %s" % [key, entry, distance, scene.get_expression(entry)])
+	_expect(scene.document != before, true, "%s of %s was dragged" % [key, entry])
+	_undo()
+	_expect(scene.document, before, "one undo takes back %s of %s" % [key, entry])
+
+
 func _drag(from: Vector2, to: Vector2, with_control := false) -> void:
 	_move_mouse(from, 0)
 	_press(from, true)
@@ -99,6 +124,10 @@ func _dock() -> EditorDock:
 
 func _scene() -> GAScene:
 	return (_dock().get(&"document") as RefCounted).get(&"scene")
+
+
+func _values(entries: Array[String]) -> Array:
+	return entries.map(func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients)
 
 
 func _expect(got: Variant, wanted: Variant, what: String) -> void:

@@ -3,6 +3,7 @@ extends "person.gd"
 ## Drives the playground in the editor's 3D viewport as a person would, one step after another; each mistake prints a line that
 ## begins with [probe] FAIL. Pictures go into the folder of the user argument --pictures=FOLDER.
 
+const EditedScene := preload("edited_scene.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
 const PICTURES := "--pictures="
@@ -25,7 +26,7 @@ const OBJECTS: Dictionary[String, String] = {
 
 var _steps: Array[Callable] = [
 	_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
-	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
+	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _new_document, _see_question, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
 ]
 var _frames := -FIRST_FRAMES
 var _step := 0
@@ -43,7 +44,7 @@ func _process(_delta: float) -> void:
 
 
 func _open() -> void:
-	_make_scene()
+	EditedScene.save(EDITED_SCENE)
 	EditorInterface.open_scene_from_path(EDITED_SCENE)
 	EditorInterface.set_main_screen_editor("3D")
 	_dock().make_visible()
@@ -224,6 +225,18 @@ func _see_kept() -> void:
 	_expect(session.get_value("session", "document", ""), _before, "the dock's own document, as it is kept")
 
 
+## It would take the place of the dock's own, which is not saved.
+func _new_document() -> void:
+	(_dock().find_child("File", true, false) as MenuButton).get_popup().id_pressed.emit(0)
+
+
+func _see_question() -> void:
+	var question: ConfirmationDialog = _dock().find_child("File", true, false).get(&"_question")
+	_expect(question.visible, true, "a question before unsaved work is replaced")
+	_expect(_scene().document, _before, "document while it is asked")
+	question.hide()
+
+
 func _deselect() -> void:
 	EditorInterface.get_selection().clear()
 
@@ -290,60 +303,6 @@ func _end() -> void:
 	print("[probe] %d expectations" % _said)
 	print("[probe] done")
 	get_tree().quit()
-
-
-## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.
-func _check_drag(entry: String, key: String, by: Vector2, dependents: Array[String], reaches := true) -> void:
-	var scene := _scene()
-	var before := scene.document
-	var values := _values(dependents)
-	var place := _handle_place(entry, key)
-	var followed := {}
-	_move_mouse(place, 0)
-	_press(place, true)
-	for step in 6:
-		_move_mouse(place + by * (step + 1) / 6.0, MOUSE_BUTTON_MASK_LEFT)
-		if step == 3:
-			for dependent in dependents:
-				followed[dependent] = _values([dependent])[0] != values[dependents.find(dependent)]
-	_press(place + by, false)
-	for dependent in dependents:
-		_expect(followed[dependent], true, "%s follows %s of %s" % [dependent, key, entry])
-	if reaches:
-		var distance := _handle_place(entry, key).distance_to(place + by)
-		_expect(distance < 2.5, true, "%s of %s is %f pixels from the mouse: %s" % [key, entry, distance, scene.get_expression(entry)])
-	_expect(scene.document != before, true, "%s of %s was dragged" % [key, entry])
-	_undo()
-	_expect(scene.document, before, "one undo takes back %s of %s" % [key, entry])
-
-
-func _values(entries: Array[String]) -> Array:
-	return entries.map(func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients)
-
-
-func _make_scene() -> void:
-	var root := Node3D.new()
-	root.name = "Root"
-	var box := MeshInstance3D.new()
-	box.name = "Box"
-	box.mesh = BoxMesh.new()
-	box.position = Vector3(-3, 0.5, 0)
-	root.add_child(box)
-	box.owner = root
-	var scene := GAScene.new()
-	scene.add_entry("B", "point(0, 0.5, 0)")
-	scene.add_entry("t", "sphere(B, 0.3)")
-	var node := GANode3D.new()
-	node.name = "Node"
-	node.scene = scene
-	node.entry = &"B"
-	node.transform = Transform3D(Basis(Vector3.UP, 1.0).scaled(Vector3.ONE * 1.5), Vector3(0.9, 0, 2.3))
-	root.add_child(node)
-	node.owner = root
-	var packed := PackedScene.new()
-	packed.pack(root)
-	ResourceSaver.save(packed, EDITED_SCENE)
-	root.free()
 
 
 func _save_window(file: String) -> void:

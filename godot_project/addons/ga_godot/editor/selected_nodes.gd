@@ -17,6 +17,8 @@ var _own_scene: GAScene
 var _own_path := ""
 var _own_saved_text := ""
 var _node: GANode3D
+# While it shows one of both.
+var _is_switching := false
 # Between a press that selected something and its release.
 var _is_pressed := false
 
@@ -26,10 +28,12 @@ func _init(dock: PlaygroundDock, drawing: SceneDrawing, pointer: ViewPointer) ->
 	_drawing = drawing
 	_pointer = pointer
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+	_dock.document.scene_switched.connect(_on_scene_switched)
 	_on_selection_changed()
 
 
 func stop() -> void:
+	_dock.document.scene_switched.disconnect(_on_scene_switched)
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	_show(null)
 
@@ -108,7 +112,9 @@ func _show(node: GANode3D) -> void:
 			_own_scene = document.scene
 			_own_path = document.path
 			_own_saved_text = document.get_saved_text()
+		_is_switching = true
 		document.show_scene(node.scene, node.scene.resource_path)
+		_is_switching = false
 	_pointer.other_nodes.append(node)
 	_drawing.left_out = PackedStringArray([node.entry])
 	node.tree_exiting.connect(_show.bind(null))
@@ -132,6 +138,19 @@ func _show_own() -> void:
 	var own := _own_scene
 	_own_scene = null
 	var current := own.document
+	_is_switching = true
 	own.document = _own_saved_text
 	document.show_scene(own, _own_path)
 	own.document = current
+	_is_switching = false
+
+
+# A person opens another document: that takes the place of the dock's own, which may be unsaved, not of the node's.
+func _on_scene_switched() -> void:
+	if not _is_switching and _own_scene != null and _dock.document.scene != _node.scene:
+		_replace_own.call_deferred(_dock.document.scene, _dock.document.path)
+
+
+func _replace_own(scene: GAScene, path: String) -> void:
+	_show(null)
+	_dock.panel.file_menu.unless_unsaved(func() -> void: _dock.document.show_scene(scene, path))

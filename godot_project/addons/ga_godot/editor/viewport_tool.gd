@@ -7,9 +7,9 @@ const VIEW := "../playground/view/"
 const HandleOverlay := preload(VIEW + "handle_overlay.gd")
 const Picking := preload(VIEW + "picking.gd")
 const SceneDrawing := preload(VIEW + "scene_drawing.gd")
+const LabDrawing := preload("../playground/lab/lab_drawing.gd")
 const ViewPointer := preload(VIEW + "view_pointer.gd")
 const PlaygroundDock := preload("playground_dock.gd")
-const LabDrawing := preload("../playground/lab/lab_drawing.gd")
 const SelectedNodes := preload("selected_nodes.gd")
 const ViewportToolbar := preload("viewport_toolbar.gd")
 
@@ -32,7 +32,7 @@ func set_up(plugin: EditorPlugin, dock: PlaygroundDock) -> void:
 	_plugin = plugin
 	_dock = dock
 	add_child(_drawing)
-	add_child(LabDrawing.new(dock.panel.lab))
+	_drawing.add_child(LabDrawing.new(dock.panel.lab))
 	pointer = ViewPointer.new(_drawing, dock.document, dock.panel.edits, dock.panel.list)
 	pointer.takes_faces = false
 	pointer.clears_selection = false
