@@ -3,6 +3,7 @@ extends "res://tests/framework/test_case.gd"
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
+const EntryList := preload("res://addons/ga_godot/playground/entry_list.gd")
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
 const LabPanel := preload("res://addons/ga_godot/playground/lab/lab_panel.gd")
 const LabWords := preload("res://addons/ga_godot/playground/lab/lab_words.gd")
@@ -295,6 +296,14 @@ func test_it_fits_into_a_narrow_panel() -> void:
 	_open({"a_rather_long_name_of_a_pose": A, "another_long_name_of_a_pose": B})
 	await wait_frames(8)
 	expect_true(_lab_panel.get_combined_minimum_size().x <= 250.0, "least width %s" % _lab_panel.get_combined_minimum_size().x)
+	var scroll: ScrollContainer = _panel.find_child("Lower", true, false)
+	for height: float in [700.0, 500.0, 1600.0]:
+		_panel.size.y = height
+		await wait_frames(4)
+		expect_equal(_panel.size.y, height, "height of the panel")
+		expect_true(_panel.list.size.y >= EntryList.LEAST_HEIGHT, "room for the list in %s: %s" % [height, _panel.list.size.y])
+		var content: Control = scroll.get_child(0)
+		expect_equal(scroll.size.y < content.size.y, height < 1000.0, "scrolling in %s" % height)
 
 
 func _open(entries: Dictionary, unfolded := true) -> void:

@@ -112,6 +112,15 @@ func test_an_object_is_dragged_where_it_is_taken_hold_of() -> void:
 	expect_near(_camera.unproject_position(center + grabbed).distance_to(_at(grabbed) + Vector2(60, 0)), 0.0, 2.0, "what was grabbed, in pixels from the mouse")
 
 
+func test_a_point_of_what_goes_through_points() -> void:
+	_set_up()
+	_show({"q": "point_pair(point(-2, 0, 0), point(2, 0, 0))"})
+	_drag(_at(Vector3(2, 0, 0)), _at(Vector3(2, 0, 0)) + Vector2(0, -50))
+	var parameters := _document.scene.get_parameters("q")
+	expect_equal(parameters.a, Vector3(-2, 0, 0), "the other point")
+	expect_near(_camera.unproject_position(parameters.b as Vector3).distance_to(_at(Vector3(2, 0, 0)) + Vector2(0, -50)), 0.0, 1.5, "distance in pixels")
+
+
 func test_what_is_computed_is_selected_and_stays() -> void:
 	_set_up()
 	_show({"A": "point(-3, 0, 0)", "B": "point(3, 0, 0)", "m": "meet(plane(e1, 0), join(A, B) ^ einf)"})

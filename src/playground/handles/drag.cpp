@@ -83,7 +83,8 @@ std::optional<Drag> dragged_length(const FreeObject &object, const Handle &start
 		return std::nullopt;
 	}
 	const Vector &axis = start.constraint.axis;
-	if (start.key == "distance") {
+	const bool is_coordinate = start.key == "x" || start.key == "y" || start.key == "z";
+	if (is_coordinate || start.key == "distance") {
 		return Drag{ start.key, rounded(glm::dot(place, axis), steps.length) };
 	}
 	// Radii and scales, which are above zero.

@@ -36,6 +36,7 @@ public:
 		for (const char *key : { "a", "b", "c", "d" }) {
 			add_point(key, false);
 		}
+		add_coordinate();
 		for (const char *key : { "offset", "vector" }) {
 			if (_object.can_set(key) && (_object.pose() || key[0] == 'v')) {
 				add_free(key, *_object.vector(key), Vector(0.0), true);
@@ -66,6 +67,22 @@ private:
 		const std::optional<Vector> place = _object.can_set(key) ? _object.vector(key) : std::nullopt;
 		if (place) {
 			add_free(key, *place, *place, moves_body);
+		}
+	}
+
+	// Of point(t, 1, u) and sphere(t, 1, u, r) the one that is not computed. With two a person could not tell which.
+	void add_coordinate() {
+		const std::optional<Vector> &place = _object.classification().center;
+		const char *only = nullptr;
+		int count = 0;
+		for (const char *key : { "x", "y", "z" }) {
+			only = _object.can_set(key) ? key : only;
+			count += _object.can_set(key) ? 1 : 0;
+		}
+		if (place && count == 1 && !_object.has_argument("distance")) {
+			Vector axis(0.0);
+			axis[only[0] - 'x'] = 1.0;
+			add(only, { Motion::LINE, *place, {}, axis }, *place, false, true);
 		}
 	}
 

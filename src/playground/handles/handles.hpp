@@ -11,6 +11,7 @@ namespace playground::handles {
 // The handles of an entry, of what can be set of it (parameters.hpp). Of
 //
 //   points, and each point that something goes through   position, a, b, c, d: free
+//   such as point(t, 1, u), of which one is free         y: along the axis
 //   spheres, circles, imaginary pairs                    center: free; radius: along a line; normal, direction: the tip of an arm
 //   planes                                               distance: along the normal; normal: the tip of an arm, about the origin
 //   lines, tangents                                      point: free; direction, normal: the tip of an arm

@@ -113,6 +113,18 @@ TEST_CASE("what is written") {
 	CHECK(dragged("e1 + 0.5 einf + eo", "object", straight, { 1.0, 0.0 }) == "2 e1 - e3 + 2 e4 + 3 e5");
 }
 
+TEST_CASE("the one coordinate that is free") {
+	Document document;
+	REQUIRE(document.add("t", "2"));
+	REQUIRE(document.add("x", "point(t, 1, t + 1)"));
+	const std::optional<Handle> start = find(document, "x", "y");
+	REQUIRE(start);
+	const std::optional<Drag> result = drag(document, "x", *start, through({ 2.0, -1.52, 3.0 }), { 0.1, 0.0 });
+	REQUIRE(result);
+	REQUIRE(document.set_parameter("x", result->parameter, result->value));
+	CHECK(document.find("x")->text == "point(t, -1.5, t + 1)");
+}
+
 TEST_CASE("a grid does not wear off the depth: planes across the view are those of the start") {
 	Document document;
 	REQUIRE(document.add("x", "point(1, 2, 3)"));

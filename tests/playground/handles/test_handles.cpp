@@ -47,6 +47,10 @@ bool is_near(const Vector &left, const Vector &right) {
 TEST_CASE("which handles an expression has") {
 	CHECK(keys("point(1, 2, 3)") == "position");
 	CHECK(keys("flat_point(e1)") == "position");
+	CHECK(keys("point(k, 1, k)") == "y");
+	CHECK(keys("point(k, 1, 2)") == "");
+	CHECK(keys("sphere(k, k, 1, 2)") == "z radius");
+	CHECK(keys("plane(k, 1, k, k)") == "");
 	CHECK(keys("point_pair(e1, e2)") == "a b");
 	CHECK(keys("line(point(1, 2, 3), e1)") == "point direction");
 	CHECK(keys("line_through(e1, A)") == "a");

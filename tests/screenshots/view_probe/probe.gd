@@ -25,7 +25,7 @@ const OBJECTS: Dictionary[String, String] = {
 
 var _steps: Array[Callable] = [
 	_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
-	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
+	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
 ]
 var _frames := -FIRST_FRAMES
 var _step := 0
@@ -213,6 +213,15 @@ func _drag_node() -> void:
 	var place := _handle_place("B", "position")
 	_expect(_camera().unproject_position(node.to_global(Vector3(0, 0.5, 0))).distance_to(place) < 1.0, true, "a handle in the node's space")
 	_check_drag("B", "position", Vector2(30, -20), ["t"])
+	EditorInterface.save_scene()
+
+
+## While the scene was saved, the dock showed that of the node.
+func _see_kept() -> void:
+	_expect(_selection(), PackedStringArray(["B"]), "entry selected in the dock after saving")
+	var session := ConfigFile.new()
+	session.load(EditorInterface.get_editor_paths().get_project_settings_dir().path_join("ga_playground.cfg"))
+	_expect(session.get_value("session", "document", ""), _before, "the dock's own document, as it is kept")
 
 
 func _deselect() -> void:

@@ -1,11 +1,12 @@
 @tool
 extends ScrollContainer
-## As high as its content, up to a limit; what is higher is scrolled. Hidden while the content has no height.
+## As high as its content where there is room for that (see sharing_column.gd); what is higher is scrolled.
 
-signal wanted_height_changed
+const PlaygroundStyle := preload("playground_style.gd")
+
+const LEAST_HEIGHT := 60.0
 
 var content: Control
-var cap := 0.0: set = set_cap
 
 
 func _init(p_content: Control) -> void:
@@ -14,12 +15,7 @@ func _init(p_content: Control) -> void:
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	follow_focus = true
 	add_child(content)
-	content.minimum_size_changed.connect(_on_content_changed)
-	_fit()
-
-
-func set_cap(value: float) -> void:
-	cap = value
+	content.minimum_size_changed.connect(_fit)
 	_fit()
 
 
@@ -27,12 +23,8 @@ func get_wanted_height() -> float:
 	return content.get_combined_minimum_size().y
 
 
-func _on_content_changed() -> void:
-	_fit()
-	wanted_height_changed.emit()
-
-
 func _fit() -> void:
-	var height := get_wanted_height()
-	visible = height > 0.0
-	custom_minimum_size.y = minf(height, cap)
+	custom_minimum_size.y = minf(get_wanted_height(), LEAST_HEIGHT * PlaygroundStyle.scale())
+	var column := get_parent() as Container
+	if column != null:
+		column.queue_sort()

@@ -1,12 +1,10 @@
 @tool
-extends VBoxContainer
+extends "sharing_column.gd"
 ## All of the playground that is not the view: what can be added, the entries, where expressions are typed, coefficients.
 ## The same in the editor's dock and in a running game; `host` is which of them it is.
 
 const PlaygroundDocument := preload("playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
-const PlaygroundStyle := preload("playground_style.gd")
-const CappedScroll := preload("capped_scroll.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryMenu := preload("entry_menu.gd")
@@ -21,11 +19,6 @@ const PictureDialog := preload("picture_dialog.gd")
 const InterpolationLab := preload("lab/interpolation_lab.gd")
 const LabDrawing := preload("lab/lab_drawing.gd")
 const LabPanel := preload("lab/lab_panel.gd")
-
-## Of what is left for both, if they want more.
-const TOP_SHARE := 0.4
-## However little is left.
-const LEAST_HEIGHT := 60.0
 
 var host: PlaygroundHost
 var document: PlaygroundDocument
@@ -70,11 +63,10 @@ func _init(p_host: PlaygroundHost) -> void:
 	for part: Control in [head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll]:
 		add_child(part)
 	top.add_child(_description)
-	for scroll: CappedScroll in [_top_scroll, _bottom_scroll]:
-		scroll.wanted_height_changed.connect(_share_height)
-	for part: Control in [head, objects, combinations, line]:
-		part.minimum_size_changed.connect(_share_height)
-	resized.connect(_share_height)
+	_top_scroll.name = "Upper"
+	_bottom_scroll.name = "Lower"
+	for part: FoldableContainer in bottom.get_children():
+		part.folding_changed.connect(_on_folding_changed.bind(part))
 	_picture_dialog = PictureDialog.new(host.make_file_dialog())
 	add_child(_picture_dialog)
 	add_child(EntryMenu.new(document, edits, list, host))
@@ -145,16 +137,9 @@ func _on_picture_requested() -> void:
 		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
 
 
-# What is above and below the list may scroll before the list has less than its least height.
-func _share_height() -> void:
-	var room := size.y
-	for part: Control in find_children("*", "Control", false, false):
-		if part.visible:
-			room -= get_theme_constant(&"separation")
-			room -= part.get_combined_minimum_size().y if not part is CappedScroll else 0.0
-	var least := LEAST_HEIGHT * PlaygroundStyle.scale()
-	_top_scroll.cap = maxf(least, room - minf(_bottom_scroll.get_wanted_height(), room * (1.0 - TOP_SHARE)))
-	_bottom_scroll.cap = maxf(least, room - minf(_top_scroll.get_wanted_height(), room * TOP_SHARE))
+func _on_folding_changed(is_folded: bool, part: FoldableContainer) -> void:
+	if not is_folded and is_visible_in_tree():
+		_bottom_scroll.ensure_control_visible.call_deferred(part)
 
 
 func _draw_lab() -> Array[Node3D]:

@@ -7,9 +7,11 @@ const ViewHandle := preload("view_handle.gd")
 const ViewRay := preload("view_ray.gd")
 
 
-## The handle that moves the object, to be dragged so that what is under the mouse stays there; null if nothing moves it.
+## The handle that moves the object, to be dragged so that what is under the mouse stays there. Of what goes through points
+## the point under the mouse. Null if nothing moves it.
 static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle:
-	for handle: ViewHandle in ViewHandle.of(node, camera):
+	var handles := ViewHandle.of(node, camera)
+	for handle: ViewHandle in handles:
 		if handle.handle["moves_body"]:
 			var place: Vector3 = handle.handle["place"]
 			var grabbed := _point_under(node, ViewRay.new(camera, point, node.global_transform), place)
@@ -17,7 +19,7 @@ static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle
 			# By the mouse itself, not by where the handle is on the screen.
 			handle.place = point
 			return handle
-	return null
+	return Picking.find_handle(handles, point)
 
 
 static func _point_under(node: GANode3D, ray: ViewRay, place: Vector3) -> Vector3:
