@@ -69,6 +69,15 @@ func test_where_to_look_from_is_kept_in_the_document() -> void:
 	expect_vector_near(ViewPoint.of_camera(camera, view.from.distance_to(view.to)).to, view.to, 1e-4, "the way back")
 
 
+func test_a_narrow_view_shows_as_much_from_left_to_right() -> void:
+	var view := ViewPoint.new()
+	expect_near(view.fov_in(Vector2(1600, 900)), view.fov, 1e-4, "usual")
+	expect_near(view.fov_in(Vector2(2000, 900)), view.fov, 1e-4, "wide")
+	var usual := tan(deg_to_rad(view.fov) / 2.0) * 16.0 / 9.0
+	expect_near(tan(deg_to_rad(view.fov_in(Vector2(600, 600))) / 2.0), usual, 1e-6, "half the width, at one metre, of a square view")
+	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.WIDEST, "of no width")
+
+
 func test_what_cannot_be_looked_from_is_as_by_default() -> void:
 	for text: Variant in ["", "1, 2", "1, 2, x", "1, 2, inf", "1, 2, 3, 4", 7.0, true]:
 		var scene := GAScene.new()

@@ -41,9 +41,10 @@ DOCS_PICTURES = ("interpolation.png",)
 # A picture for each document of the gallery, and a sheet with all of them.
 GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
 GALLERY_SECONDS = 300
-GALLERY_SHEET = "all.png"
 LARGEST_IMAGE = 150_000
-LARGEST_SHEET = 250_000
+# Pictures of windows, which go beside the gallery's folder.
+WINDOW_IMAGES = ("playground.png", "playground_light.png", "playground_editor.png")
+LARGEST_SHEET_OR_WINDOW = 250_000
 
 
 def main():
@@ -142,14 +143,16 @@ def write_gallery(engine):
     print(run.text, end="")
     if run.code != 0 or run.problems():
         return 1
+    # The editor is seen as the scripted person saw it.
+    shutil.copyfile(os.path.join(REFERENCES, "viewport.png"), os.path.join(folder, "playground_editor.png"))
     os.makedirs(GALLERY_IMAGES, exist_ok=True)
     too_large = 0
     for name in sorted(os.listdir(folder)):
-        path = os.path.join(GALLERY_IMAGES, name)
+        path = os.path.join(DOCS_IMAGES if name in WINDOW_IMAGES else GALLERY_IMAGES, name)
         shutil.copyfile(os.path.join(folder, name), path)
         indexed_png.shrink(path)
         size = os.path.getsize(path)
-        fits = size <= (LARGEST_SHEET if name == GALLERY_SHEET else LARGEST_IMAGE)
+        fits = size <= (LARGEST_SHEET_OR_WINDOW if name in (*WINDOW_IMAGES, "all.png") else LARGEST_IMAGE)
         too_large += not fits
         print(f"wrote {os.path.relpath(path, ROOT)}, {size // 1000} kB{'' if fits else ', which is too large'}")
     return 1 if too_large else 0

@@ -1,14 +1,23 @@
 extends Node
-## Writes a picture of each document of the gallery, and a sheet with all of them, for the documentation. Ends the
-## program; the last line is `[gallery] N written, N failed`.
+## Writes a picture of each document of the gallery, a sheet with all of them, and the playground with some of them open,
+## for the documentation. Ends the program; the last line is `[gallery] N written, N failed`.
 ##
 ## --gallery-pictures=DIR   the folder of the pictures
-## --only=NAME,NAME         only these documents, and no sheet
+## --only=NAME,NAME         only these documents, and nothing else
 
 const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const Playground := preload("res://demos/playground/playground.gd")
 const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
 const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
 
+const PLAYGROUND := "res://demos/playground/playground.tscn"
+const PLAYGROUND_SIZE := Vector2i(1280, 720)
+## Examples that are shown in the playground, by the picture's name: which, what is selected, and whether on light.
+const OPENED: Dictionary[String, Array] = {
+	"playground": ["three_spheres", "A", false],
+	"playground_light": ["sphere_and_plane", "touched", true],
+}
+const SETTLING_FRAMES := 8
 const SHEET_COLUMNS := 3
 const SHEET_GAP := 6
 const SHEET_CELL := Vector2i(320, 180)
@@ -24,20 +33,27 @@ func _ready() -> void:
 
 func _write_all() -> void:
 	var wanted := Gallery.list()
-	var makes_sheet := true
+	var writes_all := true
 	for other in OS.get_cmdline_user_args():
 		if other.begins_with("--only="):
 			wanted = other.trim_prefix("--only=").split(",")
-			makes_sheet = false
+			writes_all = false
 	var pictures: Array[Image] = []
 	for example in wanted:
 		var picture := await _draw(example)
 		if _save(picture, example):
 			pictures.append(picture)
 	var failed := wanted.size() - pictures.size()
-	if makes_sheet and failed == 0 and not _save(_make_sheet(pictures), "all"):
-		failed += 1
-	print("[gallery] %d written, %d failed" % [pictures.size(), failed])
+	var written := pictures.size()
+	if writes_all and failed == 0:
+		var others: Dictionary[String, Image] = {"all": _make_sheet(pictures)}
+		for title in OPENED:
+			others[title] = await _open(OPENED[title][0] as String, OPENED[title][1] as String, OPENED[title][2] as bool)
+		for title in others:
+			var is_saved := _save(others[title], title)
+			written += int(is_saved)
+			failed += int(not is_saved)
+	print("[gallery] %d written, %d failed" % [written, failed])
 	get_tree().quit(0 if failed == 0 else 1)
 
 
@@ -50,6 +66,26 @@ func _draw(example: String) -> Image:
 	export.view = ViewPoint.of(scene)
 	export.background = export.view.background
 	return await export.draw(self, scene)
+
+
+## The playground as a person sees it.
+func _open(example: String, selected: String, light: bool) -> Image:
+	var viewport := SubViewport.new()
+	viewport.size = PLAYGROUND_SIZE
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	add_child(viewport)
+	var packed: PackedScene = load(PLAYGROUND)
+	var playground: Playground = packed.instantiate()
+	playground.state_path = ""
+	viewport.add_child(playground)
+	playground.set_light(light)
+	playground.panel.document.show_scene(Gallery.load_example(example), "")
+	playground.panel.list.select([selected])
+	for i in SETTLING_FRAMES:
+		await RenderingServer.frame_post_draw
+	var picture := viewport.get_texture().get_image()
+	viewport.queue_free()
+	return picture
 
 
 func _save(picture: Image, title: String) -> bool:

@@ -11,7 +11,7 @@ const MARGIN := 8.0
 const TITLE_ENLARGEMENT := 1.15
 const TEXT_OPACITY := 0.85
 ## Of the text that is seen without scrolling.
-const MOST_LINES := 9
+const MOST_LINES := 6
 
 ## Null shows nothing.
 var scene: GAScene: set = set_scene

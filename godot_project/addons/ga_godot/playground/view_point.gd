@@ -17,6 +17,8 @@ const DEFAULT_FOV := 40.0
 const DEFAULT_BACKGROUND := Color(0.075, 0.086, 0.11)
 const NARROWEST := 1.0
 const WIDEST := 150.0
+## Width by height of the pictures that documents are arranged for.
+const USUAL_ASPECT := 16.0 / 9.0
 
 var from := DEFAULT_FROM
 var to := DEFAULT_TO
@@ -65,6 +67,14 @@ func write_to(scene: GAScene) -> void:
 func apply_to(camera: Camera3D) -> void:
 	camera.transform = get_transform()
 	camera.fov = fov
+
+
+## The vertical angle with which a view that is narrower than usual shows as much from left to right.
+func fov_in(size: Vector2) -> float:
+	var narrowing := USUAL_ASPECT * size.y / maxf(size.x, 1.0)
+	if narrowing <= 1.0:
+		return fov
+	return clampf(rad_to_deg(2.0 * atan(tan(deg_to_rad(fov) / 2.0) * narrowing)), NARROWEST, WIDEST)
 
 
 func get_transform() -> Transform3D:
