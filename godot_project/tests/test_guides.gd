@@ -8,7 +8,7 @@ const FENCE := "```gdscript\n"
 
 
 func test_the_interpolation_guide() -> void:
-	_expect_no_faults(_samples("docs/guides/interpolation.md"), 3)
+	_expect_no_faults(_samples("docs/guides/interpolation.md"), 4)
 
 
 func test_the_expressions_guide() -> void:

@@ -1,6 +1,8 @@
 extends "res://tests/framework/test_case.gd"
 ## The MultivectorLerp node: its ends, its target, playing, and what happens when a node is missing.
 
+const ClassReference := preload("res://tests/framework/class_reference.gd")
+const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
 var _world := Node3D.new()
@@ -33,6 +35,15 @@ func test_deviation_of_two_modes() -> void:
 	var with_lever := MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
 	expect_near(rad_to_deg(with_lever["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn")
 	expect_true(with_lever["distance"] as float > MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, 0.0)["distance"] as float, "a lever making it larger")
+
+
+func test_the_example_of_deviations_holds() -> void:
+	_free_unused()
+	var samples := ClassReference.new(&"MultivectorLerp").samples_of("measure_deviation")
+	expect_equal(samples.size(), 1, "number of examples")
+	for code in samples:
+		expect_true(CodeSample.count_prints(code) > 0, "a checked print()")
+		expect_equal(CodeSample.find_faults(code), PackedStringArray(), "faults of the example")
 
 
 func test_deviation_refuses_what_it_cannot_measure() -> void:

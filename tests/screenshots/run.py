@@ -37,7 +37,7 @@ OUTPUT = os.path.join(ROOT, "build", "screenshots")
 REFERENCE_SIZE = "1152x648"
 DOCS_SIZE = "1920x1080"
 # Only these of the pictures go into the documentation.
-DOCS_PICTURES = ("interpolation.png",)
+DOCS_PICTURES = ("interpolation.png", "interpolation_lab_frames.png")
 # A picture for each document of the gallery, and a sheet with all of them.
 GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
 GALLERY_SECONDS = 300

@@ -28,6 +28,7 @@ var t := 0.5
 
 var _playback := LabPlayback.new()
 var _t_before_play := 0.0
+var _moved_entry := ""
 ## The settings as they were last read, and t among them: what is slid or played is not there.
 var _summary := {}
 var _kept_t := NAN
@@ -85,7 +86,8 @@ func get_t_entry() -> String:
 ## Between begin_move() and end_move(), move() is one step of the history.
 func begin_move() -> void:
 	stop()
-	if not get_t_entry().is_empty():
+	_moved_entry = get_t_entry()
+	if not _moved_entry.is_empty():
 		document.begin_gesture()
 
 
@@ -100,8 +102,8 @@ func move(new_t: float) -> void:
 
 
 func end_move() -> void:
-	if not get_t_entry().is_empty():
-		document.end_gesture("Slide %s" % get_t_entry())
+	if not _moved_entry.is_empty():
+		document.end_gesture("Slide %s" % _moved_entry)
 	else:
 		set_settings("Slide t of the interpolation", {&"t": t})
 

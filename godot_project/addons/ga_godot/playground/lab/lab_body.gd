@@ -10,17 +10,18 @@ const FRAME := &"frame"
 const KINDS: Array[StringName] = [FRAME, CUBE]
 const TITLES: Dictionary[StringName, String] = {CUBE: "Cube", FRAME: "Frame"}
 
-const THICKNESS := 0.022
-const GHOST_THICKNESS := 0.014
+## In metres at scale 1: of a cube's edges, and of axes.
+const THICKNESS: Dictionary[StringName, float] = {CUBE: 0.022, FRAME: 0.017}
+const GHOST_THICKNESS: Dictionary[StringName, float] = {CUBE: 0.014, FRAME: 0.011}
 const GHOST_ALPHA := 0.45
 
 
 ## The body itself, in the colour of its mode at the edges or the hub.
 static func solid(kind: StringName, color: Color) -> ArrayMesh:
-	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS)
+	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS[kind])
 	mesh.surface_set_material(0, _with_vertex_colors(1.0))
 	if kind == CUBE:
-		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS).surface_get_arrays(0))
+		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS[kind]).surface_get_arrays(0))
 	else:
 		FrameMesh.add_hub(mesh)
 	mesh.surface_set_material(1, _of_one_color(color))
@@ -31,10 +32,10 @@ static func solid(kind: StringName, color: Color) -> ArrayMesh:
 static func ghost(kind: StringName, color: Color) -> ArrayMesh:
 	var faint := Color(color, GHOST_ALPHA)
 	if kind == CUBE:
-		var edges := CubeMesh.frame(GHOST_THICKNESS)
+		var edges := CubeMesh.frame(GHOST_THICKNESS[kind])
 		edges.surface_set_material(0, _of_one_color(faint))
 		return edges
-	var mesh := FrameMesh.axes(GHOST_THICKNESS)
+	var mesh := FrameMesh.axes(GHOST_THICKNESS[kind])
 	mesh.surface_set_material(0, _with_vertex_colors(GHOST_ALPHA))
 	FrameMesh.add_hub(mesh)
 	mesh.surface_set_material(1, _of_one_color(faint))

@@ -8,7 +8,7 @@ const PlaygroundStyle := preload("../playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabSettings := preload("lab_settings.gd")
 
-const WIDTH := 48.0
+const WIDTH := 56.0
 const LETTER_WIDTH := 8.0
 
 var _lab: InterpolationLab

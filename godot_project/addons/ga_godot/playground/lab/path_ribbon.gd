@@ -2,7 +2,11 @@
 extends RefCounted
 ## A path as a band of the same width in pixels everywhere: the mesh and material for path_ribbon.gdshader.
 
+const PlaygroundStyle := preload("../playground_style.gd")
 const SHADER := preload("path_ribbon.gdshader")
+
+## In pixels.
+const WIDTH := 3.0
 
 ## Points nearer than this, in metres, are one.
 const NEAREST := 1e-5
@@ -12,6 +16,7 @@ static func make_material(color: Color) -> ShaderMaterial:
 	var material := ShaderMaterial.new()
 	material.shader = SHADER
 	material.set_shader_parameter(&"color", color)
+	material.set_shader_parameter(&"width_in_pixels", WIDTH * PlaygroundStyle.scale())
 	return material
 
 

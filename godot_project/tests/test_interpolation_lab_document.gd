@@ -1,0 +1,151 @@
+extends "res://tests/framework/lab_case.gd"
+## The interpolation lab and the document: what it keeps in it, what it makes of it, and what becomes of its entries.
+
+
+func test_a_document_that_was_made_with_it_shows_it() -> void:
+	_open({"A": A}, false)
+	var scene := GAScene.new()
+	scene.add_entry("A", A)
+	scene.add_entry("B", B)
+	scene.set_scene_attribute("interpolation/from", "B")
+	scene.set_scene_attribute("interpolation/to", "A")
+	scene.set_scene_attribute("interpolation/t", 0.25)
+	_panel.document.show_scene(scene, "")
+	expect_equal(_lab_panel.folded, false, "folded")
+	expect_equal(_lab.poses.from_name, "B", "from")
+	expect_equal(_lab.t, 0.25, "t")
+	_panel.document.show_scene(GAScene.new(), "")
+	expect_equal(_lab_panel.folded, true, "folded with an empty document")
+
+
+func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
+	_open({"A": A, "B": B})
+	_lab.move(0.25)
+	var menu: MenuButton = _lab_panel.find_child("Keep", true, false)
+	menu.get_popup().id_pressed.emit(MultivectorLerp.SCREW)
+	expect_equal(_scene().get_names(), PackedStringArray(["A", "B", "t", "m1"]), "entries")
+	expect_equal(_scene().get_expression("m1"), "interpolate_screw(A, B, t)", "expression")
+	expect_equal(_scene().get_expression("t"), "0.25", "expression of t")
+	expect_equal(_panel.list.selection, PackedStringArray(["m1"]), "selection")
+	_expect_kept(0.25)
+	_host.own_history.undo()
+	expect_equal(_scene().get_names(), PackedStringArray(["A", "B"]), "entries, undone as one step")
+	_host.own_history.redo()
+	menu.get_popup().id_pressed.emit(MultivectorLerp.LINEAR)
+	expect_equal(_scene().get_expression("m2"), "interpolate_linear(A, B, t)", "a second one over the same t")
+	_panel.document.change("Slide t", func(scene: GAScene) -> void: scene.set_parameter("t", "value", 0.75))
+	expect_equal(_lab.t, 0.75, "the lab's t, following the entry")
+	_lab.begin_move()
+	_lab.move(0.4)
+	_lab.move(0.6)
+	_lab.end_move()
+	_expect_kept(0.6)
+	_host.own_history.undo()
+	_expect_kept(0.75)
+	_lab.begin_move()
+	_scene().remove_entry("t")
+	_lab.end_move()
+	expect_equal(_panel.document.is_in_gesture(), false, "being in a gesture after the entry went away in it")
+
+
+func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
+	_open({"A": A, "B": B})
+	_lab.keep(MultivectorLerp.SCREW)
+	_lab.set_setting(&"duration", 1.0)
+	_lab.play()
+	_lab.advance(0.25)
+	_expect_kept(0.75)
+	_lab.advance(0.125)
+	_expect_kept(0.875)
+	_lab.stop()
+	_expect_kept(0.875)
+	expect_equal(_host.own_history.undo(), "Play t", "step")
+	_expect_kept(0.5)
+	_panel.document.change("Delete t", func(scene: GAScene) -> void: scene.remove_entry("t"))
+	expect_equal(_lab.get_t_entry(), "", "entry of t after it was deleted")
+	_lab.move(0.3)
+	expect_equal(_lab.t, 0.3, "t by itself")
+
+
+func test_renamed_entries_are_followed_and_it_says_so() -> void:
+	_open({"A": A, "S": "sphere(e1, 1)", "B": B})
+	_lab.choose("A", "B")
+	_panel.edits.rename("A", "start")
+	expect_equal(_lab.poses.from_name, "start", "from")
+	expect_equal(_setting("from"), "start", "attribute from")
+	expect_equal(_words(), "A is called start now.", "words")
+	expect_true(_lab.poses.is_complete(), "poses being there")
+	_host.own_history.undo()
+	expect_equal(_lab.poses.from_name, "A", "from, undone")
+	_host.own_history.redo()
+	expect_equal(_lab.poses.from_name, "start", "from, done again")
+	_panel.edits.move("B", 0)
+	_panel.edits.rename("B", "finish")
+	expect_equal(_lab.poses.to_name, "finish", "to, after it was moved")
+	_panel.edits.set_expression("finish", "motor(e1, 1)")
+	expect_equal(_words(), "", "words after the next change")
+
+
+func test_deleted_entries_and_others_that_are_no_poses() -> void:
+	_open({"A": A, "B": B, "C": "rotor(e3, 1)"})
+	_lab.choose("A", "B")
+	_panel.edits.remove(["B"])
+	expect_equal(_words(), "B is gone: choose another, or undo.", "words")
+	expect_equal(_lab.poses.is_complete(), false, "poses being there")
+	_host.own_history.undo()
+	expect_equal(_words(), "", "words after undoing")
+	expect_true(_lab.poses.is_complete(), "poses being there again")
+	_panel.edits.set_expression("B", "sphere(e1, 2)")
+	expect_equal(_words(), "B is no motor: choose a product of translators, rotors and dilators.", "words of a sphere")
+	_panel.edits.set_expression("B", "meet(A")
+	expect_true(_words().begins_with("B has no value: column 7: expected ')'"), "words of an error: %s" % _words())
+	_choose("To", "C")
+	expect_equal(_words(), "", "words after another was chosen")
+	expect_true(_lab.poses.is_complete(), "poses being there again")
+	_panel.edits.remove(["A", "B", "C"])
+	expect_true(_words().contains("A is gone") and _words().contains("C is gone"), "words with nothing left: %s" % _words())
+	_panel.document.show_scene(GAScene.new(), "")
+	_lab_panel.expand()
+	expect_true(_words().begins_with("Add two motors"), "words of an empty document: %s" % _words())
+
+
+func test_a_pose_that_passes_the_identity_stays_one() -> void:
+	_open({"A": "motor(0 e1, rotor(e3, 0), 1)", "B": B})
+	expect_equal(_lab.poses.from_name, "A", "from")
+	expect_true(_lab.poses.is_complete(), "poses being there")
+
+
+func test_settings_are_kept_unless_they_are_as_by_default() -> void:
+	_open({"A": A, "B": B})
+	await wait_frames(8)
+	var toggle: CheckBox = _lab_panel.find_child("Separate", true, false).find_child("Toggle", true, false)
+	await _click(toggle)
+	expect_equal(_setting("separate"), false, "attribute separate")
+	expect_equal(_lab.shows_mode(MultivectorLerp.SEPARATE), false, "separate shown")
+	await _click(_lab_panel.find_child("Repeat", true, false) as Button)
+	expect_equal(_setting("repeat"), "loop", "attribute repeat")
+	var path: CheckBox = _lab_panel.find_child("Path", true, false)
+	(_panel.bottom.get_parent() as ScrollContainer).ensure_control_visible(path)
+	await wait_frames(8)
+	await _click(path)
+	expect_equal(_setting("path"), false, "attribute path")
+	for i in 3:
+		_host.own_history.undo()
+	expect_equal(_scene().get_scene_attributes().size(), 0, "number of attributes, undone")
+	_lab.set_setting(&"body", "cube")
+	_lab.set_setting(&"body", "frame")
+	expect_equal(_scene().get_scene_attributes().size(), 0, "number of attributes, as by default again")
+
+
+func test_attributes_that_cannot_be_are_as_by_default() -> void:
+	_open({"A": A, "B": B})
+	for attributes: Dictionary in [{"t": "x", "body": "ball", "lever": "long", "from": 3.0}, {"t": -7.0, "ghost_count": 1e9, "duration": 0.0, "t_entry": "A"}]:
+		for key: String in attributes:
+			_scene().set_scene_attribute("interpolation/" + key, attributes[key])
+	expect_equal(_lab.t, 0.0, "t, brought into its range")
+	expect_equal(_lab.get_setting(&"ghost_count"), 60.0, "count")
+	expect_equal(_lab.get_setting(&"duration"), 0.1, "duration")
+	expect_equal(_lab.get_setting(&"body"), "frame", "body")
+	expect_equal(_lab.get_setting(&"lever"), 1.0, "lever")
+	expect_equal(_lab.get_t_entry(), "", "entry of t")
+	expect_equal(_lab.poses.from_name, "A", "from")
