@@ -204,6 +204,9 @@ func test_a_row_is_dragged_to_another_place() -> void:
 	expect_equal(_names(), ["a", "b", "d", "c"], "order after dragging it down by two")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_names(), ["d", "a", "b", "c"], "order after one undo")
+	await wait_frames(3)
+	for row in _demo.panel.list.get_rows():
+		expect_true((row.find_child("Words", true, false) as Control).size.y < 30.0, "words of %s within their row" % row.entry)
 
 
 func test_a_line_shows_where_a_dragged_row_goes() -> void:
