@@ -24,7 +24,8 @@ ga_godot/include_playground={includes}
 """
 EXPORT_SECONDS = 120
 RUN_SECONDS = 60
-SAID = ["entries A", "words point, at (0, 0, 0)", "example Villarceau and Hopf circles", "done"]
+SAID = ["entries A", "words point, at (0, 0, 0)", "example Circle through three points",
+        "done"]
 
 
 def tests(engine, project, output):
@@ -43,7 +44,7 @@ def tests(engine, project, output):
 
 
 def check_export(engine, copy, game):
-    """The demo runs from the pack, a button adds an object, and an example opens."""
+    """The demo runs from the pack, and a button adds an object."""
     pack = os.path.join(game, "game.pck")
     problems = export(engine, copy, pack, "true")
     run = engine.in_folder(game).run(["--main-pack", pack, "-s", PROBE], RUN_SECONDS, drawing=False)

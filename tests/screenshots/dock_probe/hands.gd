@@ -34,6 +34,7 @@ static func drag(control: Control, from: Vector2, to: Vector2, steps := 8) -> vo
 		else:
 			var motion := InputEventMouseMotion.new()
 			motion.button_mask = MOUSE_BUTTON_MASK_LEFT if step > 1 else 0 as MouseButtonMask
+			motion.relative = transform.basis_xform((to - from) * control.size) / steps
 			event = motion
 		event.position = place
 		event.global_position = place

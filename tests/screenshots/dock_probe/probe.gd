@@ -16,7 +16,7 @@ const FIRST_FRAMES := 40
 
 var _steps: Array[Callable] = [
 	_open_dock, _add_points, _type_wrong, _see_error, _type_right, _see_description, _join, _edit_in_place, _rename, _undo_rename, _redo_rename, _refuse_rename, _see_refusal,
-	_hide, _add_dual, _slide_add, _slide, _undo_slide, _coefficients_open, _coefficient, _undo_coefficient, _reorder, _ask_to_delete, _answer, _see_deleted,
+	_hide, _add_dual, _slide_add, _slide, _undo_slide, _coefficients_open, _coefficient, _undo_coefficient, _reorder, _drag_row, _ask_to_delete, _answer, _see_deleted,
 	_undo_delete, _take_picture, _save, _new, _reopen, _paste, _show_tab_menu, _float, _edit_floating, _see_floating, _see_docked, _close, _open_again, _disable, _enable,
 	_after_restart, _open_edited_scene, _create_node, _end,
 ]
@@ -176,6 +176,17 @@ func _reorder() -> void:
 	Hands.press_key(_line().get_viewport(), KEY_UP, 0, false, false, true)
 	_expect(_names(), ["apex", "s", "B", "pair1", "k1"], "order after Alt and Up")
 	_undo()
+
+
+func _drag_row() -> void:
+	var from := _row_part("pair1", "Words")
+	var first: Control = _part("Entries").call(&"find_row", "apex")
+	var to := from.get_global_transform().affine_inverse() * (first.get_global_transform() * Vector2(first.size.x / 2.0, 2.0))
+	Hands.drag(from, Vector2(0.3, 0.5), to / from.size)
+	_expect(_names(), ["pair1", "apex", "B", "s", "k1"], "order after dragging a row to the top")
+	_undo()
+	_expect(_names(), ["apex", "B", "s", "pair1", "k1"], "order after undoing the drag")
+	_part("Entries").call(&"scroll_to", "apex")
 
 
 func _ask_to_delete() -> void:

@@ -86,12 +86,18 @@ func _on_selection_changed() -> void:
 	var before := _entry
 	_show_coefficients()
 	if _entry != before:
-		_scroll_to_grade.call_deferred()
+		_scroll_soon()
 
 
 func _on_folding_changed() -> void:
 	_show_coefficients()
-	_scroll_to_grade.call_deferred()
+	_scroll_soon()
+
+
+# Once all has its place.
+func _scroll_soon() -> void:
+	if is_inside_tree() and not get_tree().process_frame.is_connected(_scroll_to_grade):
+		get_tree().process_frame.connect(_scroll_to_grade, CONNECT_ONE_SHOT)
 
 
 func _scroll_to_grade() -> void:

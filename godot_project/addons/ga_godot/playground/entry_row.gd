@@ -250,6 +250,8 @@ func _wrap_words() -> void:
 	var is_whole := selected or _error_icon.texture != null
 	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART if is_whole else TextServer.AUTOWRAP_OFF
 	_words.text_overrun_behavior = TextServer.OVERRUN_NO_TRIMMING if is_whole else TextServer.OVERRUN_TRIM_ELLIPSIS
+	# A change there and back within a frame would leave them higher than their line.
+	(_words.get_parent() as Container).queue_sort()
 
 
 # Narrower than a button by itself.

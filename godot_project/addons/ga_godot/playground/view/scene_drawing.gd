@@ -24,7 +24,7 @@ const THICKEST := 20.0
 const LIGHTEST := 0.48
 
 var scene: GAScene: set = set_scene
-## Whether what is behind the objects is light; their colours are then darker where they have to.
+## Whether what is behind the objects is light; colours of kinds are then darker. An entry with its own keeps it.
 var on_light := false: set = set_on_light
 ## Entries that something else draws in the same place.
 var left_out := PackedStringArray(): set = set_left_out
@@ -111,7 +111,9 @@ func _draw() -> void:
 
 
 func _on_background(color: Color) -> Color:
-	var factor := LIGHTEST / maxf(color.get_luminance(), LIGHTEST) if on_light else 1.0
+	# As labels measure it, which then have a light outline.
+	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
+	var factor := LIGHTEST / maxf(lightness, LIGHTEST) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
 
 
