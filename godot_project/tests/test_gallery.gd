@@ -86,13 +86,15 @@ func test_an_example_that_is_not_there() -> void:
 func test_the_menu_gives_fresh_copies() -> void:
 	var menu := ExamplesMenu.new()
 	add_node(menu)
-	expect_equal(menu.item_count, Gallery.list().size(), "items")
+	expect_equal(menu.item_count, Gallery.list().size() + Gallery.SECTIONS.size(), "items and sections")
+	for example in Gallery.SECTIONS:
+		expect_true(Gallery.EXAMPLES.has(example), "%s, which begins a section" % example)
 	var chosen: Array[GAScene] = []
 	menu.chosen.connect(func(scene: GAScene, title: String) -> void:
 		chosen.append(scene)
-		expect_equal(title, menu.get_item_text(0), "title"))
+		expect_equal(title, "Sphere through four points", "title"))
 	for i in 2:
-		menu.index_pressed.emit(0)
+		menu.id_pressed.emit(1)
 	expect_equal(chosen.size(), 2, "chosen")
 	chosen[0].remove_entry("a")
 	expect_true(chosen[1].has_entry("a"), "the second copy is whole")

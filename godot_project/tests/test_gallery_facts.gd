@@ -163,6 +163,16 @@ func test_the_shell_is_the_same_at_every_size() -> void:
 	expect_vector_near(_center_of("ball_1"), before, 1e-6, "after one step each ball is where the next was")
 
 
+func test_all_balls_of_the_loxodrome_lie_alike() -> void:
+	_open("loxodrome")
+	var first := _scene.evaluate("normalized(!ball_1) | normalized(!ball_2)").coefficients[0]
+	for ball in range(2, 46):
+		var product := _scene.evaluate("normalized(!ball_%d) | normalized(!ball_%d)" % [ball, ball + 1]).coefficients[0]
+		expect_near(product, first, EXACT, "balls %d and %d" % [ball, ball + 1])
+	for pole: String in ["a", "b"]:
+		_expect_same("sandwich(exp(way), %s)" % pole, pole)
+
+
 func test_the_arm_keeps_its_lengths() -> void:
 	_open("robot_arm")
 	for target: Vector3 in [Vector3(2.1, 0.6, 0.7), Vector3(-1.0, 0.5, -1.5), Vector3(0.3, -0.4, 0.2), Vector3(9.0, 3.0, 0.0), Vector3(0.0, 0.0, 2.0)]:

@@ -2,7 +2,6 @@ extends "res://tests/framework/test_case.gd"
 ## The interpolation demo, used as a person uses it: presets, keys, sliders, play.
 
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
-const PathDeviation := preload("res://demos/interpolation/path_deviation.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 const Preset := preload("res://demos/interpolation/presets.gd")
 
@@ -98,14 +97,24 @@ func test_ghosts_lie_on_the_path() -> void:
 
 
 func test_deviations_in_millimetres_and_degrees() -> void:
-	var from := Transform3D.IDENTITY
-	var to := Poses.make(Vector3(2, 0, 0), Quaternion(Vector3.UP, PI / 2.0))
-	# The arc over a chord of 2 m and a quarter turn rises by 1 - tan(22.5 degrees) from its centre's side.
-	var at_the_middle := PathDeviation.at(from, to, 0.5, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE)
-	expect_near(at_the_middle.distance_mm, 1000.0 * tan(PI / 8.0), 0.01, "rise of the arc in mm")
-	expect_near(at_the_middle.angle_degrees, 0.0, 1e-3, "angle in degrees")
-	var largest := PathDeviation.largest(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
-	expect_near(largest.angle_degrees, 0.9, 0.1, "largest angle at a quarter turn")
+	_open()
+	# A half turn of a body at 1.8 m from the axis: the screw's arc rises by as much over the straight line.
+	_demo.choose_preset(1)
+	var deviations: GridContainer = _demo.find_child("Deviations", true, false)
+	var preset := Preset.list()[1]
+	var from := Multivector.motor(preset.start.to_transform())
+	var to := Multivector.motor(preset.end.to_transform())
+	var pairs: Array[Vector2i] = [Vector2i(0, 1), Vector2i(0, 2), Vector2i(1, 2)]
+	for i in pairs.size():
+		var farthest := 0.0
+		for step in 101:
+			var first := MultivectorLerp.interpolate(from, to, step / 100.0, pairs[i].x as MultivectorLerp.Mode)
+			var second := MultivectorLerp.interpolate(from, to, step / 100.0, pairs[i].y as MultivectorLerp.Mode)
+			farthest = maxf(farthest, first.get_translation().distance_to(second.get_translation()))
+		var shown: Label = deviations.get_child(3 + 3 * i + 1)
+		expect_near(shown.text.to_float(), farthest * 1000.0, 1.0, "distance of pair %d in mm" % i)
+	var angle: Label = deviations.get_child(5)
+	expect_near(angle.text.to_float(), 8.2, 0.1, "largest angle between linear and screw at a half turn")
 
 
 func _open() -> void:

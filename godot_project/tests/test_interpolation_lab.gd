@@ -266,7 +266,7 @@ func test_settings_are_kept_unless_they_are_as_by_default() -> void:
 	await _click(_lab_panel.find_child("Repeat", true, false) as Button)
 	expect_equal(_setting("repeat"), "loop", "attribute repeat")
 	var path: CheckBox = _lab_panel.find_child("Path", true, false)
-	(_panel.find_child("Lower", true, false) as ScrollContainer).ensure_control_visible(path)
+	(_panel.bottom.get_parent() as ScrollContainer).ensure_control_visible(path)
 	await wait_frames(8)
 	await _click(path)
 	expect_equal(_setting("path"), false, "attribute path")

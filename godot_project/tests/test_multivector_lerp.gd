@@ -21,6 +21,34 @@ func test_defaults() -> void:
 	_free_unused()
 
 
+func test_deviation_of_two_modes() -> void:
+	_free_unused()
+	var from := Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, 1.0)
+	var to := Multivector.motor_from(Vector3(2, 0, 0), Quaternion(Vector3.UP, PI / 2.0), 1.0)
+	# The arc over a chord of 2 m and a quarter turn rises by tan(22.5 degrees).
+	var found := MultivectorLerp.measure_deviation(from, to, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE, 0.0)
+	expect_near(found["distance"] as float, tan(PI / 8.0), 1e-9, "rise of the arc")
+	expect_near(found["distance_weight"] as float, 0.5, 1e-5, "where it is")
+	expect_near(found["angle"] as float, 0.0, 1e-9, "angle")
+	var with_lever := MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
+	expect_near(rad_to_deg(with_lever["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn")
+	expect_true(with_lever["distance"] as float > MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, 0.0)["distance"] as float, "a lever making it larger")
+
+
+func test_deviation_refuses_what_it_cannot_measure() -> void:
+	_free_unused()
+	var one := Multivector.scalar(1.0)
+	expect_error("MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from.")
+	expect_true(MultivectorLerp.measure_deviation(Multivector.basis("e1"), one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW).is_empty(), "nothing")
+	expect_error("MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from.")
+	expect_true(MultivectorLerp.measure_deviation(one, null, MultivectorLerp.LINEAR, MultivectorLerp.SCREW).is_empty(), "nothing")
+	expect_error("MultivectorLerp.measure_deviation: the lever must be a distance of 0 or more.", 2)
+	for lever: float in [-1.0, NAN]:
+		expect_true(MultivectorLerp.measure_deviation(one, one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, lever).is_empty(), "nothing")
+	expect_error("MultivectorLerp: mode 7 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_true(MultivectorLerp.measure_deviation(one, one, 7 as MultivectorLerp.Mode, MultivectorLerp.SCREW).is_empty(), "nothing")
+
+
 func test_it_moves_the_target() -> void:
 	_build()
 	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]:

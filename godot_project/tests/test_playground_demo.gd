@@ -44,6 +44,8 @@ func test_an_expression_is_typed() -> void:
 	Hands.press_key(_window(), KEY_ENTER)
 	expect_equal(_names(), ["s"], "entries")
 	expect_equal(_scene().get_description("s"), "sphere, radius 2, centre (1, 0, 0)", "description")
+	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
+	expect_equal(_names(), [], "entries after undo, with the line still having the focus")
 
 
 func test_the_view_draws_what_the_document_has() -> void:
@@ -129,7 +131,7 @@ func test_an_example_is_opened_from_its_menu() -> void:
 	var examples := _demo.panel.head.find_child("Examples", true, false) as PopupMenu
 	expect_true(examples.visible, "the menu being open")
 	examples.hide()
-	examples.index_pressed.emit(0)
+	examples.id_pressed.emit(0)
 	expect_equal(_demo.panel.document.scene.get_scene_attribute("title"), "Circle through three points", "title of what is shown")
 	expect_true((_demo.panel.top.get_node(^"Description") as Control).visible, "a description")
 	var view := ViewPoint.of(_scene())
@@ -199,7 +201,7 @@ func test_a_line_shows_where_a_dragged_row_goes() -> void:
 func test_the_range_of_a_slider_is_set_as_one_step() -> void:
 	await _open_with({"k": "2"})
 	var dialog := await _open_slider_range("k")
-	expect_equal((dialog.find_child("From", true, false) as LineEdit).text, "-5.0", "the smallest by default")
+	expect_equal((dialog.find_child("From", true, false) as LineEdit).text, "-5", "the smallest by default")
 	(dialog.find_child("From", true, false) as LineEdit).text = "4"
 	(dialog.find_child("To", true, false) as LineEdit).text = "3"
 	(dialog.find_child("To", true, false) as LineEdit).text_changed.emit("3")

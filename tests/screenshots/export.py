@@ -24,7 +24,8 @@ ga_godot/include_playground={includes}
 """
 EXPORT_SECONDS = 120
 RUN_SECONDS = 60
-SAID = ["entries A", "words point, at (0, 0, 0)", "done"]
+SAID = ["entries A", "words point, at (0, 0, 0)", "example Circle through three points",
+        "done"]
 
 
 def tests(engine, project, output):

@@ -26,6 +26,8 @@ import dock  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
 import export  # noqa: E402
+import indexed_png  # noqa: E402
+import lab  # noqa: E402
 import view  # noqa: E402
 
 PROJECT = os.path.join(ROOT, "godot_project")
@@ -36,6 +38,12 @@ REFERENCE_SIZE = "1152x648"
 DOCS_SIZE = "1920x1080"
 # Only these of the pictures go into the documentation.
 DOCS_PICTURES = ("interpolation.png",)
+# A picture for each document of the gallery, and a sheet with all of them.
+GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
+GALLERY_SECONDS = 300
+GALLERY_SHEET = "all.png"
+LARGEST_IMAGE = 150_000
+LARGEST_SHEET = 250_000
 
 
 def main():
@@ -52,7 +60,7 @@ def main():
             view.write_reference(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
-            sys.exit(write_documentation(engine))
+            sys.exit(write_documentation(engine) or write_gallery(engine))
         sys.exit(run_tests(engine))
 
 
@@ -66,7 +74,7 @@ def screen():
 def run_tests(engine):
     """Runs everything and prints the last line; the exit code."""
     passed, failed = compare_pictures(engine)
-    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export))
+    parts = (part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, export, lab))
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1
@@ -122,6 +130,29 @@ def write_documentation(engine):
             shutil.copyfile(os.path.join(folder, name), os.path.join(DOCS_IMAGES, name))
             print(f"wrote {os.path.relpath(os.path.join(DOCS_IMAGES, name), ROOT)}")
     return code
+
+
+def write_gallery(engine):
+    """The pictures of the gallery, small enough for the repository."""
+    folder = os.path.join(OUTPUT, "gallery")
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    run = engine.run(["--path", PROJECT, "--windowed", "--resolution", "640x360", "--position", "0,0",
+                      "--", f"--gallery-pictures={folder}"], seconds=GALLERY_SECONDS)
+    print(run.text, end="")
+    if run.code != 0 or run.problems():
+        return 1
+    os.makedirs(GALLERY_IMAGES, exist_ok=True)
+    too_large = 0
+    for name in sorted(os.listdir(folder)):
+        path = os.path.join(GALLERY_IMAGES, name)
+        shutil.copyfile(os.path.join(folder, name), path)
+        indexed_png.shrink(path)
+        size = os.path.getsize(path)
+        fits = size <= (LARGEST_SHEET if name == GALLERY_SHEET else LARGEST_IMAGE)
+        too_large += not fits
+        print(f"wrote {os.path.relpath(path, ROOT)}, {size // 1000} kB{'' if fits else ', which is too large'}")
+    return 1 if too_large else 0
 
 
 if __name__ == "__main__":

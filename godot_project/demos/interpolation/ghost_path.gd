@@ -1,16 +1,15 @@
 extends Node3D
-## The path of the cube in one mode: ghost cubes at even steps of the factor and a tube along the
+## The path of the cube in one mode: ghost cubes at even steps of the factor and a band along the
 ## centres. The ghosts are one MotorPool: every body has the same two poses and a weight of its own.
 
 const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
 const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
-const PathTube := preload("res://demos/interpolation/path_tube.gd")
+const PathRibbon := preload("res://addons/ga_godot/playground/lab/path_ribbon.gd")
 
 const GHOSTS := 9
 const LINE_POINTS := 97
 ## A row of the pool's buffer: three rows of a 3x4 matrix, the origin in the last column.
 const FLOATS_PER_BODY := 12
-const LINE_RADIUS := 0.017
 const FRAME_THICKNESS := 0.016
 ## Opacity of the ghosts and of the line in the mode that is chosen and in the others.
 const CHOSEN_GHOST_ALPHA := 0.6
@@ -22,11 +21,11 @@ var _mode := MultivectorLerp.LINEAR
 var _pool := MotorPool.new()
 var _line_pool := MotorPool.new()
 var _ghosts := MultiMesh.new()
-var _tube := MeshInstance3D.new()
+var _line := ArrayMesh.new()
 var _ghost_weights := PackedFloat32Array()
 var _line_weights := PackedFloat32Array()
 var _ghost_material := _make_material()
-var _line_material := _make_material()
+var _line_material := PathRibbon.make_material(Color.WHITE)
 
 
 func _init(mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
@@ -51,10 +50,12 @@ func _ready() -> void:
 	instance.custom_aabb = AABB(Vector3.ONE * -50.0, Vector3.ONE * 100.0)
 	add_child(instance)
 
-	_tube.name = "Line"
-	_tube.material_override = _line_material
-	_tube.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	add_child(_tube)
+	var band := MeshInstance3D.new()
+	band.name = "Line"
+	band.mesh = _line
+	band.material_override = _line_material
+	band.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	add_child(band)
 
 
 ## Draws the path between two poses.
@@ -67,14 +68,14 @@ func show_path(from: Transform3D, to: Transform3D) -> void:
 	var centers := PackedVector3Array()
 	for row in range(0, buffer.size(), FLOATS_PER_BODY):
 		centers.append(Vector3(buffer[row + 3], buffer[row + 7], buffer[row + 11]))
-	_tube.mesh = PathTube.build(centers, LINE_RADIUS)
+	PathRibbon.build(_line, centers)
 
 
 ## The chosen mode's path is drawn strong, the others faint.
 func set_chosen(chosen: bool) -> void:
 	var color := Modes.COLORS[_mode]
 	_ghost_material.albedo_color = Color(color, CHOSEN_GHOST_ALPHA if chosen else OTHER_GHOST_ALPHA)
-	_line_material.albedo_color = Color(color, CHOSEN_LINE_ALPHA if chosen else OTHER_LINE_ALPHA)
+	_line_material.set_shader_parameter(&"color", Color(color, CHOSEN_LINE_ALPHA if chosen else OTHER_LINE_ALPHA))
 	_ghost_material.render_priority = 1 if chosen else 0
 	_line_material.render_priority = 1 if chosen else 0
 

@@ -162,7 +162,7 @@ func _on_poses_changed() -> void:
 	_place_caption(_end)
 	for path in _paths:
 		path.show_path(_start.transform, _end.transform)
-	_readout_panel.show_deviations(_start.transform, _end.transform)
+	_readout_panel.show_deviations(_start_motor, _end_motor)
 	_on_factor_changed(_play_bar.get_factor())
 
 

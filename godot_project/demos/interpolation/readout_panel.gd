@@ -2,7 +2,6 @@ extends PanelContainer
 ## The right panel: the coefficients of the cube's motor, and how far the modes' paths lie apart.
 
 const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
-const PathDeviation := preload("res://demos/interpolation/path_deviation.gd")
 
 ## The coefficients that a scaled motor can have, by their index among the 32 of a multivector.
 const MOTOR_BLADES: Dictionary[String, int] = {
@@ -50,13 +49,13 @@ func show_motor(motor: Multivector) -> void:
 		_coefficients[i].modulate.a = 0.35 if absf(number) < 5e-5 else 1.0
 
 
-## The largest deviations over the whole path between two poses.
-func show_deviations(from: Transform3D, to: Transform3D) -> void:
+## The largest deviations over the whole path between two poses, of the centres and of the rotations.
+func show_deviations(from: Multivector, to: Multivector) -> void:
 	for i in PAIRS.size():
-		var largest := PathDeviation.largest(from, to,
-				PAIRS[i].x as MultivectorLerp.Mode, PAIRS[i].y as MultivectorLerp.Mode)
-		_deviations[2 * i].text = "%.0f" % largest.distance_mm
-		_deviations[2 * i + 1].text = "%.2f" % largest.angle_degrees
+		var largest := MultivectorLerp.measure_deviation(from, to,
+				PAIRS[i].x as MultivectorLerp.Mode, PAIRS[i].y as MultivectorLerp.Mode, 0.0)
+		_deviations[2 * i].text = "%.0f" % (largest["distance"] * 1000.0)
+		_deviations[2 * i + 1].text = "%.2f" % rad_to_deg(largest["angle"] as float)
 
 
 func _add_label(grid: GridContainer, words: String, width: int, variation: StringName) -> Label:

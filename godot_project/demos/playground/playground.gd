@@ -162,6 +162,15 @@ func _add_button(button: Button, title: String, hint: String, act: Callable, pla
 	place.call(button)
 
 
+## While nothing is typed, undo is for the document, although a line has the focus.
+func _input(event: InputEvent) -> void:
+	var key := event as InputEventKey
+	var line := get_viewport().gui_get_focus_owner() as LineEdit
+	if key != null and key.pressed and key.is_command_or_control_pressed() and key.keycode in [KEY_Z, KEY_Y] and line != null and line.text.is_empty():
+		_press_key(key)
+		get_viewport().set_input_as_handled()
+
+
 func _unhandled_key_input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	if key == null or not key.pressed:

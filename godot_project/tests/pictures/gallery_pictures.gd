@@ -9,9 +9,9 @@ const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
 const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
 const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
 
-const SHEET_COLUMNS := 4
+const SHEET_COLUMNS := 3
 const SHEET_GAP := 6
-const SHEET_CELL := Vector2i(316, 178)
+const SHEET_CELL := Vector2i(320, 180)
 const SHEET_COLOR := Color(0.16, 0.175, 0.2)
 
 ## The folder of the pictures.

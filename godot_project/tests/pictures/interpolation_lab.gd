@@ -48,7 +48,9 @@ func _build(body: String) -> void:
 	add_child(world)
 	var camera := Camera3D.new()
 	camera.fov = 50.0
-	camera.look_at_from_position(Vector3(0.6, 2.4, 4.6), Vector3(0.05, 0.6, 0.0))
+	camera.look_at_from_position(Vector3(0.6, 3.0, 5.8), Vector3(0.05, 0.7, 0.0))
+	# What is seen between the panels.
+	camera.h_offset = 0.65
 	add_child(camera)
 	var drawing := SceneDrawing.new()
 	drawing.scene = scene

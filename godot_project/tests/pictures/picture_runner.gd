@@ -9,7 +9,9 @@ extends Node
 ##
 ## The window's size is the pictures' size.
 
+const ExportChecks := preload("res://tests/pictures/export_checks.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
+const LineChecks := preload("res://tests/pictures/line_checks.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 const Scenes := preload("res://tests/pictures/scenes.gd")
 
@@ -51,7 +53,8 @@ func _update() -> void:
 			get_tree().quit(1)
 			return
 		print("wrote %s" % _reference_path(title))
-	get_tree().quit(0)
+	var exported := await ExportChecks.new(self).draw_reference()
+	get_tree().quit(0 if exported.save_png(_reference_path(ExportChecks.TITLE)) == OK else 1)
 
 
 func _compare_all() -> void:
@@ -62,6 +65,9 @@ func _compare_all() -> void:
 	await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
 	await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 	await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
+	await _check_export()
+	await _check_line()
+	await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -83,9 +89,9 @@ func _expect_alike(title: String, make_scene: Callable) -> void:
 		print("   what was drawn: %s" % _output.path_join(title + ".png"))
 
 
-## The changed scene must not pass for the picture without panels.
-func _expect_different(change: String, make_scene: Callable) -> void:
-	var reference := _load_reference("interpolation_paths")
+## The changed scene must not pass for the picture of what it was; by default that of the demo without panels.
+func _expect_different(change: String, make_scene: Callable, title := "interpolation_paths") -> void:
+	var reference := _load_reference(title)
 	if reference == null:
 		_fail("%s: there is no reference" % change)
 		return
@@ -95,6 +101,25 @@ func _expect_different(change: String, make_scene: Callable) -> void:
 		_fail("%s is not noticed" % change)
 	else:
 		_passed += 1
+
+
+func _check_export() -> void:
+	var reference := _load_reference(ExportChecks.TITLE)
+	if reference == null:
+		_fail("exported pictures: there is no reference %s" % _reference_path(ExportChecks.TITLE))
+		return
+	var problems := await ExportChecks.new(self).find_problems(reference)
+	for problem in problems:
+		_fail("exported pictures: %s" % problem)
+	_passed += int(problems.is_empty())
+
+
+func _check_line() -> void:
+	var problem := await LineChecks.find_problem(self)
+	if problem.is_empty():
+		_passed += 1
+	else:
+		_fail(problem)
 
 
 func _with_moved_cube(parent: Node) -> Node:
@@ -108,6 +133,13 @@ func _with_hidden(parent: Node, path: NodePath) -> Node:
 	var node: Node3D = demo.get_node(path)
 	node.hide()
 	return demo
+
+
+func _without_screw(parent: Node) -> Node:
+	var picture := Scenes.interpolation_lab(parent, "frame")
+	var path: Node3D = picture.get_node(^"Interpolation/Screw/Path")
+	path.hide()
+	return picture
 
 
 func _take(make_scene: Callable) -> Image:

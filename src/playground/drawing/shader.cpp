@@ -146,7 +146,9 @@ constexpr const char *PLACE_PLANE = R"(
 )";
 
 constexpr const char *STROKE_BEGIN = R"(
-varying vec2 local; // pixels from the middle, along and across
+// Pixels from the middle, along and across, times the depth; the depth. The width in clip space grows with the depth, so
+// that only this product is linear over both triangles of a piece of a line.
+varying vec3 local_by_depth;
 varying vec4 look; // arc or radius of signs, half width, profile, opacity
 varying vec4 own_colour;
 
@@ -181,7 +183,7 @@ constexpr const char *STROKE_END = R"(
 	clip.z = max(clip.z, (FAR_DEPTH + 1e-7) * clip.w);
 	POSITION = clip;
 	VERTEX = (MODELVIEW_MATRIX * place).xyz;
-	local = padded;
+	local_by_depth = vec3(padded * clip.w, clip.w);
 	look = vec4(is_line ? arc : arc * thick, abs(offset.y), CUSTOM1.z, opacity);
 	own_colour = CUSTOM2;
 	if (LINEAR_COLOURS) {
@@ -196,6 +198,7 @@ float coverage(float outside) {
 void fragment() {
 	vec3 colour = mix(tint.rgb, own_colour.rgb, own_colour.a);
 	float alpha = look.w * tint.a;
+	vec2 local = local_by_depth.xy / local_by_depth.z;
 	float radius = length(local);
 	float hollow = max(shape.y, shape.z);
 	if (look.z < 0.5) {

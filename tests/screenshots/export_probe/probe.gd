@@ -1,5 +1,5 @@
 extends SceneTree
-## In an exported game: opens the playground and presses a button of its panel.
+## In an exported game: opens the playground, presses a button of its panel and opens an example.
 
 const DEMO := "res://demos/playground/playground.tscn"
 const SETTLING_FRAMES := 4
@@ -26,6 +26,13 @@ func _use(demo: Node) -> void:
 	print("[probe] entries %s" % ", ".join(scene.get_names()))
 	var words := panel.find_child("Words", true, false) as Label
 	print("[probe] words %s" % words.text)
+	var examples := panel.find_child("Examples", true, false) as PopupMenu
+	examples.id_pressed.emit(0)
+	await process_frame
+	# Before what is unsaved is lost, it asks.
+	(panel.find_child("Question", true, false) as ConfirmationDialog).confirmed.emit()
+	scene = document.get(&"scene")
+	print("[probe] example %s" % scene.get_scene_attribute("title"))
 	print("[probe] done")
 	quit()
 

@@ -10,7 +10,7 @@ const FIRST_FRAMES := 40
 const WIDE := Vector2i(600, 760)
 
 var _steps: Array[Callable] = [
-	_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
+	_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _see_drawing, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
 	_undo_keep, _rename, _see_renamed, _delete, _see_deleted, _undo_delete, _take_picture, _show_tab_menu, _float, _widen, _take_wide_picture, _end,
 ]
 var _frames := -FIRST_FRAMES
@@ -70,6 +70,16 @@ func _use_selection() -> void:
 	Hands.click(_lab_part("UseSelection"))
 	_expect(_setting("to"), "B", "attribute to")
 	_expect(_chosen("To"), "B", "to")
+
+
+func _see_drawing() -> void:
+	var drawings := get_tree().root.find_children("Interpolation", "Node3D", true, false)
+	_expect(drawings.size(), 1, "drawings of the lab in the 3D viewports")
+	var drawing: Node3D = drawings[0]
+	_expect(drawing.is_visible_in_tree(), true, "its being seen")
+	var body: Node3D = drawing.get_node(^"Screw/Body")
+	var middle := MultivectorLerp.interpolate(_scene().get_value("m1"), _scene().get_value("B"), 0.5, MultivectorLerp.SCREW)
+	_expect(body.transform.is_equal_approx(middle.to_transform()), true, "place of what moves by the screw")
 
 
 func _slide() -> void:

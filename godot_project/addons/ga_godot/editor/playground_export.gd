@@ -1,9 +1,9 @@
 @tool
 extends EditorExportPlugin
 ## Adds the playground to exported games. Its folder is hidden from the editor's file system, which would complain about
-## every script of it where the library is missing.
+## every script of it where the library is missing; its examples are of a kind of file that is not exported by itself.
 
-const FOLDER := "res://addons/ga_godot/playground"
+const FOLDERS: PackedStringArray = ["res://addons/ga_godot/playground", "res://addons/ga_godot/gallery"]
 const OPTION := &"ga_godot/include_playground"
 const LEFT_OUT: PackedStringArray = ["uid", "gdignore"]
 
@@ -22,7 +22,8 @@ func _get_export_options(_platform: EditorExportPlatform) -> Array[Dictionary]:
 
 func _export_begin(_features: PackedStringArray, _is_debug: bool, _path: String, _flags: int) -> void:
 	if get_option(OPTION):
-		_add_folder(FOLDER)
+		for folder in FOLDERS:
+			_add_folder(folder)
 
 
 func _add_folder(folder: String) -> void:

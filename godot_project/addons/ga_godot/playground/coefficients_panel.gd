@@ -96,7 +96,7 @@ func _on_folding_changed() -> void:
 
 func _scroll_to_grade() -> void:
 	for field in _fields:
-		if field.get_number() != 0.0:
+		if not is_zero_approx(field.get_number()):
 			_scroll.scroll_vertical = roundi((field.get_parent().get_parent() as Control).position.y)
 			return
 

@@ -10,11 +10,14 @@ const DESCRIPTION := "description"
 const MARGIN := 8.0
 const TITLE_ENLARGEMENT := 1.15
 const TEXT_OPACITY := 0.85
+## Of the text that is seen without scrolling.
+const MOST_LINES := 9
 
 ## Null shows nothing.
 var scene: GAScene: set = set_scene
 
 var _title := Label.new()
+var _scroll := ScrollContainer.new()
 var _text := Label.new()
 var _close := Button.new()
 var _closed_text := ""
@@ -45,7 +48,11 @@ func _init() -> void:
 	_text.name = "Text"
 	_text.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_text.modulate = Color(1.0, 1.0, 1.0, TEXT_OPACITY)
-	column.add_child(_text)
+	_text.size_flags_horizontal = SIZE_EXPAND_FILL
+	_text.minimum_size_changed.connect(_fit_height)
+	_scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	_scroll.add_child(_text)
+	column.add_child(_scroll)
 
 
 func _notification(what: int) -> void:
@@ -76,9 +83,14 @@ func close() -> void:
 func _show_texts() -> void:
 	_title.text = _text_of(TITLE)
 	_text.text = _text_of(DESCRIPTION)
-	_text.visible = not _text.text.is_empty()
+	_scroll.visible = not _text.text.is_empty()
+	_scroll.scroll_vertical = 0
 	var all := _title.text + _text.text
 	visible = not all.is_empty() and all != _closed_text
+
+
+func _fit_height() -> void:
+	_scroll.custom_minimum_size.y = minf(_text.get_minimum_size().y, MOST_LINES * _text.get_line_height())
 
 
 func _text_of(key: String) -> String:

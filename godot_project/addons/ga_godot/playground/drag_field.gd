@@ -8,6 +8,7 @@ const DRAG_START := 3.0
 ## Of a unit for each pixel; a hundredth of that with Shift held.
 const SPEED := 0.01
 const FINE := 0.1
+const DIGITS := 3
 const LABEL_ALPHA := 0.55
 const MARGIN := 6.0
 
@@ -74,7 +75,12 @@ func _draw() -> void:
 	draw_string(font, Vector2(MARGIN, line), _label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, Color(color, LABEL_ALPHA))
 	var label_width := font.get_string_size(_label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	var room := size.x - label_width - 3.0 * MARGIN
-	draw_string(font, Vector2(label_width + 2.0 * MARGIN, line), String.num(_number, 3), HORIZONTAL_ALIGNMENT_RIGHT, room, font_size, color)
+	draw_string(font, Vector2(label_width + 2.0 * MARGIN, line), _text(), HORIZONTAL_ALIGNMENT_RIGHT, room, font_size, color)
+
+
+# Without the sign of a zero.
+func _text() -> String:
+	return String.num(snappedf(_number, _step) + 0.0, DIGITS)
 
 
 func _gui_input(event: InputEvent) -> void:

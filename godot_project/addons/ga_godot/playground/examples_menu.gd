@@ -12,13 +12,16 @@ signal failed(words: String)
 
 func _init() -> void:
 	name = "Examples"
-	for example in Gallery.list():
-		add_item(Gallery.EXAMPLES[example])
-	index_pressed.connect(_on_index_pressed)
+	var examples := Gallery.list()
+	for id in examples.size():
+		if Gallery.SECTIONS.has(examples[id]):
+			add_separator(Gallery.SECTIONS[examples[id]])
+		add_item(Gallery.EXAMPLES[examples[id]], id)
+	id_pressed.connect(_on_id_pressed)
 
 
-func _on_index_pressed(index: int) -> void:
-	var example := Gallery.list()[index]
+func _on_id_pressed(id: int) -> void:
+	var example := Gallery.list()[id]
 	var scene := Gallery.load_example(example)
 	if scene == null:
 		failed.emit(Gallery.error_of(example))

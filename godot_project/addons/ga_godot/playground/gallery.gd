@@ -13,16 +13,24 @@ const EXAMPLES: Dictionary[String, String] = {
 	"three_spheres": "Two spheres, three spheres",
 	"reflection": "Reflection in a plane",
 	"inversion": "Inversion in a sphere",
-	"two_pencils": "Two pencils",
 	"turn_by_two_mirrors": "A turn is two mirrors",
 	"shift_by_two_mirrors": "A shift is two parallel mirrors",
 	"cube_between_poses": "A cube between two poses",
 	"blending_methods": "Three ways from pose to pose",
 	"shell": "A motion that turns and scales",
+	"loxodrome": "From pole to pole",
 	"robot_arm": "A robot arm",
+	"two_pencils": "Two pencils",
 	"apollonius": "The problem of Apollonius",
 	"hexlet": "Soddy's hexlet",
 	"hopf_circles": "Villarceau and Hopf circles",
+}
+## Titles of sections, by the example that each begins with.
+const SECTIONS: Dictionary[String, String] = {
+	"circle_through_points": "Objects",
+	"reflection": "Mirrors",
+	"cube_between_poses": "Motions",
+	"robot_arm": "Problems and wonders",
 }
 
 

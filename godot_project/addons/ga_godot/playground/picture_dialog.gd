@@ -54,6 +54,7 @@ func _init(files: FileDialog) -> void:
 	_add_row(grid, "File", _make_file_row())
 	_problem.name = "Problem"
 	_problem.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_problem.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
 	_problem.visible = false
 	grid.add_child(Control.new())
 	grid.add_child(_problem)
@@ -124,6 +125,7 @@ func export_picture() -> String:
 		_is_drawing = false
 	_problem.text = error
 	_problem.visible = not error.is_empty()
+	reset_size()
 	if error.is_empty():
 		hide()
 		saved.emit(_path.text.strip_edges())
@@ -161,6 +163,7 @@ func _fill_choices() -> void:
 		field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		field.suffix = "px"
 		_own_size.add_child(field)
+	_own_size.name = "OwnSize"
 	_backgrounds.name = "Background"
 	for words: String in ["As shown", "Transparent", "A colour"]:
 		_backgrounds.add_item(words)

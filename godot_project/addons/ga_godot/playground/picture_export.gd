@@ -60,12 +60,14 @@ func draw(host: Node, scene: GAScene, besides: Array[Node3D] = []) -> Image:
 static func save(image: Image, path: String) -> String:
 	if image == null:
 		return "There is no picture: drawing needs a display."
+	if path.is_empty():
+		return "Give the picture a file name that ends with .png."
 	if path.get_extension().to_lower() != "png":
 		return "%s: a picture is saved as PNG; give it a name that ends with .png." % path
-	var outcome := image.save_png(path)
-	if outcome != OK:
-		return "%s cannot be written: %s. Is there such a folder, and may you write there?" % [path, error_string(outcome).to_lower()]
-	return ""
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	if file == null:
+		return "%s cannot be written: %s. Is there such a folder, and may you write there?" % [path, error_string(FileAccess.get_open_error()).to_lower()]
+	return "" if file.store_buffer(image.save_png_to_buffer()) else "%s cannot be written to its end. Is the disk full?" % path
 
 
 func _make_viewport() -> SubViewport:

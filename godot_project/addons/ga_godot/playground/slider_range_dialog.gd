@@ -50,7 +50,7 @@ func ask(entry: String) -> void:
 	title = "Slider of %s" % entry
 	var values := ValueSlider.get_range(_document.scene, entry)
 	for key in _fields:
-		_fields[key].text = String.num(values[key])
+		_fields[key].text = String.num(values[key]).trim_suffix(".0")
 	_show_error()
 	popup_centered()
 	_fields[ValueSlider.MIN].grab_focus()

@@ -41,6 +41,7 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_words.modulate = QUIET
 	_words.mouse_filter = Control.MOUSE_FILTER_PASS
+	_words.resized.connect(_on_resized)
 	_indent.add_child(_words)
 
 
@@ -56,8 +57,13 @@ func refresh() -> void:
 func refresh_moment() -> void:
 	_words.text = LabWords.pose(_lab.get_moment(_mode)) + _deviation
 	# It grows, but does not jump while t moves.
-	_words.custom_minimum_size.y = _words.size.y if _words.size.x == _width else 0.0
-	_width = _words.size.x
+	_words.custom_minimum_size.y = _words.size.y
+
+
+func _on_resized() -> void:
+	if _words.size.x != _width:
+		_width = _words.size.x
+		_words.custom_minimum_size.y = 0.0
 
 
 func _measure() -> void:

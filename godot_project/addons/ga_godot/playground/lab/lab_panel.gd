@@ -4,7 +4,6 @@ extends FoldableContainer
 
 const EntryList := preload("../entry_list.gd")
 const PlaygroundHost := preload("../playground_host.gd")
-const PlaygroundStyle := preload("../playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabEnds := preload("lab_ends.gd")
 const LabModeRow := preload("lab_mode_row.gd")
@@ -17,7 +16,6 @@ signal added(entry: String)
 
 var lab: InterpolationLab
 
-var _list: EntryList
 var _column := VBoxContainer.new()
 var _below := VBoxContainer.new()
 var _ends: LabEnds
@@ -32,12 +30,10 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	title = "Interpolation"
 	folded = true
 	lab = p_lab
-	_list = list
 	_ends = LabEnds.new(lab, list)
 	_player = LabPlayer.new(lab)
 	_shown = LabShown.new(lab, host)
 	_column.name = "Column"
-	_column.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	add_child(_column)
 	_column.add_child(_ends)
 	_below.name = "Below"

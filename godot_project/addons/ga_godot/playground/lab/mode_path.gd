@@ -6,7 +6,6 @@ extends Node3D
 const Modes := preload("interpolation_modes.gd")
 const LabBody := preload("lab_body.gd")
 const PathRibbon := preload("path_ribbon.gd")
-const RIBBON_SHADER := preload("path_ribbon.gdshader")
 
 const PATH_POINTS := 65
 
@@ -31,10 +30,7 @@ func _init(p_mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
 	_ghosts.multimesh = _multimesh
 	_path.name = "Path"
 	_path.mesh = _ribbon
-	var material := ShaderMaterial.new()
-	material.shader = RIBBON_SHADER
-	material.set_shader_parameter(&"color", Modes.COLORS[mode])
-	_path.material_override = material
+	_path.material_override = PathRibbon.make_material(Modes.COLORS[mode])
 	_body.name = "Body"
 	for part: GeometryInstance3D in [_ghosts, _path, _body]:
 		part.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF

@@ -1,9 +1,18 @@
 @tool
 extends RefCounted
-## The mesh of a path for path_ribbon.gdshader.
+## A path as a band of the same width in pixels everywhere: the mesh and material for path_ribbon.gdshader.
+
+const SHADER := preload("path_ribbon.gdshader")
 
 ## Points nearer than this, in metres, are one.
 const NEAREST := 1e-5
+
+
+static func make_material(color: Color) -> ShaderMaterial:
+	var material := ShaderMaterial.new()
+	material.shader = SHADER
+	material.set_shader_parameter(&"color", color)
+	return material
 
 
 ## Shows the path in the mesh; nothing where it does not lead anywhere.

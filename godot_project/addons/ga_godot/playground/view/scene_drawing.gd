@@ -21,10 +21,10 @@ const THINNEST := 0.25
 const THICKEST := 20.0
 
 ## Before a light background nothing is lighter.
-const LIGHTEST := 0.42
+const LIGHTEST := 0.48
 
 var scene: GAScene: set = set_scene
-## Whether what is behind the objects is light; their colours are then darker where they have to.
+## Whether what is behind the objects is light; colours of kinds are then darker. An entry with its own keeps it.
 var on_light := false: set = set_on_light
 ## Entries that something else draws in the same place.
 var left_out := PackedStringArray(): set = set_left_out

@@ -1,0 +1,126 @@
+extends "res://tests/framework/test_case.gd"
+## What a document says about itself, and where it is looked at from.
+
+const DescriptionPanel := preload("res://addons/ga_godot/playground/description_panel.gd")
+const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const PictureDialog := preload("res://addons/ga_godot/playground/picture_dialog.gd")
+const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+
+var _panel: DescriptionPanel
+
+
+func test_nothing_is_said_of_a_document_without_words() -> void:
+	_open_panel()
+	expect_equal(_panel.visible, false, "without a document")
+	_panel.scene = GAScene.new()
+	expect_equal(_panel.visible, false, "without words")
+
+
+func test_title_and_text_are_shown_and_followed() -> void:
+	_open_panel()
+	var scene := GAScene.new()
+	scene.set_scene_attribute("title", "Two spheres")
+	_panel.scene = scene
+	expect_equal(_panel.visible, true, "with a title")
+	expect_equal(_label("Title").text, "Two spheres", "title")
+	expect_equal(_label("Text").is_visible_in_tree(), false, "no text, no space for it")
+	scene.set_scene_attribute("description", " They meet in a circle. ")
+	expect_equal(_label("Text").text, "They meet in a circle.", "text")
+	expect_equal(_label("Text").is_visible_in_tree(), true, "a text is shown")
+	scene.set_scene_attribute("title", 3.0)
+	expect_equal(_label("Title").text, "", "a title that is none")
+	_panel.scene = null
+	expect_equal(_panel.visible, false, "without a document")
+
+
+func test_closed_it_stays_so_until_another_text_comes() -> void:
+	_open_panel()
+	_panel.scene = Gallery.load_example("three_spheres")
+	var button: Button = _panel.find_child("Close", true, false)
+	button.pressed.emit()
+	expect_equal(_panel.visible, false, "closed")
+	_panel.scene.set_parameter("A", "radius", 1.2)
+	_panel.scene = Gallery.load_example("three_spheres")
+	expect_equal(_panel.visible, false, "the same text")
+	_panel.scene = Gallery.load_example("hexlet")
+	expect_equal(_panel.visible, true, "another text")
+
+
+func test_where_to_look_from_is_kept_in_the_document() -> void:
+	var scene := GAScene.new()
+	expect_equal(ViewPoint.is_told_by(scene), false, "told")
+	var view := ViewPoint.new()
+	view.from = Vector3(1.25, -2.0, 3.5)
+	view.to = Vector3(0.5, 0.0, -1.0)
+	view.fov = 55.0
+	view.write_to(scene)
+	expect_equal(ViewPoint.is_told_by(scene), true, "told")
+	var copy := GAScene.new()
+	copy.load_json(scene.to_json())
+	var read := ViewPoint.of(copy)
+	expect_vector_near(read.from, view.from, 1e-6, "from")
+	expect_vector_near(read.to, view.to, 1e-6, "to")
+	expect_near(read.fov, 55.0, 1e-6, "angle")
+	var camera := Camera3D.new()
+	add_node(camera)
+	read.apply_to(camera)
+	expect_vector_near(-camera.global_basis.z, (view.to - view.from).normalized(), 1e-5, "direction")
+	expect_vector_near(ViewPoint.of_camera(camera, view.from.distance_to(view.to)).to, view.to, 1e-4, "the way back")
+
+
+func test_what_cannot_be_looked_from_is_as_by_default() -> void:
+	for text: Variant in ["", "1, 2", "1, 2, x", "1, 2, inf", "1, 2, 3, 4", 7.0, true]:
+		var scene := GAScene.new()
+		scene.set_scene_attribute(ViewPoint.FROM, text)
+		expect_equal(ViewPoint.of(scene).from, ViewPoint.DEFAULT_FROM, "from %s" % text)
+	var at_itself := GAScene.new()
+	at_itself.set_scene_attribute(ViewPoint.FROM, "1, 2, 3")
+	at_itself.set_scene_attribute(ViewPoint.TO, "1, 2, 3")
+	expect_true(ViewPoint.of(at_itself).get_transform().is_finite(), "a place that looks at itself")
+	at_itself.set_scene_attribute(ViewPoint.FROM, "1, 9, 3")
+	expect_vector_near(-ViewPoint.of(at_itself).get_transform().basis.z, Vector3.DOWN, 1e-6, "from straight above")
+
+
+func test_the_dialog_shows_what_it_asks_for() -> void:
+	var dialog := _open_dialog()
+	var sizes: OptionButton = dialog.find_child("Size", true, false)
+	expect_equal(dialog.chosen_size(), Vector2i(300, 200), "as shown")
+	for choice: Array in [[PictureDialog.Size.TWICE, Vector2i(600, 400)], [PictureDialog.Size.HD, Vector2i(1920, 1080)], [PictureDialog.Size.UHD, Vector2i(3840, 2160)], [PictureDialog.Size.OWN, Vector2i(300, 200)]]:
+		sizes.select(choice[0] as int)
+		sizes.item_selected.emit(choice[0] as int)
+		expect_equal(dialog.chosen_size(), choice[1], "size")
+		expect_equal((dialog.find_child("OwnSize", true, false) as Control).visible, choice[0] == PictureDialog.Size.OWN, "fields for a size of one's own")
+	var backgrounds: OptionButton = dialog.find_child("Background", true, false)
+	expect_equal(dialog.chosen_background(), ViewPoint.DEFAULT_BACKGROUND, "background")
+	backgrounds.select(PictureDialog.Background.TRANSPARENT)
+	expect_equal(dialog.chosen_background(), Color.TRANSPARENT, "background")
+
+
+func test_pictures_that_cannot_be() -> void:
+	expect_equal(PictureExport.size_error(Vector2i(1280, 720)), "", "error")
+	expect_true(PictureExport.size_error(Vector2i(0, 720)).contains("not 0 x 720"), PictureExport.size_error(Vector2i(0, 720)))
+	expect_true(PictureExport.size_error(Vector2i(9000, 720)).contains("at most 8192"), PictureExport.size_error(Vector2i(9000, 720)))
+	# Tests run without a display.
+	var dialog := _open_dialog()
+	var told := await dialog.export_picture()
+	expect_equal(told, "There is no picture: drawing needs a display.", "error")
+	var problem: Label = dialog.find_child("Problem", true, false)
+	expect_equal(problem.text, told, "what the dialog says")
+	expect_true(problem.visible and dialog.visible, "the dialog stays")
+
+
+func _open_panel() -> void:
+	_panel = DescriptionPanel.new()
+	add_node(_panel)
+
+
+func _open_dialog() -> PictureDialog:
+	var dialog := PictureDialog.new(FileDialog.new())
+	add_node(dialog)
+	dialog.ask(Gallery.load_example("three_spheres"), ViewPoint.new(), Vector2i(300, 200))
+	return dialog
+
+
+func _label(title: String) -> Label:
+	return _panel.find_child(title, true, false)
