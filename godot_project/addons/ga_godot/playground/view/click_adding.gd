@@ -14,7 +14,7 @@ const SIZE := 70.0
 ## Where nothing is hit, in metres from the eye; and beyond which the ground is not taken.
 const DEPTH := 5.0
 const FARTHEST := 1000.0
-## %s: the place, the direction of the surface, a length, a second place; what is beside it is left out.
+## {place}: coordinates of where the click was; {other}: above it; {normal}, {distance}: of the surface there; {length}: a radius.
 const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"point": "point({place})",
 	&"pair": "point_pair(point({place}), point({other}))",
@@ -47,7 +47,9 @@ static func find_place(drawing: SceneDrawing, camera: Camera3D, point: Vector2) 
 		elif facts.get("kind") == &"sphere" and not facts["imaginary"]:
 			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
 			across = (found - (facts["center"] as Vector3)).normalized()
-		if found.is_finite() and node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point)) and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST):
+		# What is hidden is nowhere on the screen.
+		var is_drawn := node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point))
+		if is_drawn and found.is_finite() and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST):
 			place = found
 			normal = across if across.dot(ray.direction) < 0.0 else -across
 	if not place.is_finite():

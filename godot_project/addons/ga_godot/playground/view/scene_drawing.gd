@@ -75,7 +75,7 @@ func emphasize(hovered: String, selected: PackedStringArray) -> void:
 	_selected = selected
 	for entry in _nodes:
 		if scene.has_entry(entry):
-			_nodes[entry].line_width = _width_of(entry)
+			_set_width(entry)
 
 
 static func color_of(of_scene: GAScene, entry: String) -> Color:
@@ -106,8 +106,10 @@ func _draw() -> void:
 		# While one is dragged all others stay as they are.
 		if _nodes[entry].color != color:
 			_nodes[entry].color = color
-		_nodes[entry].line_width = _width_of(entry)
-		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
+		_set_width(entry)
+		var has_label: bool = scene.get_entry_attribute(entry, "label")
+		if _nodes[entry].show_label != has_label:
+			_nodes[entry].show_label = has_label
 
 
 func _on_background(color: Color) -> Color:
@@ -115,6 +117,12 @@ func _on_background(color: Color) -> Color:
 	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
 	var factor := LIGHTEST / maxf(lightness, LIGHTEST) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
+
+
+func _set_width(entry: String) -> void:
+	var width := _width_of(entry)
+	if not is_equal_approx(_nodes[entry].line_width, width):
+		_nodes[entry].line_width = width
 
 
 func _width_of(entry: String) -> float:
