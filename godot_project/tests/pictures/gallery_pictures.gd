@@ -79,6 +79,8 @@ func _open(example: String, selected: String, light: bool) -> Image:
 	playground.state_path = ""
 	viewport.add_child(playground)
 	playground.set_light(light)
+	# The view has its size in the next frame.
+	await RenderingServer.frame_post_draw
 	playground.panel.document.show_scene(Gallery.load_example(example), "")
 	playground.panel.list.select([selected])
 	for i in SETTLING_FRAMES:

@@ -40,6 +40,10 @@ std::string describe(const Entry &entry) {
 		return "error: " + entry.outcome.error;
 	}
 	const cga::Multivector &value = *entry.outcome.value;
+	// No object, and still what a slider may be at.
+	if (value == cga::Multivector()) {
+		return "number 0";
+	}
 	const cga::Classification found = cga::classify(value, is_set(entry.attributes, "ipns"));
 	switch (found.kind) {
 		case cga::Kind::scalar:
