@@ -7,6 +7,7 @@ const VIEW := "../playground/view/"
 const HandleOverlay := preload(VIEW + "handle_overlay.gd")
 const Picking := preload(VIEW + "picking.gd")
 const SceneDrawing := preload(VIEW + "scene_drawing.gd")
+const LabDrawing := preload("../playground/lab/lab_drawing.gd")
 const ViewPointer := preload(VIEW + "view_pointer.gd")
 const PlaygroundDock := preload("playground_dock.gd")
 const SelectedNodes := preload("selected_nodes.gd")
