@@ -20,7 +20,7 @@ func commit(title: String, scene: GAScene, before: String, after: String) -> voi
 		_undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, self)
 		_undo_redo.add_do_method(self, &"write", scene, after)
 		_undo_redo.add_undo_method(self, &"write", scene, before)
-	_undo_redo.commit_action()
+	_undo_redo.commit_action(false)
 
 
 ## What a step does.

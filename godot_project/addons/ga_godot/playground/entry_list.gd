@@ -18,6 +18,9 @@ var _document: PlaygroundDocument
 var _edits: EntryEdits
 var _rows := VBoxContainer.new()
 var _hint := Label.new()
+# Entries whose value changed since they were shown; all of another scene.
+var _stale: Dictionary[String, bool] = {}
+var _are_all_stale := true
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
@@ -34,6 +37,8 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	_hint.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_hint.modulate = Color(1, 1, 1, 0.65)
 	_rows.add_child(_hint)
+	_document.entries_changed.connect(_on_entries_changed)
+	_document.scene_switched.connect(func() -> void: _are_all_stale = true)
 	_document.changed.connect(show_entries)
 
 
@@ -46,9 +51,15 @@ func show_entries() -> void:
 		rows[index].queue_free()
 	for index in names.size():
 		var row := rows[index] if index < rows.size() else _add_row()
-		row.show_entry(names[index])
+		row.refresh(names[index], _is_stale(names[index]))
 	_hint.visible = names.is_empty()
-	select(PackedStringArray(Array(selection).filter(names.has)))
+	var remaining := PackedStringArray(Array(selection).filter(names.has))
+	if remaining != selection or Array(selection).any(_is_stale):
+		select(remaining)
+	else:
+		_mark_selected()
+	_stale.clear()
+	_are_all_stale = false
 
 
 func get_rows() -> Array[EntryRow]:
@@ -74,9 +85,22 @@ func scroll_to(entry: String) -> void:
 
 func select(entries: PackedStringArray) -> void:
 	selection = entries
+	_mark_selected()
+	selection_changed.emit()
+
+
+func _mark_selected() -> void:
 	for row in get_rows():
 		row.selected = selection.has(row.entry)
-	selection_changed.emit()
+
+
+func _is_stale(entry: String) -> bool:
+	return _are_all_stale or _stale.has(entry)
+
+
+func _on_entries_changed(names: PackedStringArray) -> void:
+	for entry in names:
+		_stale[entry] = true
 
 
 func _add_row() -> EntryRow:

@@ -32,6 +32,9 @@ var _error_icon := TextureRect.new()
 var _words := Label.new()
 var _slider: ValueSlider
 var _is_styling := false
+# What was shown last, beside the value.
+var _shown_expression := ""
+var _shown_attributes := {}
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
@@ -63,9 +66,19 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 
 
 func _notification(what: int) -> void:
-	if what == NOTIFICATION_THEME_CHANGED and not entry.is_empty() and not _is_styling:
-		show_entry(entry)
+	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree() and not _is_styling:
+		_label_toggle.icon = PlaygroundIcons.make(&"label", self)
+		_menu.icon = get_theme_icon(&"GuiTabMenuHl", &"EditorIcons")
 		_show_selection()
+		if not entry.is_empty():
+			show_entry(entry)
+
+
+## Shows what the scene has under that name, if it is anything else than before.
+func refresh(new_entry: String, has_new_value: bool) -> void:
+	var scene := _document.scene
+	if has_new_value or new_entry != entry or scene.get_expression(entry) != _shown_expression or scene.get_entry_attributes(entry) != _shown_attributes:
+		show_entry(new_entry)
 
 
 ## Shows what the scene has under that name.
@@ -73,21 +86,23 @@ func show_entry(new_entry: String) -> void:
 	entry = new_entry
 	var scene := _document.scene
 	_set_text(_name, entry)
-	_set_text(_expression, scene.get_expression(entry))
+	_shown_expression = scene.get_expression(entry)
+	_shown_attributes = scene.get_entry_attributes(entry)
+	_set_text(_expression, _shown_expression)
 	var is_visible: bool = scene.get_entry_attribute(entry, "visible")
 	var has_label: bool = scene.get_entry_attribute(entry, "label")
 	_eye.set_pressed_no_signal(is_visible)
 	_eye.icon = get_theme_icon(&"GuiVisibilityVisible" if is_visible else &"GuiVisibilityHidden", &"EditorIcons")
 	_label_toggle.set_pressed_no_signal(has_label)
-	_label_toggle.icon = PlaygroundIcons.make(&"label", self)
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
-	_menu.icon = get_theme_icon(&"GuiTabMenuHl", &"EditorIcons")
 	_swatch.show_entry(entry)
 	_slider.show_entry(entry)
 	_show_words(scene, entry)
 
 
 func set_selected(value: bool) -> void:
+	if value == selected:
+		return
 	selected = value
 	_show_selection()
 	_wrap_words()

@@ -45,23 +45,39 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	_question.name = "Question"
 	_question.dialog_text = "The playground has changes that are not saved."
 	_question.ok_button_text = "Discard"
-	_question.confirmed.connect(func() -> void: _after_question.call())
+	_question.confirmed.connect(_discard)
 	add_child(_question)
 
 
 ## Shows the scene of a .tres or .json file; what is wrong with it is told.
 func open(path: String) -> void:
-	var scene: GAScene
 	if path.get_extension() == "json":
-		scene = GAScene.new()
-		if scene.load_json(FileAccess.get_file_as_string(path)) != OK:
-			_warn("%s: %s" % [path, ", ".join(scene.get_load_errors())])
-	else:
-		scene = ResourceLoader.load(path) as GAScene
-	if scene == null:
-		_warn("%s is no GAScene." % path)
+		_open_json(path)
 		return
-	_document.show_scene(scene, path)
+	var resource := ResourceLoader.load(path) if ResourceLoader.exists(path) else null
+	if resource is GAScene:
+		_document.show_scene(resource, path)
+	elif resource != null:
+		_warn("%s is a %s. The playground opens files of a GAScene: .tres, or .json." % [path, resource.get_class()])
+	else:
+		_warn("%s cannot be read. See the output for why." % path)
+
+
+# What cannot be read whole is shown without its file, which saving would otherwise take the rest from.
+func _open_json(path: String) -> void:
+	var text := FileAccess.get_file_as_string(path)
+	if FileAccess.get_open_error() != OK:
+		_warn("%s cannot be read: %s." % [path, error_string(FileAccess.get_open_error())])
+		return
+	var scene := GAScene.new()
+	var outcome := scene.load_json(text)
+	var errors := "\n".join(scene.get_load_errors())
+	if outcome == ERR_PARSE_ERROR:
+		_warn("%s is no scene of the playground:\n%s" % [path, errors])
+		return
+	_document.show_scene(scene, path if outcome == OK else "")
+	if outcome != OK:
+		_warn("%s was read in part, and is shown as a new scene; the file stays as it is:\n%s" % [path, errors])
 
 
 func save(path: String) -> void:
@@ -121,6 +137,13 @@ func _unless_unsaved(act: Callable) -> void:
 		return
 	_after_question = act
 	_question.popup_centered()
+
+
+# A scene of a file is still held by whatever else uses it, and must not keep what was discarded.
+func _discard() -> void:
+	if not _document.path.is_empty():
+		_document.scene.document = _document.get_saved_text()
+	_after_question.call()
 
 
 func _ask_for_file(mode: FileDialog.FileMode) -> void:
