@@ -4,6 +4,7 @@ extends Node
 ## --test, --test=NAME     the engine-side tests, all or those whose file or method name contains NAME
 ## --demo=NAME             a demo directly; it reads its own further arguments
 ## --dump-poses=FILE       random pose pairs and their interpolation, for the oracle (tests/oracle)
+## --gallery-pictures=DIR  pictures of the gallery's documents, for the documentation
 ## --screenshots=DIR       compares pictures with the references in DIR; with --update it writes them
 ##
 ## Names no class of the extension, so that it can still tell when the library is missing.
@@ -17,6 +18,7 @@ const ENTRY_CLASS := &"MultivectorLerp"
 const TASK_SCRIPTS: Dictionary[String, String] = {
 	"--test": "res://tests/framework/test_runner.gd",
 	"--dump-poses": "res://tests/oracle/pose_dump.gd",
+	"--gallery-pictures": "res://tests/pictures/gallery_pictures.gd",
 	"--screenshots": "res://tests/pictures/picture_runner.gd",
 }
 

@@ -27,7 +27,7 @@ static func list() -> Array[Demos]:
 		Demos.new(&"multiplayer", "Multiplayer",
 				"A physics server replicates 250 cubes as quantised motors; push them around."),
 		Demos.new(&"playground", "Playground",
-				"Points, circles, spheres and motors that follow each other: build, drag, type and read them."),
+				"Points, circles, spheres and motors that follow each other: build and drag."),
 	]
 
 

@@ -46,6 +46,23 @@ func test_a_versor_moves_its_operand() -> void:
 	expect_true(moved.is_equal_approx(motor.sandwich(Multivector.point(Vector3(4, 5, 6)))), "M X ~M being the sandwich")
 
 
+func test_interpolation_is_that_of_multivector_lerp() -> void:
+	var from := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 0.5).scaled(-3.0)
+	var to := Multivector.motor_from(Vector3(-2, 0, 1), Quaternion(Vector3.RIGHT, 2.5), 4.0)
+	var motors: Dictionary = {"A": from, "B": to}
+	var modes: Dictionary[String, MultivectorLerp.Mode] = {
+		"interpolate_linear": MultivectorLerp.LINEAR, "interpolate_screw": MultivectorLerp.SCREW, "interpolate_separate": MultivectorLerp.SEPARATE,
+	}
+	for method in modes:
+		for t: float in [0.0, 0.3, 0.5, 1.0, 1.5, -1.0]:
+			motors["t"] = t
+			var value := Multivector.evaluate("%s(A, B, t)" % method, motors)
+			var expected := MultivectorLerp.interpolate(from, to, t, modes[method])
+			expect_equal(value.coefficients, expected.coefficients, "%s at %s" % [method, t])
+	expect_error("Multivector.evaluate: column 22: expected a motor (a product of translators, rotors and dilators) as second argument of interpolate_screw(from, to, t).")
+	expect_null(Multivector.evaluate("interpolate_screw(A, e1, 0.5)", motors))
+
+
 func test_text_is_read_back() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 11

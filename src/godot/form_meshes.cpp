@@ -54,7 +54,8 @@ void FormMeshes::free_all() {
 			}
 		}
 	};
-	free_valid(only_one->_meshes);
+	free_valid(only_one->_strokes);
+	free_valid(only_one->_fills);
 	free_valid(only_one->_stroke_materials);
 	free_valid(only_one->_fringe_materials);
 	free_valid(only_one->_fill_materials);
@@ -62,21 +63,27 @@ void FormMeshes::free_all() {
 	only_one.reset();
 }
 
-RID FormMeshes::mesh_of(Form p_form) {
-	RID &mesh = _meshes[size_t(p_form)];
-	if (!mesh.is_valid()) {
-		const FormMesh form = playground::drawing::mesh_of(p_form);
-		mesh = RenderingServer::get_singleton()->mesh_create();
-		add_strokes(mesh, form.strokes, form.space);
-		add_fill(mesh, form.fill, form.space);
-	}
-	return mesh;
+RID FormMeshes::strokes_of(Form p_form) {
+	make_form(p_form);
+	return _strokes[size_t(p_form)];
+}
+
+RID FormMeshes::fill_of(Form p_form) {
+	make_form(p_form);
+	return _fills[size_t(p_form)];
 }
 
 RID FormMeshes::make_mesh(const Strokes &p_strokes) {
-	const RID mesh = RenderingServer::get_singleton()->mesh_create();
-	add_strokes(mesh, p_strokes, Space::model);
-	return mesh;
+	return make_strokes(p_strokes, Space::model);
+}
+
+// All forms have strokes.
+void FormMeshes::make_form(Form p_form) {
+	if (!_strokes[size_t(p_form)].is_valid()) {
+		const FormMesh form = playground::drawing::mesh_of(p_form);
+		_strokes[size_t(p_form)] = make_strokes(form.strokes, form.space);
+		_fills[size_t(p_form)] = make_fill(form.fill, form.space);
+	}
 }
 
 RID FormMeshes::stroke_material(Space p_space) {
@@ -122,9 +129,11 @@ static godot::Vector3 narrow(const glm::vec3 &p_vector) {
 	return godot::Vector3(p_vector.x, p_vector.y, p_vector.z);
 }
 
-void FormMeshes::add_strokes(const RID &p_mesh, const Strokes &p_strokes, Space p_space) {
+RID FormMeshes::make_strokes(const Strokes &p_strokes, Space p_space) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const RID mesh = server->mesh_create();
 	if (p_strokes.vertices.empty()) {
-		return;
+		return mesh;
 	}
 	const int64_t count = int64_t(p_strokes.vertices.size());
 	PackedVector3Array positions;
@@ -156,16 +165,16 @@ void FormMeshes::add_strokes(const RID &p_mesh, const Strokes &p_strokes, Space 
 	arrays[RenderingServer::ARRAY_CUSTOM1] = offsets;
 	arrays[RenderingServer::ARRAY_CUSTOM2] = colours;
 	arrays[RenderingServer::ARRAY_INDEX] = packed(p_strokes.indices);
-	RenderingServer *server = RenderingServer::get_singleton();
 	constexpr int64_t FLOATS = RenderingServer::ARRAY_CUSTOM_RGBA_FLOAT;
 	const int64_t format = FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM0_SHIFT | FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM1_SHIFT | FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM2_SHIFT;
-	server->mesh_add_surface_from_arrays(p_mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays, Array(), godot::Dictionary(), godot::BitField<RenderingServer::ArrayFormat>(format));
-	server->mesh_surface_set_material(p_mesh, 0, stroke_material(p_space));
+	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays, Array(), godot::Dictionary(), godot::BitField<RenderingServer::ArrayFormat>(format));
+	server->mesh_surface_set_material(mesh, 0, stroke_material(p_space));
+	return mesh;
 }
 
-void FormMeshes::add_fill(const RID &p_mesh, const Fill &p_fill, Space p_space) {
+RID FormMeshes::make_fill(const Fill &p_fill, Space p_space) {
 	if (p_fill.vertices.empty()) {
-		return;
+		return RID();
 	}
 	PackedVector3Array positions;
 	positions.resize(int64_t(p_fill.vertices.size()));
@@ -178,8 +187,10 @@ void FormMeshes::add_fill(const RID &p_mesh, const Fill &p_fill, Space p_space) 
 	arrays[RenderingServer::ARRAY_VERTEX] = positions;
 	arrays[RenderingServer::ARRAY_INDEX] = packed(p_fill.indices);
 	RenderingServer *server = RenderingServer::get_singleton();
-	server->mesh_add_surface_from_arrays(p_mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
-	server->mesh_surface_set_material(p_mesh, 1, fill_material(p_space));
+	const RID mesh = server->mesh_create();
+	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
+	server->mesh_surface_set_material(mesh, 0, fill_material(p_space));
+	return mesh;
 }
 
 } // namespace ga_godot

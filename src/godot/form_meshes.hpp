@@ -22,7 +22,10 @@ public:
 	/// Frees everything; before the rendering server goes.
 	static void free_all();
 
-	godot::RID mesh_of(playground::drawing::Form p_form);
+	/// The lines and signs of a form.
+	godot::RID strokes_of(playground::drawing::Form p_form);
+	/// Its surface, invalid if it has none.
+	godot::RID fill_of(playground::drawing::Form p_form);
 	/// A new mesh with an object's own strokes, in metres; the caller frees it.
 	godot::RID make_mesh(const playground::drawing::Strokes &p_strokes);
 
@@ -32,11 +35,13 @@ private:
 	godot::RID stroke_material(playground::drawing::Space p_space);
 	godot::RID fill_material(playground::drawing::Space p_space);
 	godot::RID make_material(const std::string &p_code, int p_priority);
-	void add_strokes(const godot::RID &p_mesh, const playground::drawing::Strokes &p_strokes, playground::drawing::Space p_space);
-	void add_fill(const godot::RID &p_mesh, const playground::drawing::Fill &p_fill, playground::drawing::Space p_space);
+	void make_form(playground::drawing::Form p_form);
+	godot::RID make_strokes(const playground::drawing::Strokes &p_strokes, playground::drawing::Space p_space);
+	godot::RID make_fill(const playground::drawing::Fill &p_fill, playground::drawing::Space p_space);
 
 	playground::drawing::Renderer _renderer = playground::drawing::Renderer::compatibility;
-	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _meshes;
+	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _strokes;
+	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _fills;
 	std::array<godot::RID, SPACES> _stroke_materials;
 	std::array<godot::RID, SPACES> _fringe_materials;
 	std::array<godot::RID, SPACES> _fill_materials;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/drawn_part.hpp"
 #include "godot/ga_scene.hpp"
 #include "godot/multivector.hpp"
 #include "playground/drawing/figure.hpp"
@@ -10,19 +11,19 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
-#include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace ga_godot {
 
 /// Draws a multivector as the object that it is, in the editor and in the game; doc_classes/GANode3D.xml documents it.
 ///
-/// Straight on the rendering server: an instance or two of shared meshes (form_meshes.hpp), whose shaders fit what has
-/// no end to each view. So a change costs no more than a transform, and a change of the view nothing.
+/// Straight on the rendering server: its parts are drawn by drawn_part.hpp from shared meshes (form_meshes.hpp), whose
+/// shaders fit what has no end to each view. So a change costs no more than a transform, and a change of the view nothing.
 class GANode3D : public godot::Node3D {
 	GDCLASS(GANode3D, godot::Node3D)
 
@@ -64,14 +65,6 @@ protected:
 	void _notification(int p_what);
 
 private:
-	/// One form on the rendering server: an instance of a MultiMesh of one, which carries colour and style.
-	struct Drawn {
-		playground::drawing::Part part;
-		godot::RID multimesh;
-		godot::RID instance;
-		godot::RID own_mesh; // of this object alone
-	};
-
 	/// What the entry's attributes say beside the node's properties.
 	struct EntryLook {
 		bool visible = true;
@@ -86,12 +79,10 @@ private:
 	void scene_changed();
 	void entries_changed(const godot::PackedStringArray &p_names);
 	void queue_update();
-	void draw_parts();
-	void shape_part(const Drawn &p_drawn) const;
-	void free_parts();
-	void place_parts();
-	void paint_parts();
 	void show_parts();
+	void draw_parts();
+	void write_parts();
+	bool has_drawn_forms() const;
 	void update_label();
 	godot::String label_text() const;
 
@@ -109,7 +100,7 @@ private:
 	bool _figure_visible = true;
 	bool _figure_ipns = false;
 	playground::drawing::Figure _figure;
-	std::vector<Drawn> _drawn;
+	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is to be seen
 	godot::Label3D *_label_node = nullptr;
 	bool _stale = true; // the value has changed since it was drawn
 	bool _queued = false;

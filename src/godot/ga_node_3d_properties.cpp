@@ -130,7 +130,7 @@ godot::Color GANode3D::get_color() const {
 void GANode3D::set_line_width(double p_pixels) {
 	ERR_FAIL_COND_MSG(!std::isfinite(p_pixels) || p_pixels <= 0.0 || p_pixels > 100.0, vformat("GANode3D: line_width is in pixels, above 0 and at most 100, not %f.", p_pixels));
 	_line_width = p_pixels;
-	paint_parts();
+	write_parts();
 }
 
 double GANode3D::get_line_width() const {

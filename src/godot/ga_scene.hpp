@@ -9,7 +9,9 @@
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/variant.hpp>
+#include <godot_cpp/variant/vector3.hpp>
 
 #include <cstdint>
 #include <string>
@@ -44,6 +46,9 @@ public:
 
 	godot::Dictionary get_parameters(const godot::String &p_name) const;
 	godot::Error set_parameter(const godot::String &p_name, const godot::String &p_key, const godot::Variant &p_value);
+
+	godot::TypedArray<godot::Dictionary> get_handles(const godot::String &p_name, const godot::Vector3 &p_right) const;
+	godot::Error drag_handle(const godot::String &p_name, const godot::Dictionary &p_handle, const godot::Vector3 &p_ray_origin, const godot::Vector3 &p_ray_direction, const godot::Vector3 &p_view, double p_step, double p_angle_step);
 
 	godot::Error set_entry_attribute(const godot::String &p_name, const godot::String &p_key, const godot::Variant &p_value);
 	godot::Variant get_entry_attribute(const godot::String &p_name, const godot::String &p_key) const;

@@ -35,6 +35,9 @@ void GAScene::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_parameters", "name"), &GAScene::get_parameters);
 	ClassDB::bind_method(D_METHOD("set_parameter", "name", "key", "value"), &GAScene::set_parameter);
 
+	ClassDB::bind_method(D_METHOD("get_handles", "name", "right"), &GAScene::get_handles, DEFVAL(godot::Vector3(1, 0, 0)));
+	ClassDB::bind_method(D_METHOD("drag_handle", "name", "handle", "ray_origin", "ray_direction", "view", "step", "angle_step"), &GAScene::drag_handle, DEFVAL(0.0), DEFVAL(0.0));
+
 	ClassDB::bind_method(D_METHOD("set_entry_attribute", "name", "key", "value"), &GAScene::set_entry_attribute);
 	ClassDB::bind_method(D_METHOD("get_entry_attribute", "name", "key"), &GAScene::get_entry_attribute);
 	ClassDB::bind_method(D_METHOD("get_entry_attributes", "name"), &GAScene::get_entry_attributes);

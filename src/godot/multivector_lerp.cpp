@@ -1,5 +1,6 @@
 #include "godot/multivector_lerp.hpp"
 
+#include "cga/motor/deviation.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "godot/conversions.hpp"
 
@@ -12,6 +13,7 @@
 
 namespace ga_godot {
 
+using godot::Dictionary;
 using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
@@ -41,6 +43,22 @@ Transform3D MultivectorLerp::interpolate_transform(const Transform3D &p_from, co
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_weight), p_from, "MultivectorLerp.interpolate_transform: the weight is not finite.");
 	ERR_FAIL_COND_V_MSG(!is_mode(p_mode), p_from, vformat(UNKNOWN_MODE, int64_t(p_mode)));
 	return to_godot(cga::interpolate(from, to, p_weight, cga::Mode(p_mode)));
+}
+
+Dictionary MultivectorLerp::measure_deviation(const Ref<Multivector> &p_from, const Ref<Multivector> &p_to, Mode p_first, Mode p_second, double p_lever) {
+	cga::Pose<double> from, to;
+	ERR_FAIL_COND_V_MSG(p_from.is_null() || !p_from->get_pose(from), Dictionary(), "MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from.");
+	ERR_FAIL_COND_V_MSG(p_to.is_null() || !p_to->get_pose(to), Dictionary(), "MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from.");
+	ERR_FAIL_COND_V_MSG(!is_mode(p_first), Dictionary(), vformat(UNKNOWN_MODE, int64_t(p_first)));
+	ERR_FAIL_COND_V_MSG(!is_mode(p_second), Dictionary(), vformat(UNKNOWN_MODE, int64_t(p_second)));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_lever) || p_lever < 0.0, Dictionary(), "MultivectorLerp.measure_deviation: the lever must be a distance of 0 or more.");
+	const cga::PathDeviation found = cga::path_deviation(from, to, cga::Mode(p_first), cga::Mode(p_second), p_lever);
+	Dictionary result;
+	result["distance"] = found.distance;
+	result["distance_weight"] = found.distance_weight;
+	result["angle"] = found.angle;
+	result["angle_weight"] = found.angle_weight;
+	return result;
 }
 
 void MultivectorLerp::play() {

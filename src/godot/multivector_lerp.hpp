@@ -5,6 +5,7 @@
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
@@ -27,6 +28,7 @@ public:
 
 	static godot::Ref<Multivector> interpolate(const godot::Ref<Multivector> &p_from, const godot::Ref<Multivector> &p_to, double p_weight, Mode p_mode);
 	static godot::Transform3D interpolate_transform(const godot::Transform3D &p_from, const godot::Transform3D &p_to, double p_weight, Mode p_mode);
+	static godot::Dictionary measure_deviation(const godot::Ref<Multivector> &p_from, const godot::Ref<Multivector> &p_to, Mode p_first, Mode p_second, double p_lever);
 
 	void set_start(const godot::NodePath &p_path);
 	godot::NodePath get_start() const;

@@ -144,6 +144,7 @@ void MultivectorLerp::_bind_methods() {
 
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate);
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate_transform", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate_transform);
+	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("measure_deviation", "from", "to", "first", "second", "lever"), &MultivectorLerp::measure_deviation, DEFVAL(1.0));
 
 	ClassDB::bind_method(D_METHOD("set_start", "path"), &MultivectorLerp::set_start);
 	ClassDB::bind_method(D_METHOD("get_start"), &MultivectorLerp::get_start);

@@ -116,6 +116,7 @@ const char *const EXPRESSIONS[] = {
 	"plane(0, 0, 1, 2.5)",
 	"motor_from(vector(1, 2, 3), rotor(0, 0, 0, 1), 2)",
 	"rotor(e1 + e2, deg(33.3))",
+	"interpolate_screw(translator(a), rotor(e3, x), 0.5) * interpolate_linear(1, dilator(2), r)",
 	"1 + 2 e12 - 0.5 e1^einf + 3 einf^eo",
 	"[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,1e21]",
 	"meet(sphere(a, r), sphere(e1, r / 2)) * (a ^ einf) + x",

@@ -5,7 +5,8 @@ tools/bench kernels   blend of pose pairs, n from 1 to 1,000,000: C++ against GL
 tools/bench network   recorded motion over a simulated link: bytes, errors and delay beside
                       fixed-rate poses and the GA-Unity paper's scheme; the load of a server
 tools/bench playground
-                      a drag in a document of 200 objects beside a full evaluation
+                      a drag in a document of 200 objects beside a full evaluation; 1,000 drawn
+                      objects beside the engine's primitives
 tools/bench all       every suite there is
 
 A row says what one subject took; only ratios between rows of one run mean something.

@@ -1,9 +1,12 @@
-"""The suite playground of tools/bench: what a drag costs in a document of 200 objects."""
+"""The suite playground of tools/bench: a drag in a document of 200 objects, and 1,000 drawn objects."""
 
+import bench_drawing
 import bench_native
-from build import build
+import checkout
+import project
+from build import LIBRARY, build
 
-PARTS = ("build", "bench")
+PARTS = ("build", "bench", "engine", "display", "graphics")
 REPETITIONS = 9
 
 
@@ -13,11 +16,12 @@ def add_options(_parser):
 
 def measure(_options):
     """Builds, runs, prints the table; returns the rows."""
-    build("bench")
+    build(LIBRARY, "bench")
+    project.prepare(checkout.PROJECT)
     medians = bench_native.medians("playground_bench", REPETITIONS, "A drag of what 200 objects depend on, in a chain of 50")
     rows = [{"suite": "playground", "case": case, "subject": subject, "n": n, "value": value, "unit": "us"}
             for case, subject, n, value in medians]
     print(f"{'case':<24} {'subject':<18} {'n':>5} {'us':>10}")
     for row in rows:
         print(f"{row['case']:<24} {row['subject']:<18} {row['n']:>5} {row['value']:>10.1f}")
-    return rows
+    return rows + bench_drawing.measure()

@@ -12,9 +12,12 @@ const SCENE_CLASS := "GAScene"
 ## Loaded once the classes that it names are there.
 const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
 const EXPORT_SCRIPT := "res://addons/ga_godot/editor/playground_export.gd"
+const TOOL_SCRIPT := "res://addons/ga_godot/editor/viewport_tool.gd"
 
 var _dock: EditorDock
 var _export: EditorExportPlugin
+## What the dock shows, in the 3D viewports.
+var _tool: Node3D
 
 
 func _enter_tree() -> void:
@@ -33,6 +36,10 @@ func _exit_tree() -> void:
 	if _export != null:
 		remove_export_plugin(_export)
 		_export = null
+	if _tool != null:
+		remove_child(_tool)
+		_tool.free()
+		_tool = null
 	if _dock != null:
 		_dock.call(&"keep_session")
 		remove_dock(_dock)
@@ -50,6 +57,15 @@ func _edit(object: Object) -> void:
 		_dock.make_visible()
 
 
+func _forward_3d_gui_input(viewport_camera: Camera3D, event: InputEvent) -> int:
+	return _tool.call(&"forward_input", viewport_camera, event) if _tool != null else AFTER_GUI_INPUT_PASS
+
+
+func _forward_3d_force_draw_over_viewport(viewport_control: Control) -> void:
+	if _tool != null:
+		_tool.call(&"draw_over", viewport_control)
+
+
 func _save_external_data() -> void:
 	if _dock != null:
 		_dock.call(&"keep")
@@ -63,6 +79,10 @@ func _open_dock() -> void:
 	var export_script: GDScript = load(EXPORT_SCRIPT)
 	_export = export_script.new()
 	add_export_plugin(_export)
+	var tool_script: GDScript = load(TOOL_SCRIPT)
+	_tool = tool_script.new()
+	add_child(_tool)
+	_tool.call(&"set_up", self, _dock)
 
 
 func _report_missing_library() -> void:

@@ -7,7 +7,7 @@ signal poses_changed
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 const ModeCard := preload("res://demos/interpolation/mode_card.gd")
-const Modes := preload("res://demos/interpolation/modes.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 const PoseEditor := preload("res://demos/interpolation/pose_editor.gd")
 const Preset := preload("res://demos/interpolation/presets.gd")
 

@@ -2,8 +2,8 @@ extends Node3D
 ## The path of the cube in one mode: ghost cubes at even steps of the factor and a tube along the
 ## centres. The ghosts are one MotorPool: every body has the same two poses and a weight of its own.
 
-const CubeMesh := preload("res://demos/interpolation/cube_mesh.gd")
-const Modes := preload("res://demos/interpolation/modes.gd")
+const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 const PathTube := preload("res://demos/interpolation/path_tube.gd")
 
 const GHOSTS := 9

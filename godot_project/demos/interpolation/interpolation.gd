@@ -3,10 +3,10 @@ extends Node3D
 ## The cube is moved by a MultivectorLerp node; the paths are drawn by MotorPools (ghost_path.gd).
 
 const ControlPanel := preload("res://demos/interpolation/control_panel.gd")
-const CubeMesh := preload("res://demos/interpolation/cube_mesh.gd")
+const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
 const GhostPath := preload("res://demos/interpolation/ghost_path.gd")
 const Legend := preload("res://demos/interpolation/legend.gd")
-const Modes := preload("res://demos/interpolation/modes.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 const PlayBar := preload("res://demos/interpolation/play_bar.gd")
 const ReadoutPanel := preload("res://demos/interpolation/readout_panel.gd")

@@ -3,7 +3,7 @@ extends HBoxContainer
 
 signal path_toggled(mode: int, shown: bool)
 
-const Modes := preload("res://demos/interpolation/modes.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 
 
 func _init() -> void:

@@ -1,7 +1,7 @@
 extends Button
 ## One choice of the mode list: its colour, its name and what it does.
 
-const Modes := preload("res://demos/interpolation/modes.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 
 const HEIGHT := 52
 const MARGIN := 6

@@ -1,7 +1,7 @@
 extends PanelContainer
 ## The right panel: the coefficients of the cube's motor, and how far the modes' paths lie apart.
 
-const Modes := preload("res://demos/interpolation/modes.gd")
+const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 const PathDeviation := preload("res://demos/interpolation/path_deviation.gd")
 
 ## The coefficients that a scaled motor can have, by their index among the 32 of a multivector.

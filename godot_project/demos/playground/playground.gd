@@ -2,25 +2,34 @@ extends Control
 ## The playground in a running game: the panel that the editor's dock has, beside a view of its objects.
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
+const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
+const NewObjects := preload("res://addons/ga_godot/playground/new_objects.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
 const PlaygroundTheme := preload("res://addons/ga_godot/playground/playground_theme.gd")
 const SceneDrawing := preload("res://addons/ga_godot/playground/view/scene_drawing.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const ViewPointer := preload("res://addons/ga_godot/playground/view/view_pointer.gd")
+const AddingMenu := preload("adding_menu.gd")
 const Extent := preload("extent.gd")
 const Ground := preload("ground.gd")
 const KeptState := preload("kept_state.gd")
 const Notice := preload("notice.gd")
 const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
+const ViewOverlay := preload("view_overlay.gd")
 const ViewPane := preload("view_pane.gd")
 
+const KEYS := "Drag objects   ·   right drag turn   ·   middle drag move   ·   wheel closer   ·   F frame   ·   Ctrl+Z undo   ·   Esc menu"
+const ADDING_KEYS := "Click to add: %s   ·   Ctrl snaps   ·   Esc ends"
 const PANEL_WIDTH := 340
 const LIGHT := "light"
 const WIDTH := "width"
 ## Of what has no size, such as a point, when it is framed.
 const LEAST_FRAME := 1.2
-const FRAME_MARGIN := 1.2
+const FRAME_MARGIN := 1.05
 ## A document to begin with, for who was never here.
 const FIRST_ENTRIES: Dictionary[String, String] = {
-	"A": "point(-1.5, 0, 1)", "B": "point(0.5, 2, 0)", "S": "sphere(B, 1.6)", "p": "plane(e2, 1.2)", "c": "meet(S, p)", "l": "join(A, B) ^ einf",
+	"A": "point(-1.6, 0.2, 1)", "B": "point(1.5, 0.4, 1.2)", "C": "point(0.2, 2.5, -0.8)", "k": "circle(A, B, C)",
+	"S": "sphere(point(1, 1.3, 0), 1.2)", "P": "meet(k, S)", "l": "A ^ B ^ einf",
 }
 
 ## Where unsaved work and the look are kept between two starts; empty: nowhere.
@@ -31,6 +40,8 @@ var panel: PlaygroundPanel
 var _state: KeptState
 var _is_light := false
 var _drawing := SceneDrawing.new()
+var _pointer: ViewPointer
+var _adding_menu := AddingMenu.new()
 var _shown_scene: GAScene
 var _undo_button := Button.new()
 var _redo_button := Button.new()
@@ -43,22 +54,24 @@ var _light_button := Button.new()
 @onready var _camera: OrbitCamera = %View/Viewport/OrbitCamera
 @onready var _ground: Ground = %View/Viewport/Ground
 @onready var _world: WorldEnvironment = %View/Viewport/WorldEnvironment
+@onready var _overlay: ViewOverlay = %View/Overlay
+@onready var _keys: Label = %Keys
 @onready var _notice: Notice = %Notice
 
 
 func _ready() -> void:
 	_state = KeptState.new(state_path)
 	_make_panel()
-	_view.viewport.add_child(_drawing)
+	_make_view()
 	_camera.moved.connect(_on_camera_moved)
 	_on_camera_moved()
 	set_light(_state.get_setting(LIGHT, false) as bool)
 	_split.split_offsets = [_state.get_setting(WIDTH, PANEL_WIDTH) as int]
 	if _state.has_document():
 		_state.restore(panel.document)
+		_look_at_scene()
 	else:
 		_show_first_entries()
-	frame_selection()
 
 
 func _exit_tree() -> void:
@@ -70,8 +83,10 @@ func set_light(light: bool) -> void:
 	_is_light = light
 	theme = PlaygroundTheme.make(light)
 	var colors := PlaygroundTheme.palette(light)
+	host.background = colors[&"view"]
 	_world.environment.background_color = colors[&"view"]
 	_ground.set_light(light)
+	_drawing.on_light = light
 	_undo_button.icon = theme.get_icon(&"Undo", &"EditorIcons")
 	_redo_button.icon = theme.get_icon(&"Redo", &"EditorIcons")
 	_frame_button.icon = theme.get_icon(&"Frame", &"EditorIcons")
@@ -90,12 +105,38 @@ func redo() -> void:
 		_notice.tell("Done again: %s" % title)
 
 
-## Moves the camera so that the selected entries fill the view, or all that are drawn.
+func get_viewport_camera() -> Camera3D:
+	return _camera.camera
+
+
+## What is told at the moment.
+func get_notice() -> String:
+	return _notice.get_words()
+
+
+## Moves the camera so that the selected entries fill the view, or all if none is.
 func frame_selection() -> void:
-	var scene := panel.document.scene
-	var box := Extent.of(scene, panel.list.selection if not panel.list.selection.is_empty() else scene.get_names())
+	_frame(panel.list.selection if not panel.list.selection.is_empty() else panel.document.scene.get_names())
+
+
+func _frame(entries: PackedStringArray) -> void:
+	var box := Extent.of(panel.document.scene, entries)
 	if box.has_volume():
 		_camera.frame(box.get_center(), maxf(box.size.length() / 2.0 * FRAME_MARGIN, LEAST_FRAME))
+
+
+func _make_view() -> void:
+	_view.viewport.add_child(_drawing)
+	_view.viewport.add_child(LabDrawing.new(panel.lab))
+	_pointer = ViewPointer.new(_drawing, panel.document, panel.edits, panel.list)
+	_pointer.double_click_adds = &"point"
+	_pointer.adding_changed.connect(_show_keys)
+	_view.first_listener = _pointer.handle_input.bind(_camera.camera)
+	_view.mouse_exited.connect(_pointer.leave)
+	_overlay.show_pointer(_pointer, _camera.camera)
+	_adding_menu.chosen.connect(func(kind: StringName) -> void: _pointer.adding = kind)
+	host.camera = _camera.camera
+	_show_keys()
 
 
 func _make_panel() -> void:
@@ -106,10 +147,10 @@ func _make_panel() -> void:
 	host.own_history.changed.connect(_show_history)
 	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z)", undo, panel.add_to_head)
 	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z)", redo, panel.add_to_head)
+	%Tools.add_child(_adding_menu)
 	_add_button(_frame_button, "Frame", "Frame the selection (F)", frame_selection, %Tools.add_child)
 	_add_button(_light_button, "Light", "Light or dark", func() -> void: set_light(not _is_light), %Tools.add_child)
 	_show_history()
-	_on_scene_switched()
 
 
 func _add_button(button: Button, title: String, hint: String, act: Callable, place: Callable) -> void:
@@ -144,6 +185,8 @@ func _press_key(key: InputEventKey) -> bool:
 	if key.keycode == KEY_F:
 		frame_selection()
 		return true
+	if _pointer.handle_input(key, _camera.camera):
+		return true
 	if key.is_action_pressed(&"ui_cancel") and not panel.list.selection.is_empty():
 		panel.list.select(PackedStringArray())
 		return true
@@ -153,13 +196,30 @@ func _press_key(key: InputEventKey) -> bool:
 func _on_scene_switched() -> void:
 	if _shown_scene != panel.document.scene:
 		_shown_scene = panel.document.scene
-		_drawing.scene = _shown_scene
 		host.own_history.clear()
+		_look_at_scene()
+
+
+## As the document tells, or so that all of it is seen.
+func _look_at_scene() -> void:
+	if ViewPoint.is_told_by(_shown_scene):
+		var view := ViewPoint.of(_shown_scene)
+		_camera.camera.fov = view.fov
+		_camera.look_from(view.from, view.to)
+	else:
+		_camera.reset()
+		_frame(_shown_scene.get_names())
+
+
+func _show_keys() -> void:
+	_keys.text = KEYS if _pointer.adding.is_empty() else ADDING_KEYS % NewObjects.TITLES[_pointer.adding]
 
 
 func _on_camera_moved() -> void:
 	_ground.fit_to(_camera)
 	_camera.camera.near = clampf(_camera.get_distance() * 0.01, 0.002, 0.1)
+	host.camera_distance = _camera.get_distance()
+	_overlay.queue_redraw()
 	_camera.camera.far = maxf(_camera.get_distance() * 50.0, 1000.0)
 
 

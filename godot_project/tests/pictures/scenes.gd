@@ -3,10 +3,13 @@ extends RefCounted
 
 const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
 const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
+const InterpolationLab := preload("res://tests/pictures/interpolation_lab.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
+const Playground := preload("res://demos/playground/playground.gd")
 
 const MENU := "res://menu/menu.tscn"
 const INTERPOLATION := "res://demos/interpolation/interpolation.tscn"
+const PLAYGROUND := "res://demos/playground/playground.tscn"
 const FACTOR := 0.4
 
 
@@ -21,6 +24,10 @@ static func list() -> Dictionary[String, Callable]:
 		"drawn_objects": drawn_objects.bind(false),
 		"drawn_objects_on_light": drawn_objects.bind(true),
 		"drawn_scene": drawn_scene,
+		"playground": playground.bind(false),
+		"playground_on_light": playground.bind(true),
+		"interpolation_lab": interpolation_lab.bind("cube"),
+		"interpolation_lab_frames": interpolation_lab.bind("frame"),
 	}
 
 
@@ -43,10 +50,29 @@ static func drawn_scene(parent: Node) -> Node:
 	return picture
 
 
+static func interpolation_lab(parent: Node, body: String) -> Node:
+	var picture := InterpolationLab.make(body)
+	parent.add_child(picture)
+	return picture
+
+
 static func interpolation(parent: Node, preset := 0, mode := MultivectorLerp.SCREW, with_panels := true) -> Interpolation:
 	var demo: Interpolation = open(parent, INTERPOLATION)
 	demo.choose_preset(preset)
 	demo.choose_mode(mode)
 	demo.set_factor(FACTOR)
 	demo.show_panels(with_panels)
+	return demo
+
+
+## With an object selected; in the light, with its coefficients.
+static func playground(parent: Node, light: bool) -> Playground:
+	var packed: PackedScene = load(PLAYGROUND)
+	var demo: Playground = packed.instantiate()
+	demo.state_path = ""
+	parent.add_child(demo)
+	demo.set_light(light)
+	demo.panel.select("S" if light else "A")
+	if light:
+		(demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer).expand()
 	return demo

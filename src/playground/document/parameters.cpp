@@ -83,14 +83,24 @@ std::vector<std::string_view> split(std::string_view parameters) {
 	return names;
 }
 
+// Null if none is called.
+const Constructor *constructor_of(const TokenRange &call) {
+	const auto found = std::find_if(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), [&call](const Constructor &candidate) { return call.size() > 0 && call.text(0) == candidate.name; });
+	return found == std::end(CONSTRUCTORS) ? nullptr : found;
+}
+
 // The overload that is called, as far as that can be told: what is computed from variables may be anything.
-const Overload *overload_of(const Function &function, const std::vector<TokenRange> &arguments) {
+const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange> &arguments) {
+	const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
+	if (!function) {
+		return nullptr;
+	}
 	std::vector<std::optional<cga::Multivector>> values;
 	for (const TokenRange &argument : arguments) {
 		const cga::TextResult<cga::Multivector> value = evaluate(argument.text());
 		values.push_back(value ? std::optional<cga::Multivector>(*value) : std::nullopt);
 	}
-	for (const Overload *overload : function.overloads) {
+	for (const Overload *overload : functions()[*function].overloads) {
 		bool fits = overload->count == arguments.size();
 		for (size_t index = 0; fits && index < values.size(); ++index) {
 			fits = !values[index] || is_of_kind(*values[index], overload->kinds[index]);
@@ -125,9 +135,8 @@ public:
 
 	void collect(const TokenRange &call) {
 		const std::vector<TokenRange> arguments = call.arguments();
-		const auto constructor = std::find_if(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), [&call](const Constructor &candidate) { return call.text(0) == candidate.name; });
-		const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
-		const Overload *overload = function && constructor != std::end(CONSTRUCTORS) ? overload_of(functions()[*function], arguments) : nullptr;
+		const Constructor *constructor = constructor_of(call);
+		const Overload *overload = constructor ? overload_of(call, arguments) : nullptr;
 		if (!overload) {
 			return;
 		}
@@ -188,6 +197,7 @@ private:
 				}
 				break;
 			case ArgumentKind::ANY:
+			case ArgumentKind::MOTOR:
 				break;
 		}
 	}
@@ -226,6 +236,18 @@ bool is_finite(const LiteralValue &value) {
 }
 
 } // namespace
+
+std::vector<Argument> arguments_of(std::string_view text) {
+	const std::vector<Token> tokens = parse(text) ? tokens_of(text) : std::vector<Token>();
+	const TokenRange call = unwrapped(TokenRange(text, tokens.data(), tokens.data() + tokens.size()));
+	const std::vector<TokenRange> arguments = call.arguments();
+	const Overload *overload = constructor_of(call) ? overload_of(call, arguments) : nullptr;
+	std::vector<Argument> found;
+	for (size_t index = 0; overload && index < arguments.size(); ++index) {
+		found.push_back({ split(overload->parameters)[index], arguments[index].text() });
+	}
+	return found;
+}
 
 std::vector<Parameter> parameters_of(std::string_view text) {
 	const std::vector<Token> tokens = parse(text) ? tokens_of(text) : std::vector<Token>();

@@ -28,6 +28,15 @@ struct Parameter {
 // parameter: sphere(a, 2) has its radius. None of what is no such expression.
 [[nodiscard]] std::vector<Parameter> parameters_of(std::string_view text);
 
+// One of what a constructor is called with, by the name that functions.hpp has for it.
+struct Argument {
+	std::string_view name;
+	std::string_view text; // of its expression
+};
+
+// Of such an expression all arguments, also those that are computed. Views into the text.
+[[nodiscard]] std::vector<Argument> arguments_of(std::string_view text);
+
 struct Rewritten {
 	std::string error; // why it cannot be, as a sentence
 	std::string text;

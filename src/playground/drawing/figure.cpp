@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +131,21 @@ Box placed(const Box &box, const Placement &placement) {
 	const Vector middle = placement.apply(box.least + half);
 	const Vector reach = glm::abs(placement.x) * half.x + glm::abs(placement.y) * half.y + glm::abs(placement.z) * half.z;
 	return { middle - reach, middle + reach };
+}
+
+Placement placed(const Placement &inner, const Placement &space) {
+	const auto turned = [&](const Vector &axis) {
+		return space.x * axis.x + space.y * axis.y + space.z * axis.z;
+	};
+	return { turned(inner.x), turned(inner.y), turned(inner.z), space.apply(inner.origin) };
+}
+
+Box around_both(const Box &a, const Box &b) {
+	return { glm::min(a.least, b.least), glm::max(a.greatest, b.greatest) };
+}
+
+bool contains(const Box &outer, const Box &inner) {
+	return glm::all(glm::lessThanEqual(outer.least, inner.least)) && glm::all(glm::lessThanEqual(inner.greatest, outer.greatest));
 }
 
 Box box_of(const Part &part, const Strokes &own) {

@@ -45,8 +45,12 @@ struct Box {
 	Vector least, greatest;
 };
 [[nodiscard]] Box box_of(const Part &part, const Strokes &own);
-// The box along the axes around a placed one.
+// The box along the axes around a placed one, and around two.
 [[nodiscard]] Box placed(const Box &box, const Placement &placement);
+[[nodiscard]] Box around_both(const Box &a, const Box &b);
+[[nodiscard]] bool contains(const Box &outer, const Box &inner);
+// What is placed there within a space that is itself placed.
+[[nodiscard]] Placement placed(const Placement &inner, const Placement &space);
 
 // Rounds from this radius on are anchored where they pass the origin, smaller ones as it looks best.
 inline constexpr double LARGE_RADIUS = 100.0;

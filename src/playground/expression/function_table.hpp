@@ -13,6 +13,8 @@ struct FunctionTable {
 
 // Numbers from numbers: sin, min, deg_to_rad, ...
 [[nodiscard]] FunctionTable number_functions();
+// Between two motors.
+[[nodiscard]] FunctionTable interpolation_functions();
 // Points, lines, circles, planes, spheres, and what they have to do with each other.
 [[nodiscard]] FunctionTable object_functions();
 // Products, parts, conjugations, norms.
@@ -27,6 +29,7 @@ inline constexpr ArgumentKind N = ArgumentKind::NUMBER;
 inline constexpr ArgumentKind V = ArgumentKind::VECTOR;
 inline constexpr ArgumentKind P = ArgumentKind::LOCATION;
 inline constexpr ArgumentKind R = ArgumentKind::ROTATION;
+inline constexpr ArgumentKind M = ArgumentKind::MOTOR;
 
 using Outcome = cga::Result<cga::Multivector>;
 

@@ -1,6 +1,7 @@
 #include "playground/expression/functions.hpp"
 
 #include "cga/algebra/null_basis.hpp"
+#include "cga/motor/motor_multivector.hpp"
 #include "cga/motor/versor.hpp"
 #include "playground/expression/function_table.hpp"
 
@@ -56,6 +57,11 @@ bool is_rotor(const Multivector &x) {
 	return x.max_abs() > 0.0 && has_only(x, [](int index) { return cga::blade_grade(index) % 2 == 0 && (cga::BLADE_BITMAPS[size_t(index)] & (cga::E4_BIT | cga::E5_BIT)) == 0; });
 }
 
+std::optional<cga::Pose<double>> pose_of(const Multivector &x) {
+	const std::optional<cga::Motor<double>> motor = cga::to_motor(x);
+	return motor ? motor->to_pose() : std::nullopt;
+}
+
 std::vector<Function> collect(std::initializer_list<FunctionTable> tables) {
 	std::map<std::string_view, Function> by_name;
 	for (const FunctionTable &table : tables) {
@@ -88,6 +94,10 @@ cga::Quaternion<double> Arguments::rotation(size_t index) const {
 	return glm::normalize(rotor_quaternion(x * (1.0 / x.max_abs())));
 }
 
+cga::Pose<double> Arguments::pose(size_t index) const {
+	return *pose_of(_values[index]);
+}
+
 cga::Vector3<double> Arguments::numbers(size_t index) const {
 	return { number(index), number(index + 1), number(index + 2) };
 }
@@ -116,7 +126,7 @@ std::string Function::counts() const {
 }
 
 const std::vector<Function> &functions() {
-	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions(), object_functions() });
+	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions(), interpolation_functions(), object_functions() });
 	return all;
 }
 
@@ -141,6 +151,8 @@ bool is_of_kind(const Multivector &value, ArgumentKind kind) {
 			return is_vector(value) || is_point(value);
 		case ArgumentKind::ROTATION:
 			return is_rotor(value);
+		case ArgumentKind::MOTOR:
+			return pose_of(value).has_value();
 	}
 	return false;
 }
@@ -157,6 +169,8 @@ std::string_view kind_text(ArgumentKind kind) {
 			return "a point or a vector (of e1, e2, e3)";
 		case ArgumentKind::ROTATION:
 			return "a rotor about the origin";
+		case ArgumentKind::MOTOR:
+			return "a motor (a product of translators, rotors and dilators)";
 	}
 	return {};
 }

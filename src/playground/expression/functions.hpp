@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/algebra/multivector.hpp"
+#include "cga/motor/pose.hpp"
 #include "cga/result.hpp"
 #include "cga/vector.hpp"
 
@@ -23,6 +24,7 @@ enum class ArgumentKind {
 	VECTOR, // x e1 + y e2 + z e3
 	LOCATION, // a point of any weight, or a VECTOR
 	ROTATION, // a rotor about the origin: 1, e12, e13, e23
+	MOTOR, // a product of translators, rotors and dilators, of any weight and sign
 };
 
 inline constexpr size_t MAX_ARGUMENTS = 4;
@@ -39,6 +41,7 @@ public:
 	[[nodiscard]] cga::Vector3<double> location(size_t index) const;
 	// Of unit length.
 	[[nodiscard]] cga::Quaternion<double> rotation(size_t index) const;
+	[[nodiscard]] cga::Pose<double> pose(size_t index) const;
 	// Three numbers from `index` on.
 	[[nodiscard]] cga::Vector3<double> numbers(size_t index) const;
 

@@ -81,6 +81,19 @@ TEST_CASE("duals and brackets around it change nothing") {
 	CHECK(changed(" !( sphere(e1, 2) ) ", "radius", 3.0) == " !( sphere(e1, 3) ) ");
 }
 
+TEST_CASE("all arguments of a constructor, by name") {
+	const std::vector<Argument> arguments = arguments_of("-!circle(a ^ b, 2 e1, 3)");
+	REQUIRE(arguments.size() == 3);
+	CHECK(arguments[0].name == "center");
+	CHECK(arguments[0].text == "a ^ b");
+	CHECK(arguments[1].name == "normal");
+	CHECK(arguments[1].text == "2 e1");
+	CHECK(arguments[2].name == "radius");
+	for (const char *text : { "", "a", "meet(a, b)", "sphere(1, 2", "sphere(1)", "2.5", "sin(2)" }) {
+		CHECK_MESSAGE(arguments_of(text).empty(), text);
+	}
+}
+
 TEST_CASE("what is computed cannot be dragged") {
 	CHECK(names_of("sphere(a, 2)") == "radius");
 	CHECK(names_of("sphere(a, r)") == "");

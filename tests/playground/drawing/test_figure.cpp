@@ -193,3 +193,22 @@ TEST_CASE("boxes hold what is drawn") {
 		CHECK(glm::all(glm::lessThanEqual(point, box.greatest + 1e-5)));
 	}
 }
+
+TEST_CASE("a placement within a placed space") {
+	const Placement space{ { 0.0, 2.0, 0.0 }, { -2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0 }, { 10.0, 0.0, 1.0 } };
+	const Placement inner{ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, { 0.0, -1.0, 0.0 }, { 3.0, 4.0, 5.0 } };
+	const Vector point(0.3, -0.7, 1.1);
+	const Vector apart = placed(inner, space).apply(point) - space.apply(inner.apply(point));
+	CHECK(glm::length(apart) < 1e-12);
+}
+
+TEST_CASE("a box around two contains both") {
+	const Box a{ { -1.0, 0.0, 2.0 }, { 0.0, 1.0, 3.0 } }, b{ { -0.5, -4.0, 2.5 }, { 6.0, 0.5, 2.6 } };
+	const Box both = around_both(a, b);
+	CHECK(contains(both, a));
+	CHECK(contains(both, b));
+	CHECK(contains(a, a));
+	CHECK_FALSE(contains(a, b));
+	CHECK(both.least == Vector(-1.0, -4.0, 2.0));
+	CHECK(both.greatest == Vector(6.0, 1.0, 3.0));
+}

@@ -155,6 +155,10 @@ const std::vector<Case> CASES = {
 	{ "get_translation(5 motor(e1 + e2, rotor(e3, 1), 2))", "e1 + e2" },
 	{ "get_rotation(motor(e1, rotor(e3, 1), 2))", "rotor(e3, 1)" },
 	{ "get_scale(-3 motor(e1, rotor(e3, 1), 2))", "2" },
+
+	{ "interpolate_linear(1, translator(1, 2, 3), 0.5)", "translator(0.5, 1, 1.5)" },
+	{ "interpolate_screw(dilator(0.5), dilator(2), 0.5)", "1" },
+	{ "interpolate_separate(dilator(0.5), dilator(2), 0.5)", "dilator(1.25)" },
 };
 
 // Arguments of the right kind that a function refuses.
@@ -290,4 +294,12 @@ TEST_CASE("kinds of arguments, with rounding") {
 	CHECK_FALSE(is("0", ArgumentKind::ROTATION));
 	CHECK_FALSE(is("1 + e45", ArgumentKind::ROTATION));
 	CHECK_FALSE(is("1 + e1", ArgumentKind::ROTATION));
+	CHECK(is("-2 motor(e1, rotor(e2, 3), 4)", ArgumentKind::MOTOR));
+	CHECK(is("5", ArgumentKind::MOTOR));
+	CHECK(is("translator(e1) + 1e-13 * e1", ArgumentKind::MOTOR));
+	CHECK_FALSE(is("0", ArgumentKind::MOTOR));
+	CHECK_FALSE(is("e1", ArgumentKind::MOTOR));
+	CHECK_FALSE(is("E", ArgumentKind::MOTOR)); // scales by -1
+	CHECK_FALSE(is("translator(e1) + e23", ArgumentKind::MOTOR));
+	CHECK_FALSE(is("einf ^ e1", ArgumentKind::MOTOR));
 }

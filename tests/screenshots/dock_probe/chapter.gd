@@ -95,8 +95,12 @@ func words_of(entry: String) -> String:
 	return (row_part(entry, "Words") as Label).text
 
 
+func coefficients() -> FoldableContainer:
+	return dock().find_child("Coefficients", true, false)
+
+
 func number(blade: String) -> EditorSpinSlider:
-	return part("Bottom/Coefficients").find_child(blade, true, false).get_child(0)
+	return coefficients().find_child(blade, true, false).get_child(0)
 
 
 func entry_menu() -> PopupMenu:

@@ -38,3 +38,13 @@ func can_create_nodes() -> bool:
 
 func create_node(scene: GAScene, entry: String) -> void:
 	_nodes.create(scene, entry)
+
+
+## That of the first 3D viewport, of which the editor does not tell what it circles.
+func make_view_point() -> ViewPoint:
+	var camera := EditorInterface.get_editor_viewport_3d().get_camera_3d()
+	return ViewPoint.of_camera(camera, camera.global_position.length()) if camera != null else null
+
+
+func get_view_size() -> Vector2i:
+	return EditorInterface.get_editor_viewport_3d().size

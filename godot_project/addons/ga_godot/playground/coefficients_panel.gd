@@ -20,6 +20,7 @@ var _document: PlaygroundDocument
 var _list: EntryList
 var _entry := ""
 var _basis := OptionButton.new()
+var _scroll := ScrollContainer.new()
 var _host: PlaygroundHost
 var _fields: Array[NumberField] = []
 
@@ -39,7 +40,7 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	_basis.tooltip_text = "The basis that coefficients are given in."
 	_basis.item_selected.connect(func(_index: int) -> void: _show_coefficients())
 	add_title_bar_control(_basis)
-	var scroll := ScrollContainer.new()
+	var scroll := _scroll
 	scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	scroll.custom_minimum_size.y = HEIGHT * PlaygroundStyle.scale()
 	add_child(scroll)
@@ -49,8 +50,8 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	for grade in BasisBlades.GRADE_TITLES.size():
 		grades.add_child(_make_grade(grade))
 	_document.changed.connect(_show_coefficients)
-	_list.selection_changed.connect(_show_coefficients)
-	folding_changed.connect(func(_is_folded: bool) -> void: _show_coefficients())
+	_list.selection_changed.connect(_on_selection_changed)
+	folding_changed.connect(func(_is_folded: bool) -> void: _on_folding_changed())
 
 
 func _make_grade(grade: int) -> Control:
@@ -78,6 +79,26 @@ func _make_field(index: int) -> NumberField:
 	field.ungrabbed.connect(func() -> void: _document.end_gesture(_step_title(index)))
 	_fields.append(field)
 	return field
+
+
+## Shows the first grade that the entry has.
+func _on_selection_changed() -> void:
+	var before := _entry
+	_show_coefficients()
+	if _entry != before:
+		_scroll_to_grade.call_deferred()
+
+
+func _on_folding_changed() -> void:
+	_show_coefficients()
+	_scroll_to_grade.call_deferred()
+
+
+func _scroll_to_grade() -> void:
+	for field in _fields:
+		if field.get_number() != 0.0:
+			_scroll.scroll_vertical = roundi((field.get_parent().get_parent() as Control).position.y)
+			return
 
 
 func _show_coefficients() -> void:

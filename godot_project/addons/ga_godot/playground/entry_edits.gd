@@ -4,6 +4,7 @@ extends RefCounted
 
 const PlaygroundDocument := preload("playground_document.gd")
 const NewObjects := preload("new_objects.gd")
+const ValueSlider := preload("value_slider.gd")
 
 ## Pressed with two entries selected, in this order; see combine().
 const COMBINATIONS: Array[StringName] = [&"join", &"meet", &"intersect", &"project", &"reflect", &"move"]
@@ -56,6 +57,13 @@ func remove(entries: PackedStringArray) -> void:
 
 func set_attribute(entry: String, key: String, value: Variant) -> void:
 	_document.change("Set %s of %s" % [key, entry], func(scene: GAScene) -> void: scene.set_entry_attribute(entry, key, value))
+
+
+## By the attributes of ValueSlider; what is as by default is not kept.
+func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
+	_document.change("Set slider of %s" % entry, func(scene: GAScene) -> void:
+		for key in values:
+			scene.set_entry_attribute(entry, key, values[key] if values[key] != ValueSlider.DEFAULTS[key] else null))
 
 
 ## What loses its value without these entries, beside themselves.

@@ -5,11 +5,16 @@ extends ScrollContainer
 const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryRow := preload("entry_row.gd")
+const PlaygroundStyle := preload("playground_style.gd")
 
 signal selection_changed
 signal menu_requested(row: Control)
 signal deletion_requested
 
+## Of two rows.
+const LEAST_HEIGHT := 104.0
+## The key of an entry's name in what is dragged.
+const DRAGGED := "ga_playground_entry"
 const HINT := "Nothing here yet. Add an object with a button above, or type an expression below, such as\npoint(1, 2, 3)"
 
 var selection := PackedStringArray()
@@ -21,12 +26,15 @@ var _hint := Label.new()
 # Entries whose value changed since they were shown; all of another scene.
 var _stale: Dictionary[String, bool] = {}
 var _are_all_stale := true
+# While a row is dragged, in the viewport.
+var _mouse := Vector2.ZERO
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	name = "Entries"
 	_document = document
 	_edits = edits
+	custom_minimum_size.y = LEAST_HEIGHT * PlaygroundStyle.scale()
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	size_flags_vertical = Control.SIZE_EXPAND_FILL
 	follow_focus = true
@@ -40,6 +48,10 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	_document.entries_changed.connect(_on_entries_changed)
 	_document.scene_switched.connect(func() -> void: _are_all_stale = true)
 	_document.changed.connect(show_entries)
+
+
+func _ready() -> void:
+	set_process_input(false)
 
 
 func show_entries() -> void:
@@ -108,8 +120,55 @@ func _add_row() -> EntryRow:
 	_rows.add_child(row)
 	row.pressed.connect(_on_row_pressed)
 	row.menu_requested.connect(_on_menu_requested)
+	row.forward_drag(_drag.bind(row), _can_drop.bind(row), _drop.bind(row))
 	row.gui_input.connect(_on_row_input.bind(row))
 	return row
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_DRAG_BEGIN:
+		set_process_input(true)
+	elif what == NOTIFICATION_DRAG_END:
+		set_process_input(false)
+		_show_drop(null, EntryRow.Drop.NONE)
+
+
+# What the engine tells of the place when something is dropped is that of the screen's mouse, which events need not follow.
+func _input(event: InputEvent) -> void:
+	var mouse := event as InputEventMouse
+	if mouse != null:
+		_mouse = mouse.position
+
+
+## Rows are dragged to another place.
+func _drag(_at: Vector2, row: EntryRow) -> Variant:
+	var preview := Label.new()
+	preview.text = "%s = %s" % [row.entry, _document.scene.get_expression(row.entry)]
+	set_drag_preview(preview)
+	return {DRAGGED: row.entry}
+
+
+func _can_drop(_at: Vector2, data: Variant, row: EntryRow) -> bool:
+	if not data is Dictionary or not _document.scene.has_entry((data as Dictionary).get(DRAGGED, "") as String):
+		return false
+	_show_drop(row, EntryRow.Drop.BELOW if _is_below(row) else EntryRow.Drop.ABOVE)
+	return true
+
+
+func _drop(_at: Vector2, data: Variant, row: EntryRow) -> void:
+	var entry: String = (data as Dictionary)[DRAGGED]
+	var from := _document.scene.get_index(entry)
+	var to := _document.scene.get_index(row.entry) + (1 if _is_below(row) else 0)
+	_edits.move(entry, to - 1 if from < to else to)
+
+
+func _is_below(row: EntryRow) -> bool:
+	return (row.get_global_transform_with_canvas().affine_inverse() * _mouse).y > row.size.y / 2.0
+
+
+func _show_drop(row: EntryRow, side: EntryRow.Drop) -> void:
+	for other in get_rows():
+		other.drop_side = side if other == row else EntryRow.Drop.NONE
 
 
 func _on_row_pressed(row: EntryRow, adding: bool) -> void:

@@ -6,11 +6,13 @@ const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryRow := preload("entry_row.gd")
+const SliderRangeDialog := preload("slider_range_dialog.gd")
+const ValueSlider := preload("value_slider.gd")
 const WrittenCode := preload("written_code.gd")
 const PlaygroundHost := preload("playground_host.gd")
 const PlaygroundStyle := preload("playground_style.gd")
 
-enum Item { RENAME, UP, DOWN, DUAL, NODE, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
+enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -18,6 +20,7 @@ var _list: EntryList
 var _host: PlaygroundHost
 var _row: EntryRow
 var _question := ConfirmationDialog.new()
+var _slider_range: SliderRangeDialog
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits, list: EntryList, host: PlaygroundHost) -> void:
@@ -31,6 +34,8 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, list: EntryList, hos
 	_question.ok_button_text = "Delete"
 	_question.confirmed.connect(func() -> void: _edits.remove(_list.selection))
 	add_child(_question)
+	_slider_range = SliderRangeDialog.new(document, edits)
+	add_child(_slider_range)
 	id_pressed.connect(_on_item_pressed)
 	_list.menu_requested.connect(show_for)
 	_list.deletion_requested.connect(delete_selected)
@@ -66,6 +71,8 @@ func _fill() -> void:
 	set_item_disabled(-1, index == _document.scene.get_entry_count() - 1)
 	add_check_item("Read as Dual (IPNS)", Item.DUAL)
 	set_item_checked(-1, _is_dual())
+	if _document.scene.get_parameters(_row.entry).has(ValueSlider.PARAMETER):
+		add_item("Slider Range...", Item.SLIDER)
 	if _host.can_create_nodes():
 		add_separator()
 		add_item("Create Node", Item.NODE)
@@ -89,6 +96,8 @@ func _on_item_pressed(item: int) -> void:
 			_edits.move(entry, _document.scene.get_index(entry) + 1)
 		Item.DUAL:
 			_edits.set_attribute(entry, "ipns", not _is_dual())
+		Item.SLIDER:
+			_slider_range.ask(entry)
 		Item.NODE:
 			for selected in _list.selection:
 				_host.create_node(_document.scene, selected)

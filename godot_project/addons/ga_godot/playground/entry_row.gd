@@ -9,15 +9,20 @@ const PlaygroundStyle := preload("playground_style.gd")
 const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
 
+enum Drop { NONE, ABOVE, BELOW }
+
 ## Pressed with that button of the mouse; adding: to the selection.
 signal pressed(row: Control, adding: bool)
 signal menu_requested(row: Control)
 
 const NAME_WIDTH := 30.0
+const DROP_LINE := 2.0
 const QUIET := Color(1, 1, 1, 0.65)
 
 var entry := ""
 var selected := false: set = set_selected
+## Where a line tells that what is dragged would go: above, below, or nowhere.
+var drop_side := Drop.NONE: set = set_drop_side
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -108,6 +113,18 @@ func set_selected(value: bool) -> void:
 	_wrap_words()
 
 
+func set_drop_side(value: Drop) -> void:
+	drop_side = value
+	queue_redraw()
+
+
+## Has these three asked whatever part of the row the mouse is on; see Control.set_drag_forwarding().
+func forward_drag(drag: Callable, can_drop: Callable, drop: Callable) -> void:
+	set_drag_forwarding(drag, can_drop, drop)
+	for part: Control in [_swatch, _name, _expression, _slider, _eye, _label_toggle, _menu]:
+		part.set_drag_forwarding(Callable(), can_drop, drop)
+
+
 ## Puts the cursor into the name.
 func start_renaming() -> void:
 	_name.edit()
@@ -161,6 +178,13 @@ func _prepare_buttons() -> void:
 		button.focus_mode = Control.FOCUS_NONE
 		for style: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
 			button.add_theme_stylebox_override(style, _button_style())
+
+
+func _draw() -> void:
+	if drop_side != Drop.NONE:
+		var width := DROP_LINE * PlaygroundStyle.scale()
+		var top := 0.0 if drop_side == Drop.ABOVE else size.y - width
+		draw_rect(Rect2(0.0, top, size.x, width), get_theme_color(&"accent_color", &"Editor"))
 
 
 func _gui_input(event: InputEvent) -> void:

@@ -6,7 +6,10 @@ const PlaygroundDocument := preload("playground_document.gd")
 const EntryEdits := preload("entry_edits.gd")
 const PlaygroundHost := preload("playground_host.gd")
 
-enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE }
+## A picture of what is shown is wanted.
+signal picture_requested
+
+enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
 
 ## A ganja.js element: a list of 32 numbers, or an object with the keys 0 to 31.
 const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
@@ -36,6 +39,8 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	menu.add_separator()
 	menu.add_item("Copy JSON", Item.COPY_JSON)
 	menu.add_item("Paste JSON or 32 Numbers", Item.PASTE)
+	menu.add_separator()
+	menu.add_item("Export Picture...", Item.PICTURE)
 	menu.id_pressed.connect(_on_item_pressed)
 	_files.name = "Files"
 	_files.add_filter("*.tres", "GAScene")
@@ -118,9 +123,9 @@ func paste(text: String) -> void:
 func _on_item_pressed(item: int) -> void:
 	match item:
 		Item.NEW:
-			_unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
+			unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
 		Item.OPEN:
-			_unless_unsaved(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
+			unless_unsaved(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
 		Item.SAVE:
 			save_or_ask()
 		Item.SAVE_AS:
@@ -129,9 +134,12 @@ func _on_item_pressed(item: int) -> void:
 			DisplayServer.clipboard_set(_document.scene.to_json())
 		Item.PASTE:
 			paste(DisplayServer.clipboard_get())
+		Item.PICTURE:
+			picture_requested.emit()
 
 
-func _unless_unsaved(act: Callable) -> void:
+## Asks before what is unsaved is lost.
+func unless_unsaved(act: Callable) -> void:
 	if not _document.is_unsaved():
 		act.call()
 		return

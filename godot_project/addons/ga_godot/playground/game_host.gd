@@ -8,6 +8,10 @@ const OwnHistory := preload("own_history.gd")
 ## Something to tell a person.
 signal warned(words: String)
 
+## What the view shows the scene by, once there is one; how far away what it circles is, and what is behind everything.
+var camera: Camera3D
+var camera_distance := 1.0
+var background := ViewPoint.DEFAULT_BACKGROUND
 ## The same as history, with undo and redo.
 var own_history := OwnHistory.new()
 
@@ -28,3 +32,15 @@ func make_file_dialog() -> FileDialog:
 
 func warn(words: String) -> void:
 	warned.emit(words)
+
+
+func make_view_point() -> ViewPoint:
+	if camera == null:
+		return null
+	var view := ViewPoint.of_camera(camera, camera_distance)
+	view.background = background
+	return view
+
+
+func get_view_size() -> Vector2i:
+	return (camera.get_viewport() as SubViewport).size if camera.get_viewport() is SubViewport else camera.get_window().size

@@ -5,6 +5,7 @@ extends RefCounted
 
 const EditHistory := preload("edit_history.gd")
 const NumberField := preload("number_field.gd")
+const ViewPoint := preload("view_point.gd")
 
 var history: EditHistory
 
@@ -32,3 +33,13 @@ func can_create_nodes() -> bool:
 ## Makes the entry a node of the scene that is edited.
 func create_node(_scene: GAScene, _entry: String) -> void:
 	pass
+
+
+## How the scene is looked at here; null where there is no view of it.
+func make_view_point() -> ViewPoint:
+	return null
+
+
+## In pixels.
+func get_view_size() -> Vector2i:
+	return Vector2i.ZERO

@@ -7,6 +7,8 @@ const PlaygroundStyle := preload("playground_style.gd")
 const SIZE := 16
 ## Within <svg>, where COLOR stands for the colour of the theme's text.
 const PICTURES: Dictionary[StringName, String] = {
+	&"exchange": '<path d="M2 5.5h11M14 10.5H3" stroke="COLOR" stroke-width="1.6" stroke-linecap="round"/><path d="m10 1.8 5 3.7-5 3.7zM6 6.8l-5 3.7 5 3.7z" fill="COLOR"/>',
+	&"pick": '<rect x="1.5" y="2" width="13" height="4" rx="1.2" fill="COLOR"/><rect x="1.5" y="9.5" width="13" height="4" rx="1.2" fill="COLOR"/>',
 	&"point": '<circle cx="8" cy="8" r="3.5" fill="COLOR"/>',
 	&"pair": '<path d="M4 12 12 4" stroke="COLOR" stroke-width="1.2" stroke-dasharray="1.5 1.5"/><circle cx="3.5" cy="12.5" r="2.5" fill="COLOR"/><circle cx="12.5" cy="3.5" r="2.5" fill="COLOR"/>',
 	&"line": '<path d="M1 14 15 2" stroke="COLOR" stroke-width="2" stroke-linecap="round"/>',

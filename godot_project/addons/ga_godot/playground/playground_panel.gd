@@ -5,6 +5,8 @@ extends VBoxContainer
 
 const PlaygroundDocument := preload("playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
+const PlaygroundStyle := preload("playground_style.gd")
+const CappedScroll := preload("capped_scroll.gd")
 const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryMenu := preload("entry_menu.gd")
@@ -13,12 +15,25 @@ const ObjectButtons := preload("object_buttons.gd")
 const CombinationButtons := preload("combination_buttons.gd")
 const ExpressionLine := preload("expression_line.gd")
 const CoefficientsPanel := preload("coefficients_panel.gd")
+const DescriptionPanel := preload("description_panel.gd")
+const ExamplesMenu := preload("examples_menu.gd")
+const PictureDialog := preload("picture_dialog.gd")
+const InterpolationLab := preload("lab/interpolation_lab.gd")
+const LabDrawing := preload("lab/lab_drawing.gd")
+const LabPanel := preload("lab/lab_panel.gd")
+
+## Of what is left for both, if they want more.
+const TOP_SHARE := 0.4
+## However little is left.
+const LEAST_HEIGHT := 60.0
 
 var host: PlaygroundHost
 var document: PlaygroundDocument
 var edits: EntryEdits
 var list: EntryList
 var file_menu: FileMenu
+## What lab/lab_drawing.gd draws in a view.
+var lab: InterpolationLab
 ## Menus and buttons for the scene as a whole; one more goes before the file's name by add_to_head().
 var head := HBoxContainer.new()
 ## Texts about the scene, above the buttons.
@@ -26,7 +41,13 @@ var top := VBoxContainer.new()
 ## Foldable panels about the selection, below the coefficients.
 var bottom := VBoxContainer.new()
 
+var _top_scroll := CappedScroll.new(top)
+var _bottom_scroll := CappedScroll.new(bottom)
 var _file_name := Label.new()
+var _examples := ExamplesMenu.new()
+var _examples_button := Button.new()
+var _description := DescriptionPanel.new()
+var _picture_dialog: PictureDialog
 
 
 func _init(p_host: PlaygroundHost) -> void:
@@ -43,18 +64,29 @@ func _init(p_host: PlaygroundHost) -> void:
 	top.name = "Top"
 	bottom.name = "Bottom"
 	bottom.add_child(CoefficientsPanel.new(document, list, host))
-	for part: Control in [head, top, objects, combinations, HSeparator.new(), list, line, bottom]:
+	lab = InterpolationLab.new(document)
+	var lab_panel := LabPanel.new(lab, list, host)
+	bottom.add_child(lab_panel)
+	for part: Control in [head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll]:
 		add_child(part)
-	top.visible = false
-	top.child_entered_tree.connect(func(_child: Node) -> void: top.visible = true)
+	top.add_child(_description)
+	for scroll: CappedScroll in [_top_scroll, _bottom_scroll]:
+		scroll.wanted_height_changed.connect(_share_height)
+	for part: Control in [head, objects, combinations, line]:
+		part.minimum_size_changed.connect(_share_height)
+	resized.connect(_share_height)
+	_picture_dialog = PictureDialog.new(host.make_file_dialog())
+	add_child(_picture_dialog)
 	add_child(EntryMenu.new(document, edits, list, host))
 	objects.added.connect(select)
 	combinations.added.connect(select)
 	line.added.connect(select)
+	lab_panel.added.connect(select)
 	document.changed.connect(_show_file_name)
-	document.scene_switched.connect(_show_file_name)
+	document.scene_switched.connect(_on_scene_switched)
+	file_menu.picture_requested.connect(_on_picture_requested)
 	list.show_entries()
-	_show_file_name()
+	_on_scene_switched()
 
 
 func show_scene(scene: GAScene) -> void:
@@ -76,6 +108,16 @@ func add_to_head(control: Control) -> void:
 func _make_head() -> void:
 	head.name = "Head"
 	head.add_child(file_menu)
+	_examples_button.name = "ExamplesButton"
+	_examples_button.text = "Examples"
+	_examples_button.theme_type_variation = &"FlatButton"
+	_examples_button.focus_mode = Control.FOCUS_NONE
+	_examples_button.tooltip_text = "Constructions to look at, to change and to learn from."
+	_examples_button.pressed.connect(_open_examples)
+	_examples.chosen.connect(_on_example_chosen)
+	_examples.failed.connect(host.warn)
+	_examples_button.add_child(_examples)
+	head.add_child(_examples_button)
 	_file_name.name = "FileName"
 	_file_name.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_file_name.text_overrun_behavior = TextServer.OVERRUN_TRIM_ELLIPSIS
@@ -83,6 +125,45 @@ func _make_head() -> void:
 	_file_name.modulate = Color(1, 1, 1, 0.65)
 	_file_name.mouse_filter = Control.MOUSE_FILTER_PASS
 	head.add_child(_file_name)
+
+
+func _open_examples() -> void:
+	_examples.reset_size()
+	_examples.position = _examples_button.get_screen_position() + Vector2(0.0, _examples_button.size.y)
+	_examples.popup()
+
+
+func _on_example_chosen(scene: GAScene, _title: String) -> void:
+	file_menu.unless_unsaved(func() -> void: document.show_scene(scene, ""))
+
+
+func _on_picture_requested() -> void:
+	var view := host.make_view_point()
+	if view == null:
+		host.warn("There is no 3D view to draw a picture of.")
+	else:
+		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
+
+
+# What is above and below the list may scroll before the list has less than its least height.
+func _share_height() -> void:
+	var room := size.y
+	for part: Control in find_children("*", "Control", false, false):
+		if part.visible:
+			room -= get_theme_constant(&"separation")
+			room -= part.get_combined_minimum_size().y if not part is CappedScroll else 0.0
+	var least := LEAST_HEIGHT * PlaygroundStyle.scale()
+	_top_scroll.cap = maxf(least, room - minf(_bottom_scroll.get_wanted_height(), room * (1.0 - TOP_SHARE)))
+	_bottom_scroll.cap = maxf(least, room - minf(_top_scroll.get_wanted_height(), room * TOP_SHARE))
+
+
+func _draw_lab() -> Array[Node3D]:
+	return [LabDrawing.new(lab)]
+
+
+func _on_scene_switched() -> void:
+	_description.scene = document.scene
+	_show_file_name()
 
 
 func _show_file_name() -> void:

@@ -6,13 +6,13 @@ extends "../chapter.gd"
 func read() -> void:
 	await begin_with(["B", "point(0, 4, 0)", "C", "point(1, 0, 0)", "pair1", "join(B, C)"])
 	await select(["B"])
-	(part("Bottom/Coefficients") as FoldableContainer).expand()
+	coefficients().expand()
 	await settle()
 	await _type_number()
 	await _drag_number()
 	await _null_basis()
 	await _dependent()
-	(part("Bottom/Coefficients") as FoldableContainer).fold()
+	coefficients().fold()
 
 
 func _type_number() -> void:
@@ -52,7 +52,7 @@ func _drag_number() -> void:
 ## B = 4 e2 + eo + 8 einf.
 func _null_basis() -> void:
 	var before := scene().document
-	var basis := part("Bottom/Coefficients").find_child("Basis", true, false) as OptionButton
+	var basis := coefficients().find_child("Basis", true, false) as OptionButton
 	basis.select(1)
 	basis.item_selected.emit(1)
 	expect(number("e4").label, "e∞", "name of a blade in the null basis")

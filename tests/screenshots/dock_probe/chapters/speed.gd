@@ -21,11 +21,11 @@ func read() -> void:
 	await begin_with(entries)
 	expect(names().size(), COUNT, "entries")
 	await select(["k"])
-	(part("Bottom/Coefficients") as FoldableContainer).expand()
+	coefficients().expand()
 	await _slide()
 	await _type()
 	await _add()
-	(part("Bottom/Coefficients") as FoldableContainer).fold()
+	coefficients().fold()
 
 
 func _slide() -> void:

@@ -1,6 +1,7 @@
 @tool
 extends Node3D
-## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one.
+## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
+## the usual width unless its attribute "line_width" tells another one in pixels.
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
@@ -10,10 +11,25 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
+## Line widths in pixels, and what is added to them.
+const LINE_WIDTH := 2.0
+const SELECTED_EXTRA := 1.0
+const HOVERED_EXTRA := 1.6
+const THINNEST := 0.25
+const THICKEST := 20.0
+
+## Before a light background nothing is lighter.
+const LIGHTEST := 0.42
 
 var scene: GAScene: set = set_scene
+## Whether what is behind the objects is light; their colours are then darker where they have to.
+var on_light := false: set = set_on_light
+## Entries that something else draws in the same place.
+var left_out := PackedStringArray(): set = set_left_out
 
 var _nodes: Dictionary[String, GANode3D] = {}
+var _hovered := ""
+var _selected := PackedStringArray()
 
 
 func set_scene(new_scene: GAScene) -> void:
@@ -28,9 +44,34 @@ func set_scene(new_scene: GAScene) -> void:
 		_draw()
 
 
+func set_on_light(value: bool) -> void:
+	on_light = value
+	if scene != null:
+		_draw()
+
+
+func set_left_out(entries: PackedStringArray) -> void:
+	left_out = entries
+	for entry in _nodes:
+		_nodes[entry].visible = not left_out.has(entry)
+
+
 ## The node that draws an entry, or null.
 func find_node_of(entry: String) -> GANode3D:
 	return _nodes.get(entry)
+
+
+func get_nodes() -> Array[GANode3D]:
+	return Array(_nodes.values(), TYPE_OBJECT, &"GANode3D", null)
+
+
+## Draws the one under the mouse, and those that are selected, with wider lines.
+func emphasize(hovered: String, selected: PackedStringArray) -> void:
+	_hovered = hovered
+	_selected = selected
+	for entry in _nodes:
+		if scene.has_entry(entry):
+			_nodes[entry].line_width = _width_of(entry)
 
 
 static func color_of(of_scene: GAScene, entry: String) -> Color:
@@ -44,6 +85,11 @@ static func color_of(of_scene: GAScene, entry: String) -> Color:
 	return COLORS.get(value.classify(is_dual)["kind"], OTHER_COLOR)
 
 
+static func width_of(of_scene: GAScene, entry: String) -> float:
+	var own: Variant = of_scene.get_entry_attribute(entry, "line_width")
+	return clampf(own, THINNEST, THICKEST) if own is float else LINE_WIDTH
+
+
 func _draw() -> void:
 	for entry: String in _nodes.keys():
 		if not scene.has_entry(entry):
@@ -52,13 +98,26 @@ func _draw() -> void:
 	for entry in scene.get_names():
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
-		_nodes[entry].color = color_of(scene, entry)
+		_nodes[entry].color = _on_background(color_of(scene, entry))
+		_nodes[entry].line_width = _width_of(entry)
 		_nodes[entry].show_label = scene.get_entry_attribute(entry, "label")
+
+
+func _on_background(color: Color) -> Color:
+	var factor := LIGHTEST / maxf(color.get_luminance(), LIGHTEST) if on_light else 1.0
+	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
+
+
+func _width_of(entry: String) -> float:
+	var extra := SELECTED_EXTRA if _selected.has(entry) else 0.0
+	return width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)
 
 
 func _make_node(entry: String) -> GANode3D:
 	var node := GANode3D.new()
 	node.scene = scene
 	node.entry = entry
+	node.line_width = _width_of(entry)
+	node.visible = not left_out.has(entry)
 	add_child(node)
 	return node

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The meshes of the demo's cubes: a solid one whose faces tell the axes apart, and its bare edges.
 

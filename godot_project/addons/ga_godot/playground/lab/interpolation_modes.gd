@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## How each interpolation mode is named, explained and coloured; indexed by MultivectorLerp.Mode.
 
@@ -13,3 +14,5 @@ const COLORS: Array[Color] = [
 	Color(0.22, 0.83, 0.75),
 	Color(0.72, 0.56, 1.0),
 ]
+## Of the expression language.
+const FUNCTIONS: Array[String] = ["interpolate_linear", "interpolate_screw", "interpolate_separate"]

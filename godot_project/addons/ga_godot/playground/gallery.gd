@@ -1,0 +1,51 @@
+@tool
+extends RefCounted
+## The examples that come with the addon, in the order in which they are best read.
+
+const FOLDER := "res://addons/ga_godot/gallery"
+
+## By file name without ending: the title.
+const EXAMPLES: Dictionary[String, String] = {
+	"circle_through_points": "Circle through three points",
+	"sphere_through_points": "Sphere through four points",
+	"join_and_meet": "Join and meet",
+	"sphere_and_plane": "Sphere and plane: real, tangent, imaginary",
+	"three_spheres": "Two spheres, three spheres",
+	"reflection": "Reflection in a plane",
+	"inversion": "Inversion in a sphere",
+	"two_pencils": "Two pencils",
+	"turn_by_two_mirrors": "A turn is two mirrors",
+	"shift_by_two_mirrors": "A shift is two parallel mirrors",
+	"cube_between_poses": "A cube between two poses",
+	"blending_methods": "Three ways from pose to pose",
+	"shell": "A motion that turns and scales",
+	"robot_arm": "A robot arm",
+	"apollonius": "The problem of Apollonius",
+	"hexlet": "Soddy's hexlet",
+	"hopf_circles": "Villarceau and Hopf circles",
+}
+
+
+static func list() -> PackedStringArray:
+	return PackedStringArray(EXAMPLES.keys())
+
+
+static func path_of(example: String) -> String:
+	return FOLDER.path_join(example + ".json")
+
+
+## The document, or null, in which case error_of says why.
+static func load_example(example: String) -> GAScene:
+	if not error_of(example).is_empty():
+		return null
+	var scene := GAScene.new()
+	return scene if scene.load_json(FileAccess.get_file_as_string(path_of(example))) == OK else null
+
+
+## Why an example cannot be opened; empty if it can.
+static func error_of(example: String) -> String:
+	if not EXAMPLES.has(example):
+		return "There is no example named \"%s\"." % example
+	if not FileAccess.file_exists(path_of(example)):
+		return "%s is missing. Copy the whole folder addons/ga_godot into the project, or export it with *.json files." % path_of(example)
+	return ""

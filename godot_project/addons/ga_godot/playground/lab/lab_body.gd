@@ -1,0 +1,58 @@
+@tool
+extends RefCounted
+## What is drawn at a pose: a cube, or a frame of axes.
+
+const CubeMesh := preload("cube_mesh.gd")
+const FrameMesh := preload("frame_mesh.gd")
+
+const CUBE := &"cube"
+const FRAME := &"frame"
+const KINDS: Array[StringName] = [FRAME, CUBE]
+const TITLES: Dictionary[StringName, String] = {CUBE: "Cube", FRAME: "Frame"}
+
+const THICKNESS := 0.022
+const GHOST_THICKNESS := 0.014
+const GHOST_ALPHA := 0.45
+
+
+## The body itself, in the colour of its mode at the edges or the hub.
+static func solid(kind: StringName, color: Color) -> ArrayMesh:
+	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS)
+	mesh.surface_set_material(0, _with_vertex_colors(1.0))
+	if kind == CUBE:
+		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS).surface_get_arrays(0))
+	else:
+		FrameMesh.add_hub(mesh)
+	mesh.surface_set_material(1, _of_one_color(color))
+	return mesh
+
+
+## Where the body is on its way.
+static func ghost(kind: StringName, color: Color) -> ArrayMesh:
+	var faint := Color(color, GHOST_ALPHA)
+	if kind == CUBE:
+		var edges := CubeMesh.frame(GHOST_THICKNESS)
+		edges.surface_set_material(0, _of_one_color(faint))
+		return edges
+	var mesh := FrameMesh.axes(GHOST_THICKNESS)
+	mesh.surface_set_material(0, _with_vertex_colors(GHOST_ALPHA))
+	FrameMesh.add_hub(mesh)
+	mesh.surface_set_material(1, _of_one_color(faint))
+	return mesh
+
+
+static func _of_one_color(color: Color) -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.albedo_color = color
+	if color.a < 1.0:
+		material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	return material
+
+
+# Without light: a scene need not have any.
+static func _with_vertex_colors(alpha: float) -> StandardMaterial3D:
+	var material := _of_one_color(Color(1.0, 1.0, 1.0, alpha))
+	material.vertex_color_use_as_albedo = true
+	material.vertex_color_is_srgb = true
+	return material

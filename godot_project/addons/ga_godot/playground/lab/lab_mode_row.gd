@@ -1,0 +1,78 @@
+@tool
+extends VBoxContainer
+## One way between the poses: whether it is drawn, its colour, the pose at t, and how far it is from the screw.
+
+const PlaygroundStyle := preload("../playground_style.gd")
+const InterpolationLab := preload("interpolation_lab.gd")
+const LabSettings := preload("lab_settings.gd")
+const LabWords := preload("lab_words.gd")
+const Modes := preload("interpolation_modes.gd")
+
+const SWATCH := Vector2(4.0, 16.0)
+const INDENT := 14.0
+const QUIET := Color(1, 1, 1, 0.65)
+const FAINT := Color(1, 1, 1, 0.35)
+
+var _lab: InterpolationLab
+var _mode: MultivectorLerp.Mode
+var _toggle := CheckBox.new()
+var _indent := MarginContainer.new()
+var _words := Label.new()
+var _deviation := ""
+var _width := 0.0
+
+
+func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
+	_lab = lab
+	_mode = mode
+	name = Modes.TITLES[mode]
+	add_theme_constant_override(&"separation", 0)
+	_toggle.name = "Toggle"
+	_toggle.text = Modes.TITLES[mode]
+	_toggle.tooltip_text = Modes.LINES[mode] + "."
+	_toggle.toggled.connect(func(on: bool) -> void: _lab.set_setting(LabSettings.MODES[_mode], on))
+	var line := HBoxContainer.new()
+	line.add_child(_make_swatch(Modes.COLORS[mode]))
+	line.add_child(_toggle)
+	add_child(line)
+	_indent.add_theme_constant_override(&"margin_left", roundi(INDENT * PlaygroundStyle.scale()))
+	add_child(_indent)
+	_words.name = "Words"
+	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_words.modulate = QUIET
+	_words.mouse_filter = Control.MOUSE_FILTER_PASS
+	_indent.add_child(_words)
+
+
+func refresh() -> void:
+	var is_shown := _lab.shows_mode(_mode)
+	_toggle.set_pressed_no_signal(is_shown)
+	# Told all the same: nothing moves away from under the mouse.
+	_words.modulate = QUIET if is_shown else FAINT
+	_measure()
+	refresh_moment()
+
+
+func refresh_moment() -> void:
+	_words.text = LabWords.pose(_lab.get_moment(_mode)) + _deviation
+	# It grows, but does not jump while t moves.
+	_words.custom_minimum_size.y = _words.size.y if _words.size.x == _width else 0.0
+	_width = _words.size.x
+
+
+func _measure() -> void:
+	if _mode == MultivectorLerp.SCREW:
+		_deviation = ""
+		return
+	_deviation = "\n" + LabWords.deviation(_lab.measure(_mode, MultivectorLerp.SCREW))
+	var lever: float = _lab.get_setting(&"lever")
+	_words.tooltip_text = "The pose at t, and the largest deviation on the way. The distance is that of a point %s from the body's origin, of all such points the one that fares worst." % LabWords.length(lever)
+
+
+static func _make_swatch(color: Color) -> Control:
+	var swatch := ColorRect.new()
+	swatch.color = color
+	swatch.custom_minimum_size = SWATCH * PlaygroundStyle.scale()
+	swatch.size_flags_vertical = Control.SIZE_SHRINK_CENTER
+	swatch.mouse_filter = Control.MOUSE_FILTER_IGNORE
+	return swatch

@@ -1,0 +1,183 @@
+@tool
+extends RefCounted
+## The two entries that are interpolated: their motors, followed through changes of their values and names, and in words what
+## is wrong with them.
+
+const PlaygroundDocument := preload("../playground_document.gd")
+const LabSettings := preload("lab_settings.gd")
+
+## A pose, a name, what can be chosen, or what is wrong.
+signal changed
+
+const NUMBER := "value"
+const TOO_FEW := "Add two motors, such as motor(e1, rotor(e3, deg(90))): they are the poses to go between."
+
+var from_name := ""
+var to_name := ""
+## Null where there is none.
+var from: Multivector
+var to: Multivector
+## What is wrong, and what to do; empty if nothing is.
+var fault := ""
+## What happened to the entries by itself; empty if nothing did.
+var notice := ""
+
+var _document: PlaygroundDocument
+var _scene: GAScene
+var _is_watching := false
+var _chosen_from := ""
+var _chosen_to := ""
+## Each entry that can be chosen, in no order.
+var _candidates: Dictionary[String, bool] = {}
+## Where the two are in the document, to know them again under another name.
+var _from_index := -1
+var _to_index := -1
+
+
+func _init(document: PlaygroundDocument) -> void:
+	_document = document
+	_document.scene_switched.connect(_on_scene_switched)
+	_document.changed.connect(_note_places)
+
+
+func set_watching(watching: bool) -> void:
+	_is_watching = watching
+	_on_scene_switched()
+
+
+## The entries of the settings; empty names for the first two that can be.
+func choose(from_entry: String, to_entry: String) -> void:
+	if from_entry == _chosen_from and to_entry == _chosen_to:
+		return
+	_chosen_from = from_entry
+	_chosen_to = to_entry
+	notice = ""
+	if _is_watching:
+		_update()
+
+
+func is_complete() -> bool:
+	return from != null and to != null
+
+
+## What can be chosen, in the order of the document.
+func get_candidates() -> PackedStringArray:
+	var names := PackedStringArray()
+	if not _candidates.is_empty():
+		for entry in _document.scene.get_names():
+			if _candidates.has(entry):
+				names.append(entry)
+	return names
+
+
+func is_candidate(entry: String) -> bool:
+	return _candidates.has(entry)
+
+
+func _on_scene_switched() -> void:
+	if _scene != null:
+		_scene.entries_changed.disconnect(_on_entries_changed)
+	_scene = _document.scene if _is_watching else null
+	_candidates.clear()
+	notice = ""
+	from = null
+	to = null
+	if _scene != null:
+		_scene.entries_changed.connect(_on_entries_changed)
+		_sort_out(_scene.get_names())
+		_update()
+
+
+func _on_entries_changed(names: PackedStringArray) -> void:
+	var has_other_candidates := _sort_out(names)
+	if has_other_candidates or names.has(from_name) or names.has(to_name):
+		notice = ""
+		if not _follow_names(names):
+			_update()
+		changed.emit()
+
+
+# Whether others can be chosen now.
+func _sort_out(names: PackedStringArray) -> bool:
+	var is_other := false
+	for entry in names:
+		var value := _scene.get_value(entry) if _scene.has_entry(entry) else null
+		# A number is a motor, too: one that does nothing. One with a slider is hardly meant as a pose.
+		var fits := value != null and value.is_motor() and not _scene.get_parameters(entry).has(NUMBER)
+		if fits != _candidates.has(entry):
+			is_other = true
+			if fits:
+				_candidates[entry] = true
+			else:
+				_candidates.erase(entry)
+	return is_other
+
+
+# An entry that is gone while another stands in its place with its value has been renamed; whether one has.
+func _follow_names(names: PackedStringArray) -> bool:
+	var new_from := _renamed(_chosen_from, from, _from_index, names)
+	var new_to := _renamed(_chosen_to, to, _to_index, names)
+	if new_from == _chosen_from and new_to == _chosen_to:
+		return false
+	var words := PackedStringArray()
+	if new_from != _chosen_from:
+		words.append("%s is called %s now." % [_chosen_from, new_from])
+	if new_to != _chosen_to and _chosen_to != _chosen_from:
+		words.append("%s is called %s now." % [_chosen_to, new_to])
+	_chosen_from = new_from
+	_chosen_to = new_to
+	_update()
+	# Belongs to the step that renamed; it follows again when that is undone or done again.
+	LabSettings.write(_scene, &"from", new_from)
+	LabSettings.write(_scene, &"to", new_to)
+	notice = " ".join(words)
+	return true
+
+
+func _renamed(entry: String, value: Multivector, index: int, names: PackedStringArray) -> String:
+	if entry.is_empty() or value == null or _scene.has_entry(entry) or index < 0 or index >= _scene.get_entry_count():
+		return entry
+	var other := _scene.get_names()[index]
+	var is_new := names.has(other) and _scene.get_value(other) != null
+	return other if is_new and _scene.get_value(other).coefficients == value.coefficients else entry
+
+
+func _update() -> void:
+	from_name = _chosen_from
+	to_name = _chosen_to
+	var names := PackedStringArray() if not from_name.is_empty() and not to_name.is_empty() else get_candidates()
+	for entry in names:
+		if from_name.is_empty() and entry != to_name:
+			from_name = entry
+		elif to_name.is_empty() and entry != from_name:
+			to_name = entry
+	var faults := PackedStringArray()
+	from = _motor_of(from_name, faults)
+	to = _motor_of(to_name, faults)
+	fault = TOO_FEW if from_name.is_empty() or to_name.is_empty() else " ".join(faults)
+	_note_places()
+
+
+func _motor_of(entry: String, faults: PackedStringArray) -> Multivector:
+	if entry.is_empty():
+		return null
+	if not _scene.has_entry(entry):
+		faults.append("%s is gone: choose another, or undo." % entry)
+		return null
+	var value := _scene.get_value(entry)
+	if value == null:
+		faults.append("%s has no value: %s." % [entry, _scene.get_error(entry).trim_suffix(".")])
+		return null
+	if not value.is_motor():
+		faults.append("%s is no motor: choose a product of translators, rotors and dilators." % entry)
+		return null
+	if not value.to_transform().is_finite():
+		faults.append("%s is too large to be drawn." % entry)
+		return null
+	return value
+
+
+func _note_places() -> void:
+	if _scene != null:
+		_from_index = _scene.get_index(from_name) if _scene.has_entry(from_name) else -1
+		_to_index = _scene.get_index(to_name) if _scene.has_entry(to_name) else -1

@@ -1,0 +1,43 @@
+@tool
+extends RefCounted
+## The mesh of a path for path_ribbon.gdshader.
+
+## Points nearer than this, in metres, are one.
+const NEAREST := 1e-5
+
+
+## Shows the path in the mesh; nothing where it does not lead anywhere.
+static func build(mesh: ArrayMesh, points: PackedVector3Array) -> void:
+	mesh.clear_surfaces()
+	var line := _without_repeats(points)
+	var count := line.size()
+	if count < 2:
+		return
+	var vertices := PackedVector3Array()
+	var directions := PackedVector3Array()
+	var sides := PackedVector2Array()
+	vertices.resize(2 * count)
+	directions.resize(2 * count)
+	sides.resize(2 * count)
+	for i in count:
+		var direction := (line[mini(i + 1, count - 1)] - line[maxi(i - 1, 0)]).normalized()
+		vertices[2 * i] = line[i]
+		vertices[2 * i + 1] = line[i]
+		directions[2 * i] = direction
+		directions[2 * i + 1] = direction
+		sides[2 * i] = Vector2(-1.0, 0.0)
+		sides[2 * i + 1] = Vector2(1.0, 0.0)
+	var arrays: Array = []
+	arrays.resize(Mesh.ARRAY_MAX)
+	arrays[Mesh.ARRAY_VERTEX] = vertices
+	arrays[Mesh.ARRAY_NORMAL] = directions
+	arrays[Mesh.ARRAY_TEX_UV] = sides
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLE_STRIP, arrays)
+
+
+static func _without_repeats(points: PackedVector3Array) -> PackedVector3Array:
+	var line := PackedVector3Array()
+	for point in points:
+		if line.is_empty() or line[-1].distance_squared_to(point) > NEAREST * NEAREST:
+			line.append(point)
+	return line

@@ -1,0 +1,80 @@
+@tool
+extends RefCounted
+## Objects that are added by a click into the view: on the sphere or plane that is hit, else on the ground y = 0.
+
+const EntryEdits := preload("../entry_edits.gd")
+const NewObjects := preload("../new_objects.gd")
+const Picking := preload("picking.gd")
+const SceneDrawing := preload("scene_drawing.gd")
+const ViewRay := preload("view_ray.gd")
+const ViewScale := preload("view_scale.gd")
+
+## Of radii, in pixels.
+const SIZE := 70.0
+## Where nothing is hit, in metres from the eye; and beyond which the ground is not taken.
+const DEPTH := 5.0
+const FARTHEST := 1000.0
+## %s: the place, the direction of the surface, a length, a second place; what is beside it is left out.
+const EXPRESSIONS: Dictionary[StringName, String] = {
+	&"point": "point({place})",
+	&"pair": "point_pair(point({place}), point({other}))",
+	&"line": "line(point({place}), {normal})",
+	&"circle": "circle(point({place}), {normal}, {length})",
+	&"plane": "plane({normal}, {distance})",
+	&"sphere": "sphere(point({place}), {length})",
+	&"motor": "motor(vector({place}), rotor({normal}, deg(90)), 1)",
+	&"scalar": "1",
+}
+const AXES: Dictionary[Vector3, String] = {
+	Vector3.RIGHT: "e1", Vector3.UP: "e2", Vector3.BACK: "e3", Vector3.LEFT: "-e1", Vector3.DOWN: "-e2", Vector3.FORWARD: "-e3",
+}
+
+
+## In the space of the drawing: "place", and "normal" of the surface, which faces the eye.
+static func find_place(drawing: SceneDrawing, camera: Camera3D, point: Vector2) -> Dictionary[String, Vector3]:
+	var ray := ViewRay.new(camera, point, drawing.global_transform)
+	var place := ray.meet_plane(Vector3.UP, 0.0)
+	var normal := Vector3.UP
+	if place.distance_to(ray.origin) > FARTHEST:
+		place = Vector3.INF
+	for node in drawing.get_nodes():
+		var facts := Picking.classify(node)
+		var found := Vector3.INF
+		var across := Vector3.UP
+		if facts.get("kind") == &"plane":
+			across = facts["normal"]
+			found = ray.meet_plane(across, facts["distance"] as float)
+		elif facts.get("kind") == &"sphere" and not facts["imaginary"]:
+			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
+			across = (found - (facts["center"] as Vector3)).normalized()
+		if found.is_finite() and node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point)) and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST):
+			place = found
+			normal = across if across.dot(ray.direction) < 0.0 else -across
+	if not place.is_finite():
+		place = ray.origin + ray.direction * DEPTH
+	return {"place": place, "normal": normal}
+
+
+## The name of the new entry.
+static func add(edits: EntryEdits, drawing: SceneDrawing, kind: StringName, camera: Camera3D, point: Vector2, snaps: bool) -> String:
+	var found := find_place(drawing, camera, point)
+	var pixel := ViewScale.pixel(camera, drawing.global_transform * found["place"])
+	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
+	var length := ViewScale.round_length(pixel, SIZE * ViewScale.PlaygroundStyle.scale())
+	var place := found["place"].snappedf(step)
+	var normal := found["normal"].snappedf(0.001)
+	var expression := EXPRESSIONS[kind].format({
+		"place": _coordinates(place, step), "other": _coordinates((place + found["normal"] * length).snappedf(step), step),
+		"normal": AXES.get(normal, "vector(%s)" % _coordinates(normal, 0.001)), "length": String.num(length).trim_suffix(".0"),
+		"distance": _number(found["normal"].dot(place), step),
+	})
+	return edits.add("", expression, false, kind)
+
+
+static func _coordinates(vector: Vector3, step: float) -> String:
+	return "%s, %s, %s" % [_number(vector.x, step), _number(vector.y, step), _number(vector.z, step)]
+
+
+static func _number(value: float, step: float) -> String:
+	# Without the sign of a zero.
+	return String.num(snappedf(value, step) + 0.0, maxi(0, roundi(-log(step) / log(10.0)))).trim_suffix(".0")

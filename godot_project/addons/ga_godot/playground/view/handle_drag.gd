@@ -1,0 +1,47 @@
+@tool
+extends RefCounted
+## One drag of a handle, from its beginning to its end: one step of the history, or none if it is taken back.
+
+const PlaygroundDocument := preload("../playground_document.gd")
+const ViewHandle := preload("view_handle.gd")
+const ViewRay := preload("view_ray.gd")
+const ViewScale := preload("view_scale.gd")
+
+## As it was when the drag began.
+var start: ViewHandle
+var entry: String
+
+var _document: PlaygroundDocument
+var _before := ""
+# From the handle to the mouse, in pixels.
+var _offset: Vector2
+
+
+func _init(document: PlaygroundDocument, handle: ViewHandle, mouse: Vector2) -> void:
+	_document = document
+	start = handle
+	entry = handle.node.entry
+	_offset = mouse - handle.place
+	_before = document.scene.document
+	_document.begin_gesture()
+
+
+## On a level: what moves freely stays at its height.
+func move(camera: Camera3D, mouse: Vector2, snaps: bool, on_level: bool) -> void:
+	if not is_instance_valid(start.node) or not start.node.is_inside_tree() or not _document.scene.has_entry(entry):
+		return
+	var space := start.node.global_transform
+	var ray := ViewRay.new(camera, mouse - _offset, space)
+	var pixel := ViewScale.pixel(camera, space * (start.handle["place"] as Vector3)) / space.basis.x.length()
+	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
+	var angle := ViewScale.COARSE_ANGLE if snaps else ViewScale.FINE_ANGLE
+	_document.scene.drag_handle(entry, start.handle, ray.origin, ray.direction, Vector3.UP if on_level else ray.view, step, angle)
+
+
+func end() -> void:
+	_document.end_gesture("Drag %s of %s" % [start.key(), entry])
+
+
+func take_back() -> void:
+	_document.scene.document = _before
+	end()

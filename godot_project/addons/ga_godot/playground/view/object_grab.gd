@@ -1,0 +1,33 @@
+@tool
+extends RefCounted
+## Where an object is taken hold of by the mouse, away from its handles.
+
+const Picking := preload("picking.gd")
+const ViewHandle := preload("view_handle.gd")
+const ViewRay := preload("view_ray.gd")
+
+
+## The handle that moves the object, to be dragged so that what is under the mouse stays there; null if nothing moves it.
+static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle:
+	for handle: ViewHandle in ViewHandle.of(node, camera):
+		if handle.handle["moves_body"]:
+			var place: Vector3 = handle.handle["place"]
+			var grabbed := _point_under(node, ViewRay.new(camera, point, node.global_transform), place)
+			handle.handle["grab"] = grabbed - place if grabbed.is_finite() else Vector3.ZERO
+			# By the mouse itself, not by where the handle is on the screen.
+			handle.place = point
+			return handle
+	return null
+
+
+static func _point_under(node: GANode3D, ray: ViewRay, place: Vector3) -> Vector3:
+	var facts := Picking.classify(node)
+	var found := Vector3.INF
+	match facts.get("kind", &""):
+		&"sphere":
+			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
+		&"plane":
+			found = ray.meet_plane(facts["normal"] as Vector3, facts["distance"] as float)
+		&"line":
+			found = ray.meet_line(facts["center"] as Vector3, facts["direction"] as Vector3)
+	return found if found.is_finite() else ray.meet_plane(ray.view, place.dot(ray.view))

@@ -1,0 +1,53 @@
+@tool
+extends RefCounted
+## A handle as a camera sees it.
+
+const ViewScale := preload("view_scale.gd")
+
+## In pixels, of what is the tip of an arm.
+const ARM := 60.0
+
+## What draws the object; the handle is in its space.
+var node: GANode3D
+## One of GAScene.get_handles().
+var handle: Dictionary
+## On the screen: the handle, and where the line to it begins.
+var place: Vector2
+var stem: Vector2
+## In front of the eye.
+var is_visible: bool
+
+
+func _init(p_node: GANode3D, p_handle: Dictionary, camera: Camera3D) -> void:
+	node = p_node
+	handle = p_handle
+	var space := node.global_transform
+	var from: Vector3 = handle["stem"]
+	if handle["is_arm"]:
+		var length := ARM * ViewScale.PlaygroundStyle.scale() * ViewScale.pixel(camera, space * from) / space.basis.x.length()
+		handle["place"] = from + (handle["place"] as Vector3 - from) * length
+	var in_world := space * (handle["place"] as Vector3)
+	is_visible = not camera.is_position_behind(in_world)
+	if is_visible:
+		place = camera.unproject_position(in_world)
+		stem = place if camera.is_position_behind(space * from) else camera.unproject_position(space * from)
+
+
+func key() -> String:
+	return handle["key"]
+
+
+func is_same(other: RefCounted) -> bool:
+	return other != null and other.get(&"node") == node and (other.get(&"handle") as Dictionary)["key"] == handle["key"]
+
+
+## Those of an entry, that of the whole object last, so that it is found first where two are in one place.
+static func of(of_node: GANode3D, camera: Camera3D) -> Array[RefCounted]:
+	var found: Array[RefCounted] = []
+	var scene := of_node.scene
+	if scene == null or not scene.has_entry(of_node.entry) or not of_node.is_visible_in_tree() or not scene.get_entry_attribute(of_node.entry, "visible"):
+		return found
+	var right := of_node.global_transform.affine_inverse().basis * camera.global_basis.x
+	for each in scene.get_handles(of_node.entry, right):
+		found.append(new(of_node, each, camera))
+	return found

@@ -1,0 +1,269 @@
+@tool
+extends RefCounted
+## The mouse over a view of a document: hovers, selects, drags handles and objects, adds objects. Give it every event of the
+## view; it says which it used. The editor's viewports and a game's view are the same to it.
+
+const PlaygroundDocument := preload("../playground_document.gd")
+const EntryEdits := preload("../entry_edits.gd")
+const EntryList := preload("../entry_list.gd")
+const ClickAdding := preload("click_adding.gd")
+const HandleDrag := preload("handle_drag.gd")
+const ObjectGrab := preload("object_grab.gd")
+const Picking := preload("picking.gd")
+const SceneDrawing := preload("scene_drawing.gd")
+const ViewHandle := preload("view_handle.gd")
+
+## What is drawn over the view has to be drawn anew.
+signal redraw_needed
+## Also when it ends.
+signal adding_changed
+
+## In pixels: a click moves less.
+const CLICK := 4.0
+
+## The kind of NewObjects.KINDS that a click adds; empty for none.
+var adding := &"": set = set_adding
+## The kind that a double click beside all objects adds; empty for none.
+var double_click_adds := &""
+## Whether planes and spheres are taken by their faces, too, which may be all over the view.
+var takes_faces := true
+## Whether an object is taken at that place of the screen, for which the camera and the place are given.
+var may_take := func(_camera: Camera3D, _point: Vector2) -> bool: return true
+## Whether a click beside all objects selects nothing.
+var clears_selection := true
+## What draws entries of the document beside the drawing, with handles as well.
+var other_nodes: Array[GANode3D] = []
+
+var document: PlaygroundDocument
+var drawing: SceneDrawing
+var hovered_handle: ViewHandle
+var hovered_node: GANode3D
+## Where the mouse was last, and by which camera it was seen there.
+var mouse := Vector2.INF
+var mouse_camera: Camera3D
+
+var _edits: EntryEdits
+var _list: EntryList
+var _drag: HandleDrag
+# Pressed, but not moved yet.
+var _pressed: ViewHandle
+# What a click selects when it ends.
+var _pressed_selects := ""
+var _pressed_adds := false
+var _pressed_at := Vector2.INF
+var _pressed_beside := false
+
+
+func _init(p_drawing: SceneDrawing, p_document: PlaygroundDocument, edits: EntryEdits, list: EntryList) -> void:
+	drawing = p_drawing
+	document = p_document
+	_edits = edits
+	_list = list
+	document.scene_switched.connect(_on_scene_switched)
+	document.changed.connect(redraw_needed.emit)
+	list.selection_changed.connect(_on_selection_changed)
+	_on_scene_switched()
+
+
+func set_adding(kind: StringName) -> void:
+	if adding != kind:
+		adding = kind
+		adding_changed.emit()
+		_hover(null, null)
+		redraw_needed.emit()
+
+
+func is_dragging() -> bool:
+	return _drag != null
+
+
+func get_drag() -> HandleDrag:
+	return _drag
+
+
+func get_selection() -> PackedStringArray:
+	return _list.selection
+
+
+## Of the selected entries.
+func get_handles(camera: Camera3D) -> Array[RefCounted]:
+	var found: Array[RefCounted] = []
+	for node in get_nodes():
+		if _list.selection.has(String(node.entry)):
+			found.append_array(ViewHandle.of(node, camera))
+	return found
+
+
+## All that draw entries of the document.
+func get_nodes() -> Array[GANode3D]:
+	var nodes: Array[GANode3D] = []
+	if drawing.is_visible_in_tree():
+		nodes = drawing.get_nodes()
+	for node in other_nodes:
+		if is_instance_valid(node) and node.is_inside_tree() and node.scene == document.scene:
+			nodes.append(node)
+	return nodes
+
+
+## True if the event was for the playground, and for nobody else.
+func handle_input(event: InputEvent, camera: Camera3D) -> bool:
+	var key := event as InputEventKey
+	if key != null:
+		return key.pressed and key.keycode == KEY_ESCAPE and _escape()
+	var motion := event as InputEventMouseMotion
+	if motion != null:
+		return _move(motion, camera)
+	var button := event as InputEventMouseButton
+	if button == null:
+		return false
+	if button.button_index == MOUSE_BUTTON_RIGHT and button.pressed and _drag != null:
+		return take_back()
+	if button.button_index != MOUSE_BUTTON_LEFT:
+		return false
+	return _press(button, camera) if button.pressed else _release(button)
+
+
+## Ends a drag as if it had not been; false if there is none.
+func take_back() -> bool:
+	var drag := _drag
+	_forget_press()
+	if drag != null:
+		drag.take_back()
+	return drag != null
+
+
+## The mouse has left the view.
+func leave() -> void:
+	mouse = Vector2.INF
+	_hover(null, null)
+	redraw_needed.emit()
+
+
+func _escape() -> bool:
+	if take_back():
+		return true
+	var was_adding := not adding.is_empty()
+	adding = &""
+	return was_adding
+
+
+func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
+	mouse = motion.position
+	mouse_camera = camera
+	if _drag == null and _pressed != null and mouse.distance_to(_pressed_at) >= CLICK:
+		_drag = HandleDrag.new(document, _pressed, _pressed_at)
+	if _drag != null:
+		if not motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
+			# The release was somewhere else.
+			_end_drag()
+			return false
+		_drag.move(camera, mouse, motion.is_command_or_control_pressed(), motion.shift_pressed)
+		redraw_needed.emit()
+		return true
+	if _pressed_at.is_finite() and not _pressed_beside:
+		return true
+	if motion.button_mask == 0:
+		_hover_at(camera, mouse)
+	return false
+
+
+func _press(button: InputEventMouseButton, camera: Camera3D) -> bool:
+	if _drag != null:
+		_end_drag()
+	_forget_press()
+	_pressed_at = button.position
+	var snaps := button.is_command_or_control_pressed()
+	if not adding.is_empty():
+		_select([ClickAdding.add(_edits, drawing, adding, camera, button.position, snaps)])
+		return true
+	_hover_at(camera, button.position)
+	if hovered_handle != null:
+		_pressed = hovered_handle
+		_pressed_selects = String(hovered_handle.node.entry)
+		_pressed_adds = snaps or button.shift_pressed
+		return true
+	if hovered_node != null:
+		_select_object(String(hovered_node.entry), snaps or button.shift_pressed)
+		_pressed = ObjectGrab.take(hovered_node, camera, button.position)
+		return true
+	if button.double_click and not double_click_adds.is_empty():
+		_select([ClickAdding.add(_edits, drawing, double_click_adds, camera, button.position, snaps)])
+		return true
+	_pressed_beside = true
+	return false
+
+
+func _release(button: InputEventMouseButton) -> bool:
+	var was_used := _pressed_at.is_finite() and not _pressed_beside
+	if _drag != null:
+		_end_drag()
+	elif document.scene.has_entry(_pressed_selects):
+		# Handles lie before their objects: a click is for the object.
+		_select_object(_pressed_selects, _pressed_adds)
+	elif _pressed_beside and clears_selection and button.position.distance_to(_pressed_at) < CLICK:
+		_select([])
+	_forget_press()
+	return was_used
+
+
+func _end_drag() -> void:
+	_drag.end()
+	_forget_press()
+	redraw_needed.emit()
+
+
+func _forget_press() -> void:
+	_drag = null
+	_pressed = null
+	_pressed_selects = ""
+	_pressed_beside = false
+	_pressed_at = Vector2.INF
+
+
+func _select_object(entry: String, adding_to_others: bool) -> void:
+	var chosen := _list.selection.duplicate() if adding_to_others else PackedStringArray()
+	if adding_to_others and chosen.has(entry):
+		chosen.remove_at(chosen.find(entry))
+	elif not chosen.has(entry):
+		chosen.append(entry)
+	_select(chosen)
+
+
+func _select(entries: PackedStringArray) -> void:
+	_list.select(entries)
+	if entries.size() == 1:
+		_list.scroll_to.call_deferred(entries[0])
+
+
+func _hover_at(camera: Camera3D, point: Vector2) -> void:
+	if not adding.is_empty():
+		_hover(null, null)
+		redraw_needed.emit()
+		return
+	var handle := Picking.find_handle(get_handles(camera), point)
+	var node: GANode3D = null
+	if handle == null and may_take.call(camera, point):
+		node = Picking.find_object(get_nodes(), camera, point, takes_faces)
+	_hover(handle, node)
+
+
+func _hover(handle: ViewHandle, node: GANode3D) -> void:
+	var is_other := node != hovered_node or (handle == null) != (hovered_handle == null) or (handle != null and not handle.is_same(hovered_handle))
+	hovered_handle = handle
+	hovered_node = node
+	if is_other:
+		drawing.emphasize(String(node.entry) if node != null else "", _list.selection)
+		redraw_needed.emit()
+
+
+func _on_scene_switched() -> void:
+	_forget_press()
+	hovered_handle = null
+	hovered_node = null
+	drawing.scene = document.scene
+	redraw_needed.emit()
+
+
+func _on_selection_changed() -> void:
+	drawing.emphasize(String(hovered_node.entry) if is_instance_valid(hovered_node) else "", _list.selection)
+	redraw_needed.emit()

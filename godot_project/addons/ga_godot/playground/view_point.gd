@@ -1,0 +1,92 @@
+@tool
+extends RefCounted
+## Where a document is looked at from. Kept in the document, as attributes of its scene: "view/from" and "view/to" are
+## places, written as three numbers with commas between them; "view/fov" is the vertical angle in degrees, and
+## "view/background" the colour behind everything.
+
+const ViewPoint := preload("view_point.gd")
+
+const FROM := "view/from"
+const TO := "view/to"
+const FOV := "view/fov"
+const BACKGROUND := "view/background"
+
+const DEFAULT_FROM := Vector3(4.0, 3.0, 7.0)
+const DEFAULT_TO := Vector3(0.0, 0.5, 0.0)
+const DEFAULT_FOV := 40.0
+const DEFAULT_BACKGROUND := Color(0.075, 0.086, 0.11)
+const NARROWEST := 1.0
+const WIDEST := 150.0
+
+var from := DEFAULT_FROM
+var to := DEFAULT_TO
+var fov := DEFAULT_FOV
+var background := DEFAULT_BACKGROUND
+
+
+## That of a document; what it does not say, or says in a way that cannot be used, is as by default.
+static func of(scene: GAScene) -> ViewPoint:
+	var view := ViewPoint.new()
+	view.from = _read_place(scene.get_scene_attribute(FROM), DEFAULT_FROM)
+	view.to = _read_place(scene.get_scene_attribute(TO), DEFAULT_TO)
+	if view.from.is_equal_approx(view.to):
+		view.from = view.to + DEFAULT_FROM - DEFAULT_TO
+	var angle: Variant = scene.get_scene_attribute(FOV)
+	if angle is float:
+		view.fov = clampf(angle, NARROWEST, WIDEST)
+	var color: Variant = scene.get_scene_attribute(BACKGROUND)
+	if color is String:
+		view.background = Color.from_string(color, DEFAULT_BACKGROUND)
+	return view
+
+
+## That of a camera, which looks at a place at this distance.
+static func of_camera(camera: Camera3D, distance: float) -> ViewPoint:
+	var view := ViewPoint.new()
+	view.from = camera.global_position
+	view.to = view.from - camera.global_basis.z.normalized() * maxf(distance, 0.001)
+	view.fov = camera.fov
+	return view
+
+
+## Whether a document says where to look from.
+static func is_told_by(scene: GAScene) -> bool:
+	return scene.get_scene_attribute(FROM) != null
+
+
+## Keeps it in a document.
+func write_to(scene: GAScene) -> void:
+	scene.set_scene_attribute(FROM, _write_place(from))
+	scene.set_scene_attribute(TO, _write_place(to))
+	scene.set_scene_attribute(FOV, snappedf(fov, 0.01))
+
+
+## For a camera in the same space as the drawing.
+func apply_to(camera: Camera3D) -> void:
+	camera.transform = get_transform()
+	camera.fov = fov
+
+
+func get_transform() -> Transform3D:
+	var is_vertical := (to - from).normalized().abs().is_equal_approx(Vector3.UP)
+	return Transform3D(Basis(), from).looking_at(to, Vector3.FORWARD if is_vertical else Vector3.UP)
+
+
+static func _read_place(text: Variant, otherwise: Vector3) -> Vector3:
+	if not text is String:
+		return otherwise
+	var numbers := (text as String).split(",")
+	if numbers.size() != 3:
+		return otherwise
+	for number in numbers:
+		if not number.strip_edges().is_valid_float():
+			return otherwise
+	var place := Vector3(numbers[0].to_float(), numbers[1].to_float(), numbers[2].to_float())
+	return place if place.is_finite() else otherwise
+
+
+static func _write_place(place: Vector3) -> String:
+	var numbers := PackedStringArray()
+	for axis in 3:
+		numbers.append(String.num(place[axis], 3))
+	return ", ".join(numbers)

@@ -1,0 +1,30 @@
+extends MenuButton
+## Which kind of object a click into the view adds.
+
+const NewObjects := preload("res://addons/ga_godot/playground/new_objects.gd")
+const PlaygroundIcons := preload("res://addons/ga_godot/playground/playground_icons.gd")
+
+signal chosen(kind: StringName)
+
+## A number has no place.
+const WITHOUT_PLACE: Array[StringName] = [&"scalar"]
+
+var _kinds: Array[StringName] = []
+
+
+func _ready() -> void:
+	name = "Adding"
+	tooltip_text = "Add objects by clicks into the view"
+	theme_type_variation = &"FlatButton"
+	for kind in NewObjects.KINDS:
+		if not kind in WITHOUT_PLACE:
+			_kinds.append(kind)
+			get_popup().add_item(NewObjects.TITLES[kind])
+	get_popup().index_pressed.connect(func(index: int) -> void: chosen.emit(_kinds[index]))
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
+		icon = get_theme_icon(&"Add", &"EditorIcons")
+		for index in _kinds.size():
+			get_popup().set_item_icon(index, PlaygroundIcons.make(_kinds[index], self))

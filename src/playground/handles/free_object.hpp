@@ -1,0 +1,49 @@
+#pragma once
+
+#include "cga/motor/pose.hpp"
+#include "cga/object/classify.hpp"
+#include "playground/document/document.hpp"
+#include "playground/document/parameters.hpp"
+#include "playground/handles/view_ray.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace playground::handles {
+
+// An entry with a value: what can be set of it, and what it is.
+class FreeObject {
+public:
+	// Empty if there is no such entry, or it has no value.
+	static std::optional<FreeObject> find(const Document &document, std::string_view name);
+
+	[[nodiscard]] bool can_set(std::string_view parameter) const { return literal(parameter) != nullptr; }
+
+	// Of a parameter, or of an argument that is computed. Numbers: `number`.
+	[[nodiscard]] std::optional<Vector> vector(std::string_view name) const;
+	[[nodiscard]] std::optional<double> number(std::string_view name) const;
+	[[nodiscard]] const cga::Quaternion<double> *rotation() const;
+	// Of a list or a sum of blades, without the duals around it.
+	[[nodiscard]] const cga::Multivector *coefficients() const;
+	[[nodiscard]] bool has_argument(std::string_view name) const;
+
+	[[nodiscard]] const cga::Classification &classification() const { return _classification; }
+	// If it is a motor, and not the inverse of the one that is written.
+	[[nodiscard]] const std::optional<cga::Pose<double>> &pose() const { return _pose; }
+
+private:
+	FreeObject(const Document &document, const Entry &entry);
+
+	[[nodiscard]] const LiteralValue *literal(std::string_view parameter) const;
+	[[nodiscard]] std::optional<cga::Multivector> computed(std::string_view argument) const;
+	[[nodiscard]] bool is_as_written(const cga::Pose<double> &pose) const;
+
+	const Document *_document;
+	std::vector<Parameter> _parameters;
+	std::vector<Argument> _arguments;
+	cga::Classification _classification;
+	std::optional<cga::Pose<double>> _pose;
+};
+
+} // namespace playground::handles
