@@ -127,7 +127,7 @@ func begin_with(entries: PackedStringArray) -> void:
 func select(entries: PackedStringArray) -> void:
 	for index in entries.size():
 		part("Entries").call(&"scroll_to", entries[index])
-		await settle(2)
+		await settle()
 		Hands.click(row_part(entries[index], "Words"), MOUSE_BUTTON_LEFT, index > 0)
 
 
@@ -152,6 +152,20 @@ func choose(menu: PopupMenu, item: String) -> void:
 
 func choose_in_file_menu(item: String) -> void:
 	choose(file_menu().get_popup(), item)
+	await settle()
+
+
+## The menu of the dock's tab.
+func choose_in_tab_menu(item: String) -> void:
+	var tabs := dock().get_parent() as TabContainer
+	var bar := tabs.get_tab_bar()
+	var middle := bar.get_tab_rect(tabs.get_tab_idx_from_control(dock())).get_center()
+	Hands.click(bar, MOUSE_BUTTON_RIGHT, false, middle / bar.size)
+	await settle()
+	for menu in plugin.get_tree().root.find_children("*", "DockContextPopup", true, false):
+		for button: Button in menu.find_children("*", "Button", true, false):
+			if button.text == item:
+				press(button)
 	await settle()
 
 

@@ -38,6 +38,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	size_flags_vertical = Control.SIZE_EXPAND_FILL
 	follow_focus = true
+	focus_mode = Control.FOCUS_CLICK
 	_rows.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_rows.add_theme_constant_override(&"separation", 0)
 	add_child(_rows)
@@ -58,6 +59,7 @@ func show_entries() -> void:
 	var names := _document.scene.get_names()
 	var rows := get_rows()
 	for index in range(names.size(), rows.size()):
+		_keep_focus(rows[index])
 		rows[index].entry = ""
 		_rows.remove_child(rows[index])
 		rows[index].queue_free()
@@ -99,6 +101,13 @@ func select(entries: PackedStringArray) -> void:
 	selection = entries
 	_mark_selected()
 	selection_changed.emit()
+
+
+# Keys go on to the list when the row that had them goes.
+func _keep_focus(row: EntryRow) -> void:
+	var focused := get_viewport().gui_get_focus_owner() if is_inside_tree() else null
+	if focused != null and (focused == row or row.is_ancestor_of(focused)):
+		grab_focus()
 
 
 func _mark_selected() -> void:

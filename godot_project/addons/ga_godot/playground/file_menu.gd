@@ -104,6 +104,8 @@ func save(path: String) -> void:
 func save_or_ask() -> void:
 	if _document.path.is_empty():
 		_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
+	elif _document.is_embedded():
+		_host.save_embedding(_document.get_file())
 	else:
 		save(_document.path)
 
@@ -140,7 +142,7 @@ func _on_item_pressed(item: int) -> void:
 
 ## Asks before what is unsaved is lost.
 func unless_unsaved(act: Callable) -> void:
-	if not _document.is_unsaved():
+	if _document.is_embedded() or not _document.is_unsaved():
 		act.call()
 		return
 	_after_question = act

@@ -50,6 +50,16 @@ func is_unsaved() -> bool:
 	return _in_gesture or scene.document != _saved_text
 
 
+## If it is a part of another file, such as a .tscn, and is saved with that.
+func is_embedded() -> bool:
+	return path.contains("::")
+
+
+## The file that it is in; empty if it was never saved.
+func get_file() -> String:
+	return path.get_slice("::", 0)
+
+
 ## The scene as it was when it was opened or last saved.
 func get_saved_text() -> String:
 	return _saved_text

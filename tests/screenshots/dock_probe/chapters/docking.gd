@@ -15,7 +15,7 @@ func read() -> void:
 
 
 func _float() -> void:
-	await _choose_in_tab_menu("Make Floating")
+	await choose_in_tab_menu("Make Floating")
 	expect_true(dock().get_window() != plugin.get_window(), "a window of its own")
 	var before := scene().document
 	Hands.click(part("Objects/sphere"))
@@ -88,16 +88,3 @@ func _create_node() -> void:
 	expect_true(node != null and node.owner == root and node.get(&"scene") == scene(), "a node that follows the entry")
 	undo()
 	expect(root.has_node(^"s"), false, "the node after undo")
-
-
-func _choose_in_tab_menu(item: String) -> void:
-	var tabs := dock().get_parent() as TabContainer
-	var bar := tabs.get_tab_bar()
-	var middle := bar.get_tab_rect(tabs.get_tab_idx_from_control(dock())).get_center()
-	Hands.click(bar, MOUSE_BUTTON_RIGHT, false, middle / bar.size)
-	await settle()
-	for menu in plugin.get_tree().root.find_children("*", "DockContextPopup", true, false):
-		for button: Button in menu.find_children("*", "Button", true, false):
-			if button.text == item:
-				press(button)
-	await settle()

@@ -9,7 +9,6 @@ const OTHER := "res://demos/interpolation/interpolation.tscn"
 func read() -> void:
 	_write_scene()
 	await begin_with(["k", "5"])
-	document().call(&"mark_saved", "")
 	EditorInterface.open_scene_from_path(PLACE)
 	await settle()
 	await _show_by_node()
@@ -37,12 +36,20 @@ func _write_scene() -> void:
 
 
 func _show_by_node() -> void:
+	var own := scene()
+	Hands.click(part("Objects/circle"))
+	await settle(2)
 	_select_node()
 	await settle()
 	expect(scene() == _node().scene, true, "the scene of the selected node in the dock")
 	expect(file_name().text, "probe_embedded.tscn", "its name in the dock")
-	begin_with(["k", "5"])
-	document().call(&"mark_saved", "")
+	EditorInterface.get_selection().clear()
+	await settle()
+	expect(scene() == own, true, "the dock's own scene when no node is selected")
+	expect(file_name().text, "not saved yet*", "its name when no node is selected")
+	expect(names(), ["k", "c1"], "its unsaved entries")
+	undo()
+	await settle(2)
 	EditorInterface.edit_resource(_node().scene)
 	await settle()
 	expect(scene() == _node().scene, true, "the scene that the inspector shows in the dock")
@@ -71,7 +78,7 @@ func _save_and_reload() -> void:
 	expect_true(FileAccess.get_file_as_string(PLACE).contains("sphere(point(0, 0, 0), 1)"), "the saved .tscn having what was added")
 	EditorInterface.reload_scene_from_path(PLACE)
 	await settle()
-	_select_node()
+	EditorInterface.edit_resource(_node().scene)
 	await settle()
 	expect(scene() == _node().scene, true, "the scene of the node after reloading")
 	expect(Array(_node().scene.get_names()), ["A", "s1"], "entries after reloading")
@@ -102,19 +109,15 @@ func _switch_tabs() -> void:
 	expect(names(), ["A", "s1"], "entries after undo in the scene's own tab")
 
 
-## What was never saved is not given up for a node that is only selected.
+## By one that is opened in the inspector.
 func _ask_before_replacing() -> void:
 	await begin_with([])
 	Hands.click(part("Objects/circle"))
 	await settle(2)
 	var unsaved := scene()
-	EditorInterface.get_selection().clear()
-	await settle()
-	_select_node()
-	await settle()
-	expect(scene() == unsaved, true, "an unsaved scene after selecting a node with another")
 	EditorInterface.edit_resource(_node().scene)
 	await settle()
+	expect(scene() == unsaved, true, "an unsaved scene before the question is answered")
 	var question := file_menu().get_node("Question") as ConfirmationDialog
 	expect(question.visible, true, "a question before another scene takes the place of an unsaved one")
 	press(question.get_ok_button())
