@@ -47,6 +47,7 @@ def main():
     with screen() as environment:
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
+            dock.write_references(engine, PROJECT, OUTPUT)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
         if options.docs:
             sys.exit(write_documentation(engine))

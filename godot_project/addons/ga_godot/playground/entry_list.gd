@@ -15,7 +15,7 @@ signal deletion_requested
 const LEAST_HEIGHT := 104.0
 ## The key of an entry's name in what is dragged.
 const DRAGGED := "ga_playground_entry"
-const HINT := "Nothing here yet. Add an object with a button above, or type an expression below, such as\npoint(1, 2, 3)"
+const HINT := "Nothing here yet.\n\nAdd an object with a button above, open an example, or type an expression below: point(1, 2, 3)"
 
 var selection := PackedStringArray()
 

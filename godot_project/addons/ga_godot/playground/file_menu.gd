@@ -48,7 +48,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	_files.file_selected.connect(_on_file_selected)
 	add_child(_files)
 	_question.name = "Question"
-	_question.dialog_text = "The playground has changes that are not saved."
+	_question.dialog_text = "The playground has changes that are not saved. Discard them?"
 	_question.ok_button_text = "Discard"
 	_question.confirmed.connect(_discard)
 	add_child(_question)
@@ -95,7 +95,7 @@ func save(path: String) -> void:
 	else:
 		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
 	if outcome != OK:
-		_warn("%s cannot be saved: %s." % [path, error_string(outcome)])
+		_warn("%s cannot be saved: %s. Choose another place with Save As." % [path, error_string(outcome)])
 		return
 	_document.mark_saved(path)
 	_host.note_file(path)
@@ -114,7 +114,7 @@ func save_or_ask() -> void:
 func paste(text: String) -> void:
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
-		_warn("The clipboard has neither a document nor a list of 32 numbers.")
+		_warn("The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.")
 		return
 	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
 		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))
