@@ -301,10 +301,12 @@ func _button_style() -> StyleBox:
 
 # Begins where the name does, and has its first line at the height of the buttons.
 func _words_style() -> StyleBox:
+	# By types: the parts of the row learn of another theme after the row.
 	var style := StyleBoxEmpty.new()
-	style.content_margin_left = _name.get_theme_stylebox(&"normal").get_margin(SIDE_LEFT)
-	var icon := _menu.get_theme_icon(&"GuiTabMenuHl", &"EditorIcons").get_height() + 2.0 * BUTTON_MARGIN * PlaygroundStyle.scale()
-	style.content_margin_top = maxf(0.0, (icon - _words.get_theme_font(&"font").get_height(_words.get_theme_font_size(&"font_size"))) / 2.0)
+	style.content_margin_left = get_theme_stylebox(&"normal", &"LineEdit").get_margin(SIDE_LEFT)
+	var button := get_theme_icon(&"GuiTabMenuHl", &"EditorIcons").get_height() + 2.0 * BUTTON_MARGIN * PlaygroundStyle.scale()
+	var text := get_theme_font(&"font", &"Label").get_height(get_theme_font_size(&"font_size", &"Label"))
+	style.content_margin_top = maxf(0.0, (button - text) / 2.0)
 	style.content_margin_bottom = style.content_margin_top
 	return style
 
