@@ -151,5 +151,5 @@ func test_json_is_copied_saved_opened_and_pasted() -> void:
 	_demo.panel.file_menu.paste("[%s]" % ", ".join(_numbers(2.0)))
 	expect_equal(_scene().get_description(_names()[-1] as String), "number 2", "32 pasted numbers")
 	_demo.panel.file_menu.paste("words")
-	expect_equal(_demo.get_notice(), "The clipboard has neither a document nor a list of 32 numbers.", "what is told")
+	expect_equal(_demo.get_notice(), "The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.", "what is told")
 	DirAccess.remove_absolute(SAVED)

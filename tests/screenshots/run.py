@@ -59,7 +59,7 @@ def main():
     with screen() as environment:
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
-            dock.write_reference(engine, PROJECT, OUTPUT)
+            dock.write_references(engine, PROJECT, OUTPUT)
             view.write_reference(engine, PROJECT, OUTPUT)
             renderers.write_references(engine, PROJECT, REFERENCES)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))

@@ -9,6 +9,9 @@ const SECTION := "session"
 
 
 static func keep(document: PlaygroundDocument) -> void:
+	# What is a part of a .tscn is opened with that; what was kept before it was shown stays.
+	if document.is_embedded():
+		return
 	var file := ConfigFile.new()
 	file.set_value(SECTION, "path", document.path)
 	if document.path.is_empty() or document.is_unsaved():

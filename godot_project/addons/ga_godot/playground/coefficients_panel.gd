@@ -12,6 +12,13 @@ const PlaygroundStyle := preload("playground_style.gd")
 const WIDTH := 96.0
 const HEIGHT := 170.0
 const STEP := 0.001
+## Before the arrow of the basis.
+const ARROW_SPACE := 6.0
+## Of the numbers that are 0.
+const ZERO_ALPHA := 0.7
+const FREE := "Drag it, or click and type."
+const DEPENDENT := "It follows from other entries; change those."
+const WITHOUT_VALUE := "Without a value: select an entry that has one."
 const PARAMETER := "coefficients"
 ## A sum of blades, which then can be given any coefficients.
 const ANY_SUM := "1 + e1"
@@ -35,9 +42,14 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	_basis.name = "Basis"
 	_basis.flat = true
 	_basis.focus_mode = Control.FOCUS_NONE
+	# The title is as high as those of other panels.
+	for style: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
+		var box := StyleBoxEmpty.new()
+		box.content_margin_right = ARROW_SPACE * PlaygroundStyle.scale()
+		_basis.add_theme_stylebox_override(style, box)
 	_basis.add_item("e4, e5")
 	_basis.add_item("eo, e∞")
-	_basis.tooltip_text = "The basis that coefficients are given in."
+	_basis.tooltip_text = "The basis of the coefficients: e4 and e5, or the origin eo and infinity e∞."
 	_basis.item_selected.connect(func(_index: int) -> void: _show_coefficients())
 	add_title_bar_control(_basis)
 	var scroll := _scroll
@@ -101,6 +113,10 @@ func _scroll_soon() -> void:
 
 
 func _scroll_to_grade() -> void:
+	if not is_inside_tree():
+		return
+	# What was folded has no places yet.
+	await get_tree().process_frame
 	for field in _fields:
 		if not is_zero_approx(field.get_number()):
 			_scroll.scroll_vertical = roundi((field.get_parent().get_parent() as Control).position.y)
@@ -123,8 +139,8 @@ func _show_coefficients() -> void:
 		_fields[index].show_label(BasisBlades.name_of(index, _is_null_basis()))
 		_fields[index].set_read_only(not is_free)
 		_fields[index].show_number(numbers[index])
-		_fields[index].modulate.a = 0.5 if is_zero_approx(numbers[index]) else 1.0
-		_fields[index].tooltip_text = "" if is_free else "It follows from other entries." if value != null else "No value."
+		_fields[index].modulate.a = ZERO_ALPHA if is_zero_approx(numbers[index]) else 1.0
+		_fields[index].tooltip_text = FREE if is_free else DEPENDENT if value != null else WITHOUT_VALUE
 
 
 func _on_edited(number: float, index: int) -> void:

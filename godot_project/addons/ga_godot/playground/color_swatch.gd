@@ -15,7 +15,7 @@ var _document: PlaygroundDocument
 func _init(document: PlaygroundDocument) -> void:
 	name = "Color"
 	_document = document
-	tooltip_text = "Colour"
+	tooltip_text = "The colour that the object is drawn in."
 	focus_mode = Control.FOCUS_NONE
 	size_flags_vertical = Control.SIZE_SHRINK_CENTER
 	var side := WIDTH * PlaygroundStyle.scale()
@@ -24,7 +24,7 @@ func _init(document: PlaygroundDocument) -> void:
 		add_theme_stylebox_override(style, StyleBoxEmpty.new())
 	pressed.connect(_document.begin_gesture)
 	color_changed.connect(_on_color_changed)
-	popup_closed.connect(func() -> void: _document.end_gesture("Set color of %s" % _entry))
+	popup_closed.connect(func() -> void: _document.end_gesture("Set Color of %s" % _entry))
 
 
 func show_entry(entry: String) -> void:

@@ -4,14 +4,15 @@ extends HFlowContainer
 
 const EntryEdits := preload("entry_edits.gd")
 const EntryList := preload("entry_list.gd")
+const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("playground_icons.gd")
 
 signal added(entry: String)
 
 ## %s, %s: the entries in the order of selection.
 const TITLES: Dictionary[StringName, String] = {
-	&"join": "Join %s and %s", &"meet": "Meet %s and %s", &"intersect": "Intersect %s and %s, of duals as well",
-	&"project": "Project %s onto %s", &"reflect": "Reflect %s in %s", &"move": "Move by a motor: %s, %s",
+	&"join": "Join %s and %s", &"meet": "Meet %s and %s", &"intersect": "Intersect %s and %s, duals as what they are duals of",
+	&"project": "Project %s onto %s", &"reflect": "Reflect %s in %s", &"move": "Move by a motor: %s and %s, one of which is the motor",
 }
 
 var _edits: EntryEdits
@@ -39,6 +40,7 @@ func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
 		for button: Button in get_children():
 			button.icon = PlaygroundIcons.make(button.name, self)
+			NarrowButton.apply(button)
 
 
 func _show_selection() -> void:
@@ -48,7 +50,7 @@ func _show_selection() -> void:
 		var is_pair := chosen.size() == 2
 		button.disabled = not is_pair or _edits.combination(how, chosen[0], chosen[1]).is_empty()
 		var title := TITLES[how] % ([chosen[0], chosen[1]] if is_pair else ["one", "another"])
-		button.tooltip_text = title if is_pair else "%s: select two entries (Ctrl and click)." % title
+		button.tooltip_text = title if is_pair else "%s. Select two entries: click one, then the other with Ctrl." % title
 
 
 func _on_pressed(how: StringName) -> void:

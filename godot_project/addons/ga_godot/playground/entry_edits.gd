@@ -8,6 +8,7 @@ const ValueSlider := preload("value_slider.gd")
 
 ## Pressed with two entries selected, in this order; see combine().
 const COMBINATIONS: Array[StringName] = [&"join", &"meet", &"intersect", &"project", &"reflect", &"move"]
+const FLATS: Array[StringName] = [&"plane", &"line", &"flat_point"]
 const VERSORS: Array[StringName] = [&"rotor", &"translator", &"dilator", &"motor"]
 
 var _document: PlaygroundDocument
@@ -25,7 +26,7 @@ func add_object(kind: StringName, dual: bool) -> String:
 ## Without a name it gets one by the kind of what it is.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
-		var value := _document.preview(expression).get_value(PlaygroundDocument.TYPED)
+		var value: Multivector = _document.scene.evaluate(expression) if _document.scene.get_expression_error(expression).is_empty() else null
 		kind = value.classify(ipns)["kind"] if value != null else &""
 	if entry.is_empty():
 		entry = NewObjects.free_name(kind, _document.scene)
@@ -85,7 +86,7 @@ func combination(how: StringName, first: String, second: String) -> String:
 		&"intersect":
 			return "meet(%s, %s)" % [_primal(first), _primal(second)]
 		&"project":
-			return "project_onto(%s, %s)" % [first, second]
+			return "project_onto(%s, %s)" % [_flat(first) if _is_flat(second) else _primal(first), _primal(second)]
 		&"reflect":
 			return "reflect_in(%s, %s)" % [first, second]
 		_:
@@ -97,7 +98,7 @@ func combination(how: StringName, first: String, second: String) -> String:
 ## Adds what becomes of two entries; the name of the new one.
 func combine(how: StringName, first: String, second: String) -> String:
 	var moved := second if how == &"move" and _is_motion(first) else first
-	var keeps_reading := how in [&"project", &"reflect", &"move"]
+	var keeps_reading := how in [&"reflect", &"move"]
 	return add("", combination(how, first, second), keeps_reading and _is_ipns(moved))
 
 
@@ -108,6 +109,20 @@ func _is_motion(entry: String) -> bool:
 
 func _is_ipns(entry: String) -> bool:
 	return _document.scene.get_entry_attribute(entry, "ipns")
+
+
+func _is_flat(entry: String) -> bool:
+	return _kind(entry) in FLATS
+
+
+# The foot of a point is that of its flat point: a round one has a radius, which does not stay 0.
+func _flat(entry: String) -> String:
+	return "%s ^ einf" % entry if _kind(entry) == &"point" and not _is_ipns(entry) else _primal(entry)
+
+
+func _kind(entry: String) -> StringName:
+	var value := _document.scene.get_value(entry)
+	return value.classify(_is_ipns(entry))["kind"] if value != null else &""
 
 
 func _primal(entry: String) -> String:

@@ -15,7 +15,7 @@ signal deletion_requested
 const LEAST_HEIGHT := 104.0
 ## The key of an entry's name in what is dragged.
 const DRAGGED := "ga_playground_entry"
-const HINT := "Nothing here yet. Add an object with a button above, or type an expression below, such as\npoint(1, 2, 3)"
+const HINT := "Nothing here yet.\n\nAdd an object with a button above, open an example, or type an expression below: point(1, 2, 3)"
 
 var selection := PackedStringArray()
 
@@ -23,6 +23,9 @@ var _document: PlaygroundDocument
 var _edits: EntryEdits
 var _rows := VBoxContainer.new()
 var _hint := Label.new()
+# Entries whose value changed since they were shown; all of another scene.
+var _stale: Dictionary[String, bool] = {}
+var _are_all_stale := true
 # While a row is dragged, in the viewport.
 var _mouse := Vector2.ZERO
 
@@ -35,6 +38,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	size_flags_vertical = Control.SIZE_EXPAND_FILL
 	follow_focus = true
+	focus_mode = Control.FOCUS_CLICK
 	_rows.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_rows.add_theme_constant_override(&"separation", 0)
 	add_child(_rows)
@@ -42,6 +46,8 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	_hint.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_hint.modulate = Color(1, 1, 1, 0.65)
 	_rows.add_child(_hint)
+	_document.entries_changed.connect(_on_entries_changed)
+	_document.scene_switched.connect(func() -> void: _are_all_stale = true)
 	_document.changed.connect(show_entries)
 
 
@@ -53,14 +59,21 @@ func show_entries() -> void:
 	var names := _document.scene.get_names()
 	var rows := get_rows()
 	for index in range(names.size(), rows.size()):
+		_keep_focus(rows[index])
 		rows[index].entry = ""
 		_rows.remove_child(rows[index])
 		rows[index].queue_free()
 	for index in names.size():
 		var row := rows[index] if index < rows.size() else _add_row()
-		row.show_entry(names[index])
+		row.refresh(names[index], _is_stale(names[index]))
 	_hint.visible = names.is_empty()
-	select(PackedStringArray(Array(selection).filter(names.has)))
+	var remaining := PackedStringArray(Array(selection).filter(names.has))
+	if remaining != selection or Array(selection).any(_is_stale):
+		select(remaining)
+	else:
+		_mark_selected()
+	_stale.clear()
+	_are_all_stale = false
 
 
 func get_rows() -> Array[EntryRow]:
@@ -86,9 +99,29 @@ func scroll_to(entry: String) -> void:
 
 func select(entries: PackedStringArray) -> void:
 	selection = entries
+	_mark_selected()
+	selection_changed.emit()
+
+
+# Keys go on to the list when the row that had them goes.
+func _keep_focus(row: EntryRow) -> void:
+	var focused := get_viewport().gui_get_focus_owner() if is_inside_tree() else null
+	if focused != null and (focused == row or row.is_ancestor_of(focused)):
+		grab_focus()
+
+
+func _mark_selected() -> void:
 	for row in get_rows():
 		row.selected = selection.has(row.entry)
-	selection_changed.emit()
+
+
+func _is_stale(entry: String) -> bool:
+	return _are_all_stale or _stale.has(entry)
+
+
+func _on_entries_changed(names: PackedStringArray) -> void:
+	for entry in names:
+		_stale[entry] = true
 
 
 func _add_row() -> EntryRow:

@@ -16,6 +16,8 @@ signal pressed(row: Control, adding: bool)
 signal menu_requested(row: Control)
 
 const NAME_WIDTH := 30.0
+## Between a button's edge and its icon.
+const BUTTON_MARGIN := 4.0
 const DROP_LINE := 2.0
 const QUIET := Color(1, 1, 1, 0.65)
 
@@ -36,7 +38,12 @@ var _menu := Button.new()
 var _error_icon := TextureRect.new()
 var _words := Label.new()
 var _slider: ValueSlider
+var _label_icon: Texture2D
+var _label_icon_on: Texture2D
 var _is_styling := false
+# What was shown last, beside the value.
+var _shown_expression := ""
+var _shown_attributes := {}
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
@@ -58,7 +65,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	_prepare_buttons()
 	for part: Control in [_swatch, _name, _equals, _expression]:
 		line.add_child(part)
-	lines.add_child(_slider)
+	lines.add_child(_make_slider_line())
 	var words := HBoxContainer.new()
 	words.mouse_filter = Control.MOUSE_FILTER_PASS
 	words.add_theme_constant_override(&"separation", roundi(2 * PlaygroundStyle.scale()))
@@ -68,9 +75,21 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 
 
 func _notification(what: int) -> void:
-	if what == NOTIFICATION_THEME_CHANGED and not entry.is_empty() and not _is_styling:
-		show_entry(entry)
+	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree() and not _is_styling:
+		_label_icon = PlaygroundIcons.make(&"label", self)
+		_label_icon_on = PlaygroundIcons.make(&"label", self, &"accent_color")
+		_words.add_theme_stylebox_override(&"normal", _words_style())
+		_menu.icon = get_theme_icon(&"GuiTabMenuHl", &"EditorIcons")
 		_show_selection()
+		if not entry.is_empty():
+			show_entry(entry)
+
+
+## Shows what the scene has under that name, if it is anything else than before.
+func refresh(new_entry: String, has_new_value: bool) -> void:
+	var scene := _document.scene
+	if has_new_value or new_entry != entry or scene.get_expression(entry) != _shown_expression or scene.get_entry_attributes(entry) != _shown_attributes:
+		show_entry(new_entry)
 
 
 ## Shows what the scene has under that name.
@@ -78,21 +97,25 @@ func show_entry(new_entry: String) -> void:
 	entry = new_entry
 	var scene := _document.scene
 	_set_text(_name, entry)
-	_set_text(_expression, scene.get_expression(entry))
+	_shown_expression = scene.get_expression(entry)
+	_shown_attributes = scene.get_entry_attributes(entry)
+	_set_text(_expression, _shown_expression)
+	_expression.tooltip_text = _shown_expression
 	var is_visible: bool = scene.get_entry_attribute(entry, "visible")
 	var has_label: bool = scene.get_entry_attribute(entry, "label")
 	_eye.set_pressed_no_signal(is_visible)
 	_eye.icon = get_theme_icon(&"GuiVisibilityVisible" if is_visible else &"GuiVisibilityHidden", &"EditorIcons")
 	_label_toggle.set_pressed_no_signal(has_label)
-	_label_toggle.icon = PlaygroundIcons.make(&"label", self)
+	_label_toggle.icon = _label_icon_on if has_label else _label_icon
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
-	_menu.icon = get_theme_icon(&"GuiTabMenuHl", &"EditorIcons")
 	_swatch.show_entry(entry)
 	_slider.show_entry(entry)
 	_show_words(scene, entry)
 
 
 func set_selected(value: bool) -> void:
+	if value == selected:
+		return
 	selected = value
 	_show_selection()
 	_wrap_words()
@@ -116,6 +139,20 @@ func start_renaming() -> void:
 	_name.select_all()
 
 
+# Below the texts, not below the colour.
+func _make_slider_line() -> Control:
+	var line := HBoxContainer.new()
+	line.mouse_filter = Control.MOUSE_FILTER_PASS
+	var space := Control.new()
+	space.custom_minimum_size.x = ColorSwatch.WIDTH * PlaygroundStyle.scale()
+	space.mouse_filter = Control.MOUSE_FILTER_PASS
+	line.add_child(space)
+	line.add_child(_slider)
+	_slider.visibility_changed.connect(func() -> void: line.visible = _slider.visible)
+	line.visible = _slider.visible
+	return line
+
+
 func _prepare_texts() -> void:
 	var scale := PlaygroundStyle.scale()
 	_name.name = "Name"
@@ -123,7 +160,7 @@ func _prepare_texts() -> void:
 	_name.expand_to_text_length = true
 	_name.add_theme_constant_override(&"minimum_character_width", 2)
 	_name.custom_minimum_size.x = NAME_WIDTH * scale
-	_name.tooltip_text = "Name. Type another to rename the entry everywhere."
+	_name.tooltip_text = "The name. Type another to rename the entry, in all expressions as well."
 	_name.text_submitted.connect(_on_name_submitted)
 	_name.focus_exited.connect(_commit_name)
 	_name.text_changed.connect(_on_name_typed)
@@ -147,15 +184,18 @@ func _prepare_texts() -> void:
 
 func _prepare_buttons() -> void:
 	_eye.name = "Eye"
-	_eye.tooltip_text = "Draw it or hide it."
+	_eye.tooltip_text = "Draw the object, or hide it."
 	_eye.toggle_mode = true
 	_eye.toggled.connect(func(on: bool) -> void: _edits.set_attribute(entry, "visible", on))
 	_label_toggle.name = "Label"
-	_label_toggle.tooltip_text = "Draw its name beside it."
+	_label_toggle.tooltip_text = "Write the name beside the object."
 	_label_toggle.toggle_mode = true
 	_label_toggle.toggled.connect(func(on: bool) -> void: _edits.set_attribute(entry, "label", on))
+	# Its icons have their colours.
+	for color: StringName in [&"icon_pressed_color", &"icon_hover_pressed_color"]:
+		_label_toggle.add_theme_color_override(color, Color.WHITE)
 	_menu.name = "Menu"
-	_menu.tooltip_text = "More about this entry. Also: right click."
+	_menu.tooltip_text = "What else can be done with the entry. Also by a right click."
 	_menu.pressed.connect(func() -> void: menu_requested.emit(self))
 	for button: Button in [_eye, _label_toggle, _menu]:
 		button.flat = true
@@ -257,7 +297,19 @@ func _wrap_words() -> void:
 # Narrower than a button by itself.
 func _button_style() -> StyleBox:
 	var style := StyleBoxEmpty.new()
-	style.set_content_margin_all(2 * PlaygroundStyle.scale())
+	style.set_content_margin_all(BUTTON_MARGIN * PlaygroundStyle.scale())
+	return style
+
+
+# Begins where the name does, and has its first line at the height of the buttons.
+func _words_style() -> StyleBox:
+	# By types: the parts of the row learn of another theme after the row.
+	var style := StyleBoxEmpty.new()
+	style.content_margin_left = get_theme_stylebox(&"normal", &"LineEdit").get_margin(SIDE_LEFT)
+	var button := get_theme_icon(&"GuiTabMenuHl", &"EditorIcons").get_height() + 2.0 * BUTTON_MARGIN * PlaygroundStyle.scale()
+	var text := get_theme_font(&"font", &"Label").get_height(get_theme_font_size(&"font_size", &"Label"))
+	style.content_margin_top = maxf(0.0, (button - text) / 2.0)
+	style.content_margin_bottom = style.content_margin_top
 	return style
 
 

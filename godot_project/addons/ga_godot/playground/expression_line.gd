@@ -46,7 +46,7 @@ func _show_words(text: String) -> void:
 	_words.visible = not text.strip_edges().is_empty()
 	if not _words.visible:
 		return
-	_words.text = error if not error.is_empty() else _document.preview(_split(text)[1]).get_description(PlaygroundDocument.TYPED)
+	_words.text = error if not error.is_empty() else _document.describe(_split(text)[1])
 	_words.modulate = Color.WHITE if not error.is_empty() else Color(1, 1, 1, 0.65)
 	if error.is_empty():
 		_words.remove_theme_color_override(&"font_color")
@@ -58,7 +58,7 @@ func _error_of(text: String) -> String:
 	var parts := _split(text)
 	if not parts[0].is_empty() and not _document.name_error(parts[0]).is_empty():
 		return _document.name_error(parts[0])
-	return _document.preview(parts[1]).get_error(PlaygroundDocument.TYPED)
+	return _document.scene.get_expression_error(parts[1])
 
 
 ## The name, empty if there is none, and the expression. What stands before the sign becomes spaces, so that columns are

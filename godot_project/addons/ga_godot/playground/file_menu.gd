@@ -48,25 +48,41 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	_files.file_selected.connect(_on_file_selected)
 	add_child(_files)
 	_question.name = "Question"
-	_question.dialog_text = "The playground has changes that are not saved."
+	_question.dialog_text = "The playground has changes that are not saved. Discard them?"
 	_question.ok_button_text = "Discard"
-	_question.confirmed.connect(func() -> void: _after_question.call())
+	_question.confirmed.connect(_discard)
 	add_child(_question)
 
 
 ## Shows the scene of a .tres or .json file; what is wrong with it is told.
 func open(path: String) -> void:
-	var scene: GAScene
 	if path.get_extension() == "json":
-		scene = GAScene.new()
-		if scene.load_json(FileAccess.get_file_as_string(path)) != OK:
-			_warn("%s: %s" % [path, ", ".join(scene.get_load_errors())])
-	else:
-		scene = ResourceLoader.load(path) as GAScene
-	if scene == null:
-		_warn("%s is no GAScene." % path)
+		_open_json(path)
 		return
-	_document.show_scene(scene, path)
+	var resource := ResourceLoader.load(path) if ResourceLoader.exists(path) else null
+	if resource is GAScene:
+		_document.show_scene(resource, path)
+	elif resource != null:
+		_warn("%s is a %s. The playground opens files of a GAScene: .tres, or .json." % [path, resource.get_class()])
+	else:
+		_warn("%s cannot be read. See the output for why." % path)
+
+
+# What cannot be read whole is shown without its file, which saving would otherwise take the rest from.
+func _open_json(path: String) -> void:
+	var text := FileAccess.get_file_as_string(path)
+	if FileAccess.get_open_error() != OK:
+		_warn("%s cannot be read: %s." % [path, error_string(FileAccess.get_open_error())])
+		return
+	var scene := GAScene.new()
+	var outcome := scene.load_json(text)
+	var errors := "\n".join(scene.get_load_errors())
+	if outcome == ERR_PARSE_ERROR:
+		_warn("%s is no scene of the playground:\n%s" % [path, errors])
+		return
+	_document.show_scene(scene, path if outcome == OK else "")
+	if outcome != OK:
+		_warn("%s was read in part, and is shown as a new scene; the file stays as it is:\n%s" % [path, errors])
 
 
 func save(path: String) -> void:
@@ -79,7 +95,7 @@ func save(path: String) -> void:
 	else:
 		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
 	if outcome != OK:
-		_warn("%s cannot be saved: %s." % [path, error_string(outcome)])
+		_warn("%s cannot be saved: %s. Choose another place with Save As." % [path, error_string(outcome)])
 		return
 	_document.mark_saved(path)
 	_host.note_file(path)
@@ -88,6 +104,8 @@ func save(path: String) -> void:
 func save_or_ask() -> void:
 	if _document.path.is_empty():
 		_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
+	elif _document.is_embedded():
+		_host.save_embedding(_document.get_file())
 	else:
 		save(_document.path)
 
@@ -96,7 +114,7 @@ func save_or_ask() -> void:
 func paste(text: String) -> void:
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
-		_warn("The clipboard has neither a document nor a list of 32 numbers.")
+		_warn("The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.")
 		return
 	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
 		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))
@@ -124,11 +142,18 @@ func _on_item_pressed(item: int) -> void:
 
 ## Asks before what is unsaved is lost.
 func unless_unsaved(act: Callable) -> void:
-	if not _document.is_unsaved():
+	if _document.is_embedded() or not _document.is_unsaved():
 		act.call()
 		return
 	_after_question = act
 	_question.popup_centered()
+
+
+# A scene of a file is still held by whatever else uses it, and must not keep what was discarded.
+func _discard() -> void:
+	if not _document.path.is_empty():
+		_document.scene.document = _document.get_saved_text()
+	_after_question.call()
 
 
 func _ask_for_file(mode: FileDialog.FileMode) -> void:

@@ -4,6 +4,7 @@ extends HFlowContainer
 
 const EntryEdits := preload("entry_edits.gd")
 const NewObjects := preload("new_objects.gd")
+const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("playground_icons.gd")
 
 signal added(entry: String)
@@ -36,13 +37,14 @@ func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
 		for button: Button in get_children():
 			button.icon = PlaygroundIcons.make(button.name, self)
+			NarrowButton.apply(button)
 
 
 func _show_titles() -> void:
 	for kind in NewObjects.KINDS:
 		var button: Button = get_node(String(kind))
 		button.tooltip_text = "Add: %s%s" % [NewObjects.TITLES[kind], " (dual)" if NewObjects.is_dual(kind, _dual.button_pressed) else ""]
-	_dual.tooltip_text = "Add objects as their duals (IPNS)."
+	_dual.tooltip_text = "Add what comes next as its dual (IPNS)."
 
 
 func _on_pressed(kind: StringName) -> void:

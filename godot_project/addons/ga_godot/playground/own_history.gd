@@ -21,7 +21,7 @@ func commit(title: String, scene: GAScene, before: String, after: String) -> voi
 	_undo_redo.create_action(title)
 	_undo_redo.add_do_property(scene, &"document", after)
 	_undo_redo.add_undo_property(scene, &"document", before)
-	_undo_redo.commit_action()
+	_undo_redo.commit_action(false)
 
 
 ## The title of what was undone; empty if there was nothing.

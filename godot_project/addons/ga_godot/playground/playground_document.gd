@@ -6,6 +6,8 @@ extends RefCounted
 signal scene_switched
 ## Something of the scene changed; also when it was undone.
 signal changed
+## Just before that: which entries have another value or error, as GAScene tells it.
+signal entries_changed(names: PackedStringArray)
 
 const EditHistory := preload("edit_history.gd")
 
@@ -21,6 +23,8 @@ var _history: EditHistory
 var _saved_text := ""
 var _text_before_gesture := ""
 var _in_gesture := false
+# Within change(): listeners are told once, at its end.
+var _is_changing := false
 
 
 func _init(history: EditHistory) -> void:
@@ -31,17 +35,29 @@ func _init(history: EditHistory) -> void:
 func show_scene(new_scene: GAScene, new_path: String) -> void:
 	if scene != null:
 		scene.changed.disconnect(_on_changed)
+		scene.entries_changed.disconnect(_on_entries_changed)
 	scene = new_scene
 	path = new_path
 	_in_gesture = false
 	_saved_text = scene.document
 	scene.changed.connect(_on_changed)
+	scene.entries_changed.connect(_on_entries_changed)
 	scene_switched.emit()
 	changed.emit()
 
 
 func is_unsaved() -> bool:
-	return scene.document != _saved_text
+	return _in_gesture or scene.document != _saved_text
+
+
+## If it is a part of another file, such as a .tscn, and is saved with that.
+func is_embedded() -> bool:
+	return path.contains("::")
+
+
+## The file that it is in; empty if it was never saved.
+func get_file() -> String:
+	return path.get_slice("::", 0)
 
 
 ## The scene as it was when it was opened or last saved.
@@ -55,11 +71,16 @@ func mark_saved(new_path: String) -> void:
 	scene_switched.emit()
 
 
-## Calls edit with a copy of the scene; what it makes of it is the new state, one step of the history.
+## Calls edit with the scene; all that it does is one step of the history.
 func change(title: String, edit: Callable) -> void:
-	var copy := copy_scene()
-	edit.call(copy)
-	_commit(title, scene.document, copy.document)
+	var before := scene.document
+	_is_changing = true
+	edit.call(scene)
+	_is_changing = false
+	var after := scene.document
+	if before != after:
+		_commit(title, before, after)
+		changed.emit()
 
 
 ## Between these two, changes are made on the scene itself, at the rate of a drag; they become one step.
@@ -76,6 +97,7 @@ func end_gesture(title: String) -> void:
 	if _in_gesture:
 		_in_gesture = false
 		_commit(title, _text_before_gesture, scene.document)
+		changed.emit()
 
 
 func copy_scene() -> GAScene:
@@ -95,6 +117,13 @@ func name_error(text: String) -> String:
 	return ""
 
 
+## What an expression without an error is, in words.
+func describe(expression: String) -> String:
+	var alone := GAScene.new()
+	alone.add_entry(TYPED, scene.evaluate(expression).to_json())
+	return alone.get_description(TYPED)
+
+
 ## The scene as it would be with that expression of an entry, or of one more called TYPED.
 func preview(text: String, entry := TYPED) -> GAScene:
 	var copy := copy_scene()
@@ -111,4 +140,9 @@ func _commit(title: String, before: String, after: String) -> void:
 
 
 func _on_changed() -> void:
-	changed.emit()
+	if not _is_changing:
+		changed.emit()
+
+
+func _on_entries_changed(names: PackedStringArray) -> void:
+	entries_changed.emit(names)

@@ -26,6 +26,11 @@ func note_file(_path: String) -> void:
 	pass
 
 
+## Saves the file that the scene is a part of.
+func save_embedding(_file: String) -> void:
+	pass
+
+
 func can_create_nodes() -> bool:
 	return false
 

@@ -28,9 +28,9 @@ const PICTURES: Dictionary[StringName, String] = {
 }
 
 
-## The picture as the theme of that control would have it.
-static func make(picture: StringName, control: Control) -> Texture2D:
-	var color := control.get_theme_color(&"font_color", &"Editor")
+## The picture as the theme of that control would have it, in one of the theme's colours.
+static func make(picture: StringName, control: Control, color_name := &"font_color") -> Texture2D:
+	var color := control.get_theme_color(color_name, &"Editor")
 	var body := PICTURES[picture].replace("COLOR", "#" + color.to_html(false))
 	var source := '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>' % [SIZE, SIZE, body]
 	return DPITexture.create_from_string(source, PlaygroundStyle.scale())

@@ -152,5 +152,5 @@ func _on_scene_switched() -> void:
 
 
 func _show_file_name() -> void:
-	_file_name.text = ("not saved yet" if document.path.is_empty() else document.path.get_file()) + ("*" if document.is_unsaved() else "")
-	_file_name.tooltip_text = document.path
+	_file_name.text = ("not saved yet" if document.path.is_empty() else document.get_file().get_file()) + ("*" if document.is_unsaved() else "")
+	_file_name.tooltip_text = "A part of %s, saved with it." % document.get_file() if document.is_embedded() else document.path
