@@ -12,7 +12,7 @@ PROBE = "dock_probe"
 SECONDS = 120
 SIZE = "1280x800"
 REFERENCES = os.path.join(editor.HERE, "reference")
-CHAPTERS = ["entries", "combining", "coloring", "coefficients", "copying", "files", "undoing", "embedded", "docking", "speed",
+CHAPTERS = ["entries", "combining", "coloring", "coefficients", "copying", "files", "gallery", "undoing", "embedded", "docking", "speed",
             "looks", "leaving"]
 # Of an editor that is started a second time, with another look.
 LATER_CHAPTERS = ["returning", "looks"]

@@ -148,7 +148,11 @@ def write_gallery(engine):
     if run.code != 0 or run.problems():
         return 1
     # The editor is seen as the scripted person saw it.
-    shutil.copyfile(os.path.join(REFERENCES, "viewport.png"), os.path.join(folder, "playground_editor.png"))
+    problems = view.check_view(engine, PROJECT, OUTPUT)
+    if problems:
+        print("\n".join(problems))
+        return 1
+    shutil.copyfile(os.path.join(OUTPUT, "viewport_editor.png"), os.path.join(folder, "playground_editor.png"))
     os.makedirs(GALLERY_IMAGES, exist_ok=True)
     too_large = 0
     for name in sorted(os.listdir(folder)):
