@@ -1,8 +1,8 @@
 extends "res://tests/framework/playground_test.gd"
 ## The playground's panel, used by mouse and keyboard: list, typing line, coefficients, sliders, files.
 
-const DragField := preload("res://addons/ga_godot/playground/drag_field.gd")
-const NumberField := preload("res://addons/ga_godot/playground/number_field.gd")
+const DragField := preload("res://addons/ga_godot/playground/panel/drag_field.gd")
+const NumberField := preload("res://addons/ga_godot/playground/panel/number_field.gd")
 
 const SAVED := "user://test_playground.json"
 

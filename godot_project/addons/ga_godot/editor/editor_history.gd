@@ -1,5 +1,5 @@
 @tool
-extends "../playground/edit_history.gd"
+extends "../playground/document/edit_history.gd"
 ## The editor's history, and undo and redo of nothing but the playground's steps.
 
 ## Of the names of its steps, which tell them from those of others.

@@ -1,5 +1,5 @@
 @tool
-extends "../playground/number_field.gd"
+extends "../playground/panel/number_field.gd"
 ## The number field of the editor.
 
 var _slider := EditorSpinSlider.new()

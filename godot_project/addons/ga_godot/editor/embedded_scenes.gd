@@ -2,7 +2,7 @@
 extends RefCounted
 ## A GAScene that is a part of a .tscn: it is saved with that, and leaves the dock with it.
 
-const PlaygroundDocument := preload("../playground/playground_document.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
 var _document: PlaygroundDocument
 

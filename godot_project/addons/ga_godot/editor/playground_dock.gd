@@ -2,10 +2,10 @@
 extends EditorDock
 ## "GA Playground": named expressions of geometric algebra, made by buttons and by typing.
 
-const PlaygroundDocument := preload("../playground/playground_document.gd")
-const PlaygroundIcons := preload("../playground/playground_icons.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
+const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
 const PlaygroundPanel := preload("../playground/playground_panel.gd")
-const PlaygroundStyle := preload("../playground/playground_style.gd")
+const PlaygroundStyle := preload("../playground/theme/playground_style.gd")
 const EditorHistory := preload("editor_history.gd")
 const EditorHost := preload("editor_host.gd")
 const EmbeddedScenes := preload("embedded_scenes.gd")

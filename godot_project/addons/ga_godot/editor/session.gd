@@ -2,7 +2,7 @@
 extends RefCounted
 ## Keeps what the dock shows over restarts of the editor, unsaved changes included, among the editor's files of the project.
 
-const PlaygroundDocument := preload("../playground/playground_document.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
 const FILE := "ga_playground.cfg"
 const SECTION := "session"

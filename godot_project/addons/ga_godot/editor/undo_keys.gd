@@ -3,7 +3,7 @@ extends Node
 ## Undo and redo by the keyboard, with the focus in the dock: of the playground, whatever else was done in the editor since.
 
 const EditorHistory := preload("editor_history.gd")
-const PlaygroundDocument := preload("../playground/playground_document.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
 var _dock: Control
 var _document: PlaygroundDocument

@@ -3,9 +3,9 @@
 extends RefCounted
 ## What the panel asks of where it stands: the editor, or a running game.
 
-const EditHistory := preload("edit_history.gd")
-const NumberField := preload("number_field.gd")
-const ViewPoint := preload("view_point.gd")
+const EditHistory := preload("document/edit_history.gd")
+const NumberField := preload("panel/number_field.gd")
+const ViewPoint := preload("picture/view_point.gd")
 
 var history: EditHistory
 

@@ -2,7 +2,7 @@
 extends RefCounted
 ## Draws a document into a picture of any size, in a world of its own, and saves it as PNG.
 
-const SceneDrawing := preload("view/scene_drawing.gd")
+const SceneDrawing := preload("../view/scene_drawing.gd")
 const ViewPoint := preload("view_point.gd")
 
 const LARGEST := 8192

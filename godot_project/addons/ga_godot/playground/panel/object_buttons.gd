@@ -2,10 +2,10 @@
 extends HFlowContainer
 ## One button for each kind of object that can be added, and whether it shall be its dual.
 
-const EntryEdits := preload("entry_edits.gd")
-const NewObjects := preload("new_objects.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const NewObjects := preload("../document/new_objects.gd")
 const NarrowButton := preload("narrow_button.gd")
-const PlaygroundIcons := preload("playground_icons.gd")
+const PlaygroundIcons := preload("../theme/playground_icons.gd")
 
 signal added(entry: String)
 

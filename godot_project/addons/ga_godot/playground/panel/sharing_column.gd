@@ -4,7 +4,7 @@ extends Container
 ## the rest. The least height is not that of the moment, so that the column can get lower again.
 
 const CappedScroll := preload("capped_scroll.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const SEPARATION := 4.0
 ## Of the room, for the first of what scrolls if there is not enough for all.

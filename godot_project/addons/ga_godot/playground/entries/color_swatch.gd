@@ -2,9 +2,9 @@
 extends ColorPickerButton
 ## The colour of an entry: shown at once while it is chosen, one step of the history when the picker closes.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const PlaygroundStyle := preload("playground_style.gd")
-const SceneDrawing := preload("view/scene_drawing.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
+const SceneDrawing := preload("../view/scene_drawing.gd")
 
 const WIDTH := 14.0
 

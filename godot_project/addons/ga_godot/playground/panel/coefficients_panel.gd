@@ -2,12 +2,12 @@
 extends FoldableContainer
 ## The 32 coefficients of the selected entry. Those of an entry that depends on no other can be changed, while it is drawn.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryList := preload("entry_list.gd")
-const BasisBlades := preload("basis_blades.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryList := preload("../entries/entry_list.gd")
+const BasisBlades := preload("../document/basis_blades.gd")
 const NumberField := preload("number_field.gd")
-const PlaygroundHost := preload("playground_host.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundHost := preload("../playground_host.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const WIDTH := 96.0
 const HEIGHT := 170.0

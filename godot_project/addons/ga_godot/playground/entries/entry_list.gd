@@ -2,10 +2,10 @@
 extends ScrollContainer
 ## The entries of the scene in their order, and which of them are selected, in the order of selection.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryEdits := preload("entry_edits.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
 const EntryRow := preload("entry_row.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 signal selection_changed
 signal menu_requested(row: Control)

@@ -2,8 +2,8 @@
 extends VBoxContainer
 ## Where expressions are typed: what they are, or what is wrong with them, is told while typing.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryEdits := preload("entry_edits.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
 
 signal added(entry: String)
 

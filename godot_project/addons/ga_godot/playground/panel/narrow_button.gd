@@ -2,7 +2,7 @@
 extends RefCounted
 ## Buttons with an icon, so narrow that a row of them fits a narrow dock.
 
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 ## Beside the icon.
 const MARGIN := 4.0

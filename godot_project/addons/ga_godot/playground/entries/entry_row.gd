@@ -2,10 +2,10 @@
 extends PanelContainer
 ## One entry of the list: colour, name, expression, whether it and its label are drawn, and what it is or what is wrong.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryEdits := preload("entry_edits.gd")
-const PlaygroundIcons := preload("playground_icons.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const PlaygroundIcons := preload("../theme/playground_icons.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
 

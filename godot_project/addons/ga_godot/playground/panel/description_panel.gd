@@ -3,7 +3,7 @@ extends PanelContainer
 ## What a document says about itself: its scene attributes "title" and "description". Not there if it has neither, and
 ## once it is closed, until a document with another text is shown.
 
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const TITLE := "title"
 const DESCRIPTION := "description"

@@ -4,7 +4,7 @@ extends RefCounted
 
 const PlaygroundDocument := preload("playground_document.gd")
 const NewObjects := preload("new_objects.gd")
-const ValueSlider := preload("value_slider.gd")
+const ValueSlider := preload("../entries/value_slider.gd")
 
 ## Pressed with two entries selected, in this order; see combine().
 const COMBINATIONS: Array[StringName] = [&"join", &"meet", &"intersect", &"project", &"reflect", &"move"]

@@ -2,7 +2,7 @@
 extends ScrollContainer
 ## As high as its content where there is room for that (see sharing_column.gd); what is higher is scrolled.
 
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const LEAST_HEIGHT := 60.0
 

@@ -2,9 +2,9 @@
 extends ConfirmationDialog
 ## From where to where the slider of a number goes, and by which steps.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const PlaygroundStyle := preload("playground_style.gd")
-const EntryEdits := preload("entry_edits.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
 const ValueSlider := preload("value_slider.gd")
 
 const TITLES: Dictionary[String, String] = {ValueSlider.MIN: "From", ValueSlider.MAX: "To", ValueSlider.STEP: "Step"}

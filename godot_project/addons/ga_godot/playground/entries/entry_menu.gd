@@ -2,15 +2,15 @@
 extends PopupMenu
 ## What can be done with the selected entries, beside what their rows offer.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryEdits := preload("entry_edits.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
 const EntryList := preload("entry_list.gd")
 const EntryRow := preload("entry_row.gd")
 const SliderRangeDialog := preload("slider_range_dialog.gd")
 const ValueSlider := preload("value_slider.gd")
-const WrittenCode := preload("written_code.gd")
-const PlaygroundHost := preload("playground_host.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const WrittenCode := preload("../document/written_code.gd")
+const PlaygroundHost := preload("../playground_host.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 

@@ -2,7 +2,7 @@
 extends PopupMenu
 ## The gallery's examples by their titles, as a menu or a submenu.
 
-const Gallery := preload("gallery.gd")
+const Gallery := preload("../document/gallery.gd")
 
 ## A fresh copy of an example.
 signal chosen(scene: GAScene, title: String)

@@ -2,9 +2,9 @@
 extends MenuButton
 ## New, open, save, and the clipboard.
 
-const PlaygroundDocument := preload("playground_document.gd")
-const EntryEdits := preload("entry_edits.gd")
-const PlaygroundHost := preload("playground_host.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const PlaygroundHost := preload("../playground_host.gd")
 
 ## A picture of what is shown is wanted.
 signal picture_requested

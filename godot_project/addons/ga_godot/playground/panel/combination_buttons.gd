@@ -2,10 +2,10 @@
 extends HFlowContainer
 ## What can be made of two selected entries.
 
-const EntryEdits := preload("entry_edits.gd")
-const EntryList := preload("entry_list.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const EntryList := preload("../entries/entry_list.gd")
 const NarrowButton := preload("narrow_button.gd")
-const PlaygroundIcons := preload("playground_icons.gd")
+const PlaygroundIcons := preload("../theme/playground_icons.gd")
 
 signal added(entry: String)
 

@@ -3,7 +3,7 @@ extends ConfirmationDialog
 ## Asks for size, background and file of a picture, and writes it: what is shown, drawn anew by PictureExport.
 
 const PictureExport := preload("picture_export.gd")
-const PlaygroundStyle := preload("playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ViewPoint := preload("view_point.gd")
 
 signal saved(path: String)

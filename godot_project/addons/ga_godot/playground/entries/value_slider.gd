@@ -2,7 +2,7 @@
 extends HSlider
 ## Slides an entry that is a number; hidden for all else.
 
-const PlaygroundDocument := preload("playground_document.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
 
 const PARAMETER := "value"
 ## Attributes of the entry, and what holds without them.
