@@ -86,5 +86,13 @@ func _create_node() -> void:
 	await choose_for_entry("s", "Create Node")
 	var node := root.get_node_or_null(^"s")
 	expect_true(node != null and node.owner == root and node.get(&"scene") == scene(), "a node that follows the entry")
+	await settle()
+	expect(_left_out(), PackedStringArray(["s"]), "what the dock does not draw, as a node does")
 	undo()
 	expect(root.has_node(^"s"), false, "the node after undo")
+	await settle()
+	expect(_left_out(), PackedStringArray(), "what the dock does not draw once the node is gone")
+
+
+func _left_out() -> PackedStringArray:
+	return plugin.get_tree().root.find_child("ViewportTool", true, false).get_child(0).get(&"left_out")
