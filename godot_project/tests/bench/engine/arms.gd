@@ -92,6 +92,10 @@ class Animated:
 
 	var _player := AnimationPlayer.new()
 
+	func _init(of_world: World) -> void:
+		super(of_world)
+		add_child(_player)
+
 	func _ready() -> void:
 		var animation := Animation.new()
 		animation.length = 1.0
@@ -109,7 +113,6 @@ class Animated:
 		library.add_animation(&"all", animation)
 		_player.add_animation_library(&"", library)
 		_player.callback_mode_process = AnimationMixer.ANIMATION_CALLBACK_MODE_PROCESS_MANUAL
-		add_child(_player)
 		_player.root_node = _player.get_path_to(world.cubes)
 		_player.play(&"all")
 
