@@ -5,6 +5,7 @@ extends Node3D
 
 const VIEW := "../playground/view/"
 const HandleOverlay := preload(VIEW + "handle_overlay.gd")
+const LabDrawing := preload("../playground/lab/lab_drawing.gd")
 const Picking := preload(VIEW + "picking.gd")
 const SceneDrawing := preload(VIEW + "scene_drawing.gd")
 const ViewPointer := preload(VIEW + "view_pointer.gd")
