@@ -20,7 +20,7 @@ using godot::Variant;
 using godot::vformat;
 
 static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
-// Setting a pose costs about fifty times what blending it does.
+// Setting a pose costs about eighty times what blending it does.
 static constexpr uint32_t LEAST_SHARED = 4096;
 
 void MotorPool::put_end(End p_end, uint32_t p_row, const cga::Pose<float> &p_pose) {

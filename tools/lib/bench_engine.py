@@ -14,6 +14,7 @@ from build import LIBRARY, build
 
 PARTS = ("build", "engine", "display", "graphics")
 SCRIPT = "res://tests/bench/engine/engine.gd"
+SHARING = "res://tests/bench/engine/sharing.gd"
 RIVALS = os.path.join("bench", "ga_godot_bench.gdextension")
 SECONDS = 900
 SIZES = (50, 100, 150, 200, 250, 1000, 10000)
@@ -44,7 +45,9 @@ def measure(options):
         drawing = ["--audio-driver", "Dummy", "--rendering-method", "gl_compatibility", "--disable-vsync", "--resolution", "320x180"]
         found += run("drawn", drawing, {**screen, **DRAWN}, DRAWN_SIZES, options.rounds)
     print_table(found)
-    return [row_of(row, name) for row in found for name in MEASURES]
+    sharing = run_script(["--headless"], {}, SHARING, [], "MotorPool with one thread and with all")
+    print_sharing(sharing)
+    return sharing + [row_of(row, name) for row in found for name in MEASURES]
 
 
 def row_of(found, name):
@@ -54,22 +57,37 @@ def row_of(found, name):
 
 
 def run(where, arguments, settings, sizes, rounds):
-    """The rows of one run of the engine."""
+    """The rows of one run of the arms."""
     rivals = os.path.abspath(os.path.join(checkout.variant(), RIVALS))
+    options = [f"--rivals={rivals}", f"--sizes={','.join(map(str, sizes))}", f"--rounds={rounds}"]
+    rows = run_script(arguments, settings, SCRIPT, options, f"{', '.join(map(str, sizes))} cubes, {where}")
+    for row in rows:
+        row["where"] = where
+    return rows
+
+
+def run_script(arguments, settings, script, options, what):
+    """The rows that a script gives in one run of the engine."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "rows.json")
-        command = [checkout.ENGINE, *arguments, "--path", checkout.PROJECT, "--script", SCRIPT, "--", f"--rivals={rivals}",
-                   f"--sizes={','.join(map(str, sizes))}", f"--rounds={rounds}", f"--json={path}"]
-        print(f"{', '.join(map(str, sizes))} cubes, {where} (up to a minute) ...", file=sys.stderr, flush=True)
+        command = [checkout.ENGINE, *arguments, "--path", checkout.PROJECT, "--script", script, "--", *options, f"--json={path}"]
+        print(f"{what} (up to a minute) ...", file=sys.stderr, flush=True)
         done = subprocess.run(command, env={**os.environ, **settings}, timeout=SECONDS, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
         if done.returncode != 0 or not os.path.exists(path):
-            sys.exit(f"{done.stdout}\n{SCRIPT}: failed with exit code {done.returncode}")
+            sys.exit(f"{done.stdout}\n{script}: failed with exit code {done.returncode}")
         with open(path, encoding="utf-8") as file:
             rows = json.load(file)["rows"]
     for row in rows:
-        row.update(where=where, n=int(row["n"]))
+        row["n"] = int(row["n"])
     return rows
+
+
+def print_sharing(rows):
+    """One line a case and size: alone, shared, and how many times faster."""
+    print(f"\n{'case':<20} {'n':>9} {'one thread':>11} {'shared':>9} {'faster':>7}   (ns a body)")
+    for shared, alone in zip(rows[::2], rows[1::2]):
+        print(f"{shared['case']:<20} {shared['n']:>9} {alone['value']:>11.2f} {shared['value']:>9.2f} {alone['value'] / shared['value']:>7.2f}")
 
 
 def print_table(rows):
