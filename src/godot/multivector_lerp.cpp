@@ -6,6 +6,7 @@
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
+#include <godot_cpp/godot.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <algorithm>
