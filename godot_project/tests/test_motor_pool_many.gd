@@ -85,6 +85,25 @@ func test_advance_goes_on_from_where_bodies_went() -> void:
 		expect_near(_pool.get_buffer()[i], snapshots[2][i], 4e-5, "float %d at rest" % i)
 
 
+func test_a_kept_buffer_stays_as_it_was() -> void:
+	_acquire(_pool, 9)
+	_pool.set_to_buffer(_buffer_of(9, 13))
+	_pool.interpolate(0.25, MultivectorLerp.LINEAR)
+	var first := _pool.get_buffer()
+	var copy := first.slice(0)
+	_pool.interpolate(0.75, MultivectorLerp.LINEAR)
+	var second := _pool.get_buffer()
+	expect_equal(first, copy, "the first buffer")
+	expect_true(first != second, "a difference between the two")
+	var index := _pool.acquire()
+	_pool.interpolate(0.25, MultivectorLerp.LINEAR)
+	expect_equal(_pool.get_buffer().slice(0, 12 * 9), copy, "the same weight again, beside a new body")
+	expect_equal(_pool.get_transform(index), Transform3D.IDENTITY, "the new body")
+	_pool.release(index)
+	_pool.interpolate(0.75, MultivectorLerp.LINEAR)
+	expect_equal(_pool.get_buffer(), second, "the other weight again, without it")
+
+
 ## All in one pool, shared by threads; the same pool within a task, which shares nothing; a pool for each part.
 func test_results_do_not_depend_on_the_split() -> void:
 	var from := _buffer_of(MANY, 9)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ga_godot {
 
@@ -126,6 +127,12 @@ void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mod
 	constexpr uint32_t LEAST_SHARED = 32768;
 	if (_slot_of_row.empty()) {
 		return;
+	}
+	// Writing to an array that the engine or a script shares would copy it, and allocate, in every frame.
+	if (_is_shared) {
+		std::swap(_buffer, _spare_buffer);
+		_buffer.resize(int64_t(_slot_of_row.size()) * ROW_FLOATS);
+		_is_shared = false;
 	}
 	const PoseBlock *blocks = _blocks.data();
 	float *rows = _buffer.ptrw();

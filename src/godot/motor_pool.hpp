@@ -82,6 +82,8 @@ private:
 
 	std::vector<cga::PoseBlock> _blocks;
 	godot::PackedFloat32Array _buffer; // 12 floats a row
+	godot::PackedFloat32Array _spare_buffer; // the next one, where _buffer was given to somebody
+	bool _is_shared = false;
 	std::vector<uint32_t> _slot_of_row; // NO_ROW where the body was released
 	std::vector<Slot> _slots;
 	std::vector<uint32_t> _free_slots;

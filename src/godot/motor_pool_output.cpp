@@ -47,6 +47,7 @@ Ref<Multivector> MotorPool::get_motor(int64_t p_index) {
 
 PackedFloat32Array MotorPool::get_buffer() {
 	close_gaps();
+	_is_shared = true;
 	return _buffer;
 }
 
@@ -94,6 +95,7 @@ void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &p_multimesh, const Pack
 		return;
 	}
 	if (extra == 0 && instances == count) {
+		_is_shared = true;
 		p_multimesh->set_buffer(_buffer);
 		return;
 	}
