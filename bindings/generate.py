@@ -67,6 +67,16 @@ EXTRA_MEMBERS = {
 	template <typename T>
 	T *get_node(const NodePath &p_path) const { return Object::cast_to<T>(get_node_internal(p_path)); }
 """,
+    "WorkerThreadPool": """
+	enum {
+		INVALID_TASK_ID = -1
+	};
+	typedef int64_t GroupID;
+
+	GroupID add_native_group_task(void (*p_func)(void *, uint32_t), void *p_userdata, int p_elements, int p_tasks = -1, bool p_high_priority = false, const String &p_description = String()) {
+		return gdextension_interface::worker_thread_pool_add_native_group_task(_owner, p_func, p_userdata, p_elements, p_tasks, p_high_priority, p_description._native_ptr());
+	}
+""",
 }
 
 

@@ -66,6 +66,44 @@ func test_a_multimesh_must_fit() -> void:
 	expect_equal(_pool.get_count(), COUNT)
 
 
+## Without a display the renderer keeps the last buffer it was given, which is what is read back.
+func test_colors_that_are_given_are_not_read_back() -> void:
+	_fill()
+	var multimesh := MultiMesh.new()
+	multimesh.transform_format = MultiMesh.TRANSFORM_3D
+	multimesh.use_colors = true
+	multimesh.instance_count = COUNT + 1
+	var colors := PackedFloat32Array()
+	for i in 4 * (COUNT + 1):
+		colors.append(i / 64.0)
+	_pool.apply_to_multimesh(multimesh, colors)
+	var buffer := multimesh.buffer
+	expect_equal(buffer.size(), 16 * (COUNT + 1), "size of the buffer")
+	for i in COUNT + 1:
+		expect_equal(buffer.slice(16 * i + 12, 16 * i + 16), colors.slice(4 * i, 4 * i + 4), "color %d" % i)
+	for i in COUNT:
+		expect_equal(buffer.slice(16 * i, 16 * i + 12), _pool.get_buffer().slice(12 * i, 12 * i + 12), "row %d" % i)
+	expect_equal(buffer[16 * COUNT + 3], 0.0, "x of the surplus instance")
+	expect_error("MotorPool.apply_to_multimesh: 3 floats of instance data for 11 instances with 4 each (4 for a color, 4 for custom data).")
+	_pool.apply_to_multimesh(multimesh, PackedFloat32Array([1, 2, 3]))
+
+
+func test_other_nodes_in_the_next_frame() -> void:
+	_fill()
+	var first := _make_nodes()
+	_pool.apply_to_nodes(first)
+	var second := _make_nodes()
+	second[3] = first[4]
+	_pool.interpolate(1.0, MultivectorLerp.LINEAR)
+	first[3].transform = Transform3D.IDENTITY
+	_pool.apply_to_nodes(second)
+	expect_transform_near(second[3].transform, _poses[3], 1e-5, "the node that changed its place")
+	expect_equal(first[3].transform, Transform3D.IDENTITY, "the node that was left out")
+	first[4].free()
+	expect_error("MotorPool.apply_to_nodes: the node at index 3 is null or was freed. No node was moved.")
+	_pool.apply_to_nodes(second)
+
+
 func _fill() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 3

@@ -41,6 +41,15 @@ godot::Transform3D to_godot(const cga::Pose<double> &p_pose) {
 	return transform;
 }
 
+godot::Transform3D transform_from_row(const float *p_row) {
+	godot::Transform3D transform;
+	for (int i = 0; i < 3; i++) {
+		transform.basis.rows[i] = godot::Vector3(p_row[4 * i], p_row[4 * i + 1], p_row[4 * i + 2]);
+		transform.origin[i] = p_row[4 * i + 3];
+	}
+	return transform;
+}
+
 std::string to_utf8(const godot::String &p_text) {
 	const godot::CharString utf8 = p_text.utf8();
 	return std::string(utf8.get_data(), size_t(utf8.length()));

@@ -23,6 +23,9 @@ godot::Vector3 to_godot(const cga::Vector3<double> &p_vector);
 godot::Quaternion to_godot(const cga::Quaternion<double> &p_quaternion);
 godot::Transform3D to_godot(const cga::Pose<double> &p_pose);
 
+/// A transform from 12 floats in the layout of a MultiMesh's 3D transforms.
+godot::Transform3D transform_from_row(const float *p_row);
+
 /// Text in UTF-8, as src/cga reads and writes it.
 std::string to_utf8(const godot::String &p_text);
 godot::String to_godot(const std::string &p_utf8);

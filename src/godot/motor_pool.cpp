@@ -1,6 +1,7 @@
 #include "godot/motor_pool.hpp"
 
 #include "godot/conversions.hpp"
+#include "godot/row_split.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -8,26 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ga_godot {
 
 using cga::PoseBlock;
 using godot::PackedFloat32Array;
-using godot::Transform3D;
-using godot::TypedArray;
 using godot::vformat;
 
 static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
 static constexpr int64_t MAX_COUNT = int64_t(1) << 24; // 4 GiB of blocks
 static constexpr uint32_t GENERATION_MASK = 0x7fffffffu; // so that an index is never negative
 
-static PoseBlock &block_of(std::vector<PoseBlock> &r_blocks, uint32_t p_row) {
-	return r_blocks[p_row / PoseBlock::LANES];
-}
-
-static int lane_of(uint32_t p_row) {
-	return int(p_row % PoseBlock::LANES);
-}
+static_assert(RowSplit::ROWS_PER_PIECE % PoseBlock::LANES == 0, "Threads share no block.");
 
 int64_t MotorPool::acquire() {
 	close_gaps();
@@ -43,7 +37,7 @@ int64_t MotorPool::acquire() {
 	_slots[slot].row = row;
 	_slot_of_row.push_back(slot);
 	_blocks.resize(cga::block_count(_slot_of_row.size()));
-	block_of(_blocks, row).set(lane_of(row), cga::Pose<float>(), cga::Pose<float>());
+	block_of(row).set(lane_of(row), cga::Pose<float>(), cga::Pose<float>());
 	_buffer.resize((int64_t(row) + 1) * ROW_FLOATS);
 	cga::pose_to_row(cga::Pose<float>(), _buffer.ptrw() + row * ROW_FLOATS);
 	return int64_t(_slots[slot].generation) << 32 | int64_t(slot);
@@ -113,9 +107,9 @@ void MotorPool::close_gaps() {
 			continue;
 		}
 		if (source != destination) {
-			const PoseBlock &block = block_of(_blocks, source);
+			const PoseBlock &block = block_of(source);
 			const cga::Pose<float> from = block.get_from(lane_of(source));
-			block_of(_blocks, destination).set(lane_of(destination), from, block.get_to(lane_of(source)));
+			block_of(destination).set(lane_of(destination), from, block.get_to(lane_of(source)));
 			std::copy_n(rows + source * ROW_FLOATS, ROW_FLOATS, rows + destination * ROW_FLOATS);
 			_slot_of_row[destination] = slot;
 			_slots[slot].row = destination;
@@ -128,63 +122,24 @@ void MotorPool::close_gaps() {
 	_gaps = 0;
 }
 
-void MotorPool::set_end(End p_end, const char *p_method, int64_t p_index, const Transform3D &p_transform) {
-	const Slot *slot = find_slot(p_index);
-	if (slot == nullptr) {
-		report_index(p_method, p_index);
+void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
+	// Measured: below this the other threads have not begun when the first one is done (docs/performance/engine.md).
+	constexpr uint32_t LEAST_SHARED = 32768;
+	if (_slot_of_row.empty()) {
 		return;
 	}
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(p_transform, pose);
-	ERR_FAIL_COND_MSG(fault != nullptr, vformat("MotorPool.%s: the transform for index %d %s.", p_method, p_index, fault));
-	put_end(p_end, slot->row, cga::pose_cast<float>(pose));
-}
-
-void MotorPool::put_end(End p_end, uint32_t p_row, const cga::Pose<float> &p_pose) {
-	PoseBlock &block = block_of(_blocks, p_row);
-	if (p_end == End::FROM) {
-		block.set_from(lane_of(p_row), p_pose);
-	} else {
-		block.set_to(lane_of(p_row), p_pose);
+	// Writing to an array that the engine or a script shares would copy it, and allocate, in every frame.
+	if (_is_shared) {
+		std::swap(_buffer, _spare_buffer);
+		_buffer.resize(int64_t(_slot_of_row.size()) * ROW_FLOATS);
+		_is_shared = false;
 	}
-}
-
-void MotorPool::set_end_all(End p_end, const char *p_method, const TypedArray<Transform3D> &p_transforms) {
-	close_gaps();
-	const int64_t count = p_transforms.size();
-	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.%s: %d transforms for %d bodies; give one for each, in the order in which they were acquired.", p_method, count, get_count()));
-	_poses.resize(size_t(count));
-	for (int64_t i = 0; i < count; i++) {
-		cga::Pose<double> pose;
-		const char *fault = pose_from_transform(p_transforms[i], pose);
-		ERR_FAIL_COND_MSG(fault != nullptr, vformat("MotorPool.%s: the transform at index %d %s. No pose was changed.", p_method, i, fault));
-		_poses[size_t(i)] = cga::pose_cast<float>(pose);
-	}
-	for (uint32_t row = 0; row < uint32_t(count); row++) {
-		put_end(p_end, row, _poses[row]);
-	}
-}
-
-void MotorPool::set_from(int64_t p_index, const Transform3D &p_transform) {
-	set_end(End::FROM, "set_from", p_index, p_transform);
-}
-
-void MotorPool::set_to(int64_t p_index, const Transform3D &p_transform) {
-	set_end(End::TO, "set_to", p_index, p_transform);
-}
-
-void MotorPool::set_from_all(const TypedArray<Transform3D> &p_transforms) {
-	set_end_all(End::FROM, "set_from_all", p_transforms);
-}
-
-void MotorPool::set_to_all(const TypedArray<Transform3D> &p_transforms) {
-	set_end_all(End::TO, "set_to_all", p_transforms);
-}
-
-void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
-	if (!_slot_of_row.empty()) {
-		cga::interpolate_blocks(_blocks.data(), _slot_of_row.size(), p_weights, p_weight, cga::Mode(p_mode), _buffer.ptrw());
-	}
+	const PoseBlock *blocks = _blocks.data();
+	float *rows = _buffer.ptrw();
+	RowSplit::run(uint32_t(_slot_of_row.size()), LEAST_SHARED, [&](uint32_t p_first, uint32_t p_count) {
+		const float *weights = p_weights != nullptr ? p_weights + p_first : nullptr;
+		cga::interpolate_blocks(blocks + p_first / PoseBlock::LANES, p_count, weights, p_weight, cga::Mode(p_mode), rows + p_first * cga::ROW_FLOATS);
+	});
 }
 
 void MotorPool::interpolate(double p_weight, MultivectorLerp::Mode p_mode) {
@@ -219,13 +174,16 @@ void MotorPool::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_to", "index", "transform"), &MotorPool::set_to);
 	ClassDB::bind_method(D_METHOD("set_from_all", "transforms"), &MotorPool::set_from_all);
 	ClassDB::bind_method(D_METHOD("set_to_all", "transforms"), &MotorPool::set_to_all);
+	ClassDB::bind_method(D_METHOD("set_from_buffer", "buffer"), &MotorPool::set_from_buffer);
+	ClassDB::bind_method(D_METHOD("set_to_buffer", "buffer"), &MotorPool::set_to_buffer);
+	ClassDB::bind_method(D_METHOD("advance"), &MotorPool::advance);
 	ClassDB::bind_method(D_METHOD("interpolate", "weight", "mode"), &MotorPool::interpolate);
 	ClassDB::bind_method(D_METHOD("interpolate_each", "weights", "mode"), &MotorPool::interpolate_each);
 	ClassDB::bind_method(D_METHOD("get_transform", "index"), &MotorPool::get_transform);
 	ClassDB::bind_method(D_METHOD("get_motor", "index"), &MotorPool::get_motor);
 	ClassDB::bind_method(D_METHOD("get_buffer"), &MotorPool::get_buffer);
 	ClassDB::bind_method(D_METHOD("apply_to_nodes", "nodes"), &MotorPool::apply_to_nodes);
-	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh"), &MotorPool::apply_to_multimesh);
+	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh", "instance_data"), &MotorPool::apply_to_multimesh, DEFVAL(PackedFloat32Array()));
 }
 
 } // namespace ga_godot

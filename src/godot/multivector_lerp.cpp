@@ -6,6 +6,7 @@
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
+#include <godot_cpp/godot.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <algorithm>
@@ -17,7 +18,6 @@ using godot::Dictionary;
 using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
-using godot::ObjectDB;
 using godot::Ref;
 using godot::Transform3D;
 using godot::vformat;
@@ -126,9 +126,10 @@ void MultivectorLerp::refresh() {
 
 // The node is remembered by id, which a freed node cannot fool, and looked up again when it is gone.
 Node3D *MultivectorLerp::find_node(NodeLink &r_link, const char *p_name) {
-	Node3D *node = r_link.id != 0 ? Object::cast_to<Node3D>(ObjectDB::get_instance(r_link.id)) : nullptr;
-	if (node == nullptr) {
+	Node3D *node = r_link.node;
+	if (r_link.id == 0 || godot::gdextension_interface::object_get_instance_from_id(r_link.id) == nullptr) {
 		node = r_link.path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(r_link.path));
+		r_link.node = node;
 		r_link.id = node != nullptr ? node->get_instance_id() : 0;
 	}
 	if (node == nullptr || !node->is_inside_tree()) {

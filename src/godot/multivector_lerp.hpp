@@ -69,6 +69,7 @@ private:
 	struct NodeLink {
 		godot::NodePath path;
 		uint64_t id = 0; // 0: not looked up, or gone
+		godot::Node3D *node = nullptr; // of that id; valid while the engine knows the id
 		bool lost = false; // leads to no node, which was reported
 	};
 

@@ -2,6 +2,8 @@
 
 tools/bench kernels   blend of pose pairs, n from 1 to 1,000,000: C++ against GLM,
                       and MotorPool against Transform3D.interpolate_with in the engine
+tools/bench engine    50 to 10,000 cubes between two poses in each frame: the GA-Unity paper's two
+                      methods, GLM, scripts, Tween, AnimationPlayer, MultivectorLerp, MotorPool
 tools/bench network   recorded motion over a simulated link: bytes, errors and delay beside
                       fixed-rate poses and the GA-Unity paper's scheme; the load of a server
 tools/bench playground
@@ -18,12 +20,13 @@ import os
 import platform
 import sys
 
+import bench_engine
 import bench_kernels
 import bench_network
 import bench_playground
 import checkout
 
-SUITES = {"kernels": bench_kernels, "network": bench_network, "playground": bench_playground}
+SUITES = {"kernels": bench_kernels, "engine": bench_engine, "network": bench_network, "playground": bench_playground}
 
 
 def machine():

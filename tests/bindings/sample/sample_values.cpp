@@ -2,6 +2,7 @@
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -224,6 +225,15 @@ TypedArray<Node3D> SampleValues::only_visible(const TypedArray<Node3D> &p_nodes)
 	return result;
 }
 
+PackedInt32Array SampleValues::squares(int p_count) const {
+	PackedInt32Array results;
+	results.resize(p_count);
+	const auto square = [](void *p_results, uint32_t p_index) { static_cast<int32_t *>(p_results)[p_index] = int32_t(p_index * p_index); };
+	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+	pool->wait_for_group_task_completion(pool->add_native_group_task(square, results.ptrw(), p_count));
+	return results;
+}
+
 int64_t SampleValues::convert_often(const Array &p_values, int64_t p_times) const {
 	int64_t size = 0;
 	for (int64_t i = 0; i < p_times; i++) {
@@ -342,6 +352,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("strings", "strings"), &SampleValues::strings);
 	ClassDB::bind_method(D_METHOD("move_all", "transforms", "offset"), &SampleValues::move_all);
 	ClassDB::bind_method(D_METHOD("only_visible", "nodes"), &SampleValues::only_visible);
+	ClassDB::bind_method(D_METHOD("squares", "count"), &SampleValues::squares);
 	ClassDB::bind_method(D_METHOD("convert_often", "values", "times"), &SampleValues::convert_often);
 	ClassDB::bind_method(D_METHOD("describe_object", "object"), &SampleValues::describe_object);
 	ClassDB::bind_method(D_METHOD("describe_node", "node"), &SampleValues::describe_node);

@@ -64,6 +64,8 @@ public:
 	godot::PackedStringArray strings(const godot::PackedStringArray &p_strings) const;
 	godot::TypedArray<godot::Transform3D> move_all(const godot::TypedArray<godot::Transform3D> &p_transforms, const godot::Vector3 &p_offset) const;
 	godot::TypedArray<godot::Node3D> only_visible(const godot::TypedArray<godot::Node3D> &p_nodes) const;
+	/// The squares of 0 to p_count - 1, each computed by a task of a group.
+	godot::PackedInt32Array squares(int p_count) const;
 	/// Converts into the same variables again and again, which must not leak.
 	int64_t convert_often(const godot::Array &p_values, int64_t p_times) const;
 
