@@ -25,6 +25,7 @@ struct LanePose {
 CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float rest = 1.0f - a;
 	LanePose pose;
+	pose.scale = rest * block.from_scale[lane] + a * block.to_scale[lane];
 	pose.w = rest * block.from_rotation[0][lane] + a * block.to_rotation[0][lane];
 	pose.x = rest * block.from_rotation[1][lane] + a * block.to_rotation[1][lane];
 	pose.y = rest * block.from_rotation[2][lane] + a * block.to_rotation[2][lane];
@@ -36,7 +37,6 @@ CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noex
 	pose.shift_x = straight * block.shift[0][lane] + bent * block.bend[0][lane];
 	pose.shift_y = straight * block.shift[1][lane] + bent * block.bend[1][lane];
 	pose.shift_z = straight * block.shift[2][lane] + bent * block.bend[2][lane];
-	pose.scale = rest * block.from_scale[lane] + a * block.to_scale[lane];
 	return pose;
 }
 
