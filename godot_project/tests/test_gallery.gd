@@ -2,9 +2,9 @@ extends "res://tests/framework/test_case.gd"
 ## The documents of the gallery: each loads, has values everywhere, and lives through every position of its sliders and
 ## of what can be dragged. What each of them teaches is in test_gallery_facts.gd.
 
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
-const ExamplesMenu := preload("res://addons/ga_godot/playground/examples_menu.gd")
-const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
+const ExamplesMenu := preload("res://addons/ga_godot/playground/panel/examples_menu.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
 
 const DRAGGED_KEYS: Array[String] = ["position", "center"]
 const DRAGS: Array[Vector3] = [

@@ -1,7 +1,7 @@
 extends "res://tests/framework/test_case.gd"
 ## What the documents of the gallery teach, as numbers.
 
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 
 const EXACT := 1e-9
 

@@ -1,11 +1,11 @@
 extends "res://tests/framework/test_case.gd"
 ## What a document says about itself, and where it is looked at from.
 
-const DescriptionPanel := preload("res://addons/ga_godot/playground/description_panel.gd")
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
-const PictureDialog := preload("res://addons/ga_godot/playground/picture_dialog.gd")
-const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
-const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const DescriptionPanel := preload("res://addons/ga_godot/playground/panel/description_panel.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
+const PictureDialog := preload("res://addons/ga_godot/playground/picture/picture_dialog.gd")
+const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
 
 var _panel: DescriptionPanel
 

@@ -2,7 +2,7 @@ extends "res://tests/framework/test_case.gd"
 ## The code samples of the README and the guides compile, run, and what they say holds.
 
 const CodeSample := preload("res://tests/framework/code_sample.gd")
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 
 const FENCE := "```gdscript\n"
 

@@ -1,7 +1,7 @@
 extends "res://tests/framework/lab_case.gd"
 ## The playground's interpolation lab, used as a person uses it: folded out, chosen, slid, played, and what it says.
 
-const EntryList := preload("res://addons/ga_godot/playground/entry_list.gd")
+const EntryList := preload("res://addons/ga_godot/playground/entries/entry_list.gd")
 const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
 const LabWords := preload("res://addons/ga_godot/playground/lab/lab_words.gd")
 

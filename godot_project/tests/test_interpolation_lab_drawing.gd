@@ -1,8 +1,8 @@
 extends "res://tests/framework/test_case.gd"
 ## What the interpolation lab draws is where MultivectorLerp says, and follows quickly.
 
-const OwnHistory := preload("res://addons/ga_godot/playground/own_history.gd")
-const PlaygroundDocument := preload("res://addons/ga_godot/playground/playground_document.gd")
+const OwnHistory := preload("res://addons/ga_godot/playground/document/own_history.gd")
+const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
 const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
 

@@ -1,8 +1,8 @@
 extends "res://tests/framework/playground_test.gd"
 ## The playground in a running game, used by mouse and keyboard: its view, its history, its look.
 
-const PlaygroundTheme := preload("res://addons/ga_godot/playground/playground_theme.gd")
-const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const PlaygroundTheme := preload("res://addons/ga_godot/playground/theme/playground_theme.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
 
 const STATE := "user://test_playground.cfg"
 

@@ -1,8 +1,8 @@
 extends "res://tests/framework/playground_test.gd"
 ## The playground's panel, used by mouse and keyboard: list, typing line, coefficients, sliders, files.
 
-const DragField := preload("res://addons/ga_godot/playground/drag_field.gd")
-const NumberField := preload("res://addons/ga_godot/playground/number_field.gd")
+const DragField := preload("res://addons/ga_godot/playground/panel/drag_field.gd")
+const NumberField := preload("res://addons/ga_godot/playground/panel/number_field.gd")
 
 const SAVED := "user://test_playground.json"
 
@@ -151,5 +151,5 @@ func test_json_is_copied_saved_opened_and_pasted() -> void:
 	_demo.panel.file_menu.paste("[%s]" % ", ".join(_numbers(2.0)))
 	expect_equal(_scene().get_description(_names()[-1] as String), "number 2", "32 pasted numbers")
 	_demo.panel.file_menu.paste("words")
-	expect_equal(_demo.get_notice(), "The clipboard has neither a document nor a list of 32 numbers.", "what is told")
+	expect_equal(_demo.get_notice(), "The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.", "what is told")
 	DirAccess.remove_absolute(SAVED)

@@ -1,14 +1,13 @@
 extends "res://tests/framework/test_case.gd"
 ## The playground's view: what is under the mouse, drags and clicks, without a window.
 
-const PLAYGROUND := "res://addons/ga_godot/playground/"
-const PlaygroundDocument := preload(PLAYGROUND + "playground_document.gd")
-const EntryEdits := preload(PLAYGROUND + "entry_edits.gd")
-const EntryList := preload(PLAYGROUND + "entry_list.gd")
-const OwnHistory := preload(PLAYGROUND + "own_history.gd")
-const SceneDrawing := preload(PLAYGROUND + "view/scene_drawing.gd")
-const ViewHandle := preload(PLAYGROUND + "view/view_handle.gd")
-const ViewPointer := preload(PLAYGROUND + "view/view_pointer.gd")
+const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
+const EntryEdits := preload("res://addons/ga_godot/playground/document/entry_edits.gd")
+const EntryList := preload("res://addons/ga_godot/playground/entries/entry_list.gd")
+const OwnHistory := preload("res://addons/ga_godot/playground/document/own_history.gd")
+const SceneDrawing := preload("res://addons/ga_godot/playground/view/scene_drawing.gd")
+const ViewHandle := preload("res://addons/ga_godot/playground/view/view_handle.gd")
+const ViewPointer := preload("res://addons/ga_godot/playground/view/view_pointer.gd")
 
 const SIZE := Vector2i(800, 600)
 

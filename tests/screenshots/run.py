@@ -59,7 +59,7 @@ def main():
     with screen() as environment:
         engine = engine_run.Engine(options.engine, environment)
         if options.update:
-            dock.write_reference(engine, PROJECT, OUTPUT)
+            dock.write_references(engine, PROJECT, OUTPUT)
             view.write_reference(engine, PROJECT, OUTPUT)
             renderers.write_references(engine, PROJECT, REFERENCES)
             sys.exit(write_pictures(engine, REFERENCES, REFERENCE_SIZE))
@@ -148,7 +148,11 @@ def write_gallery(engine):
     if run.code != 0 or run.problems():
         return 1
     # The editor is seen as the scripted person saw it.
-    shutil.copyfile(os.path.join(REFERENCES, "viewport.png"), os.path.join(folder, "playground_editor.png"))
+    problems = view.check_view(engine, PROJECT, OUTPUT)
+    if problems:
+        print("\n".join(problems))
+        return 1
+    shutil.copyfile(os.path.join(OUTPUT, "viewport_editor.png"), os.path.join(folder, "playground_editor.png"))
     os.makedirs(GALLERY_IMAGES, exist_ok=True)
     too_large = 0
     for name in sorted(os.listdir(folder)):

@@ -76,6 +76,8 @@ func _open_dock() -> void:
 	_dock = script.new()
 	_dock.call(&"set_up", get_undo_redo())
 	add_dock(_dock)
+	scene_saved.connect(Callable(_dock, &"on_scene_saved"))
+	scene_closed.connect(Callable(_dock, &"on_scene_closed"))
 	var export_script: GDScript = load(EXPORT_SCRIPT)
 	_export = export_script.new()
 	add_export_plugin(_export)

@@ -1,8 +1,8 @@
 extends MenuButton
 ## Which kind of object a click into the view adds.
 
-const NewObjects := preload("res://addons/ga_godot/playground/new_objects.gd")
-const PlaygroundIcons := preload("res://addons/ga_godot/playground/playground_icons.gd")
+const NewObjects := preload("res://addons/ga_godot/playground/document/new_objects.gd")
+const PlaygroundIcons := preload("res://addons/ga_godot/playground/theme/playground_icons.gd")
 
 signal chosen(kind: StringName)
 

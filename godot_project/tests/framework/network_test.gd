@@ -6,6 +6,8 @@ const NetworkBranch := preload("res://tests/framework/network_branch.gd")
 
 ## Long enough for a stream to be asked for and shown.
 const SETTLE := 0.3
+## Ticks more where a busy machine does several of them in one frame, between which no packet comes.
+const MORE_TICKS := 120
 ## Pictures a second in these tests, so that they do not take a whole core.
 const FRAMES_PER_SECOND := 120
 
@@ -87,7 +89,12 @@ func distance_from_path(body: Node3D) -> float:
 
 ## Moves the first branch's bodies while the others must show them on their paths.
 func expect_motion(seconds: float, watched: Array[NetworkBranch], mover: NetworkBranch = branches[0]) -> void:
+	var bound := 1.2 * mover.synchronizer.position_tolerance + 0.001
 	await move(mover, SETTLE)
+	for tick in MORE_TICKS:
+		if watched.all(func(branch: NetworkBranch) -> bool: return distance_from_paths(branch) <= bound):
+			break
+		await move(mover, 1.0 / Engine.physics_ticks_per_second)
 	var worst := 0.0
 	var travelled := 0.0
 	var ticks := roundi(seconds * Engine.physics_ticks_per_second)
@@ -99,7 +106,6 @@ func expect_motion(seconds: float, watched: Array[NetworkBranch], mover: Network
 		var after := _positions(watched)
 		for i in mini(before.size(), after.size()):
 			travelled += before[i].distance_to(after[i]) / before.size()
-	var bound := 1.2 * mover.synchronizer.position_tolerance + 0.001
 	expect_true(worst <= bound, "a distance of %.1f mm from the path, at most %.1f mm," % [worst * 1000.0, bound * 1000.0])
 	expect_true(travelled > 0.3 * seconds, "%.2f m that bodies travelled" % travelled)
 

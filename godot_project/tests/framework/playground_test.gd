@@ -1,7 +1,7 @@
 extends "res://tests/framework/test_case.gd"
 ## The base of tests that use the playground of a running game by mouse and keyboard.
 
-const EntryRow := preload("res://addons/ga_godot/playground/entry_row.gd")
+const EntryRow := preload("res://addons/ga_godot/playground/entries/entry_row.gd")
 const Hands := preload("res://tests/framework/hands.gd")
 const Playground := preload("res://demos/playground/playground.gd")
 

@@ -2,11 +2,11 @@ extends RefCounted
 ## That a document is exported as the picture that one asked for: size, background, alpha, file, and what is told where
 ## it cannot be.
 
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
-const PictureDialog := preload("res://addons/ga_godot/playground/picture_dialog.gd")
-const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
-const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const PictureDialog := preload("res://addons/ga_godot/playground/picture/picture_dialog.gd")
+const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
 
 const TITLE := "gallery_three_spheres"
 const EXAMPLE := "three_spheres"

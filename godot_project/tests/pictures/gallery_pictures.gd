@@ -5,10 +5,10 @@ extends Node
 ## --gallery-pictures=DIR   the folder of the pictures
 ## --only=NAME,NAME         only these documents, and nothing else
 
-const Gallery := preload("res://addons/ga_godot/playground/gallery.gd")
+const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 const Playground := preload("res://demos/playground/playground.gd")
-const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
-const ViewPoint := preload("res://addons/ga_godot/playground/view_point.gd")
+const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
+const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
 
 const PLAYGROUND := "res://demos/playground/playground.tscn"
 const PLAYGROUND_SIZE := Vector2i(1280, 720)

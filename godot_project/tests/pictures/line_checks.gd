@@ -1,7 +1,7 @@
 extends RefCounted
 ## That a line has the same width along its whole way to the horizon, also where it begins behind the camera.
 
-const PictureExport := preload("res://addons/ga_godot/playground/picture_export.gd")
+const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
 
 const SIZE := Vector2i(640, 360)
 const WIDTH := 10.0

@@ -59,6 +59,9 @@ func _update() -> void:
 			get_tree().quit(1)
 			return
 		print("wrote %s" % _reference_path(title))
+	if not _only.is_empty():
+		get_tree().quit()
+		return
 	var exported := await ExportChecks.new(self).draw_reference()
 	get_tree().quit(0 if exported.save_png(_reference_path(ExportChecks.TITLE)) == OK else 1)
 

@@ -64,3 +64,23 @@ static func write_over(edit: LineEdit, text: String) -> void:
 	click(edit)
 	press_key(edit.get_viewport(), KEY_A, 0, true)
 	type(edit.get_viewport(), text)
+
+
+## Presses a field that captures the mouse, and moves so many pixels to the right.
+static func drag_with(control: Control, pixels: int, steps := 8) -> void:
+	var place := control.get_global_transform_with_canvas() * (control.size * 0.5)
+	for step in steps + 2:
+		var event: InputEventMouse
+		if step in [0, steps + 1]:
+			var press := InputEventMouseButton.new()
+			press.button_index = MOUSE_BUTTON_LEFT
+			press.pressed = step == 0
+			event = press
+		else:
+			var motion := InputEventMouseMotion.new()
+			motion.relative = Vector2(float(pixels) / steps, 0)
+			motion.button_mask = MOUSE_BUTTON_MASK_LEFT
+			event = motion
+		event.position = place
+		event.global_position = place
+		control.get_viewport().push_input(event)

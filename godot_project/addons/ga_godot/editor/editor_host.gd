@@ -32,6 +32,14 @@ func note_file(path: String) -> void:
 	EditorInterface.get_resource_filesystem().update_file(path)
 
 
+func save_embedding(file: String) -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	if root != null and root.scene_file_path == file:
+		EditorInterface.save_scene()
+	else:
+		warn("The scene is a part of %s. Open that in a tab to save it." % file)
+
+
 func can_create_nodes() -> bool:
 	return _nodes.is_possible()
 

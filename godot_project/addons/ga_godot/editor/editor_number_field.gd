@@ -1,5 +1,5 @@
 @tool
-extends "../playground/number_field.gd"
+extends "../playground/panel/number_field.gd"
 ## The number field of the editor.
 
 var _slider := EditorSpinSlider.new()
@@ -13,6 +13,8 @@ func _init(step: float) -> void:
 	_slider.value_changed.connect(edited.emit)
 	_slider.grabbed.connect(grabbed.emit)
 	_slider.ungrabbed.connect(ungrabbed.emit)
+	# A click that is no drag: the number is typed.
+	_slider.value_focus_entered.connect(ungrabbed.emit)
 	# Otherwise the tooltip of the whole would not be seen.
 	_slider.mouse_filter = Control.MOUSE_FILTER_PASS
 	add_child(_slider)

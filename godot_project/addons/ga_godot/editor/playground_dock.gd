@@ -2,17 +2,21 @@
 extends EditorDock
 ## "GA Playground": named expressions of geometric algebra, made by buttons and by typing.
 
-const PlaygroundDocument := preload("../playground/playground_document.gd")
-const PlaygroundIcons := preload("../playground/playground_icons.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
+const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
 const PlaygroundPanel := preload("../playground/playground_panel.gd")
-const PlaygroundStyle := preload("../playground/playground_style.gd")
+const PlaygroundStyle := preload("../playground/theme/playground_style.gd")
+const EditorHistory := preload("editor_history.gd")
 const EditorHost := preload("editor_host.gd")
+const EmbeddedScenes := preload("embedded_scenes.gd")
 const Session := preload("session.gd")
+const UndoKeys := preload("undo_keys.gd")
 
 const WIDTH := 220.0
 
 var document: PlaygroundDocument
 var panel: PlaygroundPanel
+var embedded: EmbeddedScenes
 
 
 ## Before the dock is added.
@@ -27,6 +31,8 @@ func set_up(undo_redo: EditorUndoRedoManager) -> void:
 	panel = PlaygroundPanel.new(EditorHost.new(undo_redo))
 	document = panel.document
 	add_child(panel)
+	add_child(UndoKeys.new(self, document, panel.host.history as EditorHistory))
+	embedded = EmbeddedScenes.new(document)
 	Session.restore(document)
 
 
@@ -36,7 +42,17 @@ func _notification(what: int) -> void:
 
 
 func show_scene(scene: GAScene) -> void:
-	panel.show_scene(scene)
+	if scene != document.scene:
+		panel.file_menu.unless_unsaved(panel.show_scene.bind(scene))
+
+
+## The file of a scene in a tab was saved.
+func on_scene_saved(path: String) -> void:
+	embedded.on_scene_saved(path)
+
+
+func on_scene_closed(path: String) -> void:
+	embedded.on_scene_closed(path)
 
 
 ## What has a file is saved there; all else is kept for the next start.

@@ -21,6 +21,7 @@ var _node: GANode3D
 var _is_switching := false
 # Between a press that selected something and its release.
 var _is_pressed := false
+var _tree := Engine.get_main_loop() as SceneTree
 
 
 func _init(dock: PlaygroundDock, drawing: SceneDrawing, pointer: ViewPointer) -> void:
@@ -29,10 +30,14 @@ func _init(dock: PlaygroundDock, drawing: SceneDrawing, pointer: ViewPointer) ->
 	_pointer = pointer
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	_dock.document.scene_switched.connect(_on_scene_switched)
+	_tree.node_added.connect(_on_node_came_or_went)
+	_tree.node_removed.connect(_on_node_came_or_went)
 	_on_selection_changed()
 
 
 func stop() -> void:
+	_tree.node_added.disconnect(_on_node_came_or_went)
+	_tree.node_removed.disconnect(_on_node_came_or_went)
 	_dock.document.scene_switched.disconnect(_on_scene_switched)
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	_show(null)
@@ -94,17 +99,18 @@ func _on_selection_changed() -> void:
 			chosen = drawn
 	if chosen != _node or (chosen != null and chosen.scene != _dock.document.scene):
 		_show(chosen)
+	else:
+		_leave_out_drawn()
 
 
 func _show(node: GANode3D) -> void:
 	if is_instance_valid(_node) and _node.tree_exiting.is_connected(_show):
 		_node.tree_exiting.disconnect(_show)
 	_node = node
-	_pointer.other_nodes.clear()
-	_drawing.left_out = PackedStringArray()
 	if node == null:
 		_show_own()
 		_drawing.transform = Transform3D.IDENTITY
+		_leave_out_drawn()
 		return
 	var document := _dock.document
 	if node.scene != document.scene:
@@ -115,11 +121,30 @@ func _show(node: GANode3D) -> void:
 		_is_switching = true
 		document.show_scene(node.scene, node.scene.resource_path)
 		_is_switching = false
-	_pointer.other_nodes.append(node)
-	_drawing.left_out = PackedStringArray([node.entry])
 	node.tree_exiting.connect(_show.bind(null))
 	follow()
+	_leave_out_drawn()
 	_dock.panel.select(node.entry)
+
+
+## What nodes of the edited scene draw in the same place is not drawn twice.
+func _leave_out_drawn() -> void:
+	if not _drawing.is_inside_tree():
+		return
+	_pointer.other_nodes.clear()
+	var entries := PackedStringArray()
+	for node in _edited_nodes():
+		var is_same := node == _node or (node.is_inside_tree() and node.is_visible_in_tree() and node.global_transform == _drawing.global_transform)
+		if is_same and node.scene == _dock.document.scene:
+			_pointer.other_nodes.append(node)
+			entries.append(node.entry)
+	if entries != _drawing.left_out:
+		_drawing.left_out = entries
+
+
+func _on_node_came_or_went(node: Node) -> void:
+	if node is GANode3D and node.get_parent() != _drawing:
+		_leave_out_drawn.call_deferred()
 
 
 ## The drawing around the selected node moves with it.
@@ -149,6 +174,8 @@ func _show_own() -> void:
 func _on_scene_switched() -> void:
 	if not _is_switching and _own_scene != null and _dock.document.scene != _node.scene:
 		_replace_own.call_deferred(_dock.document.scene, _dock.document.path)
+	else:
+		_leave_out_drawn()
 
 
 func _replace_own(scene: GAScene, path: String) -> void:

@@ -2,13 +2,16 @@
 extends RefCounted
 ## Keeps what the dock shows over restarts of the editor, unsaved changes included, among the editor's files of the project.
 
-const PlaygroundDocument := preload("../playground/playground_document.gd")
+const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
 const FILE := "ga_playground.cfg"
 const SECTION := "session"
 
 
 static func keep(document: PlaygroundDocument) -> void:
+	# What is a part of a .tscn is opened with that; what was kept before it was shown stays.
+	if document.is_embedded():
+		return
 	var file := ConfigFile.new()
 	file.set_value(SECTION, "path", document.path)
 	if document.path.is_empty() or document.is_unsaved():

@@ -3,11 +3,11 @@ extends Node3D
 ## The dock's document in the editor's 3D viewports: drawn, and dragged by handles. It takes no event that is not over something of
 ## the playground's, and does nothing while the dock is closed. Below the plugin: what it draws is in no edited scene.
 
-const VIEW := "../playground/view/"
-const HandleOverlay := preload(VIEW + "handle_overlay.gd")
-const Picking := preload(VIEW + "picking.gd")
-const SceneDrawing := preload(VIEW + "scene_drawing.gd")
-const ViewPointer := preload(VIEW + "view_pointer.gd")
+const HandleOverlay := preload("../playground/view/handle_overlay.gd")
+const Picking := preload("../playground/view/picking.gd")
+const SceneDrawing := preload("../playground/view/scene_drawing.gd")
+const LabDrawing := preload("../playground/lab/lab_drawing.gd")
+const ViewPointer := preload("../playground/view/view_pointer.gd")
 const PlaygroundDock := preload("playground_dock.gd")
 const SelectedNodes := preload("selected_nodes.gd")
 const ViewportToolbar := preload("viewport_toolbar.gd")

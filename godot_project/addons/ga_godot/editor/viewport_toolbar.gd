@@ -2,8 +2,8 @@
 extends HBoxContainer
 ## In the menu above the 3D viewports: whether the playground's objects are shown, and what a click adds.
 
-const NewObjects := preload("../playground/new_objects.gd")
-const PlaygroundIcons := preload("../playground/playground_icons.gd")
+const NewObjects := preload("../playground/document/new_objects.gd")
+const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
 const ViewPointer := preload("../playground/view/view_pointer.gd")
 
 signal shown_toggled(on: bool)

@@ -2,8 +2,8 @@
 extends "playground_host.gd"
 ## A running game around the panel: a history of its own, files in user://.
 
-const DragField := preload("drag_field.gd")
-const OwnHistory := preload("own_history.gd")
+const DragField := preload("panel/drag_field.gd")
+const OwnHistory := preload("document/own_history.gd")
 
 ## Something to tell a person.
 signal warned(words: String)

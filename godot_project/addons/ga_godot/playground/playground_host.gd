@@ -3,9 +3,9 @@
 extends RefCounted
 ## What the panel asks of where it stands: the editor, or a running game.
 
-const EditHistory := preload("edit_history.gd")
-const NumberField := preload("number_field.gd")
-const ViewPoint := preload("view_point.gd")
+const EditHistory := preload("document/edit_history.gd")
+const NumberField := preload("panel/number_field.gd")
+const ViewPoint := preload("picture/view_point.gd")
 
 var history: EditHistory
 
@@ -23,6 +23,11 @@ var history: EditHistory
 
 ## A file was written.
 func note_file(_path: String) -> void:
+	pass
+
+
+## Saves the file that the scene is a part of.
+func save_embedding(_file: String) -> void:
 	pass
 
 

@@ -1,21 +1,21 @@
 @tool
-extends "sharing_column.gd"
+extends "panel/sharing_column.gd"
 ## All of the playground that is not the view: what can be added, the entries, where expressions are typed, coefficients.
 ## The same in the editor's dock and in a running game; `host` is which of them it is.
 
-const PlaygroundDocument := preload("playground_document.gd")
+const PlaygroundDocument := preload("document/playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
-const EntryEdits := preload("entry_edits.gd")
-const EntryList := preload("entry_list.gd")
-const EntryMenu := preload("entry_menu.gd")
-const FileMenu := preload("file_menu.gd")
-const ObjectButtons := preload("object_buttons.gd")
-const CombinationButtons := preload("combination_buttons.gd")
-const ExpressionLine := preload("expression_line.gd")
-const CoefficientsPanel := preload("coefficients_panel.gd")
-const DescriptionPanel := preload("description_panel.gd")
-const ExamplesMenu := preload("examples_menu.gd")
-const PictureDialog := preload("picture_dialog.gd")
+const EntryEdits := preload("document/entry_edits.gd")
+const EntryList := preload("entries/entry_list.gd")
+const EntryMenu := preload("entries/entry_menu.gd")
+const FileMenu := preload("panel/file_menu.gd")
+const ObjectButtons := preload("panel/object_buttons.gd")
+const CombinationButtons := preload("panel/combination_buttons.gd")
+const ExpressionLine := preload("panel/expression_line.gd")
+const CoefficientsPanel := preload("panel/coefficients_panel.gd")
+const DescriptionPanel := preload("panel/description_panel.gd")
+const ExamplesMenu := preload("panel/examples_menu.gd")
+const PictureDialog := preload("picture/picture_dialog.gd")
 const InterpolationLab := preload("lab/interpolation_lab.gd")
 const LabDrawing := preload("lab/lab_drawing.gd")
 const LabPanel := preload("lab/lab_panel.gd")
@@ -152,5 +152,5 @@ func _on_scene_switched() -> void:
 
 
 func _show_file_name() -> void:
-	_file_name.text = ("not saved yet" if document.path.is_empty() else document.path.get_file()) + ("*" if document.is_unsaved() else "")
-	_file_name.tooltip_text = document.path
+	_file_name.text = ("not saved yet" if document.path.is_empty() else document.get_file().get_file()) + ("*" if document.is_unsaved() else "")
+	_file_name.tooltip_text = "A part of %s, saved with it." % document.get_file() if document.is_embedded() else document.path

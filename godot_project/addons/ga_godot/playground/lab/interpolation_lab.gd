@@ -3,8 +3,8 @@ extends RefCounted
 ## Two poses of a document and the ways between them: which entries, at which t, and what is shown of it. Panel and drawing
 ## show what it says; it lives in the document's attributes (lab_settings.gd), except for t while that is moved.
 
-const PlaygroundDocument := preload("../playground_document.gd")
-const NewObjects := preload("../new_objects.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const NewObjects := preload("../document/new_objects.gd")
 const Modes := preload("interpolation_modes.gd")
 const LabPlayback := preload("lab_playback.gd")
 const LabPoses := preload("lab_poses.gd")

@@ -2,9 +2,9 @@
 extends VBoxContainer
 ## From which pose to which, and what is wrong with them.
 
-const EntryList := preload("../entry_list.gd")
-const PlaygroundIcons := preload("../playground_icons.gd")
-const PlaygroundStyle := preload("../playground_style.gd")
+const EntryList := preload("../entries/entry_list.gd")
+const PlaygroundIcons := preload("../theme/playground_icons.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 
 const CHOICE_WIDTH := 64.0

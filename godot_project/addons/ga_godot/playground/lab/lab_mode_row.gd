@@ -2,7 +2,7 @@
 extends VBoxContainer
 ## One way between the poses: whether it is drawn, its colour, the pose at t, and how far it is from the screw.
 
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabSettings := preload("lab_settings.gd")
 const LabWords := preload("lab_words.gd")

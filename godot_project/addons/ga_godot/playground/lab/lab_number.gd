@@ -2,9 +2,9 @@
 extends MarginContainer
 ## A setting of the lab that is a number.
 
-const NumberField := preload("../number_field.gd")
+const NumberField := preload("../panel/number_field.gd")
 const PlaygroundHost := preload("../playground_host.gd")
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabSettings := preload("lab_settings.gd")
 

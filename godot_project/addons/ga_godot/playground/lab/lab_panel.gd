@@ -2,7 +2,7 @@
 extends FoldableContainer
 ## "Interpolation": two poses of the document and the three ways between them. Unfolded, they are drawn.
 
-const EntryList := preload("../entry_list.gd")
+const EntryList := preload("../entries/entry_list.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabEnds := preload("lab_ends.gd")

@@ -2,7 +2,7 @@
 extends HBoxContainer
 ## t by hand or played, and what comes after its end.
 
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabPlayback := preload("lab_playback.gd")
 

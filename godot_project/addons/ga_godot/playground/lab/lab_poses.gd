@@ -3,7 +3,7 @@ extends RefCounted
 ## The two entries that are interpolated: their motors, followed through changes of their values and names, and in words what
 ## is wrong with them.
 
-const PlaygroundDocument := preload("../playground_document.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
 const LabSettings := preload("lab_settings.gd")
 
 ## A pose, a name, what can be chosen, or what is wrong.

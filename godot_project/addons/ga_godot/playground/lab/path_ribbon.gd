@@ -2,7 +2,7 @@
 extends RefCounted
 ## A path as a band of the same width in pixels everywhere: the mesh and material for path_ribbon.gdshader.
 
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const SHADER := preload("path_ribbon.gdshader")
 
 ## In pixels.

@@ -2,8 +2,8 @@
 extends RefCounted
 ## Objects that are added by a click into the view: on the sphere or plane that is hit, else on the ground y = 0.
 
-const EntryEdits := preload("../entry_edits.gd")
-const NewObjects := preload("../new_objects.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const NewObjects := preload("../document/new_objects.gd")
 const Picking := preload("picking.gd")
 const SceneDrawing := preload("scene_drawing.gd")
 const ViewRay := preload("view_ray.gd")

@@ -2,7 +2,7 @@
 extends RefCounted
 ## One drag of a handle, from its beginning to its end: one step of the history, or none if it is taken back.
 
-const PlaygroundDocument := preload("../playground_document.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
 const ViewHandle := preload("view_handle.gd")
 const ViewRay := preload("view_ray.gd")
 const ViewScale := preload("view_scale.gd")

@@ -3,7 +3,7 @@ extends RefCounted
 ## What lies over a view of a document: handles, what is dragged in numbers, where a click would add something.
 
 const ClickAdding := preload("click_adding.gd")
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ViewHandle := preload("view_handle.gd")
 const ViewPointer := preload("view_pointer.gd")
 

@@ -3,7 +3,7 @@ extends Node3D
 ## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
 ## the usual width unless its attribute "line_width" tells another one in pixels.
 
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {

@@ -3,9 +3,9 @@ extends RefCounted
 ## The mouse over a view of a document: hovers, selects, drags handles and objects, adds objects. Give it every event of the
 ## view; it says which it used. The editor's viewports and a game's view are the same to it.
 
-const PlaygroundDocument := preload("../playground_document.gd")
-const EntryEdits := preload("../entry_edits.gd")
-const EntryList := preload("../entry_list.gd")
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const EntryList := preload("../entries/entry_list.gd")
 const ClickAdding := preload("click_adding.gd")
 const HandleDrag := preload("handle_drag.gd")
 const ObjectGrab := preload("object_grab.gd")

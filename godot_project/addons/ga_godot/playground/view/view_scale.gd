@@ -2,7 +2,7 @@
 extends RefCounted
 ## How large things are on the screen.
 
-const PlaygroundStyle := preload("../playground_style.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 ## How near in pixels the mouse has to come.
 const REACH := 9.0

@@ -1,0 +1,148 @@
+@tool
+extends RefCounted
+## The scene that the playground shows, where it is saved, and every change to it as one step that can be undone.
+
+## Another scene is shown, or it has another file.
+signal scene_switched
+## Something of the scene changed; also when it was undone.
+signal changed
+## Just before that: which entries have another value or error, as GAScene tells it.
+signal entries_changed(names: PackedStringArray)
+
+const EditHistory := preload("edit_history.gd")
+
+## What an expression that is being typed is called meanwhile.
+const TYPED := "_typed"
+const MAX_NAME_LENGTH := 64
+
+var scene: GAScene
+## Of the file; empty if it was never saved.
+var path := ""
+
+var _history: EditHistory
+var _saved_text := ""
+var _text_before_gesture := ""
+var _in_gesture := false
+# Within change(): listeners are told once, at its end.
+var _is_changing := false
+
+
+func _init(history: EditHistory) -> void:
+	_history = history
+	show_scene(GAScene.new(), "")
+
+
+func show_scene(new_scene: GAScene, new_path: String) -> void:
+	if scene != null:
+		scene.changed.disconnect(_on_changed)
+		scene.entries_changed.disconnect(_on_entries_changed)
+	scene = new_scene
+	path = new_path
+	_in_gesture = false
+	_saved_text = scene.document
+	scene.changed.connect(_on_changed)
+	scene.entries_changed.connect(_on_entries_changed)
+	scene_switched.emit()
+	changed.emit()
+
+
+func is_unsaved() -> bool:
+	return _in_gesture or scene.document != _saved_text
+
+
+## If it is a part of another file, such as a .tscn, and is saved with that.
+func is_embedded() -> bool:
+	return path.contains("::")
+
+
+## The file that it is in; empty if it was never saved.
+func get_file() -> String:
+	return path.get_slice("::", 0)
+
+
+## The scene as it was when it was opened or last saved.
+func get_saved_text() -> String:
+	return _saved_text
+
+
+func mark_saved(new_path: String) -> void:
+	path = new_path
+	_saved_text = scene.document
+	scene_switched.emit()
+
+
+## Calls edit with the scene; all that it does is one step of the history.
+func change(title: String, edit: Callable) -> void:
+	var before := scene.document
+	_is_changing = true
+	edit.call(scene)
+	_is_changing = false
+	var after := scene.document
+	if before != after:
+		_commit(title, before, after)
+		changed.emit()
+
+
+## Between these two, changes are made on the scene itself, at the rate of a drag; they become one step.
+func begin_gesture() -> void:
+	_in_gesture = true
+	_text_before_gesture = scene.document
+
+
+func is_in_gesture() -> bool:
+	return _in_gesture
+
+
+func end_gesture(title: String) -> void:
+	if _in_gesture:
+		_in_gesture = false
+		_commit(title, _text_before_gesture, scene.document)
+		changed.emit()
+
+
+func copy_scene() -> GAScene:
+	var copy := GAScene.new()
+	copy.document = scene.document
+	return copy
+
+
+## Why the text cannot be the name of a new entry; empty if it can.
+func name_error(text: String) -> String:
+	if scene.has_entry(text):
+		return "There is an entry %s already." % text
+	var language := GAScene.new()
+	language.add_entry(TYPED, text)
+	if text.length() > MAX_NAME_LENGTH or language.get_dependencies(TYPED) != PackedStringArray([text]):
+		return "%s cannot be a name: it needs letters, digits and underscores, no digit first, and must not be a constant." % ("This" if text.is_empty() else text)
+	return ""
+
+
+## What an expression without an error is, in words.
+func describe(expression: String) -> String:
+	var alone := GAScene.new()
+	alone.add_entry(TYPED, scene.evaluate(expression).to_json())
+	return alone.get_description(TYPED)
+
+
+## The scene as it would be with that expression of an entry, or of one more called TYPED.
+func preview(text: String, entry := TYPED) -> GAScene:
+	var copy := copy_scene()
+	if copy.has_entry(entry):
+		copy.set_expression(entry, text)
+	else:
+		copy.add_entry(entry, text)
+	return copy
+
+
+func _commit(title: String, before: String, after: String) -> void:
+	if before != after:
+		_history.commit(title, scene, before, after)
+
+
+func _on_changed() -> void:
+	if not _is_changing:
+		changed.emit()
+
+
+func _on_entries_changed(names: PackedStringArray) -> void:
+	entries_changed.emit(names)

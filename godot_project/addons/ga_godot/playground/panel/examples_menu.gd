@@ -1,0 +1,29 @@
+@tool
+extends PopupMenu
+## The gallery's examples by their titles, as a menu or a submenu.
+
+const Gallery := preload("../document/gallery.gd")
+
+## A fresh copy of an example.
+signal chosen(scene: GAScene, title: String)
+## An example cannot be opened: why.
+signal failed(words: String)
+
+
+func _init() -> void:
+	name = "Examples"
+	var examples := Gallery.list()
+	for id in examples.size():
+		if Gallery.SECTIONS.has(examples[id]):
+			add_separator(Gallery.SECTIONS[examples[id]])
+		add_item(Gallery.EXAMPLES[examples[id]], id)
+	id_pressed.connect(_on_id_pressed)
+
+
+func _on_id_pressed(id: int) -> void:
+	var example := Gallery.list()[id]
+	var scene := Gallery.load_example(example)
+	if scene == null:
+		failed.emit(Gallery.error_of(example))
+	else:
+		chosen.emit(scene, Gallery.EXAMPLES[example])

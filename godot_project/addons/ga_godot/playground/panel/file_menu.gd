@@ -1,0 +1,172 @@
+@tool
+extends MenuButton
+## New, open, save, and the clipboard.
+
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const PlaygroundHost := preload("../playground_host.gd")
+
+## A picture of what is shown is wanted.
+signal picture_requested
+
+enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
+
+## A ganja.js element: a list of 32 numbers, or an object with the keys 0 to 31.
+const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
+
+var _document: PlaygroundDocument
+var _edits: EntryEdits
+var _host: PlaygroundHost
+var _files: FileDialog
+var _question := ConfirmationDialog.new()
+var _after_question := Callable()
+
+
+func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost) -> void:
+	name = "File"
+	text = "File"
+	flat = true
+	_document = document
+	_edits = edits
+	_host = host
+	_files = host.make_file_dialog()
+	var menu := get_popup()
+	menu.add_item("New", Item.NEW)
+	menu.add_item("Open...", Item.OPEN)
+	menu.add_separator()
+	menu.add_item("Save", Item.SAVE)
+	menu.add_item("Save As...", Item.SAVE_AS)
+	menu.add_separator()
+	menu.add_item("Copy JSON", Item.COPY_JSON)
+	menu.add_item("Paste JSON or 32 Numbers", Item.PASTE)
+	menu.add_separator()
+	menu.add_item("Export Picture...", Item.PICTURE)
+	menu.id_pressed.connect(_on_item_pressed)
+	_files.name = "Files"
+	_files.add_filter("*.tres", "GAScene")
+	_files.add_filter("*.json", "GAScene as JSON")
+	_files.file_selected.connect(_on_file_selected)
+	add_child(_files)
+	_question.name = "Question"
+	_question.dialog_text = "The playground has changes that are not saved. Discard them?"
+	_question.ok_button_text = "Discard"
+	_question.confirmed.connect(_discard)
+	add_child(_question)
+
+
+## Shows the scene of a .tres or .json file; what is wrong with it is told.
+func open(path: String) -> void:
+	if path.get_extension() == "json":
+		_open_json(path)
+		return
+	var resource := ResourceLoader.load(path) if ResourceLoader.exists(path) else null
+	if resource is GAScene:
+		_document.show_scene(resource, path)
+	elif resource != null:
+		_warn("%s is a %s. The playground opens files of a GAScene: .tres, or .json." % [path, resource.get_class()])
+	else:
+		_warn("%s cannot be read. See the output for why." % path)
+
+
+# What cannot be read whole is shown without its file, which saving would otherwise take the rest from.
+func _open_json(path: String) -> void:
+	var text := FileAccess.get_file_as_string(path)
+	if FileAccess.get_open_error() != OK:
+		_warn("%s cannot be read: %s." % [path, error_string(FileAccess.get_open_error())])
+		return
+	var scene := GAScene.new()
+	var outcome := scene.load_json(text)
+	var errors := "\n".join(scene.get_load_errors())
+	if outcome == ERR_PARSE_ERROR:
+		_warn("%s is no scene of the playground:\n%s" % [path, errors])
+		return
+	_document.show_scene(scene, path if outcome == OK else "")
+	if outcome != OK:
+		_warn("%s was read in part, and is shown as a new scene; the file stays as it is:\n%s" % [path, errors])
+
+
+func save(path: String) -> void:
+	var outcome := OK
+	if path.get_extension() == "json":
+		var file := FileAccess.open(path, FileAccess.WRITE)
+		outcome = FileAccess.get_open_error() if file == null else OK
+		if file != null:
+			file.store_string(_document.scene.to_json())
+	else:
+		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
+	if outcome != OK:
+		_warn("%s cannot be saved: %s. Choose another place with Save As." % [path, error_string(outcome)])
+		return
+	_document.mark_saved(path)
+	_host.note_file(path)
+
+
+func save_or_ask() -> void:
+	if _document.path.is_empty():
+		_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
+	elif _document.is_embedded():
+		_host.save_embedding(_document.get_file())
+	else:
+		save(_document.path)
+
+
+## An element of ganja.js becomes an entry; a whole document takes the place of what is there, which can be undone.
+func paste(text: String) -> void:
+	var parsed := JSON.new()
+	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
+		_warn("The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.")
+		return
+	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
+		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))
+	else:
+		_edits.add("", text.strip_edges())
+
+
+func _on_item_pressed(item: int) -> void:
+	match item:
+		Item.NEW:
+			unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
+		Item.OPEN:
+			unless_unsaved(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
+		Item.SAVE:
+			save_or_ask()
+		Item.SAVE_AS:
+			_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
+		Item.COPY_JSON:
+			DisplayServer.clipboard_set(_document.scene.to_json())
+		Item.PASTE:
+			paste(DisplayServer.clipboard_get())
+		Item.PICTURE:
+			picture_requested.emit()
+
+
+## Asks before what is unsaved is lost.
+func unless_unsaved(act: Callable) -> void:
+	if _document.is_embedded() or not _document.is_unsaved():
+		act.call()
+		return
+	_after_question = act
+	_question.popup_centered()
+
+
+# A scene of a file is still held by whatever else uses it, and must not keep what was discarded.
+func _discard() -> void:
+	if not _document.path.is_empty():
+		_document.scene.document = _document.get_saved_text()
+	_after_question.call()
+
+
+func _ask_for_file(mode: FileDialog.FileMode) -> void:
+	_files.file_mode = mode
+	_files.popup_file_dialog()
+
+
+func _on_file_selected(path: String) -> void:
+	if _files.file_mode == FileDialog.FILE_MODE_OPEN_FILE:
+		open(path)
+	else:
+		save(path)
+
+
+func _warn(words: String) -> void:
+	_host.warn(words)

@@ -1,0 +1,183 @@
+@tool
+extends ConfirmationDialog
+## Asks for size, background and file of a picture, and writes it: what is shown, drawn anew by PictureExport.
+
+const PictureExport := preload("picture_export.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
+const ViewPoint := preload("view_point.gd")
+
+signal saved(path: String)
+
+enum Size { AS_SHOWN, TWICE, HD, UHD, OWN }
+enum Background { AS_SHOWN, TRANSPARENT, COLOR }
+
+const FIXED_SIZES: Dictionary[Size, Vector2i] = {Size.HD: Vector2i(1920, 1080), Size.UHD: Vector2i(3840, 2160)}
+const FIELD_WIDTH := 300.0
+const FIRST_NAME := "picture.png"
+
+var _scene: GAScene
+var _view: ViewPoint
+var _shown_size := Vector2i(1280, 720)
+var _make_besides: Callable
+var _sizes := OptionButton.new()
+var _width := SpinBox.new()
+var _height := SpinBox.new()
+var _own_size := HBoxContainer.new()
+var _backgrounds := OptionButton.new()
+var _color := ColorPickerButton.new()
+var _path := LineEdit.new()
+var _browse := Button.new()
+var _files: FileDialog
+var _problem := Label.new()
+var _is_drawing := false
+
+
+## The dialog for files is that of the place where the playground runs; it becomes a child.
+func _init(files: FileDialog) -> void:
+	name = "PictureDialog"
+	title = "Export Picture"
+	ok_button_text = "Export"
+	dialog_hide_on_ok = false
+	_files = files
+	_files.file_mode = FileDialog.FILE_MODE_SAVE_FILE
+	_files.clear_filters()
+	_files.add_filter("*.png", "PNG picture")
+	_files.file_selected.connect(func(path: String) -> void: _path.text = path)
+	add_child(_files)
+	var grid := GridContainer.new()
+	grid.columns = 2
+	add_child(grid)
+	_add_row(grid, "Size", _sizes)
+	_add_row(grid, "", _own_size)
+	_add_row(grid, "Background", _backgrounds)
+	_add_row(grid, "", _color)
+	_add_row(grid, "File", _make_file_row())
+	_problem.name = "Problem"
+	_problem.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_problem.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
+	_problem.visible = false
+	grid.add_child(Control.new())
+	grid.add_child(_problem)
+	_fill_choices()
+	confirmed.connect(export_picture)
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED:
+		_problem.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor") if has_theme_color(&"error_color", &"Editor") else Color(1.0, 0.45, 0.42))
+
+
+## Opens for a document as it is seen now. What stands beside it in the world is made for each picture by a callable
+## that returns an Array[Node3D].
+func ask(scene: GAScene, view: ViewPoint, shown_size: Vector2i, make_besides := Callable()) -> void:
+	_scene = scene
+	_view = view
+	_shown_size = shown_size
+	_make_besides = make_besides
+	_sizes.set_item_text(Size.AS_SHOWN, "As shown, %d x %d" % [shown_size.x, shown_size.y])
+	_sizes.set_item_text(Size.TWICE, "Twice as large, %d x %d" % [2 * shown_size.x, 2 * shown_size.y])
+	_width.value = shown_size.x
+	_height.value = shown_size.y
+	_color.color = view.background
+	_problem.visible = false
+	if _path.text.is_empty():
+		_path.text = ("res://" if _files.access == FileDialog.ACCESS_RESOURCES else "user://") + FIRST_NAME
+	popup_centered()
+
+
+func chosen_size() -> Vector2i:
+	match _sizes.selected:
+		Size.AS_SHOWN:
+			return _shown_size
+		Size.TWICE:
+			return 2 * _shown_size
+		Size.OWN:
+			return Vector2i(roundi(_width.value), roundi(_height.value))
+	return FIXED_SIZES[_sizes.selected as Size]
+
+
+func chosen_background() -> Color:
+	match _backgrounds.selected:
+		Background.TRANSPARENT:
+			return Color.TRANSPARENT
+		Background.COLOR:
+			return _color.color
+	return _view.background
+
+
+## Draws and saves; stays open and says so if that fails. Returns why, or nothing. To be awaited.
+func export_picture() -> String:
+	if _is_drawing:
+		return ""
+	var export := PictureExport.new()
+	export.size = chosen_size()
+	export.view = _view
+	export.background = chosen_background()
+	export.line_scale = float(export.size.y) / _shown_size.y
+	var error := PictureExport.size_error(export.size)
+	if error.is_empty():
+		_is_drawing = true
+		var besides: Array[Node3D] = []
+		if _make_besides.is_valid():
+			besides = _make_besides.call()
+		var image := await export.draw(self, _scene, besides)
+		error = PictureExport.save(image, _path.text.strip_edges())
+		_is_drawing = false
+	_problem.text = error
+	_problem.visible = not error.is_empty()
+	reset_size()
+	if error.is_empty():
+		hide()
+		saved.emit(_path.text.strip_edges())
+	return error
+
+
+func _add_row(grid: GridContainer, words: String, control: Control) -> void:
+	var label := Label.new()
+	label.text = words
+	grid.add_child(label)
+	control.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
+	control.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	grid.add_child(control)
+
+
+func _make_file_row() -> Control:
+	var row := HBoxContainer.new()
+	_path.name = "Path"
+	_path.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	row.add_child(_path)
+	_browse.text = "..."
+	_browse.tooltip_text = "Choose a file"
+	_browse.pressed.connect(_files.popup_centered_ratio.bind(0.6))
+	row.add_child(_browse)
+	return row
+
+
+func _fill_choices() -> void:
+	_sizes.name = "Size"
+	for words: String in ["As shown", "Twice as large", "1920 x 1080", "3840 x 2160", "Another size"]:
+		_sizes.add_item(words)
+	for field: SpinBox in [_width, _height]:
+		field.min_value = 1
+		field.max_value = PictureExport.LARGEST
+		field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+		field.suffix = "px"
+		_own_size.add_child(field)
+	_own_size.name = "OwnSize"
+	_backgrounds.name = "Background"
+	for words: String in ["As shown", "Transparent", "A colour"]:
+		_backgrounds.add_item(words)
+	_color.custom_minimum_size.y = 24.0 * PlaygroundStyle.scale()
+	_color.edit_alpha = false
+	_sizes.item_selected.connect(func(_index: int) -> void: _show_fields())
+	_backgrounds.item_selected.connect(func(_index: int) -> void: _show_fields())
+	_show_fields()
+
+
+# The labels beside the fields that are not asked for go with them.
+func _show_fields() -> void:
+	for field: Control in [_own_size, _color]:
+		var is_asked := _sizes.selected == Size.OWN if field == _own_size else _backgrounds.selected == Background.COLOR
+		field.visible = is_asked
+		(field.get_parent().get_child(field.get_index() - 1) as Control).visible = is_asked
+	reset_size()

@@ -1,0 +1,38 @@
+#include "cga/algebra/multivector.hpp"
+#include "playground/document/document.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+
+using namespace playground;
+
+namespace {
+
+// What the scripted person at the dock copies as C++ (tests/screenshots/dock_probe/chapters/copying.gd).
+namespace copied {
+#include "../../screenshots/dock_probe/copied.inc"
+} // namespace copied
+
+} // namespace
+
+TEST_CASE("entries copied as C++ compile, and have the values of the document") {
+	Document document;
+	document.add("A", "point(1, 2, 3)");
+	document.add("for", "sphere(A, 2)");
+	document.add("p", "plane(e2, 1.5)");
+	document.add("c_1", "meet(for, p)");
+	document.add("m", "motor(2 e1, rotor(e3, deg(90)), 1)");
+	const std::pair<const char *, cga::Multivector> variables[] = {
+		{ "A", copied::A },
+		{ "for", copied::for_ },
+		{ "c_1", copied::c_1 },
+		{ "m", copied::m },
+	};
+	for (const auto &[name, value] : variables) {
+		CAPTURE(name);
+		REQUIRE(document.find(name)->outcome.value);
+		CHECK(value.coefficients() == document.find(name)->outcome.value->coefficients());
+	}
+}
