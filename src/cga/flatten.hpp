@@ -6,3 +6,12 @@
 #else
 #define CGA_FLATTEN __forceinline
 #endif
+
+// Before a loop over lanes: what one of them writes, no other reads, even where output and input are the same memory.
+#if defined(__clang__)
+#define CGA_LANES_APART _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define CGA_LANES_APART _Pragma("GCC ivdep")
+#else
+#define CGA_LANES_APART
+#endif

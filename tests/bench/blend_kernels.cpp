@@ -1,61 +1,28 @@
-// Blends of n pose pairs: ours beside what a C++ programmer would write with GLM.
-//
-// Every subject does the same job on the same input: n pairs of poses and one weight in, n rows of
-// 12 floats (a MultiMesh's transforms) out, on one core, compiled with the same flags. Names read
-// case/subject/n; tools/bench turns the medians into rows of ns/pose.
+// Blends of n pose pairs: ours beside what a C++ programmer would write with GLM or Eigen. n pairs of poses and one weight in,
+// n rows of 12 floats (a MultiMesh's transforms) out.
 
-#include "cga/batch/pose_block.hpp"
+#include "kernel_input.hpp"
 
-#include <benchmark/benchmark.h>
+#if __has_include(<eigen3/Eigen/Geometry>)
+#include <eigen3/Eigen/Geometry>
+#define HAS_EIGEN 1
+#endif
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/quaternion.hpp> // length2, which dual_quaternion.hpp uses and does not include
 
 #include <glm/gtx/dual_quaternion.hpp>
 
-#include <random>
-#include <string>
-#include <vector>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include <cmath>
+
+namespace kernels_bench {
 
 namespace {
-
-using Posef = cga::Pose<float>;
-
-struct PosePair {
-	Posef from;
-	Posef to;
-};
-
-std::vector<PosePair> random_pairs(size_t count) {
-	std::mt19937 random(2026);
-	std::normal_distribution<float> normal;
-	std::uniform_real_distribution<float> place(-10.0f, 10.0f);
-	std::uniform_real_distribution<float> log_scale(-0.7f, 0.7f);
-	const auto pose = [&]() {
-		Posef result;
-		result.translation = { place(random), place(random), place(random) };
-		result.rotation = glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
-		result.scale = std::exp(log_scale(random));
-		return result;
-	};
-	std::vector<PosePair> pairs(count);
-	for (PosePair &pair : pairs) {
-		pair.from = pose();
-		pair.to = pose();
-	}
-	return pairs;
-}
-
-void write_row(const glm::mat3 &basis, float scale, const glm::vec3 &origin, float *row) {
-	for (int r = 0; r < 3; ++r) {
-		for (int c = 0; c < 3; ++c) {
-			row[4 * r + c] = scale * basis[c][r];
-		}
-		row[4 * r + 3] = origin[r];
-	}
-}
 
 /// What an engine does: position and scale mixed, rotation by slerp.
 struct GlmSlerp {
@@ -78,6 +45,16 @@ struct GlmNlerp {
 	}
 };
 
+void write_row(const glm::dualquat &pose, float scale, float *row) {
+	const glm::mat3x4 rows = glm::mat3x4_cast(pose);
+	for (int r = 0; r < 3; ++r) {
+		row[4 * r + 0] = scale * rows[r][0];
+		row[4 * r + 1] = scale * rows[r][1];
+		row[4 * r + 2] = scale * rows[r][2];
+		row[4 * r + 3] = rows[r][3];
+	}
+}
+
 /// GLM's own coupled path: dual quaternions, made when the poses are set, blended linearly; scale by itself.
 struct GlmDualQuaternion {
 	struct Prepared {
@@ -89,65 +66,165 @@ struct GlmDualQuaternion {
 		float to_scale;
 	};
 	static void blend(const Prepared &pair, float weight, float *row) {
-		const glm::mat3x4 rows = glm::mat3x4_cast(glm::normalize(glm::lerp(pair.from, pair.to, weight)));
-		const float scale = glm::mix(pair.from_scale, pair.to_scale, weight);
-		for (int r = 0; r < 3; ++r) {
-			row[4 * r + 0] = scale * rows[r][0];
-			row[4 * r + 1] = scale * rows[r][1];
-			row[4 * r + 2] = scale * rows[r][2];
-			row[4 * r + 3] = rows[r][3];
-		}
+		write_row(glm::normalize(glm::lerp(pair.from, pair.to, weight)), glm::mix(pair.from_scale, pair.to_scale, weight), row);
 	}
 };
+
+/// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
+/// half angle and pitch, axis and moment of the screw) is taken when the poses are set, as ours is; scale by itself, geometric.
+struct GlmDualQuaternionScrew {
+	struct Prepared {
+		explicit Prepared(const PosePair &pair) :
+				from(pair.from.rotation, pair.from.translation), from_scale(pair.from.scale), log_ratio(std::log(pair.to.scale / pair.from.scale)) {
+			glm::dualquat motion = glm::inverse(from) * glm::dualquat(pair.to.rotation, pair.to.translation);
+			motion = motion.real.w < 0.0f ? motion * -1.0f : motion;
+			const glm::vec3 real(motion.real.x, motion.real.y, motion.real.z);
+			const glm::vec3 dual(motion.dual.x, motion.dual.y, motion.dual.z);
+			const float sine = glm::length(real);
+			half_angle = std::atan2(sine, motion.real.w);
+			axis = real / sine;
+			half_pitch = -motion.dual.w / sine;
+			moment = (dual - axis * half_pitch * motion.real.w) / sine;
+		}
+		glm::dualquat from;
+		float from_scale;
+		float log_ratio;
+		float half_angle;
+		float half_pitch;
+		glm::vec3 axis;
+		glm::vec3 moment;
+	};
+	static void blend(const Prepared &pair, float weight, float *row) {
+		const float sine = std::sin(weight * pair.half_angle);
+		const float cosine = std::cos(weight * pair.half_angle);
+		const float pitch = weight * pair.half_pitch;
+		glm::dualquat power;
+		power.real = glm::quat(cosine, pair.axis * sine);
+		power.dual = glm::quat(-pitch * sine, pair.moment * sine + pair.axis * (pitch * cosine));
+		write_row(pair.from * power, pair.from_scale * std::exp(weight * pair.log_ratio), row);
+	}
+};
+
+#if defined(HAS_EIGEN)
+struct EigenSlerp {
+	struct Prepared {
+		explicit Prepared(const PosePair &pair) :
+				from(rotation_of(pair.from)), to(rotation_of(pair.to)), from_place(place_of(pair.from)), to_place(place_of(pair.to)), from_scale(pair.from.scale), to_scale(pair.to.scale) {}
+		static Eigen::Quaternionf rotation_of(const Posef &pose) { return { pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z }; }
+		static Eigen::Vector3f place_of(const Posef &pose) { return { pose.translation.x, pose.translation.y, pose.translation.z }; }
+		Eigen::Quaternionf from, to;
+		Eigen::Vector3f from_place, to_place;
+		float from_scale, to_scale;
+	};
+	static void blend(const Prepared &pair, float weight, float *row) {
+		Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>> out(row);
+		const float scale = glm::mix(pair.from_scale, pair.to_scale, weight);
+		out.leftCols<3>() = scale * pair.from.slerp(weight, pair.to).toRotationMatrix();
+		out.col(3) = (1.0f - weight) * pair.from_place + weight * pair.to_place;
+	}
+};
+#endif
+
+float next_weight(float weight) {
+	return weight < 0.9f ? weight + 0.07f : 0.03f;
+}
 
 template <class Subject>
 void one_by_one(benchmark::State &state) {
 	const size_t count = size_t(state.range(0));
 	const std::vector<PosePair> pairs = random_pairs(count);
-	const std::vector<typename Subject::Prepared> prepared(pairs.begin(), pairs.end());
+	std::vector<typename Subject::Prepared> prepared;
+	prepared.reserve(count);
+	for (const PosePair &pair : pairs) {
+		prepared.emplace_back(pair);
+	}
 	std::vector<float> rows(count * cga::ROW_FLOATS);
 	float weight = 0.0f;
-	for (auto _ : state) {
-		weight = weight < 0.9f ? weight + 0.07f : 0.03f;
+	measure(state, count, sizeof(typename Subject::Prepared) + sizeof(float) * cga::ROW_FLOATS, [&] {
+		weight = next_weight(weight);
 		for (size_t i = 0; i < count; ++i) {
 			Subject::blend(prepared[i], weight, &rows[i * cga::ROW_FLOATS]);
 		}
-		benchmark::ClobberMemory();
-	}
+	});
 }
 
-void in_blocks(benchmark::State &state, cga::Mode mode) {
-	const size_t count = size_t(state.range(0));
+// The bytes of a pose that a mode reads: the rows of its block.
+size_t bytes_read(cga::Mode mode) {
+	return mode == cga::Mode::LINEAR ? 20 * sizeof(float) : 28 * sizeof(float);
+}
+
+std::vector<cga::PoseBlock> random_blocks(size_t count) {
 	const std::vector<PosePair> pairs = random_pairs(count);
 	std::vector<cga::PoseBlock> blocks(cga::block_count(count));
 	for (size_t i = 0; i < count; ++i) {
 		blocks[i / cga::PoseBlock::LANES].set(int(i % cga::PoseBlock::LANES), pairs[i].from, pairs[i].to);
 	}
+	return blocks;
+}
+
+void in_blocks(benchmark::State &state, cga::Mode mode, cga::InstructionSet set) {
+	const size_t count = size_t(state.range(0));
+	const std::vector<cga::PoseBlock> blocks = random_blocks(count);
 	std::vector<float> rows(count * cga::ROW_FLOATS);
 	float weight = 0.0f;
-	for (auto _ : state) {
-		weight = weight < 0.9f ? weight + 0.07f : 0.03f;
-		cga::interpolate_blocks(blocks.data(), count, nullptr, weight, mode, rows.data());
-		benchmark::ClobberMemory();
+	measure(state, count, bytes_read(mode) + sizeof(float) * cga::ROW_FLOATS, [&] {
+		weight = next_weight(weight);
+		cga::interpolate_blocks(blocks.data(), count, nullptr, weight, mode, rows.data(), set);
+	});
+}
+
+#if defined(__x86_64__)
+// The bytes that a linear blend reads and writes, in the same places and as wide, with nothing computed.
+__attribute__((target("avx2"))) void load_and_store(const cga::PoseBlock *blocks, size_t block_count, float *rows) {
+	for (size_t block = 0; block < block_count; ++block) {
+		const float *source = blocks[block].from_rotation[0];
+		float *destination = rows + block * 96;
+#pragma GCC unroll 20
+		for (int row = 0; row < 20; ++row) {
+			const __m256 value = _mm256_load_ps(source + 8 * row);
+			if (row < 12) {
+				_mm_storeu_ps(destination + 8 * row, _mm256_castps256_ps128(value));
+				_mm_storeu_ps(destination + 8 * row + 4, _mm256_extractf128_ps(value, 1));
+			} else {
+				asm volatile("" ::"x"(value));
+			}
+		}
 	}
 }
 
-void one_to_a_million(benchmark::internal::Benchmark *benchmark) {
-	benchmark->RangeMultiplier(10)->Range(1, 1000000);
+void loads_and_stores(benchmark::State &state) {
+	const size_t count = size_t(state.range(0));
+	const std::vector<cga::PoseBlock> blocks = random_blocks(count);
+	std::vector<float> rows(blocks.size() * cga::PoseBlock::LANES * cga::ROW_FLOATS);
+	measure(state, count, bytes_read(cga::Mode::LINEAR) + sizeof(float) * cga::ROW_FLOATS, [&] { load_and_store(blocks.data(), blocks.size(), rows.data()); });
 }
+#endif
 
 const bool registered = [] {
-	for (const char *const mode : { "interpolate_linear", "interpolate_screw" }) {
-		const std::string name = mode;
-		const cga::Mode blend = name == "interpolate_linear" ? cga::Mode::LINEAR : cga::Mode::SCREW;
-		benchmark::RegisterBenchmark((name + "/ga_godot").c_str(), in_blocks, blend)->Apply(one_to_a_million);
-		benchmark::RegisterBenchmark((name + "/glm_slerp").c_str(), one_by_one<GlmSlerp>)->Apply(one_to_a_million);
-		benchmark::RegisterBenchmark((name + "/glm_nlerp").c_str(), one_by_one<GlmNlerp>)->Apply(one_to_a_million);
-		benchmark::RegisterBenchmark((name + "/glm_dual_quaternion").c_str(), one_by_one<GlmDualQuaternion>)->Apply(one_to_a_million);
+	for (const char *const name : { "interpolate_linear", "interpolate_screw" }) {
+		const std::string mode = name;
+		const cga::Mode blend = mode == "interpolate_linear" ? cga::Mode::LINEAR : cga::Mode::SCREW;
+		add(mode, "ga_godot", in_blocks, blend, cga::best_instruction_set());
+		add(mode, "ga_godot_baseline", in_blocks, blend, cga::InstructionSet::BASELINE);
+		add(mode, "ga_godot_scalar", in_blocks, blend, cga::InstructionSet::SCALAR);
+		add(mode, "glm_slerp", one_by_one<GlmSlerp>);
+		add(mode, "glm_nlerp", one_by_one<GlmNlerp>);
+		add(mode, "glm_dual_quaternion", one_by_one<GlmDualQuaternion>);
+#if defined(HAS_EIGEN)
+		add(mode, "eigen_slerp", one_by_one<EigenSlerp>);
+#endif
 	}
+	add("interpolate_screw", "glm_dual_quaternion_screw", one_by_one<GlmDualQuaternionScrew>);
+#if defined(__x86_64__)
+	if (cga::best_instruction_set() == cga::InstructionSet::AVX2_FMA) {
+		add("interpolate_linear", "loads_and_stores", loads_and_stores);
+	}
+#endif
 	return true;
 }();
 
 } // namespace
+
+} // namespace kernels_bench
 
 BENCHMARK_MAIN();

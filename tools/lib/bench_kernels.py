@@ -1,4 +1,4 @@
-"""The suite kernels of tools/bench: blends of pose pairs beside GLM's and the engine's."""
+"""The suite kernels of tools/bench: blends, motors and products beside GLM's, Eigen's and the engine's, and beside what memory gives."""
 
 import json
 import os
@@ -30,9 +30,10 @@ def measure(options):
 
 def native_rows(repetitions):
     """Rows of the C++ benchmark program: medians over its repetitions."""
-    medians = bench_native.medians("kernels_bench", repetitions, "C++ kernels against GLM (about a minute)")
-    return [{"suite": "kernels", "case": case, "subject": subject, "n": n, "value": value / n, "unit": "ns/pose", "where": "C++"}
-            for case, subject, n, value in medians]
+    runs = bench_native.median_runs("kernels_bench", repetitions, "C++ kernels against GLM and Eigen (some minutes)")
+    return [{"suite": "kernels", "case": case, "subject": subject, "n": n, "value": run["cpu_time"] / n, "unit": "ns/pose",
+             "bytes_per_second": run["bytes_per_second"], "where": "C++"}
+            for case, subject, n, run in runs]
 
 
 def engine_rows():
@@ -52,10 +53,11 @@ def engine_rows():
 def print_table(rows):
     """One line a row: value, and the ratio to ga_godot on the same input at the same place."""
     ours = {(row["where"], row["case"], row["n"]): row["value"] for row in rows if row["subject"] == OURS}
-    print(f"{'case':<20} {'where':<22} {'subject':<30} {'n':>9} {'ns/pose':>10} {'ga_godot takes':>16}")
+    print(f"{'case':<24} {'where':<22} {'subject':<30} {'n':>9} {'ns/pose':>10} {'GB/s':>7} {'ga_godot takes':>16}")
     for row in sorted(rows, key=lambda row: (row["case"], row["where"], row["n"], row["value"])):
         reference = ours.get((row["where"], row["case"], row["n"]))
         ratio = ""
         if reference and row["subject"] != OURS:
             ratio = f"1/{row['value'] / reference:.1f} of it" if row["value"] > reference else f"{reference / row['value']:.1f} times it"
-        print(f"{row['case']:<20} {row['where']:<22} {row['subject']:<30} {row['n']:>9} {row['value']:>10.2f} {ratio:>16}")
+        moved = f"{row['bytes_per_second'] / 1e9:.1f}" if "bytes_per_second" in row else ""
+        print(f"{row['case']:<24} {row['where']:<22} {row['subject']:<30} {row['n']:>9} {row['value']:>10.2f} {moved:>7} {ratio:>16}")

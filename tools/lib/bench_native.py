@@ -19,6 +19,11 @@ def run_quietly(command, what):
 
 def medians(program, repetitions, what):
     """Case, subject, n and median CPU time in the benchmark's own unit, of each CASE/SUBJECT/N in build/VARIANT/bench/PROGRAM."""
+    return [(case, subject, n, run["cpu_time"]) for case, subject, n, run in median_runs(program, repetitions, what)]
+
+
+def median_runs(program, repetitions, what):
+    """Case, subject, n and all that Google Benchmark says of the median of each CASE/SUBJECT/N in build/VARIANT/bench/PROGRAM."""
     binary = os.path.join(checkout.variant(), "bench", program)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "report.json")
@@ -31,5 +36,5 @@ def medians(program, repetitions, what):
     for run in report["benchmarks"]:
         if run.get("aggregate_name") == "median":
             case, subject, n = run["run_name"].split("/")[:3]
-            found.append((case, subject, int(n), run["cpu_time"]))
+            found.append((case, subject, int(n), run))
     return found

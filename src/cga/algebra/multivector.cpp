@@ -1,5 +1,6 @@
 #include "cga/algebra/multivector.hpp"
 
+#include "cga/algebra/geometric_product_avx2.hpp"
 #include "cga/algebra/multivector_product.hpp"
 #include "cga/algebra/null_basis.hpp"
 
@@ -106,6 +107,12 @@ Multivector &Multivector::operator*=(double factor) {
 }
 
 Multivector Multivector::geometric_product(const Multivector &right) const {
+#if defined(CGA_HAS_AVX2_PRODUCT)
+	static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+	if (has_avx2) {
+		return avx2::geometric_product(*this, right);
+	}
+#endif
 	return multiply<Product::GEOMETRIC>(*this, right);
 }
 

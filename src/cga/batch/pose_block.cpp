@@ -40,6 +40,18 @@ float bounded(double shift) {
 	return float(std::clamp(shift, -LIMIT, LIMIT));
 }
 
+Vector3<float> bounded(const Vector3<double> &shift) {
+	return { bounded(shift.x), bounded(shift.y), bounded(shift.z) };
+}
+
+// Turns to_rotation to the hemisphere 1 or -1.
+void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
+	for (PoseBlock::Row &row : block.to_rotation) {
+		row[lane] *= block.hemisphere[lane] * hemisphere;
+	}
+	block.hemisphere[lane] = hemisphere;
+}
+
 // 1 / (exp(z) - 1), or the factor of a plain weight where z is too small for float to tell the two apart.
 struct PowerFactor {
 	std::complex<double> factor{ 0.0 };
@@ -59,15 +71,16 @@ void prepare(PoseBlock &block, int lane) {
 	const Pose<double> from = pose_cast<double>(block.get_from(lane));
 	const Pose<double> to = pose_cast<double>(block.get_to(lane));
 	const PoseMotion motion = motion_between(from, to);
-	store(block.turn, lane, Quaternion<float>(float(motion.turn.w), float(motion.turn.x), float(motion.turn.y), float(motion.turn.z)));
-	store(block.shift, lane, { bounded(motion.shift.x), bounded(motion.shift.y), bounded(motion.shift.z) });
+	const Vector3<double> turn_vector = vector_part(motion.turn);
+	store(block.shift, lane, bounded(motion.shift));
+	block.shrinking[lane] = float(2.0 - 2.0 * motion.turn.w);
+	store(block.bend, lane, bounded(motion.shift * motion.turn.w + glm::cross(motion.shift, turn_vector)));
+	set_hemisphere(block, lane, float(motion.hemisphere));
 
-	// A turn whose inverse sine would leave float's range is none.
-	constexpr double SMALLEST_SINE = 1e-30;
-	const double sine = detail::length(vector_part(motion.turn));
-	const double half_angle = sine > SMALLEST_SINE ? std::atan2(sine, motion.turn.w) : 0.0;
+	const double sine = detail::length(turn_vector);
+	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.turn.w) : 0.0;
 	block.half_angle[lane] = float(half_angle);
-	block.inverse_sine[lane] = sine > SMALLEST_SINE ? float(1.0 / sine) : 0.0f;
+	store(block.axis, lane, sine > 0.0 ? Vector3<float>(turn_vector / sine) : Vector3<float>(0.0f));
 
 	const bool positive = from.scale > 0.0 && to.scale > 0.0;
 	const double log_scale = positive ? std::log(to.scale / from.scale) : 0.0;
@@ -91,6 +104,7 @@ void store_from(PoseBlock &block, int lane, const Pose<float> &from) {
 
 void store_to(PoseBlock &block, int lane, const Pose<float> &to) {
 	store(block.to_rotation, lane, unit_rotation(to.rotation));
+	block.hemisphere[lane] = 1.0f;
 	store(block.to_translation, lane, to.translation);
 	block.to_scale[lane] = to.scale;
 }
@@ -124,7 +138,7 @@ Pose<float> PoseBlock::get_from(int lane) const noexcept {
 }
 
 Pose<float> PoseBlock::get_to(int lane) const noexcept {
-	return { load(to_translation, lane), load(to_rotation, lane), to_scale[lane] };
+	return { load(to_translation, lane), load(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
 }
 
 } // namespace cga

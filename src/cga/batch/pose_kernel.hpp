@@ -2,64 +2,62 @@
 
 #include "cga/batch/float_math.hpp"
 #include "cga/batch/pose_block.hpp"
+#include "cga/batch/row_transpose.hpp"
 
 #include <limits>
 
 // The batch kernels, for one lane each; a fixed loop over the 8 lanes of a block turns them into vector code. They
-// are inlined into functions that are compiled for several instruction sets (interpolate_blocks.cpp).
+// are inlined into functions that are compiled for several instruction sets (instruction_set.hpp).
 
 namespace cga::kernel {
 
 // One body between its poses: what the basis and the origin are made of.
 struct LanePose {
-	// The motion's rotation so far, to be composed with `from`'s; its length is 1 / sqrt(inverse_square).
-	float w, x, y, z;
+	float w, x, y, z; // the rotation; its length is 1 / sqrt(inverse_square)
 	float inverse_square;
-	// From `from`'s position.
-	float shift_x, shift_y, shift_z;
+	float shift_x, shift_y, shift_z; // from `from`'s position
 	float scale;
 };
 
-// A = (1 - a) + a turn
-// t = a ((a + (1 - a) w) d + (1 - a) (d x turn_v)) / |A|^2     (d the shift)
-// and the scale by itself: interpolate_linear() in interpolate.cpp.
+// q = (1 - a) q_from + a q_to,  |q|^2 = (1 - a)^2 + a^2 + 2 a (1 - a) turn_w = 1 - a (1 - a) (2 - 2 turn_w)
+// t = a (a d + (1 - a) e) / |q|^2     (d the shift, e = turn_w d + d x turn_v the bend)
+// and the scale by itself: interpolate_linear() in interpolate.cpp, with A q_from = q.
 CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float rest = 1.0f - a;
-	const float w = block.turn[0][lane];
-	const float x = block.turn[1][lane];
-	const float y = block.turn[2][lane];
-	const float z = block.turn[3][lane];
-	const float dx = block.shift[0][lane];
-	const float dy = block.shift[1][lane];
-	const float dz = block.shift[2][lane];
-
 	LanePose pose;
-	pose.w = rest + a * w;
-	pose.x = a * x;
-	pose.y = a * y;
-	pose.z = a * z;
-	pose.inverse_square = 1.0f / ((pose.w * pose.w + pose.x * pose.x) + (pose.y * pose.y + pose.z * pose.z));
+	pose.scale = rest * block.from_scale[lane] + a * block.to_scale[lane];
+	pose.w = rest * block.from_rotation[0][lane] + a * block.to_rotation[0][lane];
+	pose.x = rest * block.from_rotation[1][lane] + a * block.to_rotation[1][lane];
+	pose.y = rest * block.from_rotation[2][lane] + a * block.to_rotation[2][lane];
+	pose.z = rest * block.from_rotation[3][lane] + a * block.to_rotation[3][lane];
+	pose.inverse_square = 1.0f / (1.0f - (a * rest) * block.shrinking[lane]);
 	const float factor = a * pose.inverse_square;
-	const float straight = factor * (a + rest * w);
-	const float turned = factor * rest;
-	pose.shift_x = straight * dx + turned * (dy * z - dz * y);
-	pose.shift_y = straight * dy + turned * (dz * x - dx * z);
-	pose.shift_z = straight * dz + turned * (dx * y - dy * x);
-	pose.scale = block.from_scale[lane] * rest + block.to_scale[lane] * a;
+	const float straight = factor * a;
+	const float bent = factor * rest;
+	pose.shift_x = straight * block.shift[0][lane] + bent * block.bend[0][lane];
+	pose.shift_y = straight * block.shift[1][lane] + bent * block.bend[1][lane];
+	pose.shift_z = straight * block.shift[2][lane] + bent * block.bend[2][lane];
 	return pose;
+}
+
+// q = A q_from, of unit length.
+CGA_FLATTEN void set_rotation(LanePose &pose, const PoseBlock &block, int lane, float w, float x, float y, float z) noexcept {
+	const float fw = block.from_rotation[0][lane];
+	const float fx = block.from_rotation[1][lane];
+	const float fy = block.from_rotation[2][lane];
+	const float fz = block.from_rotation[3][lane];
+	pose.w = w * fw - x * fx - y * fy - z * fz;
+	pose.x = w * fx + x * fw + y * fz - z * fy;
+	pose.y = w * fy - x * fz + y * fw + z * fx;
+	pose.z = w * fz + x * fy - y * fx + z * fw;
+	pose.inverse_square = 1.0f;
 }
 
 // turn^a = (cos(a theta/2), n sin(a theta/2)), t = a d, and the scale by itself.
 CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
-	const float factor = half.sine * block.inverse_sine[lane];
-
 	LanePose pose;
-	pose.inverse_square = 1.0f;
-	pose.w = half.cosine;
-	pose.x = factor * block.turn[1][lane];
-	pose.y = factor * block.turn[2][lane];
-	pose.z = factor * block.turn[3][lane];
+	set_rotation(pose, block, lane, half.cosine, half.sine * block.axis[0][lane], half.sine * block.axis[1][lane], half.sine * block.axis[2][lane]);
 	pose.shift_x = a * block.shift[0][lane];
 	pose.shift_y = a * block.shift[1][lane];
 	pose.shift_z = a * block.shift[2][lane];
@@ -88,20 +86,16 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float a) noexc
 	const float across_imaginary = real * block.across[1][lane] + imaginary * block.across[0][lane];
 	const float along = a * block.along_linear[lane] + growth.minus_one * block.along[lane];
 
-	const float nx = block.inverse_sine[lane] * block.turn[1][lane];
-	const float ny = block.inverse_sine[lane] * block.turn[2][lane];
-	const float nz = block.inverse_sine[lane] * block.turn[3][lane];
+	const float nx = block.axis[0][lane];
+	const float ny = block.axis[1][lane];
+	const float nz = block.axis[2][lane];
 	const float dx = block.shift[0][lane];
 	const float dy = block.shift[1][lane];
 	const float dz = block.shift[2][lane];
 	const float axial = (along - across_real) * (nx * dx + ny * dy + nz * dz);
 
 	LanePose pose;
-	pose.inverse_square = 1.0f;
-	pose.w = half.cosine;
-	pose.x = half.sine * nx;
-	pose.y = half.sine * ny;
-	pose.z = half.sine * nz;
+	set_rotation(pose, block, lane, half.cosine, half.sine * nx, half.sine * ny, half.sine * nz);
 	pose.shift_x = across_real * dx + axial * nx + across_imaginary * (ny * dz - nz * dy);
 	pose.shift_y = across_real * dy + axial * ny + across_imaginary * (nz * dx - nx * dz);
 	pose.shift_z = across_real * dz + axial * nz + across_imaginary * (nx * dy - ny * dx);
@@ -134,46 +128,32 @@ CGA_FLATTEN float origin(float from, float shift) noexcept {
 	return mode == Mode::SCREW ? saturated(from + shift) : from + shift;
 }
 
-// The 12 floats of a row, each for 8 bodies.
-using RowColumns = PoseBlock::Row[ROW_FLOATS];
-
-// q = A q_from, as long as A; basis = s R(q), with the squares of q divided by |A|^2. `weights` are allowed ones.
-template <Mode mode>
-CGA_FLATTEN void interpolate_block(const PoseBlock &block, const PoseBlock::Row &weights, RowColumns &columns) noexcept {
+// basis = s R(q), with the squares of q divided by |q|^2. `weight_of(lane)` is an allowed one.
+template <Mode mode, class WeightOf>
+CGA_FLATTEN void interpolate_block(const PoseBlock &block, WeightOf weight_of, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
-		const LanePose pose = lane_pose<mode>(block, lane, weights[lane]);
-		const float fw = block.from_rotation[0][lane];
-		const float fx = block.from_rotation[1][lane];
-		const float fy = block.from_rotation[2][lane];
-		const float fz = block.from_rotation[3][lane];
-		const float w = pose.w * fw - pose.x * fx - pose.y * fy - pose.z * fz;
-		const float x = pose.w * fx + pose.x * fw + pose.y * fz - pose.z * fy;
-		const float y = pose.w * fy - pose.x * fz + pose.y * fw + pose.z * fx;
-		const float z = pose.w * fz + pose.x * fy - pose.y * fx + pose.z * fw;
+		const LanePose pose = lane_pose<mode>(block, lane, weight_of(lane));
+		const float w = pose.w;
+		const float x = pose.x;
+		const float y = pose.y;
+		const float z = pose.z;
 		const float twice = 2.0f * pose.scale * pose.inverse_square;
 		const float tx = twice * x;
 		const float ty = twice * y;
 		const float tz = twice * z;
-		columns[0][lane] = pose.scale - (ty * y + tz * z);
+		columns[0][lane] = (pose.scale - ty * y) - tz * z;
 		columns[1][lane] = tx * y - tz * w;
 		columns[2][lane] = tx * z + ty * w;
 		columns[3][lane] = origin<mode>(block.from_translation[0][lane], pose.shift_x);
 		columns[4][lane] = tx * y + tz * w;
-		columns[5][lane] = pose.scale - (tx * x + tz * z);
+		columns[5][lane] = (pose.scale - tx * x) - tz * z;
 		columns[6][lane] = ty * z - tx * w;
 		columns[7][lane] = origin<mode>(block.from_translation[1][lane], pose.shift_y);
 		columns[8][lane] = tx * z - ty * w;
 		columns[9][lane] = ty * z + tx * w;
-		columns[10][lane] = pose.scale - (tx * x + ty * y);
+		columns[10][lane] = (pose.scale - tx * x) - ty * y;
 		columns[11][lane] = origin<mode>(block.from_translation[2][lane], pose.shift_z);
 	}
 }
-
-// interpolate_blocks() for one instruction set each, which it chooses from at run time.
-void interpolate_blocks_baseline(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
-#if defined(__GNUC__) && defined(__x86_64__)
-#define CGA_HAS_AVX2_PATH 1
-void interpolate_blocks_avx2(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
-#endif
 
 } // namespace cga::kernel

@@ -32,14 +32,13 @@ template <class T>
 struct PoseMotion {
 	Quaternion<double> turn; // q_to q_from*, or minus that: w >= 0
 	Vector3<double> shift; // t_to - t_from
+	double hemisphere; // 1, or -1 where minus q_to is the one nearer to q_from
 };
 
 [[nodiscard]] inline PoseMotion motion_between(const Pose<double> &from, const Pose<double> &to) noexcept {
 	Quaternion<double> turn = unit_rotation(to.rotation) * glm::conjugate(unit_rotation(from.rotation));
-	if (turn.w < 0.0) {
-		turn = -turn;
-	}
-	return { turn, to.translation - from.translation };
+	const double hemisphere = turn.w < 0.0 ? -1.0 : 1.0;
+	return { turn * hemisphere, to.translation - from.translation, hemisphere };
 }
 
 } // namespace cga

@@ -1,11 +1,14 @@
 #include "cga/algebra/multivector.hpp"
 
 #include "../random_poses.hpp"
+#include "cga/algebra/multivector_product.hpp"
 #include "cga/algebra/product_table.hpp"
 #include "cga/motor/versor.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -119,6 +122,20 @@ TEST_CASE("powers of two round nothing") {
 	CHECK(x.times_power_of_two(0) == x);
 	CHECK(x.times_power_of_two(-3) == x * 0.125);
 	CHECK(x.times_power_of_two(900).times_power_of_two(-900) == x);
+}
+
+TEST_CASE("the geometric product has the bits that the product term by term has, whatever the machine's instructions") {
+	Random random(14);
+	for (int repeat = 0; repeat < 2000; ++repeat) {
+		Multivector a = random.multivector(), b = random.multivector();
+		for (int index = 0; index < BLADE_COUNT; ++index) {
+			// Zeros of both signs, and sizes far apart.
+			a[index] *= repeat % 3 == 0 && index % 2 == 0 ? -0.0 : std::pow(10.0, random.uniform(-8.0, 8.0));
+			b[index] *= repeat % 5 == 0 && index % 3 == 0 ? 0.0 : std::pow(10.0, random.uniform(-8.0, 8.0));
+		}
+		const Multivector product = a.geometric_product(b), expected = multiply<Product::GEOMETRIC>(a, b);
+		CHECK(std::memcmp(&product, &expected, sizeof(product)) == 0);
+	}
 }
 
 TEST_CASE("the geometric product is associative and distributive") {
