@@ -6,7 +6,7 @@ const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
 ## Above the least number of bodies that threads share, and no whole number of blocks.
-const MANY := 40_003
+const MANY := 70_003
 const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
 const MILLION := 1_000_000
 

@@ -124,7 +124,7 @@ void MotorPool::close_gaps() {
 
 void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
 	// Measured: below this the other threads have not begun when the first one is done (docs/performance/engine.md).
-	constexpr uint32_t LEAST_SHARED = 32768;
+	constexpr uint32_t LEAST_SHARED = 65536;
 	if (_slot_of_row.empty()) {
 		return;
 	}
