@@ -61,14 +61,13 @@ def make_ready():
 
 def copy_project(sanitizer):
     """Folder of a copy of the project that holds the sanitized library; the import's results come along."""
-    folder = os.path.join(checkout.variant(sanitizer), "project")
-    shutil.rmtree(folder, ignore_errors=True)
+    place = os.path.join(checkout.variant(sanitizer), "engine")
+    shutil.rmtree(place, ignore_errors=True)
+    folder = os.path.join(place, "project")
     shutil.copytree(checkout.PROJECT, folder)
-    # Tests read the guides and the class reference, beside the project.
-    for name in ("docs", "src"):
-        link = os.path.join(checkout.variant(sanitizer), name)
-        if not os.path.lexists(link):
-            os.symlink(os.path.join(checkout.ROOT, name), link)
+    # Tests read the guides, the class reference and what these name, beside the project.
+    for name in ("README.md", "docs", "src", "tests"):
+        os.symlink(os.path.join(checkout.ROOT, name), os.path.join(place, name))
     libraries = os.path.join(folder, ADDON_LIBRARIES)
     shutil.rmtree(libraries)
     os.mkdir(libraries)
