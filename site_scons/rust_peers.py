@@ -14,7 +14,7 @@ def build(env, folder):
         return None
     # Rust's wide types are wide only where the processor is known when compiling.
     flags = "-C target-cpu=" + ("x86-64-v3" if env["arch"] == "x86_64" and _has_avx2() else "generic")
-    command = [cargo, "build", "--quiet", "--release", "--locked", "--manifest-path", MANIFEST, "--target-dir", folder]
+    command = [cargo, "build", "--quiet", "--release", "--manifest-path", MANIFEST, "--target-dir", folder]
     done = subprocess.run(command, env=dict(os.environ, RUSTFLAGS=flags), stderr=subprocess.PIPE, universal_newlines=True)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or ["no reason given"]
