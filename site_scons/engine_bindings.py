@@ -12,6 +12,7 @@ import requirements
 
 PROFILE = "bindings/build_profile.json"
 GENERATOR = "bindings/generate.py"
+DESCRIPTION = "bindings/engine_api.py"
 
 
 def use_godot_cpp(env):
@@ -43,7 +44,7 @@ def generate(env, output):
     dump = engine_dump.dump(env["godot"], os.path.join(output, "api"))
     inputs = [os.path.join(dump, name) for name in ("extension_api.json", "gdextension_interface.h")]
     digest = hashlib.sha256(os.path.basename(dump).encode())
-    for path in (GENERATOR, PROFILE):
+    for path in (GENERATOR, DESCRIPTION, PROFILE):
         with open(path, "rb") as file:
             digest.update(file.read())
     generated = os.path.join(output, "generated")
