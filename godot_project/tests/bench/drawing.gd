@@ -7,6 +7,7 @@
 ## culling and draw calls; both in milliseconds, medians over the frames. A small size leaves out what pixels cost.
 extends SceneTree
 
+const BenchRows := preload("res://tests/bench/bench_rows.gd")
 const DrawnWorld := preload("res://tests/bench/drawn_world.gd")
 
 const SETTLING_FRAMES := 8
@@ -44,18 +45,7 @@ func _measure_all(path: String) -> void:
 	rows.append_array(await _measure(DrawnWorld.make_document(), DOCUMENT, {"document, 200 dragged": true}))
 	DrawnWorld.free_shared()
 	_view.free()
-	var text := JSON.stringify({"rows": rows})
-	if path.is_empty():
-		print(text)
-	else:
-		var file := FileAccess.open(path, FileAccess.WRITE)
-		if file == null:
-			printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
-			quit(1)
-			return
-		file.store_string(text)
-		file.close()
-	quit(0)
+	quit(BenchRows.write(rows, path))
 
 
 func _measure(world: DrawnWorld, subject: StringName, cases: Dictionary[String, bool]) -> Array[Dictionary]:

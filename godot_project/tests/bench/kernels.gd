@@ -6,6 +6,8 @@
 ## the median over the rounds in nanoseconds a pose.
 extends SceneTree
 
+const BenchRows := preload("res://tests/bench/bench_rows.gd")
+
 const ROUNDS: int = 7
 ## A round repeats its subject until it has done at least this many poses.
 const POSES_PER_ROUND: int = 40_000
@@ -38,18 +40,7 @@ func _initialize() -> void:
 		_make_poses(size)
 		for case: String in MODES:
 			rows.append_array(_measure(case, size))
-	var text: String = JSON.stringify({"rows": rows})
-	if path.is_empty():
-		print(text)
-	else:
-		var file: FileAccess = FileAccess.open(path, FileAccess.WRITE)
-		if file == null:
-			printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
-			quit(1)
-			return
-		file.store_string(text)
-		file.close()
-	quit(0)
+	quit(BenchRows.write(rows, path))
 
 
 func _make_poses(size: int) -> void:

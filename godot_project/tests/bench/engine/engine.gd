@@ -8,6 +8,7 @@
 ## last one's), and "cost", the paper's measure: how much longer the median frame is than one in which nothing moves.
 extends SceneTree
 
+const BenchRows := preload("res://tests/bench/bench_rows.gd")
 const Arm := preload("res://tests/bench/engine/arm.gd")
 const Arms := preload("res://tests/bench/engine/arms.gd")
 const World := preload("res://tests/bench/engine/world.gd")
@@ -59,18 +60,7 @@ func _measure_all(sizes: PackedInt64Array, path: String) -> void:
 	var rows: Array[Dictionary] = []
 	for size in sizes:
 		rows.append_array(await _measure(size))
-	var text := JSON.stringify({"rows": rows})
-	if path.is_empty():
-		print(text)
-	else:
-		var file := FileAccess.open(path, FileAccess.WRITE)
-		if file == null:
-			printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
-			quit(1)
-			return
-		file.store_string(text)
-		file.close()
-	quit(0)
+	quit(BenchRows.write(rows, path))
 
 
 func _measure(size: int) -> Array[Dictionary]:

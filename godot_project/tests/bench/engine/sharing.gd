@@ -4,6 +4,8 @@
 ## godot --headless --path godot_project --script res://tests/bench/engine/sharing.gd -- [--sizes=1000,...] [--json=FILE]
 extends SceneTree
 
+const BenchRows := preload("res://tests/bench/bench_rows.gd")
+
 const ROUNDS := 9
 const BODIES_PER_ROUND := 2_000_000
 const MODES: Dictionary[String, int] = {"interpolate_linear": MultivectorLerp.LINEAR, "interpolate_screw": MultivectorLerp.SCREW}
@@ -31,15 +33,9 @@ func _initialize() -> void:
 	if path.is_empty():
 		for row in rows:
 			print("%-20s %9d %-20s %8.2f ns/body" % [row["case"], row["n"], row["subject"], row["value"]])
+		quit(0)
 	else:
-		var file := FileAccess.open(path, FileAccess.WRITE)
-		if file == null:
-			printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
-			quit(1)
-			return
-		file.store_string(JSON.stringify({"rows": rows}))
-		file.close()
-	quit(0)
+		quit(BenchRows.write(rows, path))
 
 
 func _fill(size: int) -> void:
