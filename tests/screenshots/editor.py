@@ -36,10 +36,12 @@ def tests(engine, project, output):
         yield "no extension file", check_message(engine, bare, "is missing. Copy the whole folder")
 
 
-def copy_project(project, copy, probe=PROBE):
-    """A copy with a probe of this folder as a second plugin."""
+def copy_project(project, copy, probe=PROBE, base=None):
+    """A copy with a probe of this folder as a second plugin, and beside its scripts those of the folder `base`."""
     shutil.copytree(project, copy, ignore=shutil.ignore_patterns(".godot"))
     shutil.copytree(os.path.join(HERE, probe), os.path.join(copy, "addons", probe))
+    if base:
+        shutil.copytree(base, os.path.join(copy, "addons", probe), dirs_exist_ok=True)
     os.makedirs(os.path.join(copy, ".godot"))
     with open(os.path.join(copy, ".godot", "extension_list.cfg"), "w", encoding="utf-8") as file:
         file.write("res://addons/ga_godot/ga_godot.gdextension\n")

@@ -1,37 +1,28 @@
 @tool
-extends EditorPlugin
+extends "step_probe.gd"
 ## Works on a scene with GANode3D as a person would: looks in one view and in four, changes a property in the inspector,
 ## duplicates, deletes, undoes, saves and opens again. Each mistake prints a line that begins with [probe] FAIL.
 ## Pictures go to the files of the user arguments --one-view=FILE and --four-views=FILE.
 
-const Hands := preload("hands.gd")
-
 const SCENE := "res://probe_drawing.tscn"
-const SETTLING_FRAMES := 10
-const FIRST_FRAMES := 40
 const RED := Color(1, 0, 0)
 const GREEN := Color(0, 1, 0)
 const BLUE := Color(0, 0, 1)
 ## Pixels of one colour that are more than chance: what is drawn has thousands, or hundreds in a quarter of the view.
 const SEEN := 60
 
-var _steps: Array[Callable] = [
-	_make_scene, _open, _show_3d, _look, _widen, _see_wide, _undo, _see_narrow, _change_entry, _see_entry, _select_ball, _duplicate, _see_duplicate, _undo, _see_no_duplicate,
-	_select_ball, _delete, _see_deleted, _undo, _see_undeleted, _split, _look_everywhere, _unsplit, _hide_parent, _see_hidden, _show_parent, _save, _reload, _see_reloaded, _end,
-]
-var _frames := -FIRST_FRAMES
-var _step := 0
 var _narrow := 0
 
 
-func _process(_delta: float) -> void:
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
-		return
-	_frames += 1
-	if _frames >= SETTLING_FRAMES and _step < _steps.size():
-		_frames = 0
-		_step += 1
-		_steps[_step - 1].call()
+func _init() -> void:
+	settling_frames = 10
+
+
+func get_steps() -> Array[Callable]:
+	return [
+		_make_scene, _open, _show_3d, _look, _widen, _see_wide, _undo, _see_narrow, _change_entry, _see_entry, _select_ball, _duplicate, _see_duplicate, _undo, _see_no_duplicate,
+		_select_ball, _delete, _see_deleted, _undo, _see_undeleted, _split, _look_everywhere, _unsplit, _hide_parent, _see_hidden, _show_parent, _save, _reload, _see_reloaded, _end,
+	]
 
 
 func _make_scene() -> void:
@@ -127,7 +118,7 @@ func _see_duplicate() -> void:
 
 
 func _see_no_duplicate() -> void:
-	_expect(_node("Ball2"), null, "the duplicate after undo")
+	_expect(_node("Ball2") == null, true, "no node: the duplicate after undo")
 	_expect_seen(0, RED, true, "after undo of the duplicate")
 
 
@@ -136,7 +127,7 @@ func _delete() -> void:
 
 
 func _see_deleted() -> void:
-	_expect(_node("Ball"), null, "the ball after deleting")
+	_expect(_node("Ball") == null, true, "no node: the ball after deleting")
 	_expect_seen(0, RED, false, "after deleting")
 	_expect_seen(0, BLUE, true, "what was not deleted")
 
@@ -194,11 +185,6 @@ func _see_reloaded() -> void:
 	_expect_seen(0, BLUE, true, "after saving and loading")
 
 
-func _end() -> void:
-	print("[probe] done")
-	get_tree().quit()
-
-
 ## The shortcuts of views are for who is at them.
 func _focus_view() -> void:
 	var container: Control = EditorInterface.get_editor_viewport_3d(0).get_parent()
@@ -228,12 +214,5 @@ func _count(view: int, color: Color) -> int:
 
 
 func _save_picture(option: String) -> void:
-	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with(option):
-			var picture := EditorInterface.get_base_control().get_viewport().get_texture().get_image()
-			_expect(picture.save_png(argument.trim_prefix(option)), OK, "saving a picture")
-
-
-func _expect(actual: Variant, expected: Variant, what: String) -> void:
-	if actual != expected:
-		print("[probe] FAIL %s: %s, expected %s" % [what, actual, expected])
+	var picture := EditorInterface.get_base_control().get_viewport().get_texture().get_image()
+	_expect(picture.save_png(_option(option)), OK, "saving a picture")

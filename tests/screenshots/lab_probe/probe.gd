@@ -1,31 +1,18 @@
 @tool
-extends EditorPlugin
+extends "step_probe.gd"
 ## Uses the interpolation lab in the dock as a person would; each mistake prints a line that begins with [probe] FAIL.
 ## Pictures of the dock go to the files of the user arguments --lab-picture=FILE and --wide-picture=FILE.
 
-const Hands := preload("hands.gd")
-
-const SETTLING_FRAMES := 6
-const FIRST_FRAMES := 40
 const WIDE := Vector2i(600, 760)
 
-var _steps: Array[Callable] = [
-	_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _see_drawing, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
-	_undo_keep, _rename, _see_renamed, _delete, _see_deleted, _undo_delete, _take_picture, _show_tab_menu, _float, _widen, _take_wide_picture, _end,
-]
-var _frames := -FIRST_FRAMES
-var _step := 0
 var _before := ""
 
 
-func _process(_delta: float) -> void:
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
-		return
-	_frames += 1
-	if _frames >= SETTLING_FRAMES and _step < _steps.size():
-		_frames = 0
-		_step += 1
-		_steps[_step - 1].call()
+func get_steps() -> Array[Callable]:
+	return [
+		_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _see_drawing, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
+		_undo_keep, _rename, _see_renamed, _delete, _see_deleted, _undo_delete, _take_picture, _show_tab_menu, _float, _widen, _take_wide_picture, _end,
+	]
 
 
 func _open_dock() -> void:
@@ -170,16 +157,9 @@ func _take_wide_picture() -> void:
 	_save_picture("--wide-picture=")
 
 
-func _end() -> void:
-	print("[probe] done")
-	get_tree().quit()
-
-
 func _save_picture(option: String) -> void:
-	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with(option):
-			var picture := _dock().get_viewport().get_texture().get_image().get_region(Rect2i(_dock().get_global_rect()))
-			_expect(picture.save_png(argument.trim_prefix(option)), OK, "saving the picture")
+	var picture := _dock().get_viewport().get_texture().get_image().get_region(Rect2i(_dock().get_global_rect()))
+	_expect(picture.save_png(_option(option)), OK, "saving the picture")
 
 
 func _undo() -> void:
@@ -240,8 +220,3 @@ func _said_words() -> String:
 func _row_words(entry: String) -> Control:
 	var row: Control = _list().call(&"find_row", entry)
 	return row.find_child("Words", true, false)
-
-
-func _expect(actual: Variant, expected: Variant, what: String) -> void:
-	if typeof(actual) != typeof(expected) or actual != expected:
-		print("[probe] FAIL %s: %s, expected %s" % [what, actual, expected])

@@ -1,11 +1,7 @@
 @tool
-extends EditorPlugin
+@abstract
+extends "step_probe.gd"
 ## What a person sees of the editor, and does with the mouse in its first 3D viewport, where places are in pixels of it.
-
-const Hands := preload("hands.gd")
-
-## How many expectations there were.
-var _said := 0
 
 
 ## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.
@@ -128,9 +124,3 @@ func _scene() -> GAScene:
 
 func _values(entries: Array[String]) -> Array:
 	return entries.map(func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients)
-
-
-func _expect(got: Variant, wanted: Variant, what: String) -> void:
-	_said += 1
-	if got != wanted:
-		print("[probe] FAIL %s: %s, expected %s" % [what, got, wanted])

@@ -10,8 +10,6 @@ const PICTURES := "--pictures="
 ## Option: the picture of the viewport to compare with.
 const REFERENCE := "--reference="
 const EDITED_SCENE := "res://probe_view.tscn"
-const SETTLING_FRAMES := 6
-const FIRST_FRAMES := 40
 const OBJECTS: Dictionary[String, String] = {
 	"A": "point(-2, 1, 0)",
 	"s": "sphere(point(1.5, 1, 1), 0.8)",
@@ -24,23 +22,14 @@ const OBJECTS: Dictionary[String, String] = {
 	"o": "!(c ^ einf) ^ einf",
 }
 
-var _steps: Array[Callable] = [
-	_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
-	_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _new_document, _see_question, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
-]
-var _frames := -FIRST_FRAMES
-var _step := 0
 var _before := ""
 
 
-func _process(_delta: float) -> void:
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
-		return
-	_frames += 1
-	if _frames >= SETTLING_FRAMES and _step < _steps.size():
-		_frames = 0
-		_step += 1
-		_steps[_step - 1].call()
+func get_steps() -> Array[Callable]:
+	return [
+		_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
+		_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _new_document, _see_question, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
+	]
 
 
 func _open() -> void:
@@ -299,18 +288,5 @@ func _see_four() -> void:
 	_save_window("viewport_four.png")
 
 
-func _end() -> void:
-	print("[probe] %d expectations" % _said)
-	print("[probe] done")
-	get_tree().quit()
-
-
 func _save_window(file: String) -> void:
 	get_tree().root.get_texture().get_image().save_png(_option(PICTURES).path_join(file))
-
-
-func _option(option: String) -> String:
-	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with(option):
-			return argument.trim_prefix(option)
-	return ""
