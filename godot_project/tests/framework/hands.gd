@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Mouse and keyboard: events as a window would get them, in its own places, whatever the size of the screen.
 
@@ -19,6 +20,15 @@ static func drag(from: Control, start: Vector2, to: Control, end: Vector2, butto
 	for step in steps:
 		move(viewport, first.lerp(last, (step + 1.0) / steps), 1 << (button - 1), (last - first) / steps)
 	press(viewport, last, false, button)
+
+
+## Presses a field that captures the mouse, and moves so many pixels to the right.
+static func drag_with(control: Control, pixels: int, steps := 8) -> void:
+	var place := place_in(control, Vector2(0.5, 0.5))
+	press(control.get_viewport(), place, true)
+	for step in steps:
+		move(control.get_viewport(), place, MOUSE_BUTTON_MASK_LEFT, Vector2(float(pixels) / steps, 0))
+	press(control.get_viewport(), place, false)
 
 
 static func place_in(control: Control, at: Vector2) -> Vector2:

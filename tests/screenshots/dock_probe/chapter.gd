@@ -3,7 +3,7 @@
 extends RefCounted
 ## What all chapters share: the parts of the dock, waiting, and saying what is not as it should be.
 
-const Hands := preload("hands.gd")
+const Hands := preload("res://tests/framework/hands.gd")
 
 const SETTLING_FRAMES := 6
 
@@ -172,12 +172,12 @@ func choose_in_tab_menu(item: String) -> void:
 ## As the editor does it, from whatever has the focus but a text.
 func undo() -> void:
 	window().gui_release_focus()
-	Hands.press_key(window(), KEY_Z, 0, true)
+	Hands.press_key(window(), KEY_Z, KEY_MASK_CTRL)
 
 
 func redo() -> void:
 	window().gui_release_focus()
-	Hands.press_key(window(), KEY_Z, 0, true, true)
+	Hands.press_key(window(), KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 
 
 func picture() -> Image:

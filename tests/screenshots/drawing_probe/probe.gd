@@ -83,7 +83,7 @@ func _see_wide() -> void:
 
 
 func _undo() -> void:
-	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_Z, 0, true)
+	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_Z, KEY_MASK_CTRL)
 
 
 func _see_narrow() -> void:
@@ -107,7 +107,7 @@ func _select_ball() -> void:
 
 func _duplicate() -> void:
 	_expect_seen(0, GREEN, true, "after the entry's move back")
-	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_D, 0, true)
+	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_D, KEY_MASK_CTRL)
 
 
 func _see_duplicate() -> void:
@@ -123,7 +123,7 @@ func _see_no_duplicate() -> void:
 
 
 func _delete() -> void:
-	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_DELETE, 0, false, true)
+	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_DELETE, KEY_MASK_SHIFT)
 
 
 func _see_deleted() -> void:
@@ -139,7 +139,7 @@ func _see_undeleted() -> void:
 
 func _split() -> void:
 	_focus_view()
-	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_4, 0, true)
+	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_4, KEY_MASK_CTRL)
 
 
 func _look_everywhere() -> void:
@@ -151,7 +151,7 @@ func _look_everywhere() -> void:
 
 func _unsplit() -> void:
 	_focus_view()
-	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_1, 0, true)
+	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_1, KEY_MASK_CTRL)
 
 
 func _hide_parent() -> void:

@@ -71,7 +71,8 @@ func _see_drawing() -> void:
 
 func _slide() -> void:
 	_before = _scene().document
-	Hands.drag(_lab_part("Player").get_node(^"Slider") as Control, Vector2(0.5, 0.5), Vector2(0.3, 0.5))
+	var slider := _lab_part("Player").get_node(^"Slider") as Control
+	Hands.drag(slider, Vector2(0.5, 0.5), slider, Vector2(0.3, 0.5))
 
 
 func _undo_slide() -> void:

@@ -4,7 +4,7 @@ extends EditorPlugin
 ## A person in the editor who does one step after another, some frames apart, so that each has shown its effects before the
 ## next. Each mistake prints a line that begins with [probe] FAIL.
 
-const Hands := preload("hands.gd")
+const Hands := preload("res://tests/framework/hands.gd")
 
 const FIRST_FRAMES := 40
 

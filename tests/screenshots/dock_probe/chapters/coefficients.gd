@@ -24,7 +24,7 @@ func _type_number() -> void:
 	var edit := window().gui_get_focus_owner() as LineEdit
 	expect_true(edit != null, "a text to type the number into")
 	if edit != null:
-		Hands.press_key(edit.get_viewport(), KEY_A, 0, true)
+		Hands.press_key(edit.get_viewport(), KEY_A, KEY_MASK_CTRL)
 		Hands.type(edit.get_viewport(), "2.5")
 		Hands.press_key(edit.get_viewport(), KEY_ENTER)
 	await settle()

@@ -61,9 +61,9 @@ func _restart_plugin() -> void:
 	expect_true(dock() == null, "no dock without the plugin")
 	# What the playground did is still in the history.
 	for step in 3:
-		Hands.press_key(plugin.get_window(), KEY_Z, 0, true)
+		Hands.press_key(plugin.get_window(), KEY_Z, KEY_MASK_CTRL)
 	for step in 3:
-		Hands.press_key(plugin.get_window(), KEY_Z, 0, true, true)
+		Hands.press_key(plugin.get_window(), KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 	EditorInterface.set_plugin_enabled("ga_godot", true)
 	await settle()
 	dock().make_visible()

@@ -102,7 +102,7 @@ func _slide() -> void:
 	expect(scene().get_expression("k1"), "1", "number")
 	await settle()
 	var before := scene().document
-	Hands.drag(row_part("k1", "Slider"), Vector2(0.6, 0.5), Vector2(0.9, 0.5))
+	Hands.drag(row_part("k1", "Slider"), Vector2(0.6, 0.5), row_part("k1", "Slider"), Vector2(0.9, 0.5))
 	expect_true(scene().get_value("k1").coefficients[0] > 3.0, "number after sliding: %s" % scene().get_expression("k1"))
 	await settle()
 	undo()
@@ -112,7 +112,7 @@ func _slide() -> void:
 
 func _reorder() -> void:
 	await select(["s"])
-	Hands.press_key(window(), KEY_UP, 0, false, false, true)
+	Hands.press_key(window(), KEY_UP, KEY_MASK_ALT)
 	expect(names(), ["apex", "s", "B", "pair1", "k1"], "order after Alt and Up")
 	undo()
 	await settle()
@@ -120,8 +120,7 @@ func _reorder() -> void:
 
 func _drag_row() -> void:
 	var from := row_part("pair1", "Words")
-	var to := from.get_global_transform().affine_inverse() * (row("apex").get_global_transform() * Vector2(row("apex").size.x / 2.0, 2.0))
-	Hands.drag(from, Vector2(0.3, 0.5), to / from.size)
+	Hands.drag(from, Vector2(0.3, 0.5), row("apex"), Vector2(0.5, 0.03))
 	expect(names(), ["pair1", "apex", "B", "s", "k1"], "order after dragging a row to the top")
 	await settle()
 	undo()
