@@ -80,7 +80,8 @@ func _draw() -> void:
 
 # Without the sign of a zero.
 func _text() -> String:
-	return String.num(snappedf(_number, _step) + 0.0, DIGITS)
+	var number := snappedf(_number, _step) + 0.0
+	return str(roundi(number)) if _step >= 1.0 else String.num(number, DIGITS)
 
 
 func _gui_input(event: InputEvent) -> void:
