@@ -86,8 +86,8 @@ void FormMeshes::make_form(Form p_form) {
 RID FormMeshes::stroke_material(Space p_space) {
 	RID &material = _stroke_materials[size_t(p_space)];
 	if (!material.is_valid()) {
-		using playground::drawing::StrokePass;
 		using playground::drawing::stroke_shader;
+		using playground::drawing::StrokePass;
 		material = make_material(stroke_shader(p_space, _renderer, StrokePass::core), CORE_PRIORITY);
 		RID &fringe = _fringe_materials[size_t(p_space)];
 		fringe = make_material(stroke_shader(p_space, _renderer, StrokePass::fringe), FRINGE_PRIORITY);

@@ -21,7 +21,10 @@ struct StreamStatistics {
 };
 
 struct BodyEvent {
-	enum Kind : std::uint8_t { ADDED, REMOVED };
+	enum Kind : std::uint8_t {
+		ADDED,
+		REMOVED
+	};
 	Kind kind;
 	std::uint32_t id;
 };

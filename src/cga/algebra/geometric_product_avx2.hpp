@@ -67,7 +67,7 @@ CGA_AVX2_INLINE void add_pair(FourDoubles &sum, const FourDoubles &a, const Four
 template <size_t left, size_t... chunks>
 CGA_AVX2_INLINE void add_left(FourDoubles (&sums)[CHUNKS], const Multivector &a, const Orders &b, std::index_sequence<chunks...>) noexcept {
 	const FourDoubles one = signed_left<left>(a);
-	const FourDoubles other = signed_left<left ^ (E4_BIT | E5_BIT)>(a);
+	const FourDoubles other = signed_left<(left ^ (E4_BIT | E5_BIT))>(a);
 	(add_pair<left, chunks>(sums[chunks], one, other, b), ...);
 }
 

@@ -18,7 +18,10 @@ namespace cga {
 class LocalFrame {
 public:
 	// What the frame is for: to say what objects share, or to compute an image of the first, where nothing is decided.
-	enum class Purpose { incidence, image };
+	enum class Purpose {
+		incidence,
+		image
+	};
 
 	LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose);
 

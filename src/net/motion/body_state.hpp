@@ -2,9 +2,9 @@
 
 #include "net/coding/lattice_rotation.hpp"
 #include "net/coding/quantisation.hpp"
-#include "net/motion/motion_segment.hpp"
 #include "net/coding/residual_model.hpp"
 #include "net/coding/stream_grid.hpp"
+#include "net/motion/motion_segment.hpp"
 
 #include <cstdint>
 
@@ -115,7 +115,13 @@ public:
 	bool settled = true; ///< rests where it was last seen, as near as the grid allows
 
 private:
-	enum Predictor { HOLD, STEADY, ACCELERATED, DAMPED, PREDICTORS };
+	enum Predictor {
+		HOLD,
+		STEADY,
+		ACCELERATED,
+		DAMPED,
+		PREDICTORS
+	};
 
 	[[nodiscard]] std::int64_t predicted_by(int predictor, int coordinate, int ticks) const;
 	[[nodiscard]] int best_predictor(int group) const;

@@ -37,7 +37,11 @@ public:
 	[[nodiscard]] const StreamGrid &grid() const { return grid_; }
 
 private:
-	enum class Change : std::uint8_t { NONE, APPEARS, JUMPS };
+	enum class Change : std::uint8_t {
+		NONE,
+		APPEARS,
+		JUMPS
+	};
 
 	struct Body {
 		std::uint32_t id = 0;

@@ -14,8 +14,7 @@
 //
 // In such a function: no preprocessor, no out parameters, `f` after every number; names other than C++'s std.
 #define SHADER_FUNCTION(m_name, ...) \
-	inline __VA_ARGS__ \
-	inline constexpr const char *m_name##_source = #__VA_ARGS__ "\n";
+	inline __VA_ARGS__ inline constexpr const char *m_name##_source = #__VA_ARGS__ "\n";
 
 namespace playground::drawing::shared {
 

@@ -47,9 +47,11 @@ public:
 private:
 	// What waits: an operator for its right side, a bracket for its end.
 	struct Waiting {
-		enum Kind { OPERATOR,
+		enum Kind {
+			OPERATOR,
 			GROUP,
-			CALL } kind;
+			CALL
+		} kind;
 		int level; // of an OPERATOR
 		Node node; // of an OPERATOR or a CALL
 		Token token;

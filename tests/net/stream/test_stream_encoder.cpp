@@ -1,8 +1,8 @@
 #include "net/stream/stream_encoder.hpp"
 
+#include "../stream_scene.hpp"
 #include "net/motion/motion_track.hpp"
 #include "net/stream/stream_decoder.hpp"
-#include "../stream_scene.hpp"
 
 #include <doctest/doctest.h>
 

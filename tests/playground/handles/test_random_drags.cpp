@@ -13,10 +13,34 @@ using namespace playground::handles;
 namespace {
 
 constexpr const char *TEXTS[] = {
-	"point(1, 2, 3)", "flat_point(e1)", "pair(e1, e2)", "line(e1, 2 e2)", "line_through(e1, point(0, 1, 2))", "circle(e1, e2, 2)", "circle(e1, point(0, 2, 0), e3)",
-	"plane(e3, 1)", "plane(1, 2, 3, -4)", "plane_through(e1, e2, e3)", "!sphere(e1, 2)", "sphere(1, 2, 3, 4)", "sphere_through(e1, e2, e3, 0)", "imaginary_circle(e1, e2, 2)",
-	"imaginary_point_pair(0, e2, 2)", "tangent_along(e1, e2)", "tangent_across(e1, e2)", "direction(e1)", "direction_across(e1)", "vector(1, 2, 3)", "translator(1, 2, 3)", "rotor(e3, deg(90))",
-	"rotor(0, 0, 0.6, 0.8)", "dilator(2)", "motor(e1, rotor(e3, deg(90)), 2)", "motor(e1, 1)", "e1 + 0.5 einf + eo", "-(2 e1 ^ einf)",
+	"point(1, 2, 3)",
+	"flat_point(e1)",
+	"pair(e1, e2)",
+	"line(e1, 2 e2)",
+	"line_through(e1, point(0, 1, 2))",
+	"circle(e1, e2, 2)",
+	"circle(e1, point(0, 2, 0), e3)",
+	"plane(e3, 1)",
+	"plane(1, 2, 3, -4)",
+	"plane_through(e1, e2, e3)",
+	"!sphere(e1, 2)",
+	"sphere(1, 2, 3, 4)",
+	"sphere_through(e1, e2, e3, 0)",
+	"imaginary_circle(e1, e2, 2)",
+	"imaginary_point_pair(0, e2, 2)",
+	"tangent_along(e1, e2)",
+	"tangent_across(e1, e2)",
+	"direction(e1)",
+	"direction_across(e1)",
+	"vector(1, 2, 3)",
+	"translator(1, 2, 3)",
+	"rotor(e3, deg(90))",
+	"rotor(0, 0, 0.6, 0.8)",
+	"dilator(2)",
+	"motor(e1, rotor(e3, deg(90)), 2)",
+	"motor(e1, 1)",
+	"e1 + 0.5 einf + eo",
+	"-(2 e1 ^ einf)",
 };
 
 class Random {
