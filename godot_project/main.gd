@@ -68,7 +68,7 @@ func open_demo(demo_name: String) -> void:
 		var known := PackedStringArray()
 		for other in Demos.list():
 			known.append(other.name)
-		printerr("There is no demo named \"%s\". Known: %s." % [demo_name, ", ".join(known)])
+		printerr('There is no demo named "%s". Known: %s.' % [demo_name, ", ".join(known)])
 		get_tree().quit(1)
 		return
 	_show(demo.get_scene_path())

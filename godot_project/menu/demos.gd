@@ -22,12 +22,21 @@ func get_scene_path() -> String:
 
 static func list() -> Array[Demos]:
 	return [
-		Demos.new(&"interpolation", "Interpolation",
-				"One cube between two poses: linear, screw and separate paths side by side."),
-		Demos.new(&"multiplayer", "Multiplayer",
-				"A physics server replicates 250 cubes as quantised motors; push them around."),
-		Demos.new(&"playground", "Playground",
-				"Points, circles, spheres and motors that follow each other: build and drag."),
+		Demos.new(
+			&"interpolation",
+			"Interpolation",
+			"One cube between two poses: linear, screw and separate paths side by side."
+		),
+		Demos.new(
+			&"multiplayer",
+			"Multiplayer",
+			"A physics server replicates 250 cubes as quantised motors; push them around."
+		),
+		Demos.new(
+			&"playground",
+			"Playground",
+			"Points, circles, spheres and motors that follow each other: build and drag."
+		),
 	]
 
 

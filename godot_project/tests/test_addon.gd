@@ -38,7 +38,9 @@ func test_the_extension_file() -> void:
 	expect_equal(description.get_value("configuration", "entry_symbol"), "ga_godot_init")
 	expect_equal(description.get_value("configuration", "compatibility_minimum"), "4.6")
 	expect_equal(description.get_value("configuration", "reloadable"), false)
-	expect_true(description.get_section_keys("libraries").has("linux.debug.x86_64"), "an entry for Linux")
+	expect_true(
+		description.get_section_keys("libraries").has("linux.debug.x86_64"), "an entry for Linux"
+	)
 
 
 func test_every_class_has_an_icon() -> void:
@@ -46,15 +48,22 @@ func test_every_class_has_an_icon() -> void:
 	for type: StringName in CLASSES:
 		var path := _absolute(description, "icons", type)
 		var image := Image.new()
-		expect_equal(image.load_svg_from_string(FileAccess.get_file_as_string(path)), OK, "drawing %s" % path)
+		expect_equal(
+			image.load_svg_from_string(FileAccess.get_file_as_string(path)), OK, "drawing %s" % path
+		)
 		expect_equal(image.get_size(), Vector2i(16, 16), "size of %s" % path)
 		expect_true(not image.is_invisible(), "something to see in %s" % path)
 
 
 func test_the_loaded_library_is_the_listed_one() -> void:
-	var path := _absolute(_load_description(), "libraries", "linux.debug.%s" % Engine.get_architecture_name())
+	var path := _absolute(
+		_load_description(), "libraries", "linux.debug.%s" % Engine.get_architecture_name()
+	)
 	expect_true(FileAccess.file_exists(path), "existence of %s" % path)
-	expect_true(GDExtensionManager.is_extension_loaded(FOLDER.path_join("ga_godot.gdextension")), "the extension being loaded")
+	expect_true(
+		GDExtensionManager.is_extension_loaded(FOLDER.path_join("ga_godot.gdextension")),
+		"the extension being loaded"
+	)
 
 
 ## A method is called in a test file or, if it sets or gets a property, the property is used there.
@@ -89,7 +98,9 @@ func _words_of_methods(type: StringName) -> PackedStringArray:
 
 func _load_description() -> ConfigFile:
 	var description := ConfigFile.new()
-	expect_equal(description.load(FOLDER.path_join("ga_godot.gdextension")), OK, "loading the extension file")
+	expect_equal(
+		description.load(FOLDER.path_join("ga_godot.gdextension")), OK, "loading the extension file"
+	)
 	return description
 
 

@@ -46,7 +46,9 @@ func test_the_interpolation_demo_runs() -> void:
 ## In a process of its own, since the demo reads the command line.
 func test_the_multiplayer_server_runs() -> void:
 	var output: Array = []
-	var code := _start(["--demo=multiplayer", "--role=server", "--cubes=20", "--seconds=1", "--port=24999"], output)
+	var code := _start(
+		["--demo=multiplayer", "--role=server", "--cubes=20", "--seconds=1", "--port=24999"], output
+	)
 	expect_equal(code, 0, "exit code")
 	_expect_clean(output)
 
@@ -55,7 +57,12 @@ func test_an_unknown_demo_is_refused() -> void:
 	var output: Array = []
 	expect_equal(_start(["--demo=nonsense"], output), 1, "exit code")
 	var text: String = output[0]
-	expect_true(text.contains("There is no demo named \"nonsense\". Known: interpolation, multiplayer, playground."), "the reason in \"%s\"" % text)
+	expect_true(
+		text.contains(
+			'There is no demo named "nonsense". Known: interpolation, multiplayer, playground.'
+		),
+		'the reason in "%s"' % text
+	)
 
 
 func test_escape_returns_to_the_menu() -> void:
@@ -92,7 +99,9 @@ func _press(key: Key) -> void:
 
 ## Starts the project anew, headless, with these arguments after `--`; its exit code.
 func _start(arguments: PackedStringArray, output: Array) -> int:
-	var all := PackedStringArray(["--headless", "--path", ProjectSettings.globalize_path("res://"), "--"])
+	var all := PackedStringArray(
+		["--headless", "--path", ProjectSettings.globalize_path("res://"), "--"]
+	)
 	all.append_array(arguments)
 	return OS.execute(OS.get_executable_path(), all, output, true)
 
@@ -100,4 +109,4 @@ func _start(arguments: PackedStringArray, output: Array) -> int:
 func _expect_clean(output: Array) -> void:
 	var text: String = output[0]
 	for mark: String in ["ERROR", "leaked at exit", "still in use at exit"]:
-		expect_true(not text.contains(mark), "absence of \"%s\" in:\n%s" % [mark, text])
+		expect_true(not text.contains(mark), 'absence of "%s" in:\n%s' % [mark, text])

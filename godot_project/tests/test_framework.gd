@@ -24,7 +24,9 @@ func test_what_does_not_hold_fails() -> void:
 	probe.expect_near(1.0, 1.2, 0.1)
 	probe.expect_near(NAN, 1.0, 0.1)
 	probe.expect_vector_near(Vector3(NAN, 0, 0), Vector3.ZERO, 1.0)
-	probe.expect_transform_near(Transform3D(Basis.IDENTITY, Vector3(0, NAN, 0)), Transform3D.IDENTITY, 1.0)
+	probe.expect_transform_near(
+		Transform3D(Basis.IDENTITY, Vector3(0, NAN, 0)), Transform3D.IDENTITY, 1.0
+	)
 	probe.expect_coefficients(Multivector.basis("e1"), {2: 1.0})
 	probe.expect_coefficients(null, {})
 	expect_equal(probe.take_failures().size(), 9, "number of failures")
@@ -34,8 +36,10 @@ func test_a_failure_names_file_line_and_values() -> void:
 	var probe := _probe()
 	probe.expect_equal(2, 3, "answer")
 	var failure := probe.take_failures()[0]
-	expect_true(failure.begins_with("res://tests/test_framework.gd:"), "the place in \"%s\"" % failure)
-	expect_true(failure.ends_with("answer is 2, expected 3"), "the values in \"%s\"" % failure)
+	expect_true(
+		failure.begins_with("res://tests/test_framework.gd:"), 'the place in "%s"' % failure
+	)
+	expect_true(failure.ends_with("answer is 2, expected 3"), 'the values in "%s"' % failure)
 
 
 func test_expecting_nothing_fails() -> void:
@@ -48,12 +52,17 @@ func test_an_error_nobody_announced_is_a_fault() -> void:
 	push_error("unannounced")
 	var faults := error_log.take_faults()
 	expect_equal(faults.size(), 1, "number of faults")
-	expect_true(faults[0].begins_with("unexpected error: unannounced"), "the message in \"%s\"" % faults[0])
+	expect_true(
+		faults[0].begins_with("unexpected error: unannounced"), 'the message in "%s"' % faults[0]
+	)
 
 
 func test_an_announced_error_that_does_not_come_is_a_fault() -> void:
 	error_log.expect("never comes")
-	expect_equal(error_log.take_faults(), PackedStringArray(["expected this error, which did not come: never comes"]))
+	expect_equal(
+		error_log.take_faults(),
+		PackedStringArray(["expected this error, which did not come: never comes"])
+	)
 
 
 func test_an_announced_error_is_none() -> void:
@@ -72,16 +81,24 @@ func test_a_warning_nobody_announced_is_a_fault() -> void:
 
 
 func test_samples_print_what_they_say() -> void:
-	var sample := "for i in 2:\n\tassert(i < 2)\nprint(1 + 1, \"!\") # %s\n"
+	var sample := 'for i in 2:\n\tassert(i < 2)\nprint(1 + 1, "!") # %s\n'
 	expect_equal(CodeSample.count_prints(sample), 1, "number of checked prints")
 	expect_equal(CodeSample.find_faults(sample % "2!"), PackedStringArray())
-	expect_equal(CodeSample.find_faults(sample % "3!"), PackedStringArray(["prints 2! where it says print(1 + 1, \"!\") # 3!"]))
-	expect_equal(CodeSample.find_faults("if false:\n\tprint(1) # 1\n"), PackedStringArray(["prints nothing where it says print(1) # 1"]))
+	expect_equal(
+		CodeSample.find_faults(sample % "3!"),
+		PackedStringArray(['prints 2! where it says print(1 + 1, "!") # 3!'])
+	)
+	expect_equal(
+		CodeSample.find_faults("if false:\n\tprint(1) # 1\n"),
+		PackedStringArray(["prints nothing where it says print(1) # 1"])
+	)
 
 
 func test_samples_that_do_not_run_are_faults() -> void:
-	expect_error("Parse Error: Identifier \"nonsense\" not declared in the current scope.")
-	expect_equal(CodeSample.find_faults("nonsense\n"), PackedStringArray(["does not compile:\nnonsense\n"]))
+	expect_error('Parse Error: Identifier "nonsense" not declared in the current scope.')
+	expect_equal(
+		CodeSample.find_faults("nonsense\n"), PackedStringArray(["does not compile:\nnonsense\n"])
+	)
 
 
 func _probe() -> TestCase:

@@ -20,7 +20,9 @@ func test_defaults() -> void:
 func test_a_multivector_of_its_own() -> void:
 	_build()
 	_node.multivector = Multivector.sphere(Vector3(1, 2, 3), 2.0)
-	expect_true(_node.describe().begins_with("sphere, radius 2, centre (1, 2, 3)"), _node.describe())
+	expect_true(
+		_node.describe().begins_with("sphere, radius 2, centre (1, 2, 3)"), _node.describe()
+	)
 	_node.ipns = true
 	_node.multivector = _node.multivector.dual()
 	expect_true(_node.describe().begins_with("dual sphere"), _node.describe())
@@ -106,7 +108,28 @@ func test_a_drawn_entry_that_changes_name_goes_and_comes() -> void:
 func test_every_kind_and_every_change_between_kinds() -> void:
 	_build()
 	_node.show_label = true
-	var expressions: Array[String] = ["point(1, 0, 0)", "flat_point(1, 0, 0)", "pair(point(0, 0, 0), point(1, 0, 0))", "line(point(0, 0, 0), e1)", "circle(point(0, 0, 0), e3, 1)", "plane(e2, 1)", "sphere(point(0, 0, 0), 1)", "imaginary_circle(point(0, 0, 0), e3, 1)", "tangent_along(point(0, 0, 0), e1)", "tangent_across(point(0, 0, 0), e1)", "direction(e1)", "direction_across(e1)", "translator(e1)", "rotor(e2, 1)", "dilator(2)", "translator(e1) * rotor(e2, 1)", "3", "einf", "e1 + e23", "0"]
+	var expressions: Array[String] = [
+		"point(1, 0, 0)",
+		"flat_point(1, 0, 0)",
+		"pair(point(0, 0, 0), point(1, 0, 0))",
+		"line(point(0, 0, 0), e1)",
+		"circle(point(0, 0, 0), e3, 1)",
+		"plane(e2, 1)",
+		"sphere(point(0, 0, 0), 1)",
+		"imaginary_circle(point(0, 0, 0), e3, 1)",
+		"tangent_along(point(0, 0, 0), e1)",
+		"tangent_across(point(0, 0, 0), e1)",
+		"direction(e1)",
+		"direction_across(e1)",
+		"translator(e1)",
+		"rotor(e2, 1)",
+		"dilator(2)",
+		"translator(e1) * rotor(e2, 1)",
+		"3",
+		"einf",
+		"e1 + e23",
+		"0"
+	]
 	for first in expressions:
 		_node.multivector = Multivector.evaluate(first)
 		for ipns: bool in [false, true]:
@@ -178,13 +201,22 @@ func test_distances_on_the_screen() -> void:
 	_node.multivector = Multivector.circle(Vector3.ZERO, Vector3.BACK, 1.0)
 	expect_near(_distance_to(Vector3(0, 1, 0)), 0.0, 0.5, "on the circle")
 	var edge := _camera.unproject_position(Vector3(1, 0, 0))
-	expect_near(_node.get_screen_distance(_camera, edge + Vector2(7, 0)), 7.0, 0.5, "beside the circle")
+	expect_near(
+		_node.get_screen_distance(_camera, edge + Vector2(7, 0)), 7.0, 0.5, "beside the circle"
+	)
 	_node.scale = Vector3(2, 2, 2)
 	expect_near(_distance_to(Vector3(0, 2, 0)), 0.0, 0.5, "on the circle, twice as large")
 	_node.scale = Vector3.ONE
 	_camera.set_orthogonal(5.0, 0.1, 100.0)
 	expect_near(_distance_to(Vector3(0, 1, 0)), 0.0, 0.5, "in a parallel view")
-	expect_near(_node.get_screen_distance(_camera, _camera.unproject_position(Vector3(1, 0, 0)) + Vector2(7, 0)), 7.0, 0.5, "beside it in a parallel view")
+	expect_near(
+		_node.get_screen_distance(
+			_camera, _camera.unproject_position(Vector3(1, 0, 0)) + Vector2(7, 0)
+		),
+		7.0,
+		0.5,
+		"beside it in a parallel view"
+	)
 	_node.multivector = Multivector.point(Vector3(0, 0, 50))
 	expect_equal(_distance_to(Vector3.ZERO), INF, "behind the camera")
 
@@ -194,7 +226,9 @@ func test_faults_are_told() -> void:
 	expect_error("GANode3D: line_width is in pixels, above 0 and at most 100, not 0.000000.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
-	expect_error("GANode3D.get_screen_distance: the camera is null or not in the scene tree; pass the one that shows this node.")
+	expect_error(
+		"GANode3D.get_screen_distance: the camera is null or not in the scene tree; pass the one that shows this node."
+	)
 	expect_equal(_node.get_screen_distance(null, Vector2.ZERO), INF, "distance without a camera")
 
 

@@ -20,7 +20,19 @@ func test_entries_follow_each_other() -> void:
 	expect_equal(_scene.get_names(), PackedStringArray(["a", "l", "b"]), "names")
 	expect_equal(_scene.set_expression("b", "point(1, 4, 3)"), OK, "setting b")
 	expect_vector_near(_scene.get_value("l").classify().direction as Vector3, Vector3.UP, 1e-6)
-	expect_equal(_changes, [PackedStringArray(["a"]), PackedStringArray(["l"]), PackedStringArray(["b", "l"]), PackedStringArray(["b", "l"])] as Array[PackedStringArray], "changes")
+	expect_equal(
+		_changes,
+		(
+			[
+				PackedStringArray(["a"]),
+				PackedStringArray(["l"]),
+				PackedStringArray(["b", "l"]),
+				PackedStringArray(["b", "l"])
+			]
+			as Array[PackedStringArray]
+		),
+		"changes"
+	)
 
 
 func test_a_change_that_changes_nothing_is_silent() -> void:
@@ -39,12 +51,18 @@ func test_errors_stay_local() -> void:
 	_scene.add_entry("b", "2 a")
 	_scene.add_entry("c", "b + 1")
 	_scene.add_entry("d", "3")
-	expect_equal(_scene.get_error("a"), "column 4: expected a number, a name or '(', found the end", "error of a")
+	expect_equal(
+		_scene.get_error("a"),
+		"column 4: expected a number, a name or '(', found the end",
+		"error of a"
+	)
 	expect_equal(_scene.get_error("b"), "column 3: 'a' has an error", "error of b")
 	expect_equal(_scene.get_error("c"), "column 1: 'b' has an error, because of 'a'", "error of c")
 	expect_equal(_scene.get_value("d").coefficients[0], 3.0, "d")
 	_scene.set_expression("a", "c")
-	expect_equal(_scene.get_error("a"), "column 1: 'c' depends on 'a': a -> c -> b -> a", "error of a")
+	expect_equal(
+		_scene.get_error("a"), "column 1: 'c' depends on 'a': a -> c -> b -> a", "error of a"
+	)
 	_scene.set_expression("a", "1")
 	expect_equal(_scene.get_value("c").coefficients[0], 3.0, "c")
 
@@ -70,7 +88,7 @@ func test_what_is_refused() -> void:
 	expect_equal(_scene.add_entry("e12", "2"), ERR_INVALID_PARAMETER, "adding e12")
 	expect_error("GAScene.remove_entry: there is no entry 'b'.")
 	expect_equal(_scene.remove_entry("b"), ERR_INVALID_PARAMETER, "removing b")
-	expect_error("GAScene.get_value: there is no entry \"b\"; get_names() lists those there are.")
+	expect_error('GAScene.get_value: there is no entry "b"; get_names() lists those there are.')
 	expect_null(_scene.get_value("b"))
 	expect_equal(_scene.get_names(), PackedStringArray(["a"]), "names")
 	expect_equal(_changes.size(), 0, "number of signals")

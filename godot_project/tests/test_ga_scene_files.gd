@@ -11,11 +11,11 @@ var _changes: Array[PackedStringArray] = []
 func _init() -> void:
 	_scene.add_entry("größe", "2.5")
 	_scene.add_entry("ball", "sphere(e1, größe)")
-	_scene.add_entry("broken", "1 + \"\n\t")
+	_scene.add_entry("broken", '1 + "\n\t')
 	_scene.set_entry_attribute("ball", "color", "#ff8000")
 	_scene.set_entry_attribute("ball", "visible", false)
 	_scene.set_entry_attribute("ball", "interpolation/weight", 0.25)
-	_scene.set_scene_attribute("title", "A \"ball\"")
+	_scene.set_scene_attribute("title", 'A "ball"')
 	_scene.entries_changed.connect(_on_entries_changed)
 
 
@@ -59,7 +59,11 @@ func test_an_empty_scene_stores_nothing() -> void:
 	expect_equal(GAScene.new().document, "", "document")
 	_scene.document = ""
 	expect_equal(_scene.get_entry_count(), 0, "number of entries")
-	expect_equal(_changes, [PackedStringArray(["ball", "broken", "größe"])] as Array[PackedStringArray], "changes")
+	expect_equal(
+		_changes,
+		[PackedStringArray(["ball", "broken", "größe"])] as Array[PackedStringArray],
+		"changes"
+	)
 
 
 func test_loading_an_older_text_undoes() -> void:
@@ -75,9 +79,11 @@ func test_loading_an_older_text_undoes() -> void:
 
 
 func test_a_broken_text_loads_what_it_can() -> void:
-	var text := "{\"version\": 1, \"entries\": [\n{\"name\": \"a\", \"expression\": \"1\"},\n{\"name\": \"b\", \"expression\": },\n{\"name\": \"c\", \"expression\": \"a + 1\"}\n]}"
+	var text := '{"version": 1, "entries": [\n{"name": "a", "expression": "1"},\n{"name": "b", "expression": },\n{"name": "c", "expression": "a + 1"}\n]}'
 	var place := "line 3, column 29: entry 'b' skipped: expected a text in double quotes, found '}'"
-	expect_error("GAScene.load_json: a part of the text cannot be read; the rest is loaded:\n%s." % place)
+	expect_error(
+		"GAScene.load_json: a part of the text cannot be read; the rest is loaded:\n%s." % place
+	)
 	expect_equal(_scene.load_json(text), ERR_FILE_CORRUPT, "loading")
 	expect_equal(_scene.get_names(), PackedStringArray(["a", "c"]), "names")
 	expect_equal(_scene.get_value("c").coefficients[0], 2.0, "c")
@@ -86,7 +92,9 @@ func test_a_broken_text_loads_what_it_can() -> void:
 
 func test_a_text_that_is_no_scene_changes_nothing() -> void:
 	var before := _scene.to_json()
-	expect_error("GAScene.load_json: the text is no document; the scene stays as it was:\ncolumn 1: expected '{' of a document, or '[' of 32 coefficients, found 'h'.")
+	expect_error(
+		"GAScene.load_json: the text is no document; the scene stays as it was:\ncolumn 1: expected '{' of a document, or '[' of 32 coefficients, found 'h'."
+	)
 	expect_equal(_scene.load_json("hello"), ERR_PARSE_ERROR, "loading")
 	expect_equal(_scene.to_json(), before, "text")
 
@@ -96,25 +104,43 @@ func test_multivectors_of_ganja_are_pasted() -> void:
 	expect_equal(_scene.load_json(array), OK, "loading an array")
 	expect_equal(_scene.get_description("x1"), "sphere, radius 2, centre (1, 0, 0)", "description")
 	expect_equal(_scene.add_entry("pasted", array), OK, "pasting an array")
-	expect_equal(_scene.get_value("pasted").coefficients, _scene.get_value("x1").coefficients, "coefficients")
+	expect_equal(
+		_scene.get_value("pasted").coefficients, _scene.get_value("x1").coefficients, "coefficients"
+	)
 
 
 func test_attributes() -> void:
 	expect_equal(_scene.get_entry_attribute("ball", "visible"), false, "visible")
 	expect_equal(_scene.get_entry_attribute("ball", "ipns"), false, "ipns")
-	expect_equal(_scene.get_entry_attributes("ball"), {"color": "#ff8000", "interpolation/weight": 0.25, "visible": false}, "attributes")
+	expect_equal(
+		_scene.get_entry_attributes("ball"),
+		{"color": "#ff8000", "interpolation/weight": 0.25, "visible": false},
+		"attributes"
+	)
 	expect_equal(_scene.set_entry_attribute("ball", "color", null), OK, "taking the colour back")
 	expect_equal(_scene.get_entry_attribute("ball", "color"), "", "color")
-	expect_error("GAScene.set_entry_attribute: the attribute 'color' is written as #rrggbb or #rrggbbaa.")
-	expect_equal(_scene.set_entry_attribute("ball", "color", "red"), ERR_INVALID_PARAMETER, "a colour by name")
-	expect_error("GAScene.set_entry_attribute: the attribute \"color\" must be a bool, a number, a string, a Color, or null for none, not Vector3.")
-	expect_equal(_scene.set_entry_attribute("ball", "color", Vector3.ONE), ERR_INVALID_PARAMETER, "a vector")
+	expect_error(
+		"GAScene.set_entry_attribute: the attribute 'color' is written as #rrggbb or #rrggbbaa."
+	)
+	expect_equal(
+		_scene.set_entry_attribute("ball", "color", "red"),
+		ERR_INVALID_PARAMETER,
+		"a colour by name"
+	)
+	expect_error(
+		'GAScene.set_entry_attribute: the attribute "color" must be a bool, a number, a string, a Color, or null for none, not Vector3.'
+	)
+	expect_equal(
+		_scene.set_entry_attribute("ball", "color", Vector3.ONE), ERR_INVALID_PARAMETER, "a vector"
+	)
 	expect_equal(_scene.set_entry_attribute("ball", "color", Color.RED), OK, "a Color")
 	expect_equal(_scene.get_entry_attribute("ball", "color"), "#ff0000", "color")
 	_scene.set_entry_attribute("ball", "color", Color(2.0, -1.0, NAN, 0.5))
 	expect_equal(_scene.get_entry_attribute("ball", "color"), "#ff000080", "color")
 	expect_error("GAScene.set_entry_attribute: there is no entry 'x'.")
-	expect_equal(_scene.set_entry_attribute("x", "visible", true), ERR_INVALID_PARAMETER, "an unknown entry")
+	expect_equal(
+		_scene.set_entry_attribute("x", "visible", true), ERR_INVALID_PARAMETER, "an unknown entry"
+	)
 
 
 func test_the_inspector_shows_no_text() -> void:
@@ -126,10 +152,14 @@ func test_the_inspector_shows_no_text() -> void:
 func _expect_same(other: GAScene) -> void:
 	expect_equal(other.to_json(), _scene.to_json(), "text")
 	expect_equal(other.get_names(), _scene.get_names(), "names")
-	expect_equal(other.get_value("ball").coefficients, _scene.get_value("ball").coefficients, "coefficients")
+	expect_equal(
+		other.get_value("ball").coefficients, _scene.get_value("ball").coefficients, "coefficients"
+	)
 	expect_equal(other.get_error("broken"), _scene.get_error("broken"), "error")
-	expect_equal(other.get_entry_attributes("ball"), _scene.get_entry_attributes("ball"), "attributes")
-	expect_equal(other.get_scene_attribute("title"), "A \"ball\"", "title")
+	expect_equal(
+		other.get_entry_attributes("ball"), _scene.get_entry_attributes("ball"), "attributes"
+	)
+	expect_equal(other.get_scene_attribute("title"), 'A "ball"', "title")
 
 
 func _on_entries_changed(names: PackedStringArray) -> void:

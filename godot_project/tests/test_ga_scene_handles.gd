@@ -10,9 +10,11 @@ func test_the_handles_of_objects() -> void:
 	var cases: Dictionary[String, Dictionary] = {
 		"point(1, 2, 3)": {"position": Vector3(1, 2, 3)},
 		"sphere(e2, 2)": {"center": Vector3.UP, "radius": Vector3(2, 1, 0)},
-		"circle(0, e2, 2)": {"center": Vector3.ZERO, "radius": Vector3(2, 0, 0), "normal": Vector3.UP},
+		"circle(0, e2, 2)":
+		{"center": Vector3.ZERO, "radius": Vector3(2, 0, 0), "normal": Vector3.UP},
 		"plane(e3, 2)": {"distance": Vector3(0, 0, 2), "normal": Vector3(0, 0, 3)},
-		"motor(e1, rotor(e3, 0))": {"translation": Vector3.RIGHT, "axis": Vector3(1, 0, 1), "angle": Vector3(1.65, 0, 0)},
+		"motor(e1, rotor(e3, 0))":
+		{"translation": Vector3.RIGHT, "axis": Vector3(1, 0, 1), "angle": Vector3(1.65, 0, 0)},
 		"2.5": {},
 		"point(1, 2": {},
 	}
@@ -43,7 +45,9 @@ func test_dragging() -> void:
 	var handle: Dictionary = _scene.get_handles("a")[0]
 	expect_equal(_drag("a", handle, Vector3(2.34, -1.27, 0), 0.1), OK, "dragging")
 	expect_equal(_scene.get_expression("a"), "point(2.3, -1.3, 0)", "expression")
-	expect_equal(changed, [PackedStringArray(["a", "s"])] as Array[PackedStringArray], "what followed")
+	expect_equal(
+		changed, [PackedStringArray(["a", "s"])] as Array[PackedStringArray], "what followed"
+	)
 	handle = _scene.get_handles("s")[0]
 	expect_equal(_drag("s", handle, Vector3(4, -1.3, 0), 0.1), OK, "dragging the radius")
 	expect_equal(_scene.get_expression("s"), "sphere(a, 1.7)", "expression")
@@ -53,7 +57,13 @@ func test_the_handle_that_was_taken_hold_of_may_be_longer() -> void:
 	_scene.add_entry("c", "circle(0, e2, 1)")
 	var handle: Dictionary = _scene.get_handles("c")[2]
 	handle.place = (handle.stem as Vector3).lerp(handle.place as Vector3, 3.0)
-	expect_equal(_scene.drag_handle("c", handle, Vector3(4, 0, 10), Vector3.FORWARD, Vector3.FORWARD, 0.0, deg_to_rad(15)), OK, "dragging the normal")
+	expect_equal(
+		_scene.drag_handle(
+			"c", handle, Vector3(4, 0, 10), Vector3.FORWARD, Vector3.FORWARD, 0.0, deg_to_rad(15)
+		),
+		OK,
+		"dragging the normal"
+	)
 	expect_equal(_scene.get_expression("c"), "circle(0, e1, 1)", "expression")
 
 
@@ -70,25 +80,56 @@ func test_where_nothing_follows() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	_scene.add_entry("p", "point_pair(point(0, 0, 0), point(1, 0, 0))")
 	for handle in _scene.get_handles("s"):
-		for ray: Array in [[EYE, Vector3.ZERO], [EYE, Vector3.BACK], [EYE, Vector3(NAN, 0, -1)], [Vector3(INF, 0, 0), Vector3.FORWARD]]:
-			expect_equal(_scene.drag_handle("s", handle, ray[0] as Vector3, ray[1] as Vector3, Vector3.FORWARD), ERR_SKIP, "%s by %s" % [handle.key, ray])
-	expect_equal(_drag("s", _scene.get_handles("s")[1], Vector3(-5, 0, 0), 0.0), ERR_SKIP, "a radius below zero")
-	expect_equal(_drag("p", _scene.get_handles("p")[0], Vector3(1, 0, 0), 1.0), ERR_SKIP, "two points in one place")
+		for ray: Array in [
+			[EYE, Vector3.ZERO],
+			[EYE, Vector3.BACK],
+			[EYE, Vector3(NAN, 0, -1)],
+			[Vector3(INF, 0, 0), Vector3.FORWARD]
+		]:
+			expect_equal(
+				_scene.drag_handle(
+					"s", handle, ray[0] as Vector3, ray[1] as Vector3, Vector3.FORWARD
+				),
+				ERR_SKIP,
+				"%s by %s" % [handle.key, ray]
+			)
+	expect_equal(
+		_drag("s", _scene.get_handles("s")[1], Vector3(-5, 0, 0), 0.0),
+		ERR_SKIP,
+		"a radius below zero"
+	)
+	expect_equal(
+		_drag("p", _scene.get_handles("p")[0], Vector3(1, 0, 0), 1.0),
+		ERR_SKIP,
+		"two points in one place"
+	)
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 2)", "expression")
-	expect_equal(_scene.get_expression("p"), "point_pair(point(0, 0, 0), point(1, 0, 0))", "expression")
+	expect_equal(
+		_scene.get_expression("p"), "point_pair(point(0, 0, 0), point(1, 0, 0))", "expression"
+	)
 
 
 func test_mistakes_of_the_caller() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	var handle: Dictionary = _scene.get_handles("s")[1]
-	expect_error("GAScene.get_handles: there is no entry \"x\"; get_names() lists those there are.")
+	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists those there are.')
 	expect_equal(_scene.get_handles("x").size(), 0, "handles of nothing")
-	expect_error("GAScene.drag_handle: there is no entry \"x\"; get_names() lists those there are.")
+	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists those there are.')
 	expect_equal(_drag("x", handle, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "dragging nothing")
-	for wrong: Dictionary in [{}, {"key": "radius"}, handle.merged({"motion": "round"}, true), handle.merged({"place": 3}, true), handle.merged({"axis": Vector3(NAN, 0, 0)}, true)]:
-		expect_error("GAScene.drag_handle: the handle must be one of get_handles(), with all of its keys.")
+	for wrong: Dictionary in [
+		{},
+		{"key": "radius"},
+		handle.merged({"motion": "round"}, true),
+		handle.merged({"place": 3}, true),
+		handle.merged({"axis": Vector3(NAN, 0, 0)}, true)
+	]:
+		expect_error(
+			"GAScene.drag_handle: the handle must be one of get_handles(), with all of its keys."
+		)
 		expect_equal(_drag("s", wrong, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "a wrong handle")
-	expect_error("GAScene.drag_handle: the steps are finite and not below 0, 0 for none, not -1.000000 and 0.000000.")
+	expect_error(
+		"GAScene.drag_handle: the steps are finite and not below 0, 0 for none, not -1.000000 and 0.000000."
+	)
 	expect_equal(_drag("s", handle, Vector3.ZERO, -1.0), ERR_INVALID_PARAMETER, "a wrong step")
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 2)", "expression")
 

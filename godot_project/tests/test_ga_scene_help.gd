@@ -13,7 +13,11 @@ func test_every_member_is_documented_as_registered() -> void:
 	var registered := _reference.registered_methods()
 	expect_true(registered.size() > 20, "number of methods")
 	for method_name in registered:
-		expect_equal(_reference.methods.get(method_name, ""), registered[method_name], "signature of %s" % method_name)
+		expect_equal(
+			_reference.methods.get(method_name, ""),
+			registered[method_name],
+			"signature of %s" % method_name
+		)
 	for method_name in _reference.methods:
 		expect_true(registered.has(method_name), "registration of %s" % method_name)
 	expect_equal(_reference.members, _reference.registered_members(), "members")
@@ -21,12 +25,20 @@ func test_every_member_is_documented_as_registered() -> void:
 
 
 func test_every_description_has_an_example_that_holds() -> void:
-	expect_true(_reference.descriptions.has("signal entries_changed"), "a description of the signal")
+	expect_true(
+		_reference.descriptions.has("signal entries_changed"), "a description of the signal"
+	)
 	for title in _reference.descriptions:
 		if title.begins_with("signal "):
 			continue
 		var samples := _reference.samples_of(title)
 		expect_true(samples.size() > 0, "an example of %s" % title)
 		for code in samples:
-			expect_true(CodeSample.count_prints(code) > 0, "a checked print() in the example of %s" % title)
-			expect_equal(CodeSample.find_faults(code), PackedStringArray(), "faults of the example of %s" % title)
+			expect_true(
+				CodeSample.count_prints(code) > 0, "a checked print() in the example of %s" % title
+			)
+			expect_equal(
+				CodeSample.find_faults(code),
+				PackedStringArray(),
+				"faults of the example of %s" % title
+			)

@@ -15,7 +15,8 @@ func test_the_parameters_of_objects() -> void:
 		"plane(e3, -1)": {"normal": Vector3.BACK, "distance": -1.0},
 		"!sphere(0, 2)": {"center": Vector3.ZERO, "radius": 2.0},
 		"translator(1, 2, 3)": {"offset": Vector3(1, 2, 3)},
-		"motor_from(e1, rotor(0, 0, %s, %s), 2)" % [turn.z, turn.w]: {"translation": Vector3.RIGHT, "rotation": turn, "scale": 2.0},
+		"motor_from(e1, rotor(0, 0, %s, %s), 2)" % [turn.z, turn.w]:
+		{"translation": Vector3.RIGHT, "rotation": turn, "scale": 2.0},
 		"sphere(a, 2)": {"radius": 2.0},
 		"a + 1": {},
 		"point(1, 2": {},
@@ -38,23 +39,35 @@ func test_dragging_rewrites_the_literals() -> void:
 	_scene.add_entry("s", "sphere(p, 1.5)")
 	expect_equal(_scene.set_parameter("p", "position", Vector3(1.1, 2, -0.3)), OK, "dragging")
 	expect_equal(_scene.get_expression("p"), "point( 1.1, 2,-0.3 )", "expression")
-	expect_vector_near(_scene.get_value("s").classify().center as Vector3, Vector3(1.1, 2, -0.3), 1e-6)
+	expect_vector_near(
+		_scene.get_value("s").classify().center as Vector3, Vector3(1.1, 2, -0.3), 1e-6
+	)
 	expect_equal(_scene.set_parameter("s", "radius", 2), OK, "setting a whole number")
 	expect_equal(_scene.get_expression("s"), "sphere(p, 2)", "expression")
 
 
 func test_what_cannot_be_dragged() -> void:
 	_scene.add_entry("s", "sphere(e1, 1.5)")
-	expect_error("GAScene.set_parameter: sphere: The radius is not a positive number; give one above zero.")
-	expect_equal(_scene.set_parameter("s", "radius", -1.0), ERR_INVALID_PARAMETER, "a negative radius")
-	expect_error("GAScene.set_parameter: the expression has no parameter 'size'; it has center, radius.")
+	expect_error(
+		"GAScene.set_parameter: sphere: The radius is not a positive number; give one above zero."
+	)
+	expect_equal(
+		_scene.set_parameter("s", "radius", -1.0), ERR_INVALID_PARAMETER, "a negative radius"
+	)
+	expect_error(
+		"GAScene.set_parameter: the expression has no parameter 'size'; it has center, radius."
+	)
 	expect_equal(_scene.set_parameter("s", "size", 1.0), ERR_INVALID_PARAMETER, "an unknown key")
 	expect_error("GAScene.set_parameter: the parameter 'center' is a vector, not a number.")
 	expect_equal(_scene.set_parameter("s", "center", 1.0), ERR_INVALID_PARAMETER, "a wrong type")
-	expect_error("GAScene.set_parameter: a parameter is a number, a Vector3, a Quaternion, or a Multivector or its 32 coefficients as PackedFloat64Array; \"center\" was given as String.")
+	expect_error(
+		'GAScene.set_parameter: a parameter is a number, a Vector3, a Quaternion, or a Multivector or its 32 coefficients as PackedFloat64Array; "center" was given as String.'
+	)
 	expect_equal(_scene.set_parameter("s", "center", "e1"), ERR_INVALID_PARAMETER, "a string")
 	expect_error("GAScene.set_parameter: the parameter 'center' must be finite.")
-	expect_equal(_scene.set_parameter("s", "center", Vector3(NAN, 0, 0)), ERR_INVALID_PARAMETER, "no number")
+	expect_equal(
+		_scene.set_parameter("s", "center", Vector3(NAN, 0, 0)), ERR_INVALID_PARAMETER, "no number"
+	)
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 1.5)", "expression")
 
 
@@ -62,8 +75,14 @@ func test_coefficients_are_edited_one_by_one() -> void:
 	_scene.add_entry("x", Multivector.point(Vector3(1, 2, 3)).to_json())
 	var coefficients: PackedFloat64Array = _scene.get_parameters("x").coefficients
 	coefficients[3] = 0.1
-	expect_equal(_scene.set_parameter("x", "coefficients", coefficients), OK, "setting coefficients")
+	expect_equal(
+		_scene.set_parameter("x", "coefficients", coefficients), OK, "setting coefficients"
+	)
 	expect_equal(_scene.get_value("x").coefficients, coefficients, "coefficients")
 	_scene.add_entry("y", "1 + 2 e12")
-	expect_equal(_scene.set_parameter("y", "coefficients", Multivector.basis("e3").scaled(2.5)), OK, "setting a multivector")
+	expect_equal(
+		_scene.set_parameter("y", "coefficients", Multivector.basis("e3").scaled(2.5)),
+		OK,
+		"setting a multivector"
+	)
 	expect_equal(_scene.get_expression("y"), "2.5 e3", "expression")

@@ -8,13 +8,21 @@ const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.
 
 const DRAGGED_KEYS: Array[String] = ["position", "center"]
 const DRAGS: Array[Vector3] = [
-	Vector3(0.4, 0.0, 0.0), Vector3(-1.3, 0.0, 0.0), Vector3(3.0, 0.0, -2.0), Vector3(0.0, -2.0, 0.0), Vector3(0.0, 1.5, 2.5),
-	Vector3(-0.5, 0.3, 2.5), Vector3(-4.0, 0.0, 0.0), Vector3(40.0, 30.0, -20.0),
+	Vector3(0.4, 0.0, 0.0),
+	Vector3(-1.3, 0.0, 0.0),
+	Vector3(3.0, 0.0, -2.0),
+	Vector3(0.0, -2.0, 0.0),
+	Vector3(0.0, 1.5, 2.5),
+	Vector3(-0.5, 0.3, 2.5),
+	Vector3(-4.0, 0.0, 0.0),
+	Vector3(40.0, 30.0, -20.0),
 ]
 const SLIDER_STEPS := 16
 const DEPENDS := "has an error"
 ## The errors that are meant, by example: what has no solution says why.
-const MEANT: Dictionary[String, String] = {"apollonius": "sqrt: A negative number has no square root"}
+const MEANT: Dictionary[String, String] = {
+	"apollonius": "sqrt: A negative number has no square root"
+}
 
 
 func test_the_list_is_the_folder() -> void:
@@ -47,7 +55,9 @@ func test_the_files_are_as_they_are_saved() -> void:
 func test_each_says_what_it_is_and_where_to_look_from() -> void:
 	for example in Gallery.list():
 		var scene := Gallery.load_example(example)
-		expect_equal(scene.get_scene_attribute("title"), Gallery.EXAMPLES[example], "title of %s" % example)
+		expect_equal(
+			scene.get_scene_attribute("title"), Gallery.EXAMPLES[example], "title of %s" % example
+		)
 		var description: String = scene.get_scene_attribute("description")
 		var sentences := description.count(". ") + 1
 		expect_true(sentences >= 2 and sentences <= 6, "%d sentences in %s" % [sentences, example])
@@ -74,25 +84,35 @@ func test_what_is_meant_is_met() -> void:
 	var scene := Gallery.load_example("apollonius")
 	scene.set_parameter("b", "position", Vector3(-1.5, 0.0, 0.7))
 	scene.set_parameter("radius_b", "value", 0.3)
-	expect_true(scene.get_error("root_same").contains(MEANT["apollonius"]), "one circle within another: %s" % scene.get_error("root_same"))
+	expect_true(
+		scene.get_error("root_same").contains(MEANT["apollonius"]),
+		"one circle within another: %s" % scene.get_error("root_same")
+	)
 	expect_equal(scene.get_error("circle_a"), "", "the given circles live on")
 
 
 func test_an_example_that_is_not_there() -> void:
 	expect_null(Gallery.load_example("nothing"))
-	expect_true(Gallery.error_of("nothing").contains("no example named \"nothing\""), Gallery.error_of("nothing"))
+	expect_true(
+		Gallery.error_of("nothing").contains('no example named "nothing"'),
+		Gallery.error_of("nothing")
+	)
 
 
 func test_the_menu_gives_fresh_copies() -> void:
 	var menu := ExamplesMenu.new()
 	add_node(menu)
-	expect_equal(menu.item_count, Gallery.list().size() + Gallery.SECTIONS.size(), "items and sections")
+	expect_equal(
+		menu.item_count, Gallery.list().size() + Gallery.SECTIONS.size(), "items and sections"
+	)
 	for example in Gallery.SECTIONS:
 		expect_true(Gallery.EXAMPLES.has(example), "%s, which begins a section" % example)
 	var chosen: Array[GAScene] = []
-	menu.chosen.connect(func(scene: GAScene, title: String) -> void:
-		chosen.append(scene)
-		expect_equal(title, "Sphere through four points", "title"))
+	menu.chosen.connect(
+		func(scene: GAScene, title: String) -> void:
+			chosen.append(scene)
+			expect_equal(title, "Sphere through four points", "title")
+	)
 	for i in 2:
 		menu.id_pressed.emit(1)
 	expect_equal(chosen.size(), 2, "chosen")
@@ -109,8 +129,13 @@ func _expect_a_range(scene: GAScene, entry: String, example: String) -> void:
 	expect_true(least is float, "%s in %s has a range" % [entry, example])
 	var value: float = parameters["value"]
 	var most: float = scene.get_entry_attribute(entry, "slider/max")
-	expect_true(least as float <= value and value <= most, "%s of %s is within its range" % [entry, example])
-	expect_true(scene.get_entry_attribute(entry, "slider/step") as float > 0.0, "step of %s in %s" % [entry, example])
+	expect_true(
+		least as float <= value and value <= most, "%s of %s is within its range" % [entry, example]
+	)
+	expect_true(
+		scene.get_entry_attribute(entry, "slider/step") as float > 0.0,
+		"step of %s in %s" % [entry, example]
+	)
 
 
 func _sweep(scene: GAScene, entry: String, example: String) -> void:
@@ -118,7 +143,9 @@ func _sweep(scene: GAScene, entry: String, example: String) -> void:
 	var most: float = scene.get_entry_attribute(entry, "slider/max")
 	for i in SLIDER_STEPS + 1:
 		var value := lerpf(least, most, float(i) / SLIDER_STEPS)
-		expect_equal(scene.set_parameter(entry, "value", value), OK, "setting %s of %s" % [entry, example])
+		expect_equal(
+			scene.set_parameter(entry, "value", value), OK, "setting %s of %s" % [entry, example]
+		)
 		_expect_no_errors(scene, example, "%s = %s" % [entry, value])
 
 
@@ -128,13 +155,21 @@ func _drag(scene: GAScene, entry: String, key: String, example: String) -> void:
 		return
 	var start: Vector3 = parameters[key]
 	for drag in DRAGS:
-		expect_equal(scene.set_parameter(entry, key, start + drag), OK, "dragging %s of %s" % [entry, example])
+		expect_equal(
+			scene.set_parameter(entry, key, start + drag),
+			OK,
+			"dragging %s of %s" % [entry, example]
+		)
 		_expect_no_errors(scene, example, "%s at %s" % [entry, start + drag])
 
 
 func _expect_no_errors(scene: GAScene, example: String, change: String) -> void:
 	for entry in scene.get_names():
 		var error := scene.get_error(entry)
-		if error.is_empty() or error.contains(DEPENDS) or MEANT.has(example) and error.contains(MEANT[example]):
+		if (
+			error.is_empty()
+			or error.contains(DEPENDS)
+			or MEANT.has(example) and error.contains(MEANT[example])
+		):
 			continue
 		fail("%s, %s: %s: %s" % [example, change, entry, error])

@@ -54,7 +54,11 @@ func test_joins_hold_their_points_and_meets_lie_in_both() -> void:
 
 func test_a_circle_from_real_through_tangent_to_imaginary() -> void:
 	_open("sphere_and_plane")
-	expect_equal([_kind("circle"), _kind("contact"), _kind("imaginary")], ["circle", "tangent", "circle"] as Array, "kinds")
+	expect_equal(
+		[_kind("circle"), _kind("contact"), _kind("imaginary")],
+		["circle", "tangent", "circle"] as Array,
+		"kinds"
+	)
 	expect_equal(_is_imaginary("circle"), false, "of the cut one")
 	expect_equal(_is_imaginary("imaginary"), true, "of the missed one")
 	# The middle sphere has its centre at height 1 and radius 1.
@@ -65,8 +69,16 @@ func test_a_circle_from_real_through_tangent_to_imaginary() -> void:
 		var squared := 1.0 - (height - 1.0) ** 2
 		var description: Dictionary = _scene.get_value("contact").classify()
 		if description.has("radius"):
-			expect_near(description["radius"] as float, sqrt(absf(squared)), 1e-6, "radius at %s" % height)
-	expect_equal(seen, PackedStringArray(["circle", "circle", "circle", "tangent", "imaginary circle", "imaginary circle"]), "on the way up")
+			expect_near(
+				description["radius"] as float, sqrt(absf(squared)), 1e-6, "radius at %s" % height
+			)
+	expect_equal(
+		seen,
+		PackedStringArray(
+			["circle", "circle", "circle", "tangent", "imaginary circle", "imaginary circle"]
+		),
+		"on the way up"
+	)
 
 
 func test_three_spheres_meet_in_their_circles() -> void:
@@ -83,7 +95,12 @@ func test_a_reflection_is_its_own_way_back() -> void:
 	for shape: String in ["ball", "ring", "needle", "tip"]:
 		_expect_same("reflect_in(%s_image, mirror)" % shape, shape)
 	expect_near(_radius("ball_image"), _radius("ball"), EXACT, "radius")
-	expect_vector_near((_center_of("tip") - _center_of("tip_image")).normalized().abs(), Vector3(1.0, 0.0, 0.12).normalized(), 1e-6, "the way through the mirror goes straight")
+	expect_vector_near(
+		(_center_of("tip") - _center_of("tip_image")).normalized().abs(),
+		Vector3(1.0, 0.0, 0.12).normalized(),
+		1e-6,
+		"the way through the mirror goes straight"
+	)
 
 
 func test_an_inversion_makes_circles_of_lines() -> void:
@@ -116,7 +133,9 @@ func test_two_mirrors_turn_by_twice_their_angle() -> void:
 	for angle: float in [0.0, 20.0, 50.0, 75.0]:
 		_scene.set_parameter("angle", "value", angle)
 		_expect_zero("normalized(ring_twice) - normalized(ring_turned)")
-		var turned: float = _scene.get_value("R").to_transform().basis.get_rotation_quaternion().get_angle()
+		var turned: float = (
+			_scene.get_value("R").to_transform().basis.get_rotation_quaternion().get_angle()
+		)
 		expect_near(turned, deg_to_rad(2.0 * angle), 1e-5, "turn at %s degrees" % angle)
 
 
@@ -124,7 +143,12 @@ func test_parallel_mirrors_shift_by_twice_their_distance() -> void:
 	_open("shift_by_two_mirrors")
 	for gap: float in [-1.0, 0.0, 0.7, 2.4]:
 		_scene.set_parameter("gap", "value", gap)
-		expect_vector_near(_scene.get_value("T").to_transform().origin, Vector3(2.0 * gap, 0, 0), 1e-6, "shift at a gap of %s" % gap)
+		expect_vector_near(
+			_scene.get_value("T").to_transform().origin,
+			Vector3(2.0 * gap, 0, 0),
+			1e-6,
+			"shift at a gap of %s" % gap
+		)
 		_expect_place("ring_twice", Vector3(-2.2 + 2.0 * gap, 0.8, 0.0))
 
 
@@ -133,11 +157,21 @@ func test_the_cube_goes_from_pose_to_pose() -> void:
 	for t: float in [0.0, 1.0]:
 		_scene.set_parameter("t", "value", t)
 		for edge in 12:
-			_expect_zero("normalized(moved_%d) - normalized(%s_%d)" % [edge + 1, "from" if t == 0.0 else "to", edge + 1])
+			_expect_zero(
+				(
+					"normalized(moved_%d) - normalized(%s_%d)"
+					% [edge + 1, "from" if t == 0.0 else "to", edge + 1]
+				)
+			)
 	_scene.set_parameter("t", "value", 0.5)
 	# All edges of what was a cube are as long, and scaled by the geometric mean of both scales.
 	for edge in 12:
-		expect_near(_radius("moved_%d" % [edge + 1]), 0.6 * sqrt(0.8 * 1.3), 1e-6, "half of edge %d" % [edge + 1])
+		expect_near(
+			_radius("moved_%d" % [edge + 1]),
+			0.6 * sqrt(0.8 * 1.3),
+			1e-6,
+			"half of edge %d" % [edge + 1]
+		)
 
 
 func test_three_blends_agree_at_the_ends_only() -> void:
@@ -147,8 +181,13 @@ func test_three_blends_agree_at_the_ends_only() -> void:
 		for method: String in ["linear", "separate"]:
 			_expect_zero("normalized(%s_body) - normalized(screw_body)" % method)
 	_scene.set_parameter("t", "value", 0.5)
-	expect_true(_center_of("separate_body").distance_to(_center_of("screw_body")) > 0.3, "separate and screw differ half way")
-	expect_vector_near(_center_of("separate_body"), Vector3(0.0, 0.6, 0.4), 1e-6, "separate goes straight")
+	expect_true(
+		_center_of("separate_body").distance_to(_center_of("screw_body")) > 0.3,
+		"separate and screw differ half way"
+	)
+	expect_vector_near(
+		_center_of("separate_body"), Vector3(0.0, 0.6, 0.4), 1e-6, "separate goes straight"
+	)
 	_scene.set_parameter("t", "value", 0.25)
 	var apart := _center_of("linear_body").distance_to(_center_of("screw_body"))
 	expect_true(apart > 0.005 and apart < 0.5, "linear stays close to screw: %s" % apart)
@@ -157,17 +196,28 @@ func test_three_blends_agree_at_the_ends_only() -> void:
 func test_the_shell_is_the_same_at_every_size() -> void:
 	_open("shell")
 	for ball in range(1, 44):
-		expect_near(_radius("ball_%d" % [ball + 1]) / _radius("ball_%d" % ball), 0.95, EXACT, "growth of ball %d" % ball)
+		expect_near(
+			_radius("ball_%d" % [ball + 1]) / _radius("ball_%d" % ball),
+			0.95,
+			EXACT,
+			"growth of ball %d" % ball
+		)
 	var before := _center_of("ball_2")
 	_scene.set_parameter("slide", "value", 1.0)
-	expect_vector_near(_center_of("ball_1"), before, 1e-6, "after one step each ball is where the next was")
+	expect_vector_near(
+		_center_of("ball_1"), before, 1e-6, "after one step each ball is where the next was"
+	)
 
 
 func test_all_balls_of_the_loxodrome_lie_alike() -> void:
 	_open("loxodrome")
 	var first := _scene.evaluate("normalized(!ball_1) | normalized(!ball_2)").coefficients[0]
 	for ball in range(2, 46):
-		var product := _scene.evaluate("normalized(!ball_%d) | normalized(!ball_%d)" % [ball, ball + 1]).coefficients[0]
+		var product := (
+			_scene
+			. evaluate("normalized(!ball_%d) | normalized(!ball_%d)" % [ball, ball + 1])
+			. coefficients[0]
+		)
 		expect_near(product, first, EXACT, "balls %d and %d" % [ball, ball + 1])
 	for pole: String in ["a", "b"]:
 		_expect_same("sandwich(exp(way), %s)" % pole, pole)
@@ -175,16 +225,28 @@ func test_all_balls_of_the_loxodrome_lie_alike() -> void:
 
 func test_the_arm_keeps_its_lengths() -> void:
 	_open("robot_arm")
-	for target: Vector3 in [Vector3(2.1, 0.6, 0.7), Vector3(-1.0, 0.5, -1.5), Vector3(0.3, -0.4, 0.2), Vector3(9.0, 3.0, 0.0), Vector3(0.0, 0.0, 2.0)]:
+	for target: Vector3 in [
+		Vector3(2.1, 0.6, 0.7),
+		Vector3(-1.0, 0.5, -1.5),
+		Vector3(0.3, -0.4, 0.2),
+		Vector3(9.0, 3.0, 0.0),
+		Vector3(0.0, 0.0, 2.0)
+	]:
 		_drag("target", target)
 		expect_near(2.0 * _radius("upper_arm"), 1.7, 1e-8, "upper arm for %s" % target)
 		expect_near(2.0 * _radius("lower_arm"), 1.4, 1e-8, "lower arm for %s" % target)
 		expect_near(2.0 * _radius("palm"), 0.6, 1e-8, "hand for %s" % target)
-		expect_true(_center_of("elbow").y >= _center_of("elbows").y, "the upper of both elbows for %s" % target)
+		expect_true(
+			_center_of("elbow").y >= _center_of("elbows").y,
+			"the upper of both elbows for %s" % target
+		)
 		var reaches := (target + Vector3(0.0, 0.6, 0.0)).length() < 3.09
 		expect_equal(_center_of("tip").distance_to(target) < 1e-5, reaches, "reaching %s" % target)
 	_drag("target", Vector3(0.0, 0.9, 0.0))
-	expect_true(_scene.get_error("elbow").contains("division by zero"), "no plane above the shoulder: %s" % _scene.get_error("elbow"))
+	expect_true(
+		_scene.get_error("elbow").contains("division by zero"),
+		"no plane above the shoulder: %s" % _scene.get_error("elbow")
+	)
 
 
 func test_apollonius_circles_touch_all_three() -> void:
@@ -213,7 +275,9 @@ func test_hopf_circles_are_orbits_and_linked() -> void:
 	_open("hopf_circles")
 	for circle: String in ["thin_1", "thin_8", "wide_1", "wide_5"]:
 		_expect_kind(circle, "circle")
-		_expect_zero("normalized(sandwich(exp(0.3 * (e13 + e24)), %s)) - normalized(%s)" % [circle, circle])
+		_expect_zero(
+			"normalized(sandwich(exp(0.3 * (e13 + e24)), %s)) - normalized(%s)" % [circle, circle]
+		)
 	# Linked: one passes through the disc of the other, once. Its ends in the other's plane lie inside and outside.
 	for pair: String in ["thin_1/thin_5", "thin_1/wide_3", "wide_2/wide_9"]:
 		var names := pair.split("/")
@@ -222,7 +286,9 @@ func test_hopf_circles_are_orbits_and_linked() -> void:
 		var inside := 0
 		for end: String in ["+", "-"]:
 			var cut := "meet(%s, %s ^ einf)" % [names[0], names[1]]
-			var place := _place_in(_scene.evaluate("(%s %s norm(%s)) / (einf << %s)" % [cut, end, cut, cut]))
+			var place := _place_in(
+				_scene.evaluate("(%s %s norm(%s)) / (einf << %s)" % [cut, end, cut, cut])
+			)
 			inside += int(place.distance_to(center) < radius)
 		expect_equal(inside, 1, "passages of %s through %s" % [names[0], names[1]])
 
@@ -290,4 +356,9 @@ func _expect_same(first: String, second: String) -> void:
 
 ## Two unit spheres, as vectors: their inner product is 1 or -1 where they touch.
 func _expect_touch(first: String, second: String) -> void:
-	expect_near(absf(_scene.evaluate("%s | %s" % [first, second]).coefficients[0]), 1.0, EXACT, "%s touching %s" % [first, second])
+	expect_near(
+		absf(_scene.evaluate("%s | %s" % [first, second]).coefficients[0]),
+		1.0,
+		EXACT,
+		"%s touching %s" % [first, second]
+	)

@@ -65,8 +65,15 @@ func test_where_to_look_from_is_kept_in_the_document() -> void:
 	var camera := Camera3D.new()
 	add_node(camera)
 	read.apply_to(camera)
-	expect_vector_near(-camera.global_basis.z, (view.to - view.from).normalized(), 1e-5, "direction")
-	expect_vector_near(ViewPoint.of_camera(camera, view.from.distance_to(view.to)).to, view.to, 1e-4, "the way back")
+	expect_vector_near(
+		-camera.global_basis.z, (view.to - view.from).normalized(), 1e-5, "direction"
+	)
+	expect_vector_near(
+		ViewPoint.of_camera(camera, view.from.distance_to(view.to)).to,
+		view.to,
+		1e-4,
+		"the way back"
+	)
 
 
 func test_a_narrow_view_shows_as_much_from_left_to_right() -> void:
@@ -74,7 +81,12 @@ func test_a_narrow_view_shows_as_much_from_left_to_right() -> void:
 	expect_near(view.fov_in(Vector2(1600, 900)), view.fov, 1e-4, "usual")
 	expect_near(view.fov_in(Vector2(2000, 900)), view.fov, 1e-4, "wide")
 	var usual := tan(deg_to_rad(view.fov) / 2.0) * 16.0 / 9.0
-	expect_near(tan(deg_to_rad(view.fov_in(Vector2(600, 600))) / 2.0), usual, 1e-6, "half the width, at one metre, of a square view")
+	expect_near(
+		tan(deg_to_rad(view.fov_in(Vector2(600, 600))) / 2.0),
+		usual,
+		1e-6,
+		"half the width, at one metre, of a square view"
+	)
 	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.WIDEST, "of no width")
 
 
@@ -88,18 +100,29 @@ func test_what_cannot_be_looked_from_is_as_by_default() -> void:
 	at_itself.set_scene_attribute(ViewPoint.TO, "1, 2, 3")
 	expect_true(ViewPoint.of(at_itself).get_transform().is_finite(), "a place that looks at itself")
 	at_itself.set_scene_attribute(ViewPoint.FROM, "1, 9, 3")
-	expect_vector_near(-ViewPoint.of(at_itself).get_transform().basis.z, Vector3.DOWN, 1e-6, "from straight above")
+	expect_vector_near(
+		-ViewPoint.of(at_itself).get_transform().basis.z, Vector3.DOWN, 1e-6, "from straight above"
+	)
 
 
 func test_the_dialog_shows_what_it_asks_for() -> void:
 	var dialog := _open_dialog()
 	var sizes: OptionButton = dialog.find_child("Size", true, false)
 	expect_equal(dialog.chosen_size(), Vector2i(300, 200), "as shown")
-	for choice: Array in [[PictureDialog.Size.TWICE, Vector2i(600, 400)], [PictureDialog.Size.HD, Vector2i(1920, 1080)], [PictureDialog.Size.UHD, Vector2i(3840, 2160)], [PictureDialog.Size.OWN, Vector2i(300, 200)]]:
+	for choice: Array in [
+		[PictureDialog.Size.TWICE, Vector2i(600, 400)],
+		[PictureDialog.Size.HD, Vector2i(1920, 1080)],
+		[PictureDialog.Size.UHD, Vector2i(3840, 2160)],
+		[PictureDialog.Size.OWN, Vector2i(300, 200)]
+	]:
 		sizes.select(choice[0] as int)
 		sizes.item_selected.emit(choice[0] as int)
 		expect_equal(dialog.chosen_size(), choice[1], "size")
-		expect_equal((dialog.find_child("OwnSize", true, false) as Control).visible, choice[0] == PictureDialog.Size.OWN, "fields for a size of one's own")
+		expect_equal(
+			(dialog.find_child("OwnSize", true, false) as Control).visible,
+			choice[0] == PictureDialog.Size.OWN,
+			"fields for a size of one's own"
+		)
 	var backgrounds: OptionButton = dialog.find_child("Background", true, false)
 	expect_equal(dialog.chosen_background(), ViewPoint.DEFAULT_BACKGROUND, "background")
 	backgrounds.select(PictureDialog.Background.TRANSPARENT)
@@ -108,8 +131,14 @@ func test_the_dialog_shows_what_it_asks_for() -> void:
 
 func test_pictures_that_cannot_be() -> void:
 	expect_equal(PictureExport.size_error(Vector2i(1280, 720)), "", "error")
-	expect_true(PictureExport.size_error(Vector2i(0, 720)).contains("not 0 x 720"), PictureExport.size_error(Vector2i(0, 720)))
-	expect_true(PictureExport.size_error(Vector2i(9000, 720)).contains("at most 8192"), PictureExport.size_error(Vector2i(9000, 720)))
+	expect_true(
+		PictureExport.size_error(Vector2i(0, 720)).contains("not 0 x 720"),
+		PictureExport.size_error(Vector2i(0, 720))
+	)
+	expect_true(
+		PictureExport.size_error(Vector2i(9000, 720)).contains("at most 8192"),
+		PictureExport.size_error(Vector2i(9000, 720))
+	)
 	# Tests run without a display.
 	var dialog := _open_dialog()
 	var told := await dialog.export_picture()

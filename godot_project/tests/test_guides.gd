@@ -20,9 +20,18 @@ func test_the_playground_guide() -> void:
 	# Every example is in it, with its picture.
 	for example in Gallery.list():
 		var path := _repository().path_join("docs/images/gallery/%s.png" % example)
-		expect_true(FileAccess.file_exists(path), "existence of %s; tests/screenshots/run.py --docs writes it" % path)
-		expect_true(_read("docs/guides/playground.md").contains("images/gallery/%s.png" % example), "%s in the guide" % example)
-		expect_true(_read("docs/guides/playground.md").contains("**%s**" % Gallery.EXAMPLES[example]), "the title of %s in the guide" % example)
+		expect_true(
+			FileAccess.file_exists(path),
+			"existence of %s; tests/screenshots/run.py --docs writes it" % path
+		)
+		expect_true(
+			_read("docs/guides/playground.md").contains("images/gallery/%s.png" % example),
+			"%s in the guide" % example
+		)
+		expect_true(
+			_read("docs/guides/playground.md").contains("**%s**" % Gallery.EXAMPLES[example]),
+			"the title of %s in the guide" % example
+		)
 
 
 func test_the_readme() -> void:

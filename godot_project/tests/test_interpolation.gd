@@ -5,7 +5,9 @@ extends "res://tests/framework/test_case.gd"
 const PathReferences := preload("res://tests/framework/path_references.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
-const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
+const MODES: Array[MultivectorLerp.Mode] = [
+	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+]
 const RANDOM_PAIRS := 300
 
 
@@ -31,8 +33,11 @@ func test_linear_is_dual_quaternion_blending() -> void:
 		var from := Poses.random(generator)
 		var to := Poses.random(generator)
 		var weight := generator.randf()
-		expect_transform_near(_at(from, to, weight, MultivectorLerp.LINEAR),
-				PathReferences.linear(from, to, weight), 4e-5)
+		expect_transform_near(
+			_at(from, to, weight, MultivectorLerp.LINEAR),
+			PathReferences.linear(from, to, weight),
+			4e-5
+		)
 
 
 func test_separate_is_lerp_slerp_lerp() -> void:
@@ -41,8 +46,11 @@ func test_separate_is_lerp_slerp_lerp() -> void:
 		var from := Poses.random(generator)
 		var to := Poses.random(generator)
 		var weight := generator.randf()
-		expect_transform_near(_at(from, to, weight, MultivectorLerp.SEPARATE),
-				PathReferences.separate(from, to, weight), 4e-5)
+		expect_transform_near(
+			_at(from, to, weight, MultivectorLerp.SEPARATE),
+			PathReferences.separate(from, to, weight),
+			4e-5
+		)
 
 
 func test_equal_screw_steps_lead_to_the_end() -> void:
@@ -64,7 +72,12 @@ func test_a_door_keeps_its_hinge() -> void:
 	var on_the_arc := Poses.make(Vector3(half, 0, -half), turned)
 	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.SCREW), on_the_arc, 1e-6, "screw")
 	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.LINEAR), on_the_arc, 1e-6, "linear")
-	expect_transform_near(_at(from, to, 0.5, MultivectorLerp.SEPARATE), Poses.make(Vector3(1, 0, -1), turned), 1e-6, "separate")
+	expect_transform_near(
+		_at(from, to, 0.5, MultivectorLerp.SEPARATE),
+		Poses.make(Vector3(1, 0, -1), turned),
+		1e-6,
+		"separate"
+	)
 
 
 func test_scale_is_geometric_on_the_screw_path_only() -> void:
@@ -72,9 +85,13 @@ func test_scale_is_geometric_on_the_screw_path_only() -> void:
 	var to := Poses.make(Vector3(4, 0, 0), Quaternion.IDENTITY, 2.0)
 	expect_near(_at(from, to, 0.5, MultivectorLerp.SCREW).basis.x.x, 1.0, 1e-6, "scale of screw")
 	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).basis.x.x, 1.25, 1e-6, "scale of linear")
-	expect_near(_at(from, to, 0.5, MultivectorLerp.SEPARATE).basis.x.x, 1.25, 1e-6, "scale of separate")
+	expect_near(
+		_at(from, to, 0.5, MultivectorLerp.SEPARATE).basis.x.x, 1.25, 1e-6, "scale of separate"
+	)
 	# The screw keeps the centre of similarity, here x = -4/3, where it is.
-	expect_near(_at(from, to, 0.5, MultivectorLerp.SCREW).origin.x, 4.0 / 3.0, 1e-6, "centre of screw")
+	expect_near(
+		_at(from, to, 0.5, MultivectorLerp.SCREW).origin.x, 4.0 / 3.0, 1e-6, "centre of screw"
+	)
 	# The paper's implementation is at a third here.
 	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).origin.x, 2.0, 1e-6, "centre of linear")
 
@@ -84,7 +101,9 @@ func test_linear_turns_at_most_8_2_degrees_off() -> void:
 	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, PI - 1e-3))
 	var worst := 0.0
 	for i in 101:
-		var linear := _at(from, to, i / 100.0, MultivectorLerp.LINEAR).basis.get_rotation_quaternion()
+		var linear := (
+			_at(from, to, i / 100.0, MultivectorLerp.LINEAR).basis.get_rotation_quaternion()
+		)
 		var screw := _at(from, to, i / 100.0, MultivectorLerp.SCREW).basis.get_rotation_quaternion()
 		worst = maxf(worst, rad_to_deg(linear.angle_to(screw)))
 	expect_near(worst, 8.2, 0.1, "largest deviation in degrees")
@@ -117,7 +136,9 @@ func test_degenerate_pairs_stay_finite_and_uniform() -> void:
 			for mode in MODES:
 				for weight: float in [0.0, 0.001, 0.5, 1.0]:
 					var pose := _at(poses[from_title], poses[to_title], weight, mode)
-					_expect_similarity(pose, "%s to %s, mode %d at %s" % [from_title, to_title, mode, weight])
+					_expect_similarity(
+						pose, "%s to %s, mode %d at %s" % [from_title, to_title, mode, weight]
+					)
 
 
 func test_far_away_is_as_exact_as_near() -> void:
@@ -137,7 +158,9 @@ func test_weights_outside_0_to_1() -> void:
 	var further := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 1.0), 4.0)
 	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.SCREW), further, 1e-5, "screw goes on")
 	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.LINEAR), to, 1e-6, "linear stops")
-	expect_transform_near(_at(from, to, -1.0, MultivectorLerp.SEPARATE), from, 1e-6, "separate stops")
+	expect_transform_near(
+		_at(from, to, -1.0, MultivectorLerp.SEPARATE), from, 1e-6, "separate stops"
+	)
 
 
 func test_motors_and_transforms_agree() -> void:
@@ -146,16 +169,24 @@ func test_motors_and_transforms_agree() -> void:
 		var from := Poses.random(generator)
 		var to := Poses.random(generator)
 		for mode in MODES:
-			var motor := MultivectorLerp.interpolate(Multivector.motor(from), Multivector.motor(to), 0.6, mode)
-			expect_transform_near(motor.to_transform(), _at(from, to, 0.6, mode), 1e-5, "mode %d" % mode)
+			var motor := MultivectorLerp.interpolate(
+				Multivector.motor(from), Multivector.motor(to), 0.6, mode
+			)
+			expect_transform_near(
+				motor.to_transform(), _at(from, to, 0.6, mode), 1e-5, "mode %d" % mode
+			)
 
 
 func test_bad_transforms_return_the_start() -> void:
 	var good := Poses.make(Vector3(1, 2, 3))
 	var mirrored := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
-	expect_error("MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	expect_error(
+		"MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which no motor can express; mirror a child node instead."
+	)
 	expect_equal(_at(mirrored, good, 0.5, MultivectorLerp.LINEAR), mirrored)
-	expect_error("MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	expect_error(
+		"MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which no motor can express; mirror a child node instead."
+	)
 	expect_equal(_at(good, mirrored, 0.5, MultivectorLerp.LINEAR), good)
 	expect_error("MultivectorLerp.interpolate_transform: the weight is not finite.")
 	expect_equal(_at(good, good, NAN, MultivectorLerp.SCREW), good)
@@ -165,16 +196,25 @@ func test_bad_transforms_return_the_start() -> void:
 
 func test_bad_motors_return_null() -> void:
 	var motor := Multivector.scalar(1.0)
-	expect_error("MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.", 2)
+	expect_error(
+		"MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.",
+		2
+	)
 	expect_null(MultivectorLerp.interpolate(null, motor, 0.5, MultivectorLerp.LINEAR))
-	expect_null(MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR))
-	expect_error("MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from.")
+	expect_null(
+		MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR)
+	)
+	expect_error(
+		"MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from."
+	)
 	expect_null(MultivectorLerp.interpolate(motor, null, 0.5, MultivectorLerp.LINEAR))
 	expect_error("MultivectorLerp.interpolate: the weight is not finite.")
 	expect_null(MultivectorLerp.interpolate(motor, motor, INF, MultivectorLerp.LINEAR))
 
 
-func _at(from: Transform3D, to: Transform3D, weight: float, mode: MultivectorLerp.Mode) -> Transform3D:
+func _at(
+	from: Transform3D, to: Transform3D, weight: float, mode: MultivectorLerp.Mode
+) -> Transform3D:
 	return MultivectorLerp.interpolate_transform(from, to, weight, mode)
 
 
@@ -183,8 +223,12 @@ func _expect_similarity(pose: Transform3D, what: String) -> void:
 	var size := pose.basis.x.length()
 	expect_true(size > 0.0, "a positive scale of %s" % what)
 	expect_near(pose.basis.y.length() / size, 1.0, 1e-5, "uniformity of %s" % what)
-	expect_near(pose.basis.x.dot(pose.basis.y) / (size * size), 0.0, 1e-5, "right angle of %s" % what)
-	expect_near(pose.basis.determinant() / (size * size * size), 1.0, 1e-5, "handedness of %s" % what)
+	expect_near(
+		pose.basis.x.dot(pose.basis.y) / (size * size), 0.0, 1e-5, "right angle of %s" % what
+	)
+	expect_near(
+		pose.basis.determinant() / (size * size * size), 1.0, 1e-5, "handedness of %s" % what
+	)
 
 
 func _generator() -> RandomNumberGenerator:

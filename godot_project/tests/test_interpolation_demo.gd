@@ -20,9 +20,18 @@ func test_the_cube_is_where_the_factor_says_in_every_preset_and_mode() -> void:
 			for factor: float in [0.0, 0.35, 1.0]:
 				_demo.set_factor(factor)
 				await wait_frames(2)
-				var expected := MultivectorLerp.interpolate_transform(presets[i].start.to_transform(),
-						presets[i].end.to_transform(), factor, mode as MultivectorLerp.Mode)
-				expect_transform_near(_demo.get_cube().transform, expected, 1e-5, "%s, mode %d at %s" % [presets[i].title, mode, factor])
+				var expected := MultivectorLerp.interpolate_transform(
+					presets[i].start.to_transform(),
+					presets[i].end.to_transform(),
+					factor,
+					mode as MultivectorLerp.Mode
+				)
+				expect_transform_near(
+					_demo.get_cube().transform,
+					expected,
+					1e-5,
+					"%s, mode %d at %s" % [presets[i].title, mode, factor]
+				)
 
 
 func test_scales_reach_from_half_to_two_and_a_half() -> void:
@@ -88,10 +97,14 @@ func test_ghosts_lie_on_the_path() -> void:
 	var start := Preset.list()[1].start.to_transform()
 	var end := Preset.list()[1].end.to_transform()
 	for mode in MODE_KEYS.size():
-		var ghosts: MultiMeshInstance3D = _demo.get_node(^"Paths").get_child(mode).get_node(^"Ghosts")
+		var ghosts: MultiMeshInstance3D = _demo.get_node(^"Paths").get_child(mode).get_node(
+			^"Ghosts"
+		)
 		var buffer := ghosts.multimesh.buffer
 		expect_equal(buffer.size(), 9 * 12, "size of the buffer")
-		var middle := MultivectorLerp.interpolate_transform(start, end, 0.5, mode as MultivectorLerp.Mode)
+		var middle := MultivectorLerp.interpolate_transform(
+			start, end, 0.5, mode as MultivectorLerp.Mode
+		)
 		var shown := Vector3(buffer[4 * 12 + 3], buffer[4 * 12 + 7], buffer[4 * 12 + 11])
 		expect_vector_near(shown, middle.origin, 1e-5, "middle ghost of mode %d" % mode)
 
@@ -108,13 +121,19 @@ func test_deviations_in_millimetres_and_degrees() -> void:
 	for i in pairs.size():
 		var farthest := 0.0
 		for step in 101:
-			var first := MultivectorLerp.interpolate(from, to, step / 100.0, pairs[i].x as MultivectorLerp.Mode)
-			var second := MultivectorLerp.interpolate(from, to, step / 100.0, pairs[i].y as MultivectorLerp.Mode)
+			var first := MultivectorLerp.interpolate(
+				from, to, step / 100.0, pairs[i].x as MultivectorLerp.Mode
+			)
+			var second := MultivectorLerp.interpolate(
+				from, to, step / 100.0, pairs[i].y as MultivectorLerp.Mode
+			)
 			farthest = maxf(farthest, first.get_translation().distance_to(second.get_translation()))
 		var shown: Label = deviations.get_child(3 + 3 * i + 1)
 		expect_near(shown.text.to_float(), farthest * 1000.0, 1.0, "distance of pair %d in mm" % i)
 	var angle: Label = deviations.get_child(5)
-	expect_near(angle.text.to_float(), 8.2, 0.1, "largest angle between linear and screw at a half turn")
+	expect_near(
+		angle.text.to_float(), 8.2, 0.1, "largest angle between linear and screw at a half turn"
+	)
 
 
 func _open() -> void:

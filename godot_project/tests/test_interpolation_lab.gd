@@ -19,8 +19,12 @@ func test_folded_it_does_nothing_and_unfolded_it_takes_the_first_two_motors() ->
 	expect_equal(_lab.poses.from_name, "A", "from")
 	expect_equal(_lab.poses.to_name, "B", "to")
 	expect_equal(_lab.poses.get_candidates(), PackedStringArray(["A", "B", "C"]), "candidates")
-	expect_equal(_scene().get_scene_attributes().size(), 0, "number of attributes, as nothing was chosen")
-	expect_equal(_choice("From").get_item_text(_choice("From").selected), "A", "what is shown as from")
+	expect_equal(
+		_scene().get_scene_attributes().size(), 0, "number of attributes, as nothing was chosen"
+	)
+	expect_equal(
+		_choice("From").get_item_text(_choice("From").selected), "A", "what is shown as from"
+	)
 
 
 func test_the_selection_is_used_by_a_click_and_undone() -> void:
@@ -57,13 +61,25 @@ func test_the_slider_is_dragged_as_one_step() -> void:
 	await wait_frames(8)
 	var slider: HSlider = _lab_panel.find_child("Slider", true, false)
 	var place := slider.get_global_rect()
-	await _drag(place.position + place.size * Vector2(0.5, 0.5), place.position + place.size * Vector2(0.9, 0.5))
+	await _drag(
+		place.position + place.size * Vector2(0.5, 0.5),
+		place.position + place.size * Vector2(0.9, 0.5)
+	)
 	expect_true(_lab.t > 0.8, "t near the end, being %s" % _lab.t)
 	expect_equal(_setting("t"), _lab.t, "attribute t")
 	var words: Label = _lab_panel.find_child("Screw", true, false).find_child("Words", true, false)
-	var pose := MultivectorLerp.interpolate(_scene().get_value("A"), _scene().get_value("B"), _lab.t, MultivectorLerp.SCREW)
+	var pose := MultivectorLerp.interpolate(
+		_scene().get_value("A"), _scene().get_value("B"), _lab.t, MultivectorLerp.SCREW
+	)
 	expect_equal(words.text, LabWords.pose(pose), "pose in words")
-	expect_true(words.text.begins_with("at (") and words.text.contains("turned") and words.text.contains("scale"), words.text)
+	expect_true(
+		(
+			words.text.begins_with("at (")
+			and words.text.contains("turned")
+			and words.text.contains("scale")
+		),
+		words.text
+	)
 	_host.own_history.undo()
 	expect_equal(_lab.t, 0.5, "t, undone")
 	expect_equal(_host.own_history.has_undo(), false, "more to undo")
@@ -82,19 +98,51 @@ func test_deviations_are_those_of_the_paths() -> void:
 			var other := MultivectorLerp.interpolate(from, to, i / 200.0, MultivectorLerp.SCREW)
 			for k in 60:
 				var point := _on_sphere(k, 60) * 1.5
-				distance = maxf(distance, one.transform_point(point).distance_to(other.transform_point(point)))
+				distance = maxf(
+					distance, one.transform_point(point).distance_to(other.transform_point(point))
+				)
 			var turn := one.get_rotation().inverse() * other.get_rotation()
 			angle = maxf(angle, 2.0 * atan2(Vector3(turn.x, turn.y, turn.z).length(), absf(turn.w)))
 		var found := _lab.measure(mode, MultivectorLerp.SCREW)
 		var told: float = found["distance"]
-		expect_true(told > distance * (1.0 - 1e-5) and told < distance * 1.05, "distance %s being that of the worst of many points, %s" % [told, distance])
+		expect_true(
+			told > distance * (1.0 - 1e-5) and told < distance * 1.05,
+			"distance %s being that of the worst of many points, %s" % [told, distance]
+		)
 		expect_near(found["angle"] as float, angle, 1e-3, "angle")
-		var row: Node = _lab_panel.find_child("Linear" if mode == MultivectorLerp.LINEAR else "Separate", true, false)
+		var row: Node = _lab_panel.find_child(
+			"Linear" if mode == MultivectorLerp.LINEAR else "Separate", true, false
+		)
 		var words: Label = row.find_child("Words", true, false)
-		expect_true(words.text.ends_with("\n" + LabWords.deviation(found)), "deviation in words: %s" % words.text)
-	expect_equal(LabWords.deviation({"distance": 0.0352, "distance_weight": 0.242, "angle": deg_to_rad(8.128), "angle_weight": 0.25}), "off the screw: 35.2 mm (at t 0.24), 8.13° (at t 0.25)")
-	expect_equal(LabWords.deviation({"distance": 1e-9, "distance_weight": 0.2, "angle": 1e-12, "angle_weight": 0.25}), "the same as the screw")
-	expect_equal(LabWords.pose(Multivector.motor_from(Vector3(1, -0.001, 2.5), Quaternion(Vector3.BACK, -0.5 * PI), 2.0)), "at (1.00, 0.00, 2.50), turned 90.0° about (0.00, 0.00, -1.00), scale 2.00")
+		expect_true(
+			words.text.ends_with("\n" + LabWords.deviation(found)),
+			"deviation in words: %s" % words.text
+		)
+	expect_equal(
+		LabWords.deviation(
+			{
+				"distance": 0.0352,
+				"distance_weight": 0.242,
+				"angle": deg_to_rad(8.128),
+				"angle_weight": 0.25
+			}
+		),
+		"off the screw: 35.2 mm (at t 0.24), 8.13° (at t 0.25)"
+	)
+	expect_equal(
+		LabWords.deviation(
+			{"distance": 1e-9, "distance_weight": 0.2, "angle": 1e-12, "angle_weight": 0.25}
+		),
+		"the same as the screw"
+	)
+	expect_equal(
+		LabWords.pose(
+			Multivector.motor_from(
+				Vector3(1, -0.001, 2.5), Quaternion(Vector3.BACK, -0.5 * PI), 2.0
+			)
+		),
+		"at (1.00, 0.00, 2.50), turned 90.0° about (0.00, 0.00, -1.00), scale 2.00"
+	)
 
 
 func test_it_plays_there_and_back_around_and_once() -> void:
@@ -140,13 +188,19 @@ func test_the_play_button_plays() -> void:
 func test_it_fits_into_a_narrow_panel() -> void:
 	_open({"a_rather_long_name_of_a_pose": A, "another_long_name_of_a_pose": B})
 	await wait_frames(8)
-	expect_true(_lab_panel.get_combined_minimum_size().x <= 250.0, "least width %s" % _lab_panel.get_combined_minimum_size().x)
+	expect_true(
+		_lab_panel.get_combined_minimum_size().x <= 250.0,
+		"least width %s" % _lab_panel.get_combined_minimum_size().x
+	)
 	var scroll: ScrollContainer = _panel.find_child("Lower", true, false)
 	for height: float in [700.0, 500.0, 1600.0]:
 		_panel.size.y = height
 		await wait_frames(4)
 		expect_equal(_panel.size.y, height, "height of the panel")
-		expect_true(_panel.list.size.y >= EntryList.LEAST_HEIGHT, "room for the list in %s: %s" % [height, _panel.list.size.y])
+		expect_true(
+			_panel.list.size.y >= EntryList.LEAST_HEIGHT,
+			"room for the list in %s: %s" % [height, _panel.list.size.y]
+		)
 		var content: Control = scroll.get_child(0)
 		expect_equal(scroll.size.y < content.size.y, height < 1000.0, "scrolling in %s" % height)
 

@@ -32,8 +32,12 @@ func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
 	expect_equal(_scene().get_names(), PackedStringArray(["A", "B"]), "entries, undone as one step")
 	_host.own_history.redo()
 	menu.get_popup().id_pressed.emit(MultivectorLerp.LINEAR)
-	expect_equal(_scene().get_expression("m2"), "interpolate_linear(A, B, t)", "a second one over the same t")
-	_panel.document.change("Slide t", func(scene: GAScene) -> void: scene.set_parameter("t", "value", 0.75))
+	expect_equal(
+		_scene().get_expression("m2"), "interpolate_linear(A, B, t)", "a second one over the same t"
+	)
+	_panel.document.change(
+		"Slide t", func(scene: GAScene) -> void: scene.set_parameter("t", "value", 0.75)
+	)
 	expect_equal(_lab.t, 0.75, "the lab's t, following the entry")
 	_lab.begin_move()
 	_lab.move(0.4)
@@ -45,7 +49,9 @@ func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
 	_lab.begin_move()
 	_scene().remove_entry("t")
 	_lab.end_move()
-	expect_equal(_panel.document.is_in_gesture(), false, "being in a gesture after the entry went away in it")
+	expect_equal(
+		_panel.document.is_in_gesture(), false, "being in a gesture after the entry went away in it"
+	)
 
 
 func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
@@ -96,14 +102,24 @@ func test_deleted_entries_and_others_that_are_no_poses() -> void:
 	expect_equal(_words(), "", "words after undoing")
 	expect_true(_lab.poses.is_complete(), "poses being there again")
 	_panel.edits.set_expression("B", "sphere(e1, 2)")
-	expect_equal(_words(), "B is no motor: choose a product of translators, rotors and dilators.", "words of a sphere")
+	expect_equal(
+		_words(),
+		"B is no motor: choose a product of translators, rotors and dilators.",
+		"words of a sphere"
+	)
 	_panel.edits.set_expression("B", "meet(A")
-	expect_true(_words().begins_with("B has no value: column 7: expected ')'"), "words of an error: %s" % _words())
+	expect_true(
+		_words().begins_with("B has no value: column 7: expected ')'"),
+		"words of an error: %s" % _words()
+	)
 	_choose("To", "C")
 	expect_equal(_words(), "", "words after another was chosen")
 	expect_true(_lab.poses.is_complete(), "poses being there again")
 	_panel.edits.remove(["A", "B", "C"])
-	expect_true(_words().contains("A is gone") and _words().contains("C is gone"), "words with nothing left: %s" % _words())
+	expect_true(
+		_words().contains("A is gone") and _words().contains("C is gone"),
+		"words with nothing left: %s" % _words()
+	)
 	_panel.document.show_scene(GAScene.new(), "")
 	_lab_panel.expand()
 	expect_true(_words().begins_with("Add two motors"), "words of an empty document: %s" % _words())
@@ -118,7 +134,9 @@ func test_a_pose_that_passes_the_identity_stays_one() -> void:
 func test_settings_are_kept_unless_they_are_as_by_default() -> void:
 	_open({"A": A, "B": B})
 	await wait_frames(8)
-	var toggle: CheckBox = _lab_panel.find_child("Separate", true, false).find_child("Toggle", true, false)
+	var toggle: CheckBox = _lab_panel.find_child("Separate", true, false).find_child(
+		"Toggle", true, false
+	)
 	await _click(toggle)
 	expect_equal(_setting("separate"), false, "attribute separate")
 	expect_equal(_lab.shows_mode(MultivectorLerp.SEPARATE), false, "separate shown")
@@ -134,12 +152,17 @@ func test_settings_are_kept_unless_they_are_as_by_default() -> void:
 	expect_equal(_scene().get_scene_attributes().size(), 0, "number of attributes, undone")
 	_lab.set_setting(&"body", "cube")
 	_lab.set_setting(&"body", "frame")
-	expect_equal(_scene().get_scene_attributes().size(), 0, "number of attributes, as by default again")
+	expect_equal(
+		_scene().get_scene_attributes().size(), 0, "number of attributes, as by default again"
+	)
 
 
 func test_attributes_that_cannot_be_are_as_by_default() -> void:
 	_open({"A": A, "B": B})
-	for attributes: Dictionary in [{"t": "x", "body": "ball", "lever": "long", "from": 3.0}, {"t": -7.0, "ghost_count": 1e9, "duration": 0.0, "t_entry": "A"}]:
+	for attributes: Dictionary in [
+		{"t": "x", "body": "ball", "lever": "long", "from": 3.0},
+		{"t": -7.0, "ghost_count": 1e9, "duration": 0.0, "t_entry": "A"}
+	]:
 		for key: String in attributes:
 			_scene().set_scene_attribute("interpolation/" + key, attributes[key])
 	expect_equal(_lab.t, 0.0, "t, brought into its range")

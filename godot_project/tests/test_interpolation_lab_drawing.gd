@@ -2,11 +2,15 @@ extends "res://tests/framework/test_case.gd"
 ## What the interpolation lab draws is where MultivectorLerp says, and follows quickly.
 
 const OwnHistory := preload("res://addons/ga_godot/playground/document/own_history.gd")
-const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
+const PlaygroundDocument := preload(
+	"res://addons/ga_godot/playground/document/playground_document.gd"
+)
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
 const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
 
-const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
+const MODES: Array[MultivectorLerp.Mode] = [
+	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+]
 const A := "motor(e1 + e2, rotor(e3, 1), 2)"
 const B := "motor(3 e3, rotor(e1 + e2, 2), 0.7)"
 ## A change of a pose while it is dragged, in milliseconds.
@@ -34,7 +38,14 @@ func test_ghosts_path_and_body_are_where_the_modes_say() -> void:
 func test_poses_that_are_hard_to_go_between() -> void:
 	_open()
 	_lab.choose("A", "B")
-	for pair: Array in [["1", "e12"], ["rotor(e1, pi)", "-3 rotor(e2, pi)"], [A, A], [A, "-2 " + A], ["dilator(0.01)", "dilator(100)"], ["translator(1e+5, 0, 0)", "translator(1e+5 + 1, 0, 0)"]]:
+	for pair: Array in [
+		["1", "e12"],
+		["rotor(e1, pi)", "-3 rotor(e2, pi)"],
+		[A, A],
+		[A, "-2 " + A],
+		["dilator(0.01)", "dilator(100)"],
+		["translator(1e+5, 0, 0)", "translator(1e+5 + 1, 0, 0)"]
+	]:
 		_document.scene.set_expression("A", pair[0] as String)
 		_document.scene.set_expression("B", pair[1] as String)
 		expect_true(_drawing.visible, "being drawn: %s, %s" % pair)
@@ -45,9 +56,15 @@ func test_it_draws_what_is_chosen() -> void:
 	_open()
 	_lab.set_setting(&"separate", false)
 	for mode in MODES:
-		expect_equal(_drawing.get_path_of(mode).visible, mode != MultivectorLerp.SEPARATE, "mode %d being drawn" % mode)
+		expect_equal(
+			_drawing.get_path_of(mode).visible,
+			mode != MultivectorLerp.SEPARATE,
+			"mode %d being drawn" % mode
+		)
 	_lab.set_setting(&"ghosts", false)
-	expect_equal(_drawing.get_path_of(MultivectorLerp.SCREW).get_ghosts().instance_count, 0, "ghosts")
+	expect_equal(
+		_drawing.get_path_of(MultivectorLerp.SCREW).get_ghosts().instance_count, 0, "ghosts"
+	)
 	var with_frame := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
 	_lab.set_setting(&"body", "cube")
 	var with_cube := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
@@ -83,9 +100,19 @@ func test_it_follows_another_document() -> void:
 	scene.add_entry("C", "translator(e1)")
 	scene.add_entry("D", "translator(4 e2)")
 	_document.show_scene(scene, "")
-	expect_vector_near(_drawing.get_path_of(MultivectorLerp.SCREW).get_body().position, Vector3(0.5, 2, 0), 1e-6, "body")
+	expect_vector_near(
+		_drawing.get_path_of(MultivectorLerp.SCREW).get_body().position,
+		Vector3(0.5, 2, 0),
+		1e-6,
+		"body"
+	)
 	scene.set_expression("D", "translator(6 e2)")
-	expect_vector_near(_drawing.get_path_of(MultivectorLerp.SCREW).get_body().position, Vector3(0.5, 3, 0), 1e-6, "body, followed")
+	expect_vector_near(
+		_drawing.get_path_of(MultivectorLerp.SCREW).get_body().position,
+		Vector3(0.5, 3, 0),
+		1e-6,
+		"body, followed"
+	)
 
 
 func test_a_dragged_pose_is_followed_within_the_budget() -> void:
@@ -107,7 +134,12 @@ func test_a_dragged_pose_is_followed_within_the_budget() -> void:
 		var start := Time.get_ticks_usec()
 		_lab.move(0.01 * i)
 		moment = minf(moment, (Time.get_ticks_usec() - start) / 1000.0)
-	print("[lab] drawing after a change of a pose %.3f ms, with the document %.3f ms, of t %.3f ms" % [best, whole, moment])
+	print(
+		(
+			"[lab] drawing after a change of a pose %.3f ms, with the document %.3f ms, of t %.3f ms"
+			% [best, whole, moment]
+		)
+	)
 	expect_true(whole < BUDGET, "a change of a pose within %s ms, being %s" % [BUDGET, whole])
 
 
@@ -123,15 +155,31 @@ func _open() -> void:
 func _expect_all_at_their_places(count: int) -> void:
 	var from := _lab.poses.from
 	var to := _lab.poses.to
-	var reach := 1e-5 * (1.0 + from.get_translation().length() + to.get_translation().length() + from.get_scale() + to.get_scale())
+	var reach := (
+		1e-5
+		* (
+			1.0
+			+ from.get_translation().length()
+			+ to.get_translation().length()
+			+ from.get_scale()
+			+ to.get_scale()
+		)
+	)
 	for mode in MODES:
 		var buffer := _drawing.get_path_of(mode).get_ghosts().buffer
 		expect_equal(buffer.size(), count * 12, "size of the buffer")
 		for i in count:
 			var motor := MultivectorLerp.interpolate(from, to, i / (count - 1.0), mode)
-			expect_transform_near(_from_row(buffer, i), motor.to_transform(), reach, "ghost %d of mode %d" % [i, mode])
+			expect_transform_near(
+				_from_row(buffer, i), motor.to_transform(), reach, "ghost %d of mode %d" % [i, mode]
+			)
 		var moment := MultivectorLerp.interpolate(from, to, _lab.t, mode)
-		expect_transform_near(_drawing.get_path_of(mode).get_body().transform, moment.to_transform(), reach, "body of mode %d" % mode)
+		expect_transform_near(
+			_drawing.get_path_of(mode).get_body().transform,
+			moment.to_transform(),
+			reach,
+			"body of mode %d" % mode
+		)
 		if from.get_translation().distance_to(to.get_translation()) > 0.1:
 			_expect_path(mode)
 
@@ -142,11 +190,19 @@ func _expect_path(mode: MultivectorLerp.Mode) -> void:
 	expect_equal(vertices.size(), 130, "vertices of the path")
 	for i in 65:
 		var motor := MultivectorLerp.interpolate(_lab.poses.from, _lab.poses.to, i / 64.0, mode)
-		expect_vector_near(vertices[2 * i], motor.get_translation(), 1e-5 * (1.0 + motor.get_translation().length()), "point %d of the path" % i)
+		expect_vector_near(
+			vertices[2 * i],
+			motor.get_translation(),
+			1e-5 * (1.0 + motor.get_translation().length()),
+			"point %d of the path" % i
+		)
 
 
 func _from_row(buffer: PackedFloat32Array, index: int) -> Transform3D:
 	var at := 12 * index
 	return Transform3D(
-			Vector3(buffer[at], buffer[at + 4], buffer[at + 8]), Vector3(buffer[at + 1], buffer[at + 5], buffer[at + 9]),
-			Vector3(buffer[at + 2], buffer[at + 6], buffer[at + 10]), Vector3(buffer[at + 3], buffer[at + 7], buffer[at + 11]))
+		Vector3(buffer[at], buffer[at + 4], buffer[at + 8]),
+		Vector3(buffer[at + 1], buffer[at + 5], buffer[at + 9]),
+		Vector3(buffer[at + 2], buffer[at + 6], buffer[at + 10]),
+		Vector3(buffer[at + 3], buffer[at + 7], buffer[at + 11])
+	)

@@ -38,10 +38,17 @@ func test_size_of_a_packet() -> void:
 	var transforms: Array[Transform3D] = []
 	for i in 100:
 		ids.append(i)
-		var place := Vector3(generator.randf_range(-20, 20), generator.randf_range(0, 5), generator.randf_range(-20, 20))
+		var place := Vector3(
+			generator.randf_range(-20, 20),
+			generator.randf_range(0, 5),
+			generator.randf_range(-20, 20)
+		)
 		transforms.append(Poses.make(place, Poses.random_rotation(generator)))
 	var size := _codec.encode(ids, transforms).size()
-	expect_true(size > 500 and size <= 1100, "a size of %d bytes for 100 poses, 500 to 1100 expected," % size)
+	expect_true(
+		size > 500 and size <= 1100,
+		"a size of %d bytes for 100 poses, 500 to 1100 expected," % size
+	)
 
 
 func test_degenerate_poses() -> void:
@@ -66,7 +73,9 @@ func test_no_bodies_is_a_packet_too() -> void:
 
 
 func test_the_array_that_comes_back_is_typed() -> void:
-	var decoded := _codec.decode(_codec.encode(PackedInt32Array([4]), [Transform3D.IDENTITY] as Array[Transform3D]))
+	var decoded := _codec.decode(
+		_codec.encode(PackedInt32Array([4]), [Transform3D.IDENTITY] as Array[Transform3D])
+	)
 	var transforms: Array = decoded["transforms"]
 	expect_equal(transforms.get_typed_builtin(), int(TYPE_TRANSFORM3D))
 
@@ -75,7 +84,9 @@ func test_bad_tolerances_change_nothing() -> void:
 	expect_error("MotorCodec: position_tolerance is in metres and positive, not %f." % 0.0)
 	_codec.position_tolerance = 0.0
 	expect_near(_codec.position_tolerance, 0.002, 1e-9)
-	expect_error("MotorCodec: rotation_tolerance is in degrees and at least %f, not %f." % [1.7e-5, -1.0])
+	expect_error(
+		"MotorCodec: rotation_tolerance is in degrees and at least %f, not %f." % [1.7e-5, -1.0]
+	)
 	_codec.rotation_tolerance = -1.0
 	expect_near(_codec.rotation_tolerance, 0.25, 1e-9)
 
@@ -86,8 +97,12 @@ func test_what_cannot_be_encoded() -> void:
 	expect_equal(_codec.encode(PackedInt32Array([1, 2]), identity).size(), 0)
 	expect_error("MotorCodec.encode: id -3 at index 0 is negative.")
 	expect_equal(_codec.encode(PackedInt32Array([-3]), identity).size(), 0)
-	var mirrored: Array[Transform3D] = [Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)]
-	expect_error("MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), which no motor can express; mirror a child node instead.")
+	var mirrored: Array[Transform3D] = [
+		Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
+	]
+	expect_error(
+		"MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), which no motor can express; mirror a child node instead."
+	)
 	expect_equal(_codec.encode(PackedInt32Array([9]), mirrored).size(), 0)
 
 
@@ -109,7 +124,10 @@ func test_broken_packets_give_an_error_and_nothing_else() -> void:
 func test_random_bytes_never_give_a_bad_pose() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 11
-	var packet := _codec.encode(PackedInt32Array([1, 2]), [Transform3D.IDENTITY, Poses.make(Vector3(1, 2, 3))] as Array[Transform3D])
+	var packet := _codec.encode(
+		PackedInt32Array([1, 2]),
+		[Transform3D.IDENTITY, Poses.make(Vector3(1, 2, 3))] as Array[Transform3D]
+	)
 	for i in 2000:
 		var damaged := packet.duplicate()
 		damaged[generator.randi_range(0, damaged.size() - 1)] = generator.randi_range(0, 255)
@@ -123,7 +141,11 @@ func test_random_bytes_never_give_a_bad_pose() -> void:
 
 func _expect_close(received: Transform3D, sent: Transform3D, tolerance: Vector2) -> void:
 	expect_vector_near(received.origin, sent.origin, tolerance.x, "position")
-	var turn := received.basis.get_rotation_quaternion().inverse() * sent.basis.get_rotation_quaternion()
+	var turn := (
+		received.basis.get_rotation_quaternion().inverse() * sent.basis.get_rotation_quaternion()
+	)
 	var angle := 2.0 * atan2(Vector3(turn.x, turn.y, turn.z).length(), absf(turn.w))
 	expect_near(rad_to_deg(angle), 0.0, tolerance.y + 1e-3, "angle in degrees")
-	expect_near(received.basis.get_scale().x / sent.basis.get_scale().x, 1.0, 2e-4, "ratio of the scales")
+	expect_near(
+		received.basis.get_scale().x / sent.basis.get_scale().x, 1.0, 2e-4, "ratio of the scales"
+	)

@@ -3,7 +3,9 @@ extends "res://tests/framework/test_case.gd"
 
 const Poses := preload("res://tests/framework/poses.gd")
 
-const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
+const MODES: Array[MultivectorLerp.Mode] = [
+	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+]
 const NO_INDEX := "MotorPool.%s: index %d is none that acquire() gave out and that is not yet released."
 const MIRRORED := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 
@@ -31,7 +33,12 @@ func test_every_body_agrees_with_interpolate_transform() -> void:
 			_pool.interpolate(0.35, mode)
 			for i in count:
 				var expected := MultivectorLerp.interpolate_transform(from[i], to[i], 0.35, mode)
-				expect_transform_near(_pool.get_transform(indices[i]), expected, 4e-5, "body %d of %d, mode %d" % [i, count, mode])
+				expect_transform_near(
+					_pool.get_transform(indices[i]),
+					expected,
+					4e-5,
+					"body %d of %d, mode %d" % [i, count, mode]
+				)
 
 
 func test_each_body_with_its_own_weight() -> void:
@@ -45,7 +52,9 @@ func test_each_body_with_its_own_weight() -> void:
 		_pool.interpolate_each(weights, mode)
 		for i in 13:
 			var expected := MultivectorLerp.interpolate_transform(from[i], to[i], weights[i], mode)
-			expect_transform_near(_pool.get_transform(indices[i]), expected, 4e-5, "body %d, mode %d" % [i, mode])
+			expect_transform_near(
+				_pool.get_transform(indices[i]), expected, 4e-5, "body %d, mode %d" % [i, mode]
+			)
 
 
 func test_all_at_once_is_the_same_as_one_by_one() -> void:
@@ -76,12 +85,16 @@ func test_degenerate_pairs_agree_and_stay_finite() -> void:
 			_pool.interpolate(0.5, mode)
 			for i in poses.size():
 				var pose := _pool.get_transform(indices[i])
-				expect_true(pose.is_finite(), "finiteness of pair %d, %d in mode %d" % [i, shift, mode])
+				expect_true(
+					pose.is_finite(), "finiteness of pair %d, %d in mode %d" % [i, shift, mode]
+				)
 				_expect_agreement(pose, poses[i], to[i], mode)
 
 
 func test_the_motor_of_a_body() -> void:
-	var indices := _fill([Transform3D.IDENTITY], [Poses.make(Vector3(2, 4, 6), Quaternion(Vector3.UP, 1.0), 3.0)])
+	var indices := _fill(
+		[Transform3D.IDENTITY], [Poses.make(Vector3(2, 4, 6), Quaternion(Vector3.UP, 1.0), 3.0)]
+	)
 	_pool.interpolate(1.0, MultivectorLerp.LINEAR)
 	var motor := _pool.get_motor(indices[0])
 	expect_true(motor.is_motor(), "is_motor")
@@ -89,7 +102,9 @@ func test_the_motor_of_a_body() -> void:
 
 
 func test_the_buffer_has_12_floats_a_body_row_by_row() -> void:
-	var pose := Transform3D(Basis(Quaternion(Vector3.UP, PI / 2.0)).scaled(Vector3.ONE * 2.0), Vector3(5, 6, 7))
+	var pose := Transform3D(
+		Basis(Quaternion(Vector3.UP, PI / 2.0)).scaled(Vector3.ONE * 2.0), Vector3(5, 6, 7)
+	)
 	_fill([Transform3D.IDENTITY, pose], [Transform3D.IDENTITY, pose])
 	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
 	var buffer := _pool.get_buffer()
@@ -160,7 +175,9 @@ func test_a_bad_pose_changes_nothing() -> void:
 	expect_error("MotorPool.set_to: the transform for index %d %s." % [indices[1], fault])
 	_pool.set_to(indices[1], MIRRORED)
 	var bad: Array[Transform3D] = [Transform3D.IDENTITY, MIRRORED]
-	expect_error("MotorPool.set_from_all: the transform at index 1 %s. No pose was changed." % fault)
+	expect_error(
+		"MotorPool.set_from_all: the transform at index 1 %s. No pose was changed." % fault
+	)
 	_pool.set_from_all(bad)
 	expect_error("MotorPool.set_to_all: the transform at index 1 %s. No pose was changed." % fault)
 	_pool.set_to_all(bad)
@@ -171,12 +188,20 @@ func test_a_bad_pose_changes_nothing() -> void:
 
 func test_sizes_must_agree() -> void:
 	_pool.acquire()
-	var three: Array[Transform3D] = [Transform3D.IDENTITY, Transform3D.IDENTITY, Transform3D.IDENTITY]
-	expect_error("MotorPool.set_from_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired.")
+	var three: Array[Transform3D] = [
+		Transform3D.IDENTITY, Transform3D.IDENTITY, Transform3D.IDENTITY
+	]
+	expect_error(
+		"MotorPool.set_from_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired."
+	)
 	_pool.set_from_all(three)
-	expect_error("MotorPool.set_to_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired.")
+	expect_error(
+		"MotorPool.set_to_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired."
+	)
 	_pool.set_to_all(three)
-	expect_error("MotorPool.interpolate_each: 2 weights for 1 bodies; give one for each, in the order in which they were acquired.")
+	expect_error(
+		"MotorPool.interpolate_each: 2 weights for 1 bodies; give one for each, in the order in which they were acquired."
+	)
 	_pool.interpolate_each(PackedFloat32Array([0.0, 1.0]), MultivectorLerp.LINEAR)
 	expect_error("MotorPool.reserve: count -1 is not in 0..16777216.")
 	_pool.reserve(-1)
@@ -188,7 +213,9 @@ func test_bad_weights_and_modes_change_nothing() -> void:
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	expect_error("MotorPool.interpolate: the weight is not finite.")
 	_pool.interpolate(NAN, MultivectorLerp.LINEAR)
-	expect_error("MotorPool.interpolate_each: the weight at index 0 is not finite. No pose was changed.")
+	expect_error(
+		"MotorPool.interpolate_each: the weight at index 0 is not finite. No pose was changed."
+	)
 	_pool.interpolate_each(PackedFloat32Array([INF]), MultivectorLerp.LINEAR)
 	expect_error("MotorPool.interpolate: mode -1 is none of MultivectorLerp's.")
 	_pool.interpolate(0.5, -1 as MultivectorLerp.Mode)
@@ -224,10 +251,17 @@ func _random_poses(count: int, seed_number: int) -> Array[Transform3D]:
 
 
 ## The pool works in single precision; where poses are half a turn apart, both ways round are right.
-func _expect_agreement(pose: Transform3D, from: Transform3D, to: Transform3D, mode: MultivectorLerp.Mode) -> void:
+func _expect_agreement(
+	pose: Transform3D, from: Transform3D, to: Transform3D, mode: MultivectorLerp.Mode
+) -> void:
 	var apart := from.basis.get_rotation_quaternion().dot(to.basis.get_rotation_quaternion())
 	if absf(apart) < 1e-3:
 		return
 	var expected := MultivectorLerp.interpolate_transform(from, to, 0.5, mode)
-	var size := maxf(maxf(from.origin.length(), to.origin.length()), maxf(from.basis.x.length(), to.basis.x.length()))
-	expect_transform_near(pose, expected, 1e-5 * maxf(1.0, size), "%s to %s in mode %d" % [from, to, mode])
+	var size := maxf(
+		maxf(from.origin.length(), to.origin.length()),
+		maxf(from.basis.x.length(), to.basis.x.length())
+	)
+	expect_transform_near(
+		pose, expected, 1e-5 * maxf(1.0, size), "%s to %s in mode %d" % [from, to, mode]
+	)

@@ -7,7 +7,9 @@ const Poses := preload("res://tests/framework/poses.gd")
 
 ## Above the least number of bodies that threads share, and no whole number of blocks.
 const MANY := 70_003
-const MODES: Array[MultivectorLerp.Mode] = [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]
+const MODES: Array[MultivectorLerp.Mode] = [
+	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+]
 const MILLION := 1_000_000
 
 var _pool := MotorPool.new()
@@ -22,7 +24,11 @@ func test_the_examples_of_the_class_reference_hold() -> void:
 		expect_equal(samples.size(), 1, "number of examples of %s" % title)
 		for code in samples:
 			expect_true(CodeSample.count_prints(code) > 0, "a checked print()")
-			expect_equal(CodeSample.find_faults(code, parent), PackedStringArray(), "faults of the example of %s" % title)
+			expect_equal(
+				CodeSample.find_faults(code, parent),
+				PackedStringArray(),
+				"faults of the example of %s" % title
+			)
 
 
 func test_buffers_are_the_same_as_transforms() -> void:
@@ -49,15 +55,21 @@ func test_a_bad_buffer_changes_nothing() -> void:
 	var good := _buffer_of(2, 3)
 	_pool.set_from_buffer(good)
 	_pool.set_to_buffer(good)
-	expect_error("MotorPool.set_from_buffer: 13 floats are no whole number of rows; give 12 for each body.")
+	expect_error(
+		"MotorPool.set_from_buffer: 13 floats are no whole number of rows; give 12 for each body."
+	)
 	var odd := PackedFloat32Array()
 	odd.resize(13)
 	_pool.set_from_buffer(odd)
-	expect_error("MotorPool.set_to_buffer: 3 rows for 2 bodies; give one for each, in the order in which they were acquired.")
+	expect_error(
+		"MotorPool.set_to_buffer: 3 rows for 2 bodies; give one for each, in the order in which they were acquired."
+	)
 	_pool.set_to_buffer(_buffer_of(3, 4))
 	var bad := _buffer_of(2, 5)
 	bad[12] = NAN
-	expect_error("MotorPool.set_to_buffer: the transform at index 1 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed.")
+	expect_error(
+		"MotorPool.set_to_buffer: the transform at index 1 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed."
+	)
 	_pool.set_to_buffer(bad)
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	for i in good.size():
@@ -65,7 +77,9 @@ func test_a_bad_buffer_changes_nothing() -> void:
 
 
 func test_advance_goes_on_from_where_bodies_went() -> void:
-	var snapshots: Array[PackedFloat32Array] = [_buffer_of(9, 6), _buffer_of(9, 7), _buffer_of(9, 8)]
+	var snapshots: Array[PackedFloat32Array] = [
+		_buffer_of(9, 6), _buffer_of(9, 7), _buffer_of(9, 8)
+	]
 	_acquire(_pool, 9)
 	for snapshot in snapshots:
 		_pool.advance()
@@ -78,7 +92,12 @@ func test_advance_goes_on_from_where_bodies_went() -> void:
 		_pool.interpolate(0.6, mode)
 		other.interpolate(0.6, mode)
 		for i in 12 * 9:
-			expect_near(_pool.get_buffer()[i], other.get_buffer()[i], 1e-5, "float %d in mode %d" % [i, mode])
+			expect_near(
+				_pool.get_buffer()[i],
+				other.get_buffer()[i],
+				1e-5,
+				"float %d in mode %d" % [i, mode]
+			)
 	_pool.advance()
 	_pool.interpolate(0.5, MultivectorLerp.SCREW)
 	for i in 12 * 9:
@@ -97,7 +116,9 @@ func test_a_kept_buffer_stays_as_it_was() -> void:
 	expect_true(first != second, "a difference between the two")
 	var index := _pool.acquire()
 	_pool.interpolate(0.25, MultivectorLerp.LINEAR)
-	expect_equal(_pool.get_buffer().slice(0, 12 * 9), copy, "the same weight again, beside a new body")
+	expect_equal(
+		_pool.get_buffer().slice(0, 12 * 9), copy, "the same weight again, beside a new body"
+	)
 	expect_equal(_pool.get_transform(index), Transform3D.IDENTITY, "the new body")
 	_pool.release(index)
 	_pool.interpolate(0.75, MultivectorLerp.LINEAR)
@@ -117,7 +138,11 @@ func test_results_do_not_depend_on_the_split() -> void:
 	for mode in MODES:
 		_pool.interpolate_each(weights, mode)
 		var shared := _pool.get_buffer()
-		expect_equal(_alone(func() -> void: _pool.interpolate_each(weights, mode)), shared, "one thread, mode %d" % mode)
+		expect_equal(
+			_alone(func() -> void: _pool.interpolate_each(weights, mode)),
+			shared,
+			"one thread, mode %d" % mode
+		)
 		expect_equal(_in_parts(from, to, weights, mode), shared, "many pools, mode %d" % mode)
 
 
@@ -126,7 +151,9 @@ func test_of_many_bad_poses_the_first_is_named() -> void:
 	var bad := _buffer_of(MANY, 11)
 	for row: int in [MANY - 1, 30_000, 7_777, 25_000]:
 		bad[12 * row] = NAN
-	expect_error("MotorPool.set_from_buffer: the transform at index 7777 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed.")
+	expect_error(
+		"MotorPool.set_from_buffer: the transform at index 7777 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed."
+	)
 	_pool.set_from_buffer(bad)
 	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
 	expect_equal(_pool.get_transform(0), Transform3D.IDENTITY, "the first body")
@@ -146,7 +173,9 @@ func test_indices_survive_growth() -> void:
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	expect_equal(_pool.get_count(), 5_000 - 1_667 + 20_000, "count")
 	for i: int in [1, 2, 4, 1_000, 4_999]:
-		expect_vector_near(_pool.get_transform(living[i]).origin, Vector3(i, 1, 0), 1e-6, "body %d" % i)
+		expect_vector_near(
+			_pool.get_transform(living[i]).origin, Vector3(i, 1, 0), 1e-6, "body %d" % i
+		)
 
 
 func test_a_million_bodies() -> void:
@@ -159,9 +188,13 @@ func test_a_million_bodies() -> void:
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	var buffer := _pool.get_buffer()
 	expect_equal(buffer.size(), 12 * MILLION, "size of the buffer")
-	expect_equal(buffer.slice(12 * 999_000), buffer.slice(0, 12_000), "the last thousand beside the first")
+	expect_equal(
+		buffer.slice(12 * 999_000), buffer.slice(0, 12_000), "the last thousand beside the first"
+	)
 	var pose := Transform3D.IDENTITY
-	var expected := MultivectorLerp.interpolate_transform(pose, _transforms_of(to.slice(0, 12))[0], 0.5, MultivectorLerp.LINEAR)
+	var expected := MultivectorLerp.interpolate_transform(
+		pose, _transforms_of(to.slice(0, 12))[0], 0.5, MultivectorLerp.LINEAR
+	)
 	expect_transform_near(_pool.get_transform(999_000), expected, 4e-5, "body 999,000")
 	_pool.clear()
 	expect_equal(_pool.get_count(), 0, "count after clear")
@@ -178,7 +211,12 @@ func _alone(work: Callable) -> PackedFloat32Array:
 	return _pool.get_buffer()
 
 
-func _in_parts(from: PackedFloat32Array, to: PackedFloat32Array, weights: PackedFloat32Array, mode: MultivectorLerp.Mode) -> PackedFloat32Array:
+func _in_parts(
+	from: PackedFloat32Array,
+	to: PackedFloat32Array,
+	weights: PackedFloat32Array,
+	mode: MultivectorLerp.Mode
+) -> PackedFloat32Array:
 	var buffer := PackedFloat32Array()
 	for first in range(0, MANY, 3_001):
 		var end := mini(first + 3_001, MANY)
@@ -198,14 +236,21 @@ func _buffer_of(count: int, seed_number: int) -> PackedFloat32Array:
 	for i in count:
 		var pose := Poses.random(generator)
 		for row in 3:
-			buffer.append_array([pose.basis.x[row], pose.basis.y[row], pose.basis.z[row], pose.origin[row]])
+			buffer.append_array(
+				[pose.basis.x[row], pose.basis.y[row], pose.basis.z[row], pose.origin[row]]
+			)
 	return buffer
 
 
 func _transforms_of(buffer: PackedFloat32Array) -> Array[Transform3D]:
 	var transforms: Array[Transform3D] = []
 	for i in range(0, buffer.size(), 12):
-		transforms.append(Transform3D(
-				Vector3(buffer[i], buffer[i + 4], buffer[i + 8]), Vector3(buffer[i + 1], buffer[i + 5], buffer[i + 9]),
-				Vector3(buffer[i + 2], buffer[i + 6], buffer[i + 10]), Vector3(buffer[i + 3], buffer[i + 7], buffer[i + 11])))
+		transforms.append(
+			Transform3D(
+				Vector3(buffer[i], buffer[i + 4], buffer[i + 8]),
+				Vector3(buffer[i + 1], buffer[i + 5], buffer[i + 9]),
+				Vector3(buffer[i + 2], buffer[i + 6], buffer[i + 10]),
+				Vector3(buffer[i + 3], buffer[i + 7], buffer[i + 11])
+			)
+		)
 	return transforms

@@ -20,14 +20,20 @@ func test_a_freed_or_missing_node_stops_all() -> void:
 	_fill()
 	var nodes := _make_nodes()
 	nodes[4].free()
-	expect_error("MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved.")
+	expect_error(
+		"MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved."
+	)
 	_pool.apply_to_nodes(nodes)
 	nodes[4] = null
-	expect_error("MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved.")
+	expect_error(
+		"MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved."
+	)
 	_pool.apply_to_nodes(nodes)
 	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
 	nodes.remove_at(4)
-	expect_error("MotorPool.apply_to_nodes: 9 nodes for 10 bodies; give one for each, in the order in which they were acquired.")
+	expect_error(
+		"MotorPool.apply_to_nodes: 9 nodes for 10 bodies; give one for each, in the order in which they were acquired."
+	)
 	_pool.apply_to_nodes(nodes)
 	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
 
@@ -57,11 +63,15 @@ func test_a_multimesh_must_fit() -> void:
 	_fill()
 	expect_error("MotorPool.apply_to_multimesh: the multimesh is null.")
 	_pool.apply_to_multimesh(null)
-	expect_error("MotorPool.apply_to_multimesh: 9 instances cannot show 10 bodies; set instance_count to at least that.")
+	expect_error(
+		"MotorPool.apply_to_multimesh: 9 instances cannot show 10 bodies; set instance_count to at least that."
+	)
 	_pool.apply_to_multimesh(_make_multimesh(COUNT - 1))
 	var flat := MultiMesh.new()
 	flat.instance_count = COUNT
-	expect_error("MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D (before its instance_count).")
+	expect_error(
+		"MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D (before its instance_count)."
+	)
 	_pool.apply_to_multimesh(flat)
 	expect_equal(_pool.get_count(), COUNT)
 
@@ -80,11 +90,19 @@ func test_colors_that_are_given_are_not_read_back() -> void:
 	var buffer := multimesh.buffer
 	expect_equal(buffer.size(), 16 * (COUNT + 1), "size of the buffer")
 	for i in COUNT + 1:
-		expect_equal(buffer.slice(16 * i + 12, 16 * i + 16), colors.slice(4 * i, 4 * i + 4), "color %d" % i)
+		expect_equal(
+			buffer.slice(16 * i + 12, 16 * i + 16), colors.slice(4 * i, 4 * i + 4), "color %d" % i
+		)
 	for i in COUNT:
-		expect_equal(buffer.slice(16 * i, 16 * i + 12), _pool.get_buffer().slice(12 * i, 12 * i + 12), "row %d" % i)
+		expect_equal(
+			buffer.slice(16 * i, 16 * i + 12),
+			_pool.get_buffer().slice(12 * i, 12 * i + 12),
+			"row %d" % i
+		)
 	expect_equal(buffer[16 * COUNT + 3], 0.0, "x of the surplus instance")
-	expect_error("MotorPool.apply_to_multimesh: 3 floats of instance data for 11 instances with 4 each (4 for a color, 4 for custom data).")
+	expect_error(
+		"MotorPool.apply_to_multimesh: 3 floats of instance data for 11 instances with 4 each (4 for a color, 4 for custom data)."
+	)
 	_pool.apply_to_multimesh(multimesh, PackedFloat32Array([1, 2, 3]))
 
 
@@ -100,7 +118,9 @@ func test_other_nodes_in_the_next_frame() -> void:
 	expect_transform_near(second[3].transform, _poses[3], 1e-5, "the node that changed its place")
 	expect_equal(first[3].transform, Transform3D.IDENTITY, "the node that was left out")
 	first[4].free()
-	expect_error("MotorPool.apply_to_nodes: the node at index 3 is null or was freed. No node was moved.")
+	expect_error(
+		"MotorPool.apply_to_nodes: the node at index 3 is null or was freed. No node was moved."
+	)
 	_pool.apply_to_nodes(second)
 
 

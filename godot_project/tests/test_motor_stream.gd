@@ -38,11 +38,19 @@ func test_bodies_come_move_and_go() -> void:
 		_step()
 		if i > 40:
 			for id in 3:
-				worst = maxf(worst, _receiver.get_transform(id).origin.distance_to(_pose(id, _receiver.get_media_time()).origin))
+				worst = maxf(
+					worst,
+					_receiver.get_transform(id).origin.distance_to(
+						_pose(id, _receiver.get_media_time()).origin
+					)
+				)
 	expect_true(worst > 0.0 and worst < 0.006, "an error of %.2f mm" % (worst * 1000.0))
 	expect_true(_receiver.is_ready(), "something to show")
 	expect_equal(_receiver.get_bodies().size(), 3, "number of bodies")
-	expect_true(_receiver.get_known_time() > _receiver.get_media_time(), "motion that is known but not yet shown")
+	expect_true(
+		_receiver.get_known_time() > _receiver.get_media_time(),
+		"motion that is known but not yet shown"
+	)
 	expect_true(_sender.get_moving_count() >= 3, "moving bodies")
 	expect_true(_sender.remove_body(1), "removal")
 	expect_true(not _sender.remove_body(1), "a second removal")
@@ -88,23 +96,35 @@ func test_what_is_refused() -> void:
 	_start(1)
 	expect_true(_receiver.accept(PackedByteArray([255, 255, 255]), 0.0) != "", "a reason")
 	expect_true(_receiver.accept(PackedByteArray(), 0.0) != "", "a reason for an empty packet")
-	expect_equal(_sender.accept(99, PackedByteArray([1]), 0.0), "comes from no receiver of this sender", "reason")
-	expect_true(_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "", "a reason for a bad answer")
+	expect_equal(
+		_sender.accept(99, PackedByteArray([1]), 0.0),
+		"comes from no receiver of this sender",
+		"reason"
+	)
+	expect_true(
+		_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "", "a reason for a bad answer"
+	)
 	expect_error("MotorSender.add_body: there is a body with id 0.")
 	expect_true(not _sender.add_body(0, Transform3D.IDENTITY), "a body twice")
 	expect_error("MotorSender.add_body: id -1 is not in 0 to 2147483647.")
 	_sender.add_body(-1, Transform3D.IDENTITY)
 	expect_error("MotorSender.observe: there is no body with id 5; add it first.")
 	_sender.observe(5, 0.0, Transform3D.IDENTITY)
-	expect_error("MotorSender.observe: the transform of body 0 is mirrored (negative scale), which no motor can express; mirror a child node instead.")
-	_sender.observe(0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO))
+	expect_error(
+		"MotorSender.observe: the transform of body 0 is mirrored (negative scale), which no motor can express; mirror a child node instead."
+	)
+	_sender.observe(
+		0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
+	)
 	expect_error("MotorSender.teleport: there is no body with id 5.")
 	_sender.teleport(5)
 	expect_error("MotorSender.flush: the time is not finite.")
 	_sender.flush(NAN)
 	expect_error("MotorSender.get_statistics: there is no receiver 8.")
 	_sender.get_statistics(8)
-	expect_error("MotorReceiver.get_transform: there is no body with id 6; has_body() and the signals tell which there are.")
+	expect_error(
+		"MotorReceiver.get_transform: there is no body with id 6; has_body() and the signals tell which there are."
+	)
 	_receiver.get_transform(6)
 
 
@@ -147,4 +167,7 @@ func _step(offset := Vector3.ZERO) -> void:
 
 
 func _pose(id: int, seconds: float) -> Transform3D:
-	return Transform3D(Basis(Vector3(1, id, 0.5).normalized(), seconds), Vector3(id * 3.0 + cos(seconds), 0.5, sin(seconds)))
+	return Transform3D(
+		Basis(Vector3(1, id, 0.5).normalized(), seconds),
+		Vector3(id * 3.0 + cos(seconds), 0.5, sin(seconds))
+	)

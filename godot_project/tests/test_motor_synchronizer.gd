@@ -16,11 +16,17 @@ func test_motion_over_websocket() -> void:
 
 func test_rotation_and_scale_arrive() -> void:
 	await connect_peers(1, 1)
-	var sent := Transform3D(Basis(Vector3(1, 2, 3).normalized(), 2.0).scaled(Vector3.ONE * 1.75), Vector3(4, 5, 6))
+	var sent := Transform3D(
+		Basis(Vector3(1, 2, 3).normalized(), 2.0).scaled(Vector3.ONE * 1.75), Vector3(4, 5, 6)
+	)
 	await move(branches[0], 0.6, func(_name: StringName, _time: float) -> Transform3D: return sent)
 	var shown := branches[1].get_body(0).transform
-	expect_vector_near(shown.origin, sent.origin, branches[0].synchronizer.position_tolerance, "position")
-	expect_transform_near(Transform3D(shown.basis), Transform3D(sent.basis), 0.05, "rotation and scale")
+	expect_vector_near(
+		shown.origin, sent.origin, branches[0].synchronizer.position_tolerance, "position"
+	)
+	expect_transform_near(
+		Transform3D(shown.basis), Transform3D(sent.basis), 0.05, "rotation and scale"
+	)
 
 
 func test_what_rests_keeps_its_place() -> void:
@@ -29,12 +35,22 @@ func test_what_rests_keeps_its_place() -> void:
 	await tree.create_timer(SETTLE).timeout
 	for i in 3:
 		var tolerance := branches[0].synchronizer.position_tolerance
-		expect_vector_near(branches[1].get_body(i).position, branches[0].get_body(i).position, tolerance, "body %d" % i)
+		expect_vector_near(
+			branches[1].get_body(i).position,
+			branches[0].get_body(i).position,
+			tolerance,
+			"body %d" % i
+		)
 		# A stranger's hand does not keep it.
 		branches[1].get_body(i).position += Vector3.ONE
 	await wait_frames(3)
 	for i in 3:
-		expect_vector_near(branches[1].get_body(i).position, branches[0].get_body(i).position, 0.01, "body %d put back" % i)
+		expect_vector_near(
+			branches[1].get_body(i).position,
+			branches[0].get_body(i).position,
+			0.01,
+			"body %d put back" % i
+		)
 
 
 func test_a_late_peer_gets_the_whole_state() -> void:
@@ -83,7 +99,9 @@ func test_peers_leave_without_an_error() -> void:
 	branches[0].api.disconnect_peer(branches[2].api.get_unique_id())
 	await expect_motion(0.4, [branches[3]])
 	var peers: Dictionary = branches[0].synchronizer.get_statistics()["peers"]
-	expect_equal(peers.keys(), [branches[3].api.get_unique_id()], "peers that the server keeps figures of")
+	expect_equal(
+		peers.keys(), [branches[3].api.get_unique_id()], "peers that the server keeps figures of"
+	)
 
 
 func test_the_server_starts_anew() -> void:
@@ -105,10 +123,14 @@ func test_a_teleport_is_no_streak() -> void:
 	var between := 0
 	for tick in 50:
 		var offset := far if tick >= 10 else Vector3.ZERO
-		await move(branches[0], 1.0 / 60.0, func(body_name: StringName, now: float) -> Transform3D:
-			if tick == 10:
-				branches[0].synchronizer.teleport(branches[0].get_body(0))
-			return Transform3D(Basis.IDENTITY, offset) * default_pose(body_name, now))
+		await move(
+			branches[0],
+			1.0 / 60.0,
+			func(body_name: StringName, now: float) -> Transform3D:
+				if tick == 10:
+					branches[0].synchronizer.teleport(branches[0].get_body(0))
+				return Transform3D(Basis.IDENTITY, offset) * default_pose(body_name, now)
+		)
 		var x := branches[1].get_body(0).position.x
 		between += int(x > 2.0 and x < 998.0)
 	expect_equal(between, 0, "pictures on the way")
@@ -149,7 +171,10 @@ func test_statistics() -> void:
 	var receiver := branches[1].synchronizer.get_statistics()
 	var sent: float = sender["sent_bytes_per_second"]
 	var received: float = receiver["received_bytes_per_second"]
-	expect_true(sent > 100.0 and received > 100.0, "bytes of motion: %s sent, %s received," % [sent, received])
+	expect_true(
+		sent > 100.0 and received > 100.0,
+		"bytes of motion: %s sent, %s received," % [sent, received]
+	)
 	expect_near(received / sent, 1.0, 0.4, "received to sent")
 	var total: float = sender["bytes_per_second"]
 	var answers: float = sender["received_bytes_per_second"]
@@ -170,7 +195,11 @@ func test_statistics() -> void:
 
 
 func test_monitors() -> void:
-	var monitors := ["ga_godot/Motors/bytes_per_second", "ga_godot/Motors 2/bytes_per_second", "ga_godot/Motors 2/loss"]
+	var monitors := [
+		"ga_godot/Motors/bytes_per_second",
+		"ga_godot/Motors 2/bytes_per_second",
+		"ga_godot/Motors 2/loss"
+	]
 	await connect_peers(1, 1)
 	await move(branches[0], 0.6)
 	for monitor: StringName in monitors:
@@ -190,7 +219,9 @@ func _expect_quiet() -> void:
 
 func test_media_time_tells_what_is_shown_on_the_senders_clock() -> void:
 	await connect_peers(1, 1)
-	expect_near(branches[1].synchronizer.get_media_time(1), 0.0, 0.0, "media time before anything is shown")
+	expect_near(
+		branches[1].synchronizer.get_media_time(1), 0.0, 0.0, "media time before anything is shown"
+	)
 	for tick in 120:
 		await move(branches[0], 1.0 / Engine.physics_ticks_per_second)
 		if branches[1].synchronizer.get_media_time(1) > 0.1:
@@ -200,11 +231,22 @@ func test_media_time_tells_what_is_shown_on_the_senders_clock() -> void:
 		await move(branches[0], 1.0 / Engine.physics_ticks_per_second)
 		var shown := branches[1].synchronizer.get_media_time(1)
 		var behind := branches[0].synchronizer.get_media_time(1) - shown
-		expect_true(shown > 0.0 and behind > 0.0 and behind < 0.5, "shown %.3f s being %.3f s behind" % [shown, behind])
+		expect_true(
+			shown > 0.0 and behind > 0.0 and behind < 0.5,
+			"shown %.3f s being %.3f s behind" % [shown, behind]
+		)
 		# Its own pose of that time: the mover is one tick ahead of what its synchronizer has sampled.
-		var then := default_pose(branches[0].get_body(0).name, time - behind - 1.0 / Engine.physics_ticks_per_second)
+		var then := default_pose(
+			branches[0].get_body(0).name, time - behind - 1.0 / Engine.physics_ticks_per_second
+		)
 		distances.append(branches[1].get_body(0).position.distance_to(then.origin))
 	# A busy machine may leave out ticks or frames between the two looks; most of the time it does not.
 	distances.sort()
-	expect_true(distances[15] < 0.008, "a median distance of %.1f mm from where the body was at that time" % (distances[15] * 1000.0))
+	expect_true(
+		distances[15] < 0.008,
+		(
+			"a median distance of %.1f mm from where the body was at that time"
+			% (distances[15] * 1000.0)
+		)
+	)
 	expect_near(branches[1].synchronizer.get_media_time(77), 0.0, 0.0, "media time of a stranger")

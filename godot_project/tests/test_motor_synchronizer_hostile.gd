@@ -19,7 +19,12 @@ func test_motion_from_a_peer_that_owns_nothing() -> void:
 		branches[1].api.send_bytes(packet, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 	await _bombard(branches[1], branches[0], 300, MOTION)
 	await _expect_unmoved(branches[0])
-	_expect_rejections(branches[0], branches[1], "Packet refused: its sender is the authority of no target here (", 300 + _seen.size())
+	_expect_rejections(
+		branches[0],
+		branches[1],
+		"Packet refused: its sender is the authority of no target here (",
+		300 + _seen.size()
+	)
 	# The other client notices nothing.
 	await expect_motion(0.3, [branches[2]])
 	expect_equal(branches[2].rejections, [] as Array[Array], "what the other client rejected")
@@ -34,8 +39,14 @@ func test_nonsense_from_the_authority() -> void:
 	var sent := 0
 	for packet: PackedByteArray in _seen.slice(0, 20):
 		# Cut, damaged, lengthened.
-		for variant: PackedByteArray in [packet.slice(0, maxi(5, packet.size() / 2)), _damaged(packet, random), packet + PackedByteArray([1, 2, 3, 4, 5, 6])]:
-			branches[0].api.send_bytes(variant, branches[1].api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+		for variant: PackedByteArray in [
+			packet.slice(0, maxi(5, packet.size() / 2)),
+			_damaged(packet, random),
+			packet + PackedByteArray([1, 2, 3, 4, 5, 6])
+		]:
+			branches[0].api.send_bytes(
+				variant, branches[1].api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
+			)
 			sent += 1
 	expect_true(sent >= 12, "%d damaged packets" % sent)
 	await expect_motion(0.4, [branches[1]])
@@ -58,7 +69,13 @@ func test_answers_and_goodbyes_from_a_stranger() -> void:
 		expect_equal(rejection[0], stranger.api.get_unique_id(), "the peer")
 		var reason: String = rejection[1]
 		reasons += reason
-	expect_true(reasons.contains("it answers a stream that its sender does not get") and reasons.contains("it is malformed"), "reasons: %s" % reasons)
+	expect_true(
+		(
+			reasons.contains("it answers a stream that its sender does not get")
+			and reasons.contains("it is malformed")
+		),
+		"reasons: %s" % reasons
+	)
 	await expect_motion(0.3, [branches[1]])
 
 
@@ -86,15 +103,28 @@ func test_another_version_is_told() -> void:
 	packet[0] = packet[0] ^ 0x08
 	branches[1].api.send_bytes(packet, 1)
 	await wait_until(func() -> bool: return not branches[0].rejections.is_empty(), "a report")
-	expect_equal(branches[0].rejections, [[branches[1].api.get_unique_id(), "Packet refused: it is of another version of GA-Godot; use the same on all peers (1 since the last report)."]] as Array[Array])
+	expect_equal(
+		branches[0].rejections,
+		(
+			[
+				[
+					branches[1].api.get_unique_id(),
+					"Packet refused: it is of another version of GA-Godot; use the same on all peers (1 since the last report)."
+				]
+			]
+			as Array[Array]
+		)
+	)
 
 
 func test_what_is_somebody_elses_is_left_alone() -> void:
 	await connect_peers(1, 1)
 	var heard := PackedStringArray()
-	branches[0].api.peer_packet.connect(func(_peer: int, packet: PackedByteArray) -> void:
-		if packet[0] == 0x63:
-			heard.append(packet.get_string_from_ascii()))
+	branches[0].api.peer_packet.connect(
+		func(_peer: int, packet: PackedByteArray) -> void:
+			if packet[0] == 0x63:
+				heard.append(packet.get_string_from_ascii())
+	)
 	await move(branches[0], 0.4)
 	for i in 30:
 		branches[1].api.send_bytes(("chat %d" % i).to_ascii_buffer(), 1)
@@ -139,9 +169,11 @@ func test_rejecting_is_cheap() -> void:
 
 
 func _listen(client: NetworkBranch) -> void:
-	client.api.peer_packet.connect(func(_peer: int, packet: PackedByteArray) -> void:
-		if packet[0] == MOTION and _seen.size() < 60:
-			_seen.append(packet))
+	client.api.peer_packet.connect(
+		func(_peer: int, packet: PackedByteArray) -> void:
+			if packet[0] == MOTION and _seen.size() < 60:
+				_seen.append(packet)
+	)
 	await move(branches[0], 0.9)
 	expect_true(_seen.size() >= 4, "%d packets that the client saw" % _seen.size())
 
@@ -154,7 +186,9 @@ func _bombard(from: NetworkBranch, to: NetworkBranch, count: int, kind: int) -> 
 		var packet := _envelope(to, kind)
 		for k in random.randi_range(2, 1000):
 			packet.append(random.randi_range(0, 255))
-		from.api.send_bytes(packet, to.api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+		from.api.send_bytes(
+			packet, to.api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
+		)
 		if i % 50 == 49:
 			await move(branches[0], 0.02)
 	await move(branches[0], 0.1)
@@ -178,10 +212,14 @@ func _damaged(packet: PackedByteArray, random: RandomNumberGenerator) -> PackedB
 
 func _expect_unmoved(branch: NetworkBranch) -> void:
 	for body: Node3D in branch.synchronizer.get_active_targets():
-		expect_transform_near(body.transform, default_pose(body.name, time), 1e-5, "transform of %s" % body.name)
+		expect_transform_near(
+			body.transform, default_pose(body.name, time), 1e-5, "transform of %s" % body.name
+		)
 
 
-func _expect_rejections(branch: NetworkBranch, offender: NetworkBranch, beginning: String, least: int) -> void:
+func _expect_rejections(
+	branch: NetworkBranch, offender: NetworkBranch, beginning: String, least: int
+) -> void:
 	var peer: int = offender.api.get_unique_id()
 	var statistics := branch.synchronizer.get_statistics()
 	var peers: Dictionary = statistics["peers"]
@@ -189,7 +227,10 @@ func _expect_rejections(branch: NetworkBranch, offender: NetworkBranch, beginnin
 	var rejected: int = of_offender["rejected"]
 	expect_true(rejected >= least * 9 / 10, "%d of %d packets being rejected" % [rejected, least])
 	expect_equal(statistics["rejected"], rejected, "rejected in total")
-	expect_true(branch.rejections.size() >= 1 and branch.rejections.size() <= 8, "%d reports" % branch.rejections.size())
+	expect_true(
+		branch.rejections.size() >= 1 and branch.rejections.size() <= 8,
+		"%d reports" % branch.rejections.size()
+	)
 	for rejection in branch.rejections:
 		expect_equal(rejection[0], peer, "the peer")
 		var reason: String = rejection[1]

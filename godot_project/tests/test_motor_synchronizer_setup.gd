@@ -74,17 +74,32 @@ func test_warnings() -> void:
 	add_node(scene)
 	var node := MotorSynchronizer.new()
 	scene.add_child(node)
-	_expect_warnings(node, ["Nothing is replicated: assign \"targets\", name a \"target_group\", or call add_target() from a script."])
+	_expect_warnings(
+		node,
+		[
+			'Nothing is replicated: assign "targets", name a "target_group", or call add_target() from a script.'
+		]
+	)
 	node.targets = [^"../Nobody", ^".."]
-	_expect_warnings(node, ["targets[0] (\"../Nobody\") does not lead to a Node3D."])
+	_expect_warnings(node, ['targets[0] ("../Nobody") does not lead to a Node3D.'])
 	node.targets = []
 	node.target_group = &"empty"
-	_expect_warnings(node, ["No Node3D of this scene is in the group \"empty\". That is right only if all of them are spawned later."])
+	_expect_warnings(
+		node,
+		[
+			'No Node3D of this scene is in the group "empty". That is right only if all of them are spawned later.'
+		]
+	)
 	var body := RigidBody3D.new()
 	body.name = "Crate"
 	body.add_to_group(&"empty")
 	scene.add_child(body)
-	_expect_warnings(node, ["Crate is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds."])
+	_expect_warnings(
+		node,
+		[
+			"Crate is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds."
+		]
+	)
 	body.freeze = true
 	_expect_warnings(node, [])
 	var other := MotorSynchronizer.new()
@@ -100,7 +115,12 @@ func test_warnings() -> void:
 	scene.add_child(synchronizer)
 	_expect_warnings(node, [])
 	synchronizer.replication_config.add_property(^"Crate:position:y")
-	_expect_warnings(node, ["position of Crate is replicated by the MultiplayerSynchronizer Sync too; remove it there."])
+	_expect_warnings(
+		node,
+		[
+			"position of Crate is replicated by the MultiplayerSynchronizer Sync too; remove it there."
+		]
+	)
 
 
 func test_two_nodes_in_one_branch() -> void:
@@ -129,24 +149,48 @@ func test_transforms_that_are_no_poses() -> void:
 	var node := String(branches[0].synchronizer.get_path())
 	var sound := body.transform
 	await tree.physics_frame
-	expect_error("MotorSynchronizer %s: the transform of %s has a value that is not finite (NaN or infinity); check where it was computed. What others see of it stays as it was." % [node, path])
+	expect_error(
+		(
+			"MotorSynchronizer %s: the transform of %s has a value that is not finite (NaN or infinity); check where it was computed. What others see of it stays as it was."
+			% [node, path]
+		)
+	)
 	body.transform = Transform3D(Basis.IDENTITY, Vector3(NAN, 0, 0))
 	await tree.create_timer(SETTLE).timeout
-	expect_vector_near(branches[1].get_body(0).position, sound.origin, 0.006, "what others see of it")
+	expect_vector_near(
+		branches[1].get_body(0).position, sound.origin, 0.006, "what others see of it"
+	)
 	body.transform = sound
 	await tree.create_timer(0.1).timeout
-	expect_error("MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which no motor can express; mirror a child node instead. What others see of it stays as it was." % [node, path])
+	expect_error(
+		(
+			"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which no motor can express; mirror a child node instead. What others see of it stays as it was."
+			% [node, path]
+		)
+	)
 	body.scale = Vector3(-1, 1, 1)
 	await tree.create_timer(0.1).timeout
 	body.transform = sound
 	await tree.create_timer(0.1).timeout
-	expect_error("MotorSynchronizer %s: the transform of %s is farther out, or its scale is larger or smaller, than a stream can say. What others see of it stays as it was." % [node, path])
+	expect_error(
+		(
+			"MotorSynchronizer %s: the transform of %s is farther out, or its scale is larger or smaller, than a stream can say. What others see of it stays as it was."
+			% [node, path]
+		)
+	)
 	body.position = Vector3(1e30, 0, 0)
 	await tree.create_timer(0.1).timeout
 	body.transform = Transform3D.IDENTITY
 	await tree.create_timer(SETTLE).timeout
-	expect_vector_near(branches[1].get_body(0).position, Vector3.ZERO, 0.005, "the place afterwards")
-	expect_warning("MotorSynchronizer %s: %s is scaled differently along its axes, or sheared; others see the nearest uniform scale. Scale a child node instead." % [node, path])
+	expect_vector_near(
+		branches[1].get_body(0).position, Vector3.ZERO, 0.005, "the place afterwards"
+	)
+	expect_warning(
+		(
+			"MotorSynchronizer %s: %s is scaled differently along its axes, or sheared; others see the nearest uniform scale. Scale a child node instead."
+			% [node, path]
+		)
+	)
 	body.scale = Vector3(1, 2, 3)
 	await tree.create_timer(SETTLE).timeout
 	expect_vector_near(branches[1].get_body(0).scale, Vector3.ONE * 2.0, 0.01, "scale")
@@ -157,7 +201,9 @@ func test_the_transform_is_in_the_parents_space() -> void:
 	branches[0].world.position = Vector3(50, 0, 0)
 	branches[1].world.position = Vector3(0, 70, 0)
 	await expect_motion(0.2, [branches[1]])
-	expect_vector_near(branches[1].get_body(0).global_position, Vector3(0, 70, 0), 3.0, "in the world")
+	expect_vector_near(
+		branches[1].get_body(0).global_position, Vector3(0, 70, 0), 3.0, "in the world"
+	)
 
 
 func _expect_warnings(node: MotorSynchronizer, expected: Array) -> void:

@@ -9,7 +9,11 @@ func test_targets_by_path() -> void:
 		branch.synchronizer.targets = [^"../Body1"]
 	await expect_motion(0.3, [branches[1]])
 	for branch in branches:
-		expect_equal(branch.synchronizer.get_active_targets(), [branch.get_body(1)] as Array[Node3D], "targets")
+		expect_equal(
+			branch.synchronizer.get_active_targets(),
+			[branch.get_body(1)] as Array[Node3D],
+			"targets"
+		)
 		expect_equal(branch.synchronizer.targets, [^"../Body1"] as Array[NodePath], "paths")
 
 
@@ -19,7 +23,11 @@ func test_targets_by_call() -> void:
 		branch.synchronizer.target_group = &""
 	await wait_frames(10)
 	for branch in branches:
-		expect_equal(branch.synchronizer.get_active_targets(), [] as Array[Node3D], "targets without the group")
+		expect_equal(
+			branch.synchronizer.get_active_targets(),
+			[] as Array[Node3D],
+			"targets without the group"
+		)
 		branch.changes.clear()
 		branch.synchronizer.add_target(branch.get_body(0))
 		branch.synchronizer.add_target(branch.get_body(0))
@@ -36,7 +44,11 @@ func test_a_member_of_the_group_can_be_taken_out_and_back() -> void:
 	var body := branches[0].get_body(1)
 	branches[0].synchronizer.remove_target(body)
 	await move(branches[0], 0.4)
-	expect_equal(branches[0].synchronizer.get_active_targets(), [branches[0].get_body(0)] as Array[Node3D], "targets")
+	expect_equal(
+		branches[0].synchronizer.get_active_targets(),
+		[branches[0].get_body(0)] as Array[Node3D],
+		"targets"
+	)
 	branches[0].synchronizer.add_target(body)
 	await expect_motion(0.3, [branches[1]])
 
@@ -53,7 +65,13 @@ func test_members_join_and_leave_the_group() -> void:
 		# In one frame one leaves and one comes, so that their number stays the same.
 		branch.get_body(7).remove_from_group(&"bodies")
 		branch.add_body("Body8")
-	await wait_until(func() -> bool: return branches.all(func(branch: NetworkBranch) -> bool: return branch.changes.size() == 3), "the change being noticed")
+	await wait_until(
+		func() -> bool:
+			return branches.all(
+				func(branch: NetworkBranch) -> bool: return branch.changes.size() == 3
+			),
+		"the change being noticed"
+	)
 	for branch in branches:
 		var changes := Array(branch.changes).slice(1)
 		changes.sort()
@@ -103,7 +121,10 @@ func test_beside_a_multiplayer_spawner() -> void:
 	await expect_motion(0.2, [branches[1]])
 	expect_equal(branches[1].synchronizer.get_active_targets().size(), 3, "targets of the client")
 	branches[0].get_body(1).free()
-	await wait_until(func() -> bool: return branches[1].synchronizer.get_active_targets().size() == 2, "the client's node being gone")
+	await wait_until(
+		func() -> bool: return branches[1].synchronizer.get_active_targets().size() == 2,
+		"the client's node being gone"
+	)
 	spawners[0].spawn(1)
 	await expect_motion(0.2, [branches[1]])
 	expect_equal(branches[1].synchronizer.get_active_targets().size(), 3, "targets of the client")
@@ -132,12 +153,20 @@ func test_a_target_goes_to_another_parent() -> void:
 	var renamed: Node3D = branches[1].world.get_node("Boat/Body1")
 	var place := renamed.position
 	await move(branches[0], 0.2)
-	expect_true(renamed.position.distance_to(place) > 0.02, "motion of the body on the renamed node")
+	expect_true(
+		renamed.position.distance_to(place) > 0.02, "motion of the body on the renamed node"
+	)
 
 
 func test_each_peer_moves_its_own() -> void:
 	await connect_peers(2, 3)
-	await wait_until(func() -> bool: return branches[1].api.get_peers().size() == 2 and branches[2].api.get_peers().size() == 2, "clients knowing each other")
+	await wait_until(
+		func() -> bool:
+			return (
+				branches[1].api.get_peers().size() == 2 and branches[2].api.get_peers().size() == 2
+			),
+		"clients knowing each other"
+	)
 	for branch in branches:
 		for i in 3:
 			branch.get_body(i).set_multiplayer_authority(branches[i].api.get_unique_id())
@@ -149,7 +178,10 @@ func test_each_peer_moves_its_own() -> void:
 			await move(mover, 1.0 / 60.0)
 			for watched in branches:
 				if watched != mover:
-					expect_true(distance_from_path(watched.get_body(branches.find(mover))) < 0.008, "%s showing %s's body on its path" % [watched.root.name, mover.root.name])
+					expect_true(
+						distance_from_path(watched.get_body(branches.find(mover))) < 0.008,
+						"%s showing %s's body on its path" % [watched.root.name, mover.root.name]
+					)
 		expect_true(mover.get_body(branches.find(mover)).position != Vector3.ZERO, "motion")
 	for branch in branches:
 		expect_equal(branch.rejections, [] as Array[Array], "rejections")
@@ -165,10 +197,15 @@ func test_authority_changes_hands() -> void:
 	for tick in 20:
 		await move(branches[1], 1.0 / 60.0)
 		for watched: NetworkBranch in [branches[0], branches[2]]:
-			expect_true(distance_from_path(watched.get_body(0)) < 0.008, "%s following the new authority" % watched.root.name)
+			expect_true(
+				distance_from_path(watched.get_body(0)) < 0.008,
+				"%s following the new authority" % watched.root.name
+			)
 	# Body1 stayed the server's.
 	await move(branches[0], SETTLE)
-	expect_true(distance_from_path(branches[2].get_body(1)) < 0.008, "the other body following the server")
+	expect_true(
+		distance_from_path(branches[2].get_body(1)) < 0.008, "the other body following the server"
+	)
 	for branch in branches:
 		branch.get_body(0).set_multiplayer_authority(1)
 	await expect_motion(0.3, [branches[1], branches[2]])
@@ -179,7 +216,9 @@ func test_authority_changes_hands() -> void:
 func test_teleport_is_the_authoritys() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.1)
-	expect_error("MotorSynchronizer.teleport: Body0 belongs to peer 1; only its authority can teleport it.")
+	expect_error(
+		"MotorSynchronizer.teleport: Body0 belongs to peer 1; only its authority can teleport it."
+	)
 	branches[1].synchronizer.teleport(branches[1].get_body(0))
 	expect_error("MotorSynchronizer.teleport: World is no target of Motors.")
 	branches[0].synchronizer.teleport(branches[0].world)
@@ -192,20 +231,42 @@ func test_engine_interpolation_is_put_aside() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], SETTLE)
 	var body := branches[1].get_body(0)
-	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_OFF, "mode of a body that a stream moves")
-	expect_equal(branches[0].get_body(0).physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of one's own")
+	expect_equal(
+		body.physics_interpolation_mode,
+		Node.PHYSICS_INTERPOLATION_MODE_OFF,
+		"mode of a body that a stream moves"
+	)
+	expect_equal(
+		branches[0].get_body(0).physics_interpolation_mode,
+		Node.PHYSICS_INTERPOLATION_MODE_INHERIT,
+		"mode of one's own"
+	)
 	branches[1].synchronizer.remove_target(body)
-	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode of a body left alone")
+	expect_equal(
+		body.physics_interpolation_mode,
+		Node.PHYSICS_INTERPOLATION_MODE_INHERIT,
+		"mode of a body left alone"
+	)
 	branches[1].synchronizer.add_target(body)
 	await move(branches[0], SETTLE)
-	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_OFF, "mode of a body that a stream moves again")
+	expect_equal(
+		body.physics_interpolation_mode,
+		Node.PHYSICS_INTERPOLATION_MODE_OFF,
+		"mode of a body that a stream moves again"
+	)
 	branches[1].leave()
 	await wait_frames(3)
-	expect_equal(body.physics_interpolation_mode, Node.PHYSICS_INTERPOLATION_MODE_INHERIT, "mode without a server")
+	expect_equal(
+		body.physics_interpolation_mode,
+		Node.PHYSICS_INTERPOLATION_MODE_INHERIT,
+		"mode without a server"
+	)
 	tree.physics_interpolation = false
 
 
 func _expect_no_motion(branch: NetworkBranch, index: int) -> void:
 	var place := branch.get_body(index).position
 	await move(branches[0], 0.3)
-	expect_equal(branch.get_body(index).position, place, "place of body %d of %s" % [index, branch.root.name])
+	expect_equal(
+		branch.get_body(index).position, place, "place of body %d of %s" % [index, branch.root.name]
+	)

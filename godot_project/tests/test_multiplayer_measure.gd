@@ -69,7 +69,9 @@ func test_a_truth_comes_back_from_its_bytes() -> void:
 	expect_equal(copy.tick, truth.tick, "tick")
 	expect_equal(copy.ids, truth.ids, "numbers")
 	for i: int in truth.ids.size():
-		expect_transform_near(copy.get_pose(i, 1.5), _pose(truth.ids[i], 31.5), 1e-4, "pose between two ticks")
+		expect_transform_near(
+			copy.get_pose(i, 1.5), _pose(truth.ids[i], 31.5), 1e-4, "pose between two ticks"
+		)
 
 
 func test_bytes_that_are_no_truth_are_refused() -> void:

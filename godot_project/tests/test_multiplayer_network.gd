@@ -106,7 +106,9 @@ func test_the_rate_bounds_throughput_and_delay() -> void:
 func test_the_same_seed_is_the_same_fate() -> void:
 	var conditions := _bad_conditions()
 	expect_equal(_run(conditions, 7, 2000), _run(conditions, 7, 2000), "the second run")
-	expect_true(_run(conditions, 7, 2000) != _run(conditions, 8, 2000), "another seed being another run")
+	expect_true(
+		_run(conditions, 7, 2000) != _run(conditions, 8, 2000), "another seed being another run"
+	)
 
 
 func test_what_is_lost_does_not_depend_on_the_other_conditions() -> void:
@@ -125,7 +127,9 @@ func test_conditions_change_at_once() -> void:
 	line.put(PackedByteArray([2]), 1.0)
 	line.conditions.delay = 0.0
 	line.put(PackedByteArray([3]), 1.1)
-	expect_equal(line.take(1.1), [PackedByteArray([3])] as Array[PackedByteArray], "the later packet first")
+	expect_equal(
+		line.take(1.1), [PackedByteArray([3])] as Array[PackedByteArray], "the later packet first"
+	)
 	expect_equal(line.take(1.5).size(), 1, "the delayed one after its time")
 
 
@@ -142,9 +146,17 @@ func test_the_proxy_serves_several_clients_both_ways() -> void:
 	var proxy := _make_proxy(server)
 	var clients: Array[PacketPeerUDP] = [_connect(proxy), _connect(proxy), _connect(proxy)]
 	for i: int in clients.size():
-		expect_equal(await _exchange(clients[i], server, "question %d" % i), "answer to question %d" % i, "answer")
+		expect_equal(
+			await _exchange(clients[i], server, "question %d" % i),
+			"answer to question %d" % i,
+			"answer"
+		)
 	var counts := proxy.get_counts()
-	expect_equal([counts.up_packets, counts.down_packets, counts.down_lost], [3, 3, 0], "packets up, down, lost")
+	expect_equal(
+		[counts.up_packets, counts.down_packets, counts.down_lost],
+		[3, 3, 0],
+		"packets up, down, lost"
+	)
 	expect_equal(counts.up_bytes, 30, "bytes up")
 
 
@@ -155,7 +167,11 @@ func test_the_proxy_loses_and_delays_as_told() -> void:
 	var conditions := LineConditions.new()
 	conditions.loss = 1.0
 	proxy.set_conditions(conditions)
-	expect_equal(await _exchange(client, server, "lost", 0.3), "", "answer through a line that loses everything")
+	expect_equal(
+		await _exchange(client, server, "lost", 0.3),
+		"",
+		"answer through a line that loses everything"
+	)
 	conditions = LineConditions.new()
 	conditions.delay = 0.1
 	proxy.set_conditions(conditions)
@@ -266,7 +282,9 @@ func _connect(proxy: UdpProxy) -> PacketPeerUDP:
 
 
 ## Sends a question, lets the server answer whatever it gets, and returns the answer; empty if none comes.
-func _exchange(client: PacketPeerUDP, server: PacketPeerUDP, question: String, seconds := WAIT_SECONDS) -> String:
+func _exchange(
+	client: PacketPeerUDP, server: PacketPeerUDP, question: String, seconds := WAIT_SECONDS
+) -> String:
 	client.put_packet(question.to_utf8_buffer())
 	var end := Time.get_ticks_usec() + int(seconds * 1e6)
 	while Time.get_ticks_usec() < end:

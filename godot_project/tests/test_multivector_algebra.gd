@@ -38,7 +38,9 @@ func test_basis_by_name() -> void:
 
 
 func test_basis_rejects_what_it_does_not_know() -> void:
-	expect_error("Multivector.basis: \"e6\" names no basis element; names are like \"1\", \"e3\", \"e12\", \"eo\", \"einf\", \"E\", \"I\".")
+	expect_error(
+		'Multivector.basis: "e6" names no basis element; names are like "1", "e3", "e12", "eo", "einf", "E", "I".'
+	)
 	expect_null(Multivector.basis("e6"))
 	expect_error("Multivector.basis_blade: index 32 is not in 0..31.")
 	expect_null(Multivector.basis_blade(32))
@@ -65,7 +67,9 @@ func test_coefficients_are_set_and_announced() -> void:
 
 func test_bad_coefficients_change_nothing() -> void:
 	var multivector := Multivector.basis("e12")
-	expect_error("Multivector: coefficients must be 32 numbers, not 31; their order is 1, e1 .. e5, e12 .. e45, e123 .. e345, e1234 .. e2345, e12345.")
+	expect_error(
+		"Multivector: coefficients must be 32 numbers, not 31; their order is 1, e1 .. e5, e12 .. e45, e123 .. e345, e1234 .. e2345, e12345."
+	)
 	var numbers := PackedFloat64Array()
 	numbers.resize(31)
 	multivector.coefficients = numbers
@@ -86,7 +90,12 @@ func test_a_saved_resource_keeps_its_coefficients() -> void:
 		expect_equal(ResourceSaver.save(saved, path), OK)
 		var loaded: Multivector = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
 		for i in 32:
-			expect_near(loaded.coefficients[i], saved.coefficients[i], tolerances[extension], "coefficient %d of %s" % [i, path])
+			expect_near(
+				loaded.coefficients[i],
+				saved.coefficients[i],
+				tolerances[extension],
+				"coefficient %d of %s" % [i, path]
+			)
 		DirAccess.remove_absolute(path)
 
 
@@ -113,7 +122,9 @@ func test_outer_product() -> void:
 	var e1 := Multivector.basis("e1")
 	expect_coefficients(e1.outer_product(Multivector.basis("e23")), {E123: 1.0})
 	expect_coefficients(e1.outer_product(Multivector.basis("e12")), {})
-	expect_coefficients(Multivector.basis("einf").outer_product(Multivector.basis("eo")), {E45: 1.0})
+	expect_coefficients(
+		Multivector.basis("einf").outer_product(Multivector.basis("eo")), {E45: 1.0}
+	)
 
 
 func test_inner_product_is_the_fat_dot() -> void:
@@ -139,9 +150,13 @@ func test_regressive_product() -> void:
 
 
 func test_commutator_product() -> void:
-	expect_coefficients(Multivector.basis("e12").commutator_product(Multivector.basis("e23")), {7: 1.0})
+	expect_coefficients(
+		Multivector.basis("e12").commutator_product(Multivector.basis("e23")), {7: 1.0}
+	)
 	expect_coefficients(Multivector.basis("e12").commutator_product(Multivector.basis("e45")), {})
-	expect_coefficients(Multivector.basis("e1").commutator_product(Multivector.basis("e2")), {E12: 1.0})
+	expect_coefficients(
+		Multivector.basis("e1").commutator_product(Multivector.basis("e2")), {E12: 1.0}
+	)
 
 
 func test_scalar_product() -> void:
@@ -151,7 +166,17 @@ func test_scalar_product() -> void:
 
 func test_products_reject_null() -> void:
 	var e1 := Multivector.basis("e1")
-	for method: String in ["add", "subtract", "geometric_product", "outer_product", "inner_product", "left_contraction", "right_contraction", "regressive_product", "commutator_product"]:
+	for method: String in [
+		"add",
+		"subtract",
+		"geometric_product",
+		"outer_product",
+		"inner_product",
+		"left_contraction",
+		"right_contraction",
+		"regressive_product",
+		"commutator_product"
+	]:
 		expect_error("Multivector.%s: the other multivector is null." % method)
 		var result: Multivector = e1.call(method, null)
 		expect_null(result, method)
@@ -165,7 +190,9 @@ func test_products_reject_null() -> void:
 
 func test_results_out_of_range_are_errors() -> void:
 	var huge := Multivector.scalar(1e200)
-	expect_error("Multivector: a coefficient of the result is beyond the range of 64-bit floats; scale the operands down first.")
+	expect_error(
+		"Multivector: a coefficient of the result is beyond the range of 64-bit floats; scale the operands down first."
+	)
 	expect_null(huge.geometric_product(huge))
 	expect_error("Multivector.scaled: the factor is not finite.")
 	expect_null(huge.scaled(INF))
@@ -183,9 +210,21 @@ func test_involutions() -> void:
 	}
 	for index: int in expected:
 		var blade := Multivector.basis_blade(index)
-		expect_coefficients(blade.reverse(), {index: expected[index].x}, 0.0, "reverse of blade %d" % index)
-		expect_coefficients(blade.grade_involution(), {index: expected[index].y}, 0.0, "grade involution of blade %d" % index)
-		expect_coefficients(blade.clifford_conjugate(), {index: expected[index].z}, 0.0, "conjugate of blade %d" % index)
+		expect_coefficients(
+			blade.reverse(), {index: expected[index].x}, 0.0, "reverse of blade %d" % index
+		)
+		expect_coefficients(
+			blade.grade_involution(),
+			{index: expected[index].y},
+			0.0,
+			"grade involution of blade %d" % index
+		)
+		expect_coefficients(
+			blade.clifford_conjugate(),
+			{index: expected[index].z},
+			0.0,
+			"conjugate of blade %d" % index
+		)
 
 
 func test_dual_and_undual() -> void:

@@ -5,9 +5,42 @@ extends "res://tests/framework/test_case.gd"
 const PAGE := "docs/conventions.md"
 const TABLE := "| formula | computed in | proven by |"
 ## A path, then what stands in that file: `path` `name` or `path` "name".
-const REFERENCE := "`([a-z0-9_/]+\\.[a-z]+)` (?:`([^`]+)`|\"([^\"]+)\")"
+const REFERENCE := '`([a-z0-9_/]+\\.[a-z]+)` (?:`([^`]+)`|"([^"]+)")'
 
-const ELEMENT: Array[float] = [1.5, -2, 0, 3, 0.5, -1, 2, 0, 0, 1, -1, 0, 0, 0.25, 0, 4, 0, -3, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 1, -1, 0, 0.5]
+const ELEMENT: Array[float] = [
+	1.5,
+	-2,
+	0,
+	3,
+	0.5,
+	-1,
+	2,
+	0,
+	0,
+	1,
+	-1,
+	0,
+	0,
+	0.25,
+	0,
+	4,
+	0,
+	-3,
+	0,
+	1,
+	0,
+	0,
+	0,
+	0,
+	2,
+	0,
+	0,
+	0,
+	1,
+	-1,
+	0,
+	0.5
+]
 
 
 func test_every_formula_leads_to_its_code_and_its_test() -> void:
@@ -18,16 +51,22 @@ func test_every_formula_leads_to_its_code_and_its_test() -> void:
 		var cells := row.split("|")
 		for cell: String in [cells[cells.size() - 3], cells[cells.size() - 2]]:
 			var references := pattern.search_all(cell)
-			expect_true(references.size() > 0, "a reference in \"%s\"" % cell)
+			expect_true(references.size() > 0, 'a reference in "%s"' % cell)
 			for reference in references:
-				var text := FileAccess.get_file_as_string(_repository().path_join(reference.get_string(1)))
+				var text := FileAccess.get_file_as_string(
+					_repository().path_join(reference.get_string(1))
+				)
 				var wanted := reference.get_string(2) + reference.get_string(3)
-				expect_true(text.contains(wanted), "\"%s\" standing in %s" % [wanted, reference.get_string(1)])
+				expect_true(
+					text.contains(wanted), '"%s" standing in %s' % [wanted, reference.get_string(1)]
+				)
 
 
 func test_the_order_of_coefficients() -> void:
 	var index := 0
-	for line in _page().get_slice("| index | blades |", 1).get_slice("\n\n", 0).split("\n").slice(2):
+	for line in _page().get_slice("| index | blades |", 1).get_slice("\n\n", 0).split("\n").slice(
+		2
+	):
 		for name in line.get_slice("|", 2).strip_edges().split(" "):
 			expect_coefficients(Multivector.basis(name), {index: 1.0}, 0.0, name)
 			index += 1
@@ -57,9 +96,14 @@ func test_handedness() -> void:
 
 func test_the_papers_dilator_is_the_same() -> void:
 	for scale: float in [0.25, 1.0, 3.0]:
-		var papers := Multivector.scalar(1.0).add(Multivector.basis("E").scaled((1.0 - scale) / (1.0 + scale)))
+		var papers := Multivector.scalar(1.0).add(
+			Multivector.basis("E").scaled((1.0 - scale) / (1.0 + scale))
+		)
 		expect_near(papers.get_scale(), scale, 1e-12, "scale")
-		expect_true(papers.normalized().is_equal_approx(Multivector.dilator(scale)), "equality after normalising at %s" % scale)
+		expect_true(
+			papers.normalized().is_equal_approx(Multivector.dilator(scale)),
+			"equality after normalising at %s" % scale
+		)
 
 
 func _regressive(left: String, right: String) -> Multivector:

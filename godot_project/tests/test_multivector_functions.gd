@@ -51,7 +51,9 @@ func test_normalized_repairs_a_noisy_motor() -> void:
 
 
 func test_normalized_rejects_null_elements() -> void:
-	for element: Multivector in [Multivector.point(Vector3(1, 2, 3)), Multivector.basis("einf"), Multivector.basis("eo")]:
+	for element: Multivector in [
+		Multivector.point(Vector3(1, 2, 3)), Multivector.basis("einf"), Multivector.basis("eo")
+	]:
 		expect_error("Multivector.normalized: %s." % NULL_ELEMENT)
 		expect_null(element.normalized())
 	expect_error("Multivector.normalized: Zero cannot be normalised: no multiple of it has norm 1.")
@@ -62,8 +64,12 @@ func test_inverse_of_versors() -> void:
 	expect_coefficients(Multivector.basis("e5").inverse(), {E5: -1.0})
 	expect_coefficients(Multivector.basis("e12").scaled(2.0).inverse(), {E12: -0.5})
 	var motor := Multivector.motor_from(Vector3(3, -1, 2), Quaternion(0.3, -0.5, 0.1, 0.8), 2.5)
-	expect_coefficients(motor.geometric_product(motor.inverse()), {0: 1.0}, 1e-12, "M times its inverse")
-	expect_coefficients(motor.inverse().geometric_product(motor), {0: 1.0}, 1e-12, "inverse times M")
+	expect_coefficients(
+		motor.geometric_product(motor.inverse()), {0: 1.0}, 1e-12, "M times its inverse"
+	)
+	expect_coefficients(
+		motor.inverse().geometric_product(motor), {0: 1.0}, 1e-12, "inverse times M"
+	)
 
 
 func test_inverse_of_any_element() -> void:
@@ -79,15 +85,21 @@ func test_inverse_of_any_element() -> void:
 		element.coefficients = numbers
 		var inverse := element.inverse()
 		var tolerance := 1e-11 * (1.0 + _largest(inverse))
-		expect_coefficients(element.geometric_product(inverse), {0: 1.0}, tolerance, "X times its inverse")
-		expect_coefficients(inverse.geometric_product(element), {0: 1.0}, tolerance, "inverse times X")
+		expect_coefficients(
+			element.geometric_product(inverse), {0: 1.0}, tolerance, "X times its inverse"
+		)
+		expect_coefficients(
+			inverse.geometric_product(element), {0: 1.0}, tolerance, "inverse times X"
+		)
 
 
 func test_singular_elements_have_no_inverse() -> void:
 	expect_error("Multivector.inverse: Zero has no inverse.")
 	expect_null(Multivector.new().inverse())
 	# A null vector, a point, a zero divisor: (1 + e1)(1 - e1) = 0.
-	for element: Multivector in [Multivector.basis("eo"), Multivector.point(Vector3(1, 2, 3)), _sum({0: 1.0, E1: 1.0})]:
+	for element: Multivector in [
+		Multivector.basis("eo"), Multivector.point(Vector3(1, 2, 3)), _sum({0: 1.0, E1: 1.0})
+	]:
 		expect_error("Multivector.inverse: %s." % SINGULAR)
 		expect_null(element.inverse())
 
@@ -95,16 +107,23 @@ func test_singular_elements_have_no_inverse() -> void:
 func test_exp_of_bivectors() -> void:
 	expect_coefficients(Multivector.new().exp(), {0: 1.0}, 0.0)
 	expect_coefficients(Multivector.basis("e12").scaled(-PI / 2.0).exp(), {E12: -1.0}, 1e-15)
-	expect_coefficients(Multivector.basis("e45").scaled(-log(4.0) / 2.0).exp(), {0: 1.25, E45: -0.75}, 1e-15)
+	expect_coefficients(
+		Multivector.basis("e45").scaled(-log(4.0) / 2.0).exp(), {0: 1.25, E45: -0.75}, 1e-15
+	)
 	var translation := Multivector.basis("e1").outer_product(Multivector.basis("einf")).scaled(-1.5)
-	expect_true(translation.exp().is_equal_approx(Multivector.translator(Vector3(3, 0, 0))), "exp of -t einf / 2 being the translator")
+	expect_true(
+		translation.exp().is_equal_approx(Multivector.translator(Vector3(3, 0, 0))),
+		"exp of -t einf / 2 being the translator"
+	)
 
 
 func test_exp_of_other_elements() -> void:
 	expect_coefficients(Multivector.scalar(1.0).exp(), {0: exp(1.0)}, 1e-15)
 	# e1^2 = 1, so that exp(e1) = cosh 1 + sinh 1 e1.
 	expect_coefficients(Multivector.basis("e1").exp(), {0: cosh(1.0), E1: sinh(1.0)}, 1e-14)
-	expect_error("Multivector.exp: The exponential leaves the range of double: make the element smaller.")
+	expect_error(
+		"Multivector.exp: The exponential leaves the range of double: make the element smaller."
+	)
 	expect_null(Multivector.scalar(1000.0).exp())
 
 
@@ -129,7 +148,10 @@ func test_log_of_what_others_fail_at() -> void:
 	expect_coefficients(Multivector.scalar(1.0).log(), {}, 0.0)
 	expect_coefficients(Multivector.basis("e12").log(), {E12: PI / 2.0}, 1e-15)
 	var motor := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 2.0), 1.5)
-	expect_true(motor.log().is_equal_approx(motor.scaled(-1.0).log()), "equality of the logarithms of M and -M")
+	expect_true(
+		motor.log().is_equal_approx(motor.scaled(-1.0).log()),
+		"equality of the logarithms of M and -M"
+	)
 
 
 func test_log_rejects_what_has_none() -> void:
@@ -139,17 +161,26 @@ func test_log_rejects_what_has_none() -> void:
 	expect_null(Multivector.basis("e1").log())
 	expect_error("Multivector.log: %s." % NO_VERSOR)
 	expect_null(_sum({0: 1.0, E1: 2.0}).log())
-	expect_error("Multivector.sqrt: An odd versor, or an even one with negative M M~, has whole powers only: no continuous motion reaches it.")
+	expect_error(
+		"Multivector.sqrt: An odd versor, or an even one with negative M M~, has whole powers only: no continuous motion reaches it."
+	)
 	expect_null(Multivector.basis("e1").sqrt())
 
 
 func test_sqrt_and_power_of_motors() -> void:
-	var motor := Multivector.motor_from(Vector3(1, -2, 3), Quaternion(Vector3(1, 2, 2) / 3.0, 2.5), 0.4)
+	var motor := Multivector.motor_from(
+		Vector3(1, -2, 3), Quaternion(Vector3(1, 2, 2) / 3.0, 2.5), 0.4
+	)
 	var half := motor.sqrt()
-	expect_true(half.geometric_product(half).is_equal_approx(motor), "the square of the root being M")
+	expect_true(
+		half.geometric_product(half).is_equal_approx(motor), "the square of the root being M"
+	)
 	expect_true(motor.power(0.5).is_equal_approx(half), "power 1/2 being the root")
 	var third := motor.power(1.0 / 3.0)
-	expect_true(third.geometric_product(third).geometric_product(third).is_equal_approx(motor), "the cube of the third part being M")
+	expect_true(
+		third.geometric_product(third).geometric_product(third).is_equal_approx(motor),
+		"the cube of the third part being M"
+	)
 	expect_true(motor.power(-1.0).is_equal_approx(motor.inverse()), "power -1 being the inverse")
 	expect_coefficients(motor.power(0.0), {0: 1.0}, 1e-15)
 
@@ -157,7 +188,9 @@ func test_sqrt_and_power_of_motors() -> void:
 func test_powers_of_reflections_are_whole() -> void:
 	expect_coefficients(Multivector.basis("e1").power(3.0), {E1: 1.0}, 1e-15)
 	expect_coefficients(Multivector.basis("e5").power(-1.0), {E5: -1.0}, 1e-15)
-	expect_error("Multivector.power: An odd versor, or an even one with negative M M~, has whole powers only: no continuous motion reaches it.")
+	expect_error(
+		"Multivector.power: An odd versor, or an even one with negative M M~, has whole powers only: no continuous motion reaches it."
+	)
 	expect_null(Multivector.basis("e1").power(0.5))
 	for exponent: float in [NAN, INF]:
 		expect_error("Multivector.power: the exponent is not finite.")
@@ -174,22 +207,40 @@ func test_is_blade() -> void:
 
 func test_is_versor() -> void:
 	var motor := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 2.0)
-	for versor: Multivector in [motor, motor.scaled(-3.0), Multivector.basis("e1"), Multivector.basis("e12"), Multivector.scalar(2.0)]:
+	for versor: Multivector in [
+		motor,
+		motor.scaled(-3.0),
+		Multivector.basis("e1"),
+		Multivector.basis("e12"),
+		Multivector.scalar(2.0)
+	]:
 		expect_true(versor.is_versor(), "%s being a versor" % versor.to_text())
-	for element: Multivector in [Multivector.new(), Multivector.basis("eo"), _sum({0: 1.0, E1: 2.0}), Multivector.point(Vector3.ONE)]:
+	for element: Multivector in [
+		Multivector.new(),
+		Multivector.basis("eo"),
+		_sum({0: 1.0, E1: 2.0}),
+		Multivector.point(Vector3.ONE)
+	]:
 		expect_true(not element.is_versor(), "%s being none" % element.to_text())
 
 
 func test_is_motor() -> void:
 	expect_true(Multivector.dilator(0.01).scaled(-2.0).is_motor(), "a dilator being a motor")
-	for element: Multivector in [Multivector.new(), Multivector.basis("e1"), Multivector.basis("e45"), _sum({0: 1.0, E3: 1.0})]:
+	for element: Multivector in [
+		Multivector.new(),
+		Multivector.basis("e1"),
+		Multivector.basis("e45"),
+		_sum({0: 1.0, E3: 1.0})
+	]:
 		expect_true(not element.is_motor(), "%s being none" % element.to_text())
 
 
 func test_functions_change_no_operand() -> void:
 	var motor := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 2.0)
 	var before := motor.coefficients
-	for method: StringName in [&"normalized", &"inverse", &"exp", &"log", &"sqrt", &"reverse", &"dual"]:
+	for method: StringName in [
+		&"normalized", &"inverse", &"exp", &"log", &"sqrt", &"reverse", &"dual"
+	]:
 		var result: Multivector = motor.call(method)
 		expect_true(result != null and result != motor, "a new object of %s" % method)
 		expect_equal(motor.coefficients, before, "operand of %s" % method)

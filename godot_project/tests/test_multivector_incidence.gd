@@ -2,18 +2,24 @@ extends "res://tests/framework/test_case.gd"
 ## meet, join, projection, rejection and reflection of objects, the degenerate cases among them.
 
 const NO_BLADE := "The second element is no blade (an outer product of vectors, other than zero), so it is no object"
-const METHODS: Array[StringName] = [&"meet", &"join", &"project_onto", &"reject_from", &"reflect_in"]
+const METHODS: Array[StringName] = [
+	&"meet", &"join", &"project_onto", &"reject_from", &"reflect_in"
+]
 
 
 func test_line_and_plane() -> void:
 	var ground := Multivector.plane(Vector3.UP, 1.0)
-	var found := ground.meet(Multivector.line_through(Vector3(2, 0, 3), Vector3(2, 5, 3))).classify()
+	var found := (
+		ground.meet(Multivector.line_through(Vector3(2, 0, 3), Vector3(2, 5, 3))).classify()
+	)
 	expect_equal(found["kind"], "flat_point")
 	expect_vector_near(found["center"] as Vector3, Vector3(2, 1, 3), 1e-6)
 	# In the plane, the line itself; along it, what they have at infinity.
 	var inside := Multivector.line(Vector3(0, 1, 0), Vector3.RIGHT)
 	expect_equal(ground.meet(inside).classify()["kind"], "line")
-	expect_equal(ground.meet(Multivector.line(Vector3.ZERO, Vector3.RIGHT)).classify()["kind"], "direction")
+	expect_equal(
+		ground.meet(Multivector.line(Vector3.ZERO, Vector3.RIGHT)).classify()["kind"], "direction"
+	)
 
 
 func test_lines() -> void:
@@ -25,7 +31,9 @@ func test_lines() -> void:
 	_expect_kinds(a, a.scaled(-3.0), "line", "line")
 	# Skew lines have the point at infinity in common, and span everything.
 	var skew := Multivector.line(Vector3(0, 1, 0), Vector3.UP + Vector3.BACK)
-	expect_coefficients(a.join(skew).grade(5).subtract(a.join(skew)), {}, 1e-12, "all but grade 5 of the join")
+	expect_coefficients(
+		a.join(skew).grade(5).subtract(a.join(skew)), {}, 1e-12, "all but grade 5 of the join"
+	)
 
 
 func test_spheres_and_circles() -> void:
@@ -43,7 +51,10 @@ func test_spheres_and_circles() -> void:
 	var crossed := circle.meet(Multivector.circle(Vector3(2, 0, 0), Vector3.UP, 2.0)).classify()
 	expect_equal(crossed["kind"], "point_pair")
 	expect_equal(crossed["imaginary"], false)
-	expect_equal(circle.meet(Multivector.circle(Vector3(9, 0, 0), Vector3.UP, 1.0)).classify()["imaginary"], true)
+	expect_equal(
+		circle.meet(Multivector.circle(Vector3(9, 0, 0), Vector3.UP, 1.0)).classify()["imaginary"],
+		true
+	)
 	expect_equal(circle.meet(circle).classify()["kind"], "circle")
 
 
@@ -56,7 +67,12 @@ func test_join_of_points() -> void:
 
 
 func test_projection_and_rejection() -> void:
-	var foot := Multivector.flat_point(Vector3(1, 5, 2)).project_onto(Multivector.plane(Vector3.UP, 1.0)).classify()
+	var foot := (
+		Multivector
+		. flat_point(Vector3(1, 5, 2))
+		. project_onto(Multivector.plane(Vector3.UP, 1.0))
+		. classify()
+	)
 	expect_vector_near(foot["center"] as Vector3, Vector3(1, 1, 2), 1e-6)
 	var vector := Multivector.evaluate("e1 + e3")
 	expect_coefficients(vector.project_onto(Multivector.basis("e12")), {1: 1.0})
@@ -68,9 +84,21 @@ func test_reflection() -> void:
 	var image := sphere.reflect_in(Multivector.plane(Vector3.UP, 1.0)).classify()
 	expect_vector_near(image["center"] as Vector3, Vector3(4, -1, 0), 1e-6)
 	expect_near(image["radius"] as float, 0.5, 1e-9)
-	expect_vector_near(sphere.reflect_in(Multivector.line(Vector3.ZERO, Vector3.UP)).classify()["center"] as Vector3, Vector3(-4, 3, 0), 1e-6)
+	expect_vector_near(
+		(
+			sphere.reflect_in(Multivector.line(Vector3.ZERO, Vector3.UP)).classify()["center"]
+			as Vector3
+		),
+		Vector3(-4, 3, 0),
+		1e-6
+	)
 	# Inversion in a sphere: the distances from its centre multiply to the squared radius.
-	var inverted := Multivector.point(Vector3(4, 0, 0)).reflect_in(Multivector.sphere(Vector3.ZERO, 2.0)).classify()
+	var inverted := (
+		Multivector
+		. point(Vector3(4, 0, 0))
+		. reflect_in(Multivector.sphere(Vector3.ZERO, 2.0))
+		. classify()
+	)
 	expect_vector_near(inverted["center"] as Vector3, Vector3(1, 0, 0), 1e-6)
 
 

@@ -28,13 +28,33 @@ func test_deviation_of_two_modes() -> void:
 	var from := Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, 1.0)
 	var to := Multivector.motor_from(Vector3(2, 0, 0), Quaternion(Vector3.UP, PI / 2.0), 1.0)
 	# The arc over a chord of 2 m and a quarter turn rises by tan(22.5 degrees).
-	var found := MultivectorLerp.measure_deviation(from, to, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE, 0.0)
+	var found := MultivectorLerp.measure_deviation(
+		from, to, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE, 0.0
+	)
 	expect_near(found["distance"] as float, tan(PI / 8.0), 1e-9, "rise of the arc")
 	expect_near(found["distance_weight"] as float, 0.5, 1e-5, "where it is")
 	expect_near(found["angle"] as float, 0.0, 1e-9, "angle")
-	var with_lever := MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
-	expect_near(rad_to_deg(with_lever["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn")
-	expect_true(with_lever["distance"] as float > MultivectorLerp.measure_deviation(from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, 0.0)["distance"] as float, "a lever making it larger")
+	var with_lever := MultivectorLerp.measure_deviation(
+		from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW
+	)
+	expect_near(
+		rad_to_deg(with_lever["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn"
+	)
+	expect_true(
+		(
+			(
+				with_lever["distance"] as float
+				> (
+					MultivectorLerp
+					. measure_deviation(
+						from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, 0.0
+					)["distance"]
+				)
+			)
+			as float
+		),
+		"a lever making it larger"
+	)
 
 
 func test_the_example_of_deviations_holds() -> void:
@@ -49,25 +69,65 @@ func test_the_example_of_deviations_holds() -> void:
 func test_deviation_refuses_what_it_cannot_measure() -> void:
 	_free_unused()
 	var one := Multivector.scalar(1.0)
-	expect_error("MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from.")
-	expect_true(MultivectorLerp.measure_deviation(Multivector.basis("e1"), one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW).is_empty(), "nothing")
-	expect_error("MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from.")
-	expect_true(MultivectorLerp.measure_deviation(one, null, MultivectorLerp.LINEAR, MultivectorLerp.SCREW).is_empty(), "nothing")
+	expect_error(
+		"MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from."
+	)
+	expect_true(
+		(
+			MultivectorLerp
+			. measure_deviation(
+				Multivector.basis("e1"), one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW
+			)
+			. is_empty()
+		),
+		"nothing"
+	)
+	expect_error(
+		"MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from."
+	)
+	expect_true(
+		(
+			MultivectorLerp
+			. measure_deviation(one, null, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
+			. is_empty()
+		),
+		"nothing"
+	)
 	expect_error("MultivectorLerp.measure_deviation: the lever must be a distance of 0 or more.", 2)
 	for lever: float in [-1.0, NAN]:
-		expect_true(MultivectorLerp.measure_deviation(one, one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, lever).is_empty(), "nothing")
+		expect_true(
+			(
+				MultivectorLerp
+				. measure_deviation(one, one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, lever)
+				. is_empty()
+			),
+			"nothing"
+		)
 	expect_error("MultivectorLerp: mode 7 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
-	expect_true(MultivectorLerp.measure_deviation(one, one, 7 as MultivectorLerp.Mode, MultivectorLerp.SCREW).is_empty(), "nothing")
+	expect_true(
+		(
+			MultivectorLerp
+			. measure_deviation(one, one, 7 as MultivectorLerp.Mode, MultivectorLerp.SCREW)
+			. is_empty()
+		),
+		"nothing"
+	)
 
 
 func test_it_moves_the_target() -> void:
 	_build()
-	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]:
+	for mode: MultivectorLerp.Mode in [
+		MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+	]:
 		_lerp.mode = mode
 		for factor: float in [0.0, 0.3, 1.0]:
 			_lerp.factor = factor
-			var expected := MultivectorLerp.interpolate_transform(_start.transform, _end.transform, factor, mode)
-			expect_transform_near(_target.transform, expected, 1e-6, "mode %d at %s" % [mode, factor])
+			var expected := MultivectorLerp.interpolate_transform(
+				_start.transform, _end.transform, factor, mode
+			)
+			expect_transform_near(
+				_target.transform, expected, 1e-6, "mode %d at %s" % [mode, factor]
+			)
 
 
 func test_it_follows_ends_that_move() -> void:
@@ -86,7 +146,9 @@ func test_world_and_parent_space() -> void:
 	_target.reparent(other_parent, false)
 	_lerp.target = _lerp.get_path_to(_target)
 	_lerp.factor = 0.4
-	var expected := MultivectorLerp.interpolate_transform(_start.transform, _end.transform, 0.4, MultivectorLerp.LINEAR)
+	var expected := MultivectorLerp.interpolate_transform(
+		_start.transform, _end.transform, 0.4, MultivectorLerp.LINEAR
+	)
 	await wait_frames(2)
 	expect_transform_near(_target.global_transform, expected, 1e-4, "world space")
 	_lerp.local = true
@@ -171,7 +233,9 @@ func test_a_missing_node_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
 	var place := _target.transform
-	expect_error("MultivectorLerp: end (\"../Nowhere\") leads to no Node3D in the scene; the target stays where it is.")
+	expect_error(
+		'MultivectorLerp: end ("../Nowhere") leads to no Node3D in the scene; the target stays where it is.'
+	)
 	_lerp.end = ^"../Nowhere"
 	await wait_frames(5)
 	expect_equal(_target.transform, place)
@@ -184,7 +248,9 @@ func test_a_freed_end_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
 	var place := _target.transform
-	expect_error("MultivectorLerp: start (\"../Start\") leads to no Node3D in the scene; the target stays where it is.")
+	expect_error(
+		'MultivectorLerp: start ("../Start") leads to no Node3D in the scene; the target stays where it is.'
+	)
 	_start.free()
 	await wait_frames(5)
 	expect_equal(_target.transform, place)
@@ -192,7 +258,9 @@ func test_a_freed_end_is_reported_once() -> void:
 
 func test_a_freed_target_is_reported_once() -> void:
 	_build()
-	expect_error("MultivectorLerp: target (\"../Target\") leads to no Node3D in the scene; the target stays where it is.")
+	expect_error(
+		'MultivectorLerp: target ("../Target") leads to no Node3D in the scene; the target stays where it is.'
+	)
 	_target.free()
 	await wait_frames(5)
 	expect_equal(_lerp.factor, 0.0)
@@ -202,7 +270,9 @@ func test_a_mirrored_end_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
 	var place := _target.transform
-	expect_error("MultivectorLerp: end is mirrored (negative scale), which no motor can express; mirror a child node instead. The target stays where it is.")
+	expect_error(
+		"MultivectorLerp: end is mirrored (negative scale), which no motor can express; mirror a child node instead. The target stays where it is."
+	)
 	_end.scale = Vector3(-1, 1, 1)
 	await wait_frames(5)
 	expect_equal(_target.transform, place)
@@ -212,7 +282,9 @@ func test_what_is_no_motor_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
 	var place := _target.transform
-	expect_error("MultivectorLerp: start is no motor with positive scale; make one with Multivector.motor or motor_from. The target stays where it is.")
+	expect_error(
+		"MultivectorLerp: start is no motor with positive scale; make one with Multivector.motor or motor_from. The target stays where it is."
+	)
 	_lerp.start_motor = Multivector.basis("e1")
 	await wait_frames(5)
 	expect_equal(_target.transform, place)

@@ -5,35 +5,41 @@ const Poses := preload("res://tests/framework/poses.gd")
 
 const BAD_TRANSFORMS: Dictionary[String, Transform3D] = {
 	"has a value that is not finite (NaN or infinity); check where it was computed":
-			Transform3D(Vector3(NAN, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
+	Transform3D(Vector3(NAN, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
 	"has scale zero along an axis; a motor needs a positive scale":
-			Transform3D(Vector3(1, 0, 0), Vector3(0, 0, 0), Vector3(0, 0, 1), Vector3.ZERO),
+	Transform3D(Vector3(1, 0, 0), Vector3(0, 0, 0), Vector3(0, 0, 1), Vector3.ZERO),
 	"is mirrored (negative scale), which no motor can express; mirror a child node instead":
-			Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
+	Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
 	"is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead":
-			Transform3D(Vector3(1, 0, 0), Vector3(0, 2, 0), Vector3(0, 0, 1), Vector3.ZERO),
+	Transform3D(Vector3(1, 0, 0), Vector3(0, 2, 0), Vector3(0, 0, 1), Vector3.ZERO),
 }
 const NO_MOTOR := "Multivector.%s: this multivector is no motor with positive scale, so it has no transform."
 
 
 func test_point() -> void:
 	# p + p^2/2 einf + eo.
-	expect_coefficients(Multivector.point(Vector3(1, 2, 3)), {1: 1.0, 2: 2.0, 3: 3.0, 4: 6.5, 5: 7.5})
+	expect_coefficients(
+		Multivector.point(Vector3(1, 2, 3)), {1: 1.0, 2: 2.0, 3: 3.0, 4: 6.5, 5: 7.5}
+	)
 	expect_error("Multivector.point: the position is not finite.")
 	expect_null(Multivector.point(Vector3(INF, 0, 0)))
 
 
 func test_translator() -> void:
 	# 1 - t einf / 2.
-	expect_coefficients(Multivector.translator(Vector3(2, -4, 6)),
-			{0: 1.0, 8: -1.0, 9: -1.0, 11: 2.0, 12: 2.0, 13: -3.0, 14: -3.0})
+	expect_coefficients(
+		Multivector.translator(Vector3(2, -4, 6)),
+		{0: 1.0, 8: -1.0, 9: -1.0, 11: 2.0, 12: 2.0, 13: -3.0, 14: -3.0}
+	)
 	expect_error("Multivector.translator: the offset is not finite.")
 	expect_null(Multivector.translator(Vector3(0, NAN, 0)))
 
 
 func test_rotor() -> void:
 	# w - z e12 + y e13 - x e23, exact in single precision.
-	expect_coefficients(Multivector.rotor(Quaternion(0.5, -0.5, 0.5, 0.5)), {0: 0.5, 6: -0.5, 7: -0.5, 10: -0.5})
+	expect_coefficients(
+		Multivector.rotor(Quaternion(0.5, -0.5, 0.5, 0.5)), {0: 0.5, 6: -0.5, 7: -0.5, 10: -0.5}
+	)
 	var zero := "Multivector.rotor: the quaternion is zero or not finite; the identity is Quaternion(0, 0, 0, 1)."
 	expect_error(zero, 2)
 	expect_null(Multivector.rotor(Quaternion(0, 0, 0, 0)))
@@ -53,7 +59,12 @@ func test_a_motor_is_translator_times_rotor_times_dilator() -> void:
 	var translation := Vector3(1, -2, 3)
 	var rotation := Quaternion(Vector3(1, 2, -1).normalized(), 1.3)
 	var motor := Multivector.motor_from(translation, rotation, 2.0)
-	var product := Multivector.translator(translation).geometric_product(Multivector.rotor(rotation)).geometric_product(Multivector.dilator(2.0))
+	var product := (
+		Multivector
+		. translator(translation)
+		. geometric_product(Multivector.rotor(rotation))
+		. geometric_product(Multivector.dilator(2.0))
+	)
 	expect_true(motor.is_equal_approx(product), "equality of motor_from and the product T R D")
 	expect_true(motor.is_motor(), "is_motor of a motor")
 
@@ -63,7 +74,9 @@ func test_transforms_come_back() -> void:
 	for title: String in poses:
 		var pose: Transform3D = poses[title]
 		var size := maxf(pose.basis.x.length(), pose.origin.length())
-		expect_transform_near(Multivector.motor(pose).to_transform(), pose, 3e-7 * maxf(1.0, size), title)
+		expect_transform_near(
+			Multivector.motor(pose).to_transform(), pose, 3e-7 * maxf(1.0, size), title
+		)
 
 
 func test_random_transforms_come_back() -> void:
@@ -79,8 +92,12 @@ func test_parts_come_back_for_any_weight() -> void:
 	var rotation := Quaternion(Vector3(3, -1, 2).normalized(), 2.0)
 	for weight: float in [1.0, -1.0, 250.0, -0.004]:
 		var motor := Multivector.motor_from(translation, rotation, 0.75).scaled(weight)
-		expect_vector_near(motor.get_translation(), translation, 1e-6, "translation at weight %s" % weight)
-		expect_near(absf(motor.get_rotation().dot(rotation)), 1.0, 1e-6, "rotation at weight %s" % weight)
+		expect_vector_near(
+			motor.get_translation(), translation, 1e-6, "translation at weight %s" % weight
+		)
+		expect_near(
+			absf(motor.get_rotation().dot(rotation)), 1.0, 1e-6, "rotation at weight %s" % weight
+		)
 		expect_near(motor.get_scale(), 0.75, 1e-12, "scale at weight %s" % weight)
 
 
@@ -96,7 +113,9 @@ func test_motor_from_normalises_and_rejects() -> void:
 	expect_coefficients(motor, {0: 1.0})
 	expect_error("Multivector.motor_from: the translation is not finite.")
 	expect_null(Multivector.motor_from(Vector3(NAN, 0, 0), Quaternion.IDENTITY, 1.0))
-	expect_error("Multivector.motor_from: the rotation is zero or not finite; no rotation is Quaternion(0, 0, 0, 1).")
+	expect_error(
+		"Multivector.motor_from: the rotation is zero or not finite; no rotation is Quaternion(0, 0, 0, 1)."
+	)
 	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 0), 1.0))
 	expect_error("Multivector.motor_from: scale must be a positive number, not %f." % -1.0)
 	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, -1.0))
@@ -123,7 +142,9 @@ func test_sandwich_moves_points_as_the_transform_does() -> void:
 
 func test_only_versors_transform() -> void:
 	var mixed := Multivector.scalar(1.0).add(Multivector.basis("e1").scaled(2.0))
-	expect_error("Multivector.sandwich: this multivector is no versor (even or odd, with an inverse), so it transforms nothing.")
+	expect_error(
+		"Multivector.sandwich: this multivector is no versor (even or odd, with an inverse), so it transforms nothing."
+	)
 	expect_null(mixed.sandwich(Multivector.basis("e2")))
 
 

@@ -24,13 +24,35 @@ func test_objects_come_back() -> void:
 		var near := 1e-5 * size
 		_expect_class(Multivector.point(a), "point", {"center": a}, near)
 		_expect_class(Multivector.flat_point(a), "flat_point", {"center": a}, near)
-		_expect_class(Multivector.point_pair(a, b), "point_pair",
-				{"center": (a + b) / 2.0, "radius": a.distance_to(b) / 2.0, "direction": (b - a).normalized()}, near)
+		_expect_class(
+			Multivector.point_pair(a, b),
+			"point_pair",
+			{
+				"center": (a + b) / 2.0,
+				"radius": a.distance_to(b) / 2.0,
+				"direction": (b - a).normalized()
+			},
+			near
+		)
 		_expect_class(Multivector.line(a, normal * 3.0), "line", {"direction": normal}, near)
-		_expect_class(Multivector.line_through(a, b), "line", {"direction": (b - a).normalized()}, near)
-		_expect_class(Multivector.circle(a, normal * 2.0, radius), "circle", {"center": a, "radius": radius, "normal": normal}, near)
-		_expect_class(Multivector.plane(normal * 5.0, radius), "plane", {"normal": normal, "distance": radius}, near)
-		_expect_class(Multivector.sphere(a, radius), "sphere", {"center": a, "radius": radius}, near)
+		_expect_class(
+			Multivector.line_through(a, b), "line", {"direction": (b - a).normalized()}, near
+		)
+		_expect_class(
+			Multivector.circle(a, normal * 2.0, radius),
+			"circle",
+			{"center": a, "radius": radius, "normal": normal},
+			near
+		)
+		_expect_class(
+			Multivector.plane(normal * 5.0, radius),
+			"plane",
+			{"normal": normal, "distance": radius},
+			near
+		)
+		_expect_class(
+			Multivector.sphere(a, radius), "sphere", {"center": a, "radius": radius}, near
+		)
 
 
 func test_objects_through_points_contain_them() -> void:
@@ -62,12 +84,18 @@ func test_weight_and_sign_leave_the_object_as_it_is() -> void:
 
 
 func test_points_on_one_line_give_the_line_and_say_so() -> void:
-	expect_warning("Multivector.circle_through: the points lie on one straight line, so the result is that line.")
+	expect_warning(
+		"Multivector.circle_through: the points lie on one straight line, so the result is that line."
+	)
 	var line := Multivector.circle_through(Vector3(0, 1, 0), Vector3(1, 1, 0), Vector3(5, 1, 0))
 	_expect_class(line, "line", {}, 0.0)
 	_expect_on(line, [Vector3(0, 1, 0), Vector3(1, 1, 0), Vector3(5, 1, 0), Vector3(-7, 1, 0)])
-	expect_warning("Multivector.sphere_through: the points lie in one plane, so the result is that plane.")
-	var plane := Multivector.sphere_through(Vector3(0, 2, 0), Vector3(1, 2, 0), Vector3(0, 2, 1), Vector3(3, 2, 3))
+	expect_warning(
+		"Multivector.sphere_through: the points lie in one plane, so the result is that plane."
+	)
+	var plane := Multivector.sphere_through(
+		Vector3(0, 2, 0), Vector3(1, 2, 0), Vector3(0, 2, 1), Vector3(3, 2, 3)
+	)
 	_expect_class(plane, "plane", {}, 0.0)
 	_expect_on(plane, [Vector3(-5, 2, 9)])
 
@@ -81,21 +109,36 @@ func test_constructors_reject_what_spans_nothing() -> void:
 		&"point_pair": {COINCIDENT: [[a, a]], NOT_FINITE: [[a, bad]]},
 		&"line": {NO_DIRECTION: [[a, Vector3.ZERO]], NOT_FINITE: [[bad, a], [a, bad]]},
 		&"line_through": {COINCIDENT: [[a, a]], NOT_FINITE: [[bad, a]]},
-		&"circle": {NO_NORMAL: [[a, Vector3.ZERO, 1.0]], NO_RADIUS: [[a, b, 0.0], [a, b, -1.0], [a, b, NAN]],
-				NOT_FINITE: [[bad, b, 1.0], [a, bad, 1.0]]},
+		&"circle":
+		{
+			NO_NORMAL: [[a, Vector3.ZERO, 1.0]],
+			NO_RADIUS: [[a, b, 0.0], [a, b, -1.0], [a, b, NAN]],
+			NOT_FINITE: [[bad, b, 1.0], [a, bad, 1.0]]
+		},
 		&"circle_through": {COINCIDENT: [[a, a, b], [a, b, b]], NOT_FINITE: [[a, b, bad]]},
 		&"plane": {NO_NORMAL: [[Vector3.ZERO, 1.0]], NOT_FINITE: [[a, INF], [bad, 1.0]]},
-		&"plane_through": {COLLINEAR: [[a, a, b], [Vector3.ZERO, Vector3.RIGHT, Vector3(3, 0, 0)]], NOT_FINITE: [[a, b, bad]]},
+		&"plane_through":
+		{
+			COLLINEAR: [[a, a, b], [Vector3.ZERO, Vector3.RIGHT, Vector3(3, 0, 0)]],
+			NOT_FINITE: [[a, b, bad]]
+		},
 		&"sphere": {NO_RADIUS: [[a, 0.0], [a, -2.0], [a, INF]], NOT_FINITE: [[bad, 1.0]]},
-		&"sphere_through": {COINCIDENT: [[a, a, b, Vector3.ZERO]], NOT_FINITE: [[a, b, Vector3.ZERO, bad]],
-				CONCYCLIC: [[Vector3.RIGHT, Vector3.UP, Vector3.LEFT, Vector3.DOWN]]},
+		&"sphere_through":
+		{
+			COINCIDENT: [[a, a, b, Vector3.ZERO]],
+			NOT_FINITE: [[a, b, Vector3.ZERO, bad]],
+			CONCYCLIC: [[Vector3.RIGHT, Vector3.UP, Vector3.LEFT, Vector3.DOWN]]
+		},
 	}
 	var multivector := Multivector.new()
 	for method in cases:
 		for reason: String in cases[method]:
 			for arguments: Array in cases[method][reason]:
 				expect_error("Multivector.%s: %s." % [method, reason])
-				expect_null(multivector.callv(method, arguments) as Multivector, "%s%s" % [method, arguments])
+				expect_null(
+					multivector.callv(method, arguments) as Multivector,
+					"%s%s" % [method, arguments]
+				)
 
 
 func test_classify_what_has_no_round() -> void:
@@ -103,7 +146,10 @@ func test_classify_what_has_no_round() -> void:
 	expect_equal(Multivector.basis("einf").classify()["kind"], "direction")
 	expect_equal(Multivector.evaluate("e1 ^ einf").classify()["kind"], "direction")
 	expect_equal(Multivector.evaluate("e12 + e34").classify()["kind"], "none")
-	expect_true((Multivector.evaluate("e12 + e34").classify()["residual"] as float) > 0.1, "a residual of what is no blade")
+	expect_true(
+		(Multivector.evaluate("e12 + e34").classify()["residual"] as float) > 0.1,
+		"a residual of what is no blade"
+	)
 	expect_true(not Multivector.scalar(3.0).classify().has("center"), "no centre of a number")
 
 
@@ -111,12 +157,20 @@ func test_classify_versors() -> void:
 	expect_equal(Multivector.rotor(Quaternion(Vector3.UP, 1.0)).classify()["kind"], "rotor")
 	expect_equal(Multivector.translator(Vector3.ONE).classify()["kind"], "translator")
 	expect_equal(Multivector.dilator(2.0).classify()["kind"], "dilator")
-	expect_equal(Multivector.motor_from(Vector3.ONE, Quaternion(Vector3.UP, 1.0), 2.0).classify()["kind"], "motor")
+	expect_equal(
+		Multivector.motor_from(Vector3.ONE, Quaternion(Vector3.UP, 1.0), 2.0).classify()["kind"],
+		"motor"
+	)
 
 
 func test_imaginary_rounds() -> void:
 	# The dual sphere of squared radius -4.
-	var found := Multivector.point(Vector3(1, 2, 3)).add(Multivector.basis("einf").scaled(2.0)).classify(true)
+	var found := (
+		Multivector
+		. point(Vector3(1, 2, 3))
+		. add(Multivector.basis("einf").scaled(2.0))
+		. classify(true)
+	)
 	expect_equal(found["kind"], "sphere")
 	expect_equal(found["imaginary"], true)
 	expect_near(found["radius"] as float, 2.0, 1e-12)
@@ -128,11 +182,20 @@ func test_nothing_that_is_read_is_nan() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 23
 	for i in 500:
-		var element := Multivector.basis_blade(generator.randi_range(1, 30)).scaled(pow(10.0, generator.randi_range(-30, 30)))
-		element = element.add(Multivector.basis_blade(generator.randi_range(1, 30)).scaled(pow(10.0, generator.randi_range(-30, 30))))
+		var element := Multivector.basis_blade(generator.randi_range(1, 30)).scaled(
+			pow(10.0, generator.randi_range(-30, 30))
+		)
+		element = element.add(
+			Multivector.basis_blade(generator.randi_range(1, 30)).scaled(
+				pow(10.0, generator.randi_range(-30, 30))
+			)
+		)
 		for ipns: bool in [false, true]:
 			var found := element.classify(ipns)
-			expect_true(not str(found).contains("nan") and not str(found).contains("inf,"), "%s of %s" % [found, element.to_text()])
+			expect_true(
+				not str(found).contains("nan") and not str(found).contains("inf,"),
+				"%s of %s" % [found, element.to_text()]
+			)
 
 
 ## In OPNS, and its dual in IPNS.
@@ -144,9 +207,16 @@ func _expect_class(object: Multivector, kind: String, parts: Dictionary, toleran
 		for key: String in parts:
 			if parts[key] is Vector3:
 				var unit := key in ["normal", "direction"]
-				expect_vector_near(found[key] as Vector3, parts[key] as Vector3, 1e-5 if unit else tolerance, "%s of a %s" % [key, kind])
+				expect_vector_near(
+					found[key] as Vector3,
+					parts[key] as Vector3,
+					1e-5 if unit else tolerance,
+					"%s of a %s" % [key, kind]
+				)
 			else:
-				expect_near(found[key] as float, parts[key] as float, tolerance, "%s of a %s" % [key, kind])
+				expect_near(
+					found[key] as float, parts[key] as float, tolerance, "%s of a %s" % [key, kind]
+				)
 
 
 func _expect_on(object: Multivector, points: Array[Vector3]) -> void:

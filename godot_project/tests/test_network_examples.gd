@@ -20,7 +20,10 @@ func test_motion_arrives_over_a_socket() -> void:
 	# The stream began at the first tick.
 	var truth := example.get_pose(media_time + 1.0 / Engine.physics_ticks_per_second)
 	var shown := example.receiver.get_transform(RawUdp.BODY)
-	expect_true(shown.origin.distance_to(truth.origin) < 0.04, "%.1f mm off" % (1000.0 * shown.origin.distance_to(truth.origin)))
+	expect_true(
+		shown.origin.distance_to(truth.origin) < 0.04,
+		"%.1f mm off" % (1000.0 * shown.origin.distance_to(truth.origin))
+	)
 	var bytes: int = example.sender.get_statistics(RawUdp.RECEIVER).bytes_sent
 	expect_true(bytes < 400, "%d bytes in 1.2 s" % bytes)
 	var rejected: int = example.receiver.get_statistics().packets_rejected
@@ -46,8 +49,13 @@ func test_a_recording_plays_as_it_was() -> void:
 			continue
 		var truth := Recording.get_poses(media_time)
 		for id in Recording.COUNT:
-			worst = maxf(worst, player.receiver.get_transform(id).origin.distance_to(truth[id].origin))
-	expect_true(player.receiver.get_media_time() > 1.5, "played up to %.2f s" % player.receiver.get_media_time())
+			worst = maxf(
+				worst, player.receiver.get_transform(id).origin.distance_to(truth[id].origin)
+			)
+	expect_true(
+		player.receiver.get_media_time() > 1.5,
+		"played up to %.2f s" % player.receiver.get_media_time()
+	)
 	expect_true(worst < 0.0055, "at most %.1f mm off" % (1000.0 * worst))
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(PATH))
 

@@ -20,14 +20,26 @@ func test_every_member_is_documented_as_registered() -> void:
 		var registered := reference.registered_methods()
 		expect_true(registered.size() >= 6, "methods of %s" % type)
 		for method_name in registered:
-			expect_equal(reference.methods.get(method_name, ""), registered[method_name], "signature of %s" % method_name)
+			expect_equal(
+				reference.methods.get(method_name, ""),
+				registered[method_name],
+				"signature of %s" % method_name
+			)
 		expect_equal(reference.methods.size(), registered.size(), "number of methods of %s" % type)
 		var members := reference.registered_members()
 		for member_name in members:
 			var documented: String = reference.members.get(member_name, "")
-			expect_equal(documented.get_slice(" = ", 0), members[member_name].get_slice(" = ", 0), "type of %s" % member_name)
+			expect_equal(
+				documented.get_slice(" = ", 0),
+				members[member_name].get_slice(" = ", 0),
+				"type of %s" % member_name
+			)
 			if documented.get_slice(" = ", 0) in ["int", "float"]:
-				expect_equal(documented.get_slice(" = ", 1).to_float(), members[member_name].get_slice(" = ", 1).to_float(), "default of %s" % member_name)
+				expect_equal(
+					documented.get_slice(" = ", 1).to_float(),
+					members[member_name].get_slice(" = ", 1).to_float(),
+					"default of %s" % member_name
+				)
 		var signals := reference.registered_signals()
 		signals.sort()
 		expect_equal(reference.signals, signals, "signals of %s" % type)
@@ -44,5 +56,9 @@ func test_every_example_runs() -> void:
 				count += 1
 				var parent := Node.new()
 				add_node(parent)
-				expect_equal(CodeSample.find_faults(code, parent), PackedStringArray(), "faults of the example of %s" % title)
+				expect_equal(
+					CodeSample.find_faults(code, parent),
+					PackedStringArray(),
+					"faults of the example of %s" % title
+				)
 		expect_equal(count, CLASSES[type], "examples of %s" % type)

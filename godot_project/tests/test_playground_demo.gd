@@ -44,8 +44,13 @@ func test_the_mouse_turns_moves_and_zooms_the_view() -> void:
 	expect_near(camera.global_position.y, before.origin.y, 1e-4, "height after a level drag")
 	before = camera.global_transform
 	Hands.drag(_view(), Vector2(0.5, 0.5), _view(), Vector2(0.6, 0.5), MOUSE_BUTTON_MIDDLE)
-	expect_vector_near(camera.global_basis.z, before.basis.z, 1e-5, "direction of the view after moving along")
-	expect_true((camera.global_position - before.origin).normalized().dot(before.basis.x) < -0.999, "moved against the drag")
+	expect_vector_near(
+		camera.global_basis.z, before.basis.z, 1e-5, "direction of the view after moving along"
+	)
+	expect_true(
+		(camera.global_position - before.origin).normalized().dot(before.basis.x) < -0.999,
+		"moved against the drag"
+	)
 	var distance := camera.position.z
 	Hands.click(_view(), MOUSE_BUTTON_WHEEL_UP)
 	expect_near(camera.position.z, distance / 1.1, 1e-4, "distance after a step of the wheel")
@@ -55,11 +60,23 @@ func test_objects_are_selected_and_dragged_in_the_view() -> void:
 	await _open_with({"A": "point(0, 0, 0)", "s": "sphere(A, 1)"})
 	var place := _demo.get_viewport_camera().unproject_position(Vector3.ZERO)
 	_drag_in_view(place, place)
-	expect_equal(_demo.panel.list.selection, PackedStringArray(["A"]), "selection after a click at the point")
+	expect_equal(
+		_demo.panel.list.selection, PackedStringArray(["A"]), "selection after a click at the point"
+	)
 	_drag_in_view(place, place + Vector2(120, 0))
 	var to: Vector3 = _scene().get_parameters("A")["position"]
-	expect_vector_near(Vector3(_demo.get_viewport_camera().unproject_position(to).x, 0, 0), Vector3(place.x + 120.0, 0, 0), 1.0, "where the point is seen")
-	expect_vector_near(_scene().get_value("s").classify()["center"] as Vector3, to, 1e-5, "centre of what depends on it")
+	expect_vector_near(
+		Vector3(_demo.get_viewport_camera().unproject_position(to).x, 0, 0),
+		Vector3(place.x + 120.0, 0, 0),
+		1.0,
+		"where the point is seen"
+	)
+	expect_vector_near(
+		_scene().get_value("s").classify()["center"] as Vector3,
+		to,
+		1e-5,
+		"centre of what depends on it"
+	)
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_scene().get_expression("A"), "point(0, 0, 0)", "after one undo of the drag")
 
@@ -68,11 +85,20 @@ func test_a_kind_is_chosen_and_added_by_clicks() -> void:
 	await _open_empty()
 	var menu := _demo.find_child("Adding", true, false) as MenuButton
 	menu.get_popup().index_pressed.emit(5)
-	expect_equal((_demo.find_child("Keys", true, false) as Label).text.begins_with("Click to add: Sphere"), true, "what is told")
+	expect_equal(
+		(_demo.find_child("Keys", true, false) as Label).text.begins_with("Click to add: Sphere"),
+		true,
+		"what is told"
+	)
 	var place := _demo.get_viewport_camera().unproject_position(Vector3(1, 0, 2))
 	_drag_in_view(place, place)
 	expect_equal(_scene().get_value("s1").classify()["kind"], "sphere", "what is added")
-	expect_vector_near(_scene().get_value("s1").classify()["center"] as Vector3, Vector3(1, 0, 2), 0.02, "its place on the ground")
+	expect_vector_near(
+		_scene().get_value("s1").classify()["center"] as Vector3,
+		Vector3(1, 0, 2),
+		0.02,
+		"its place on the ground"
+	)
 	Hands.press_key(_window(), KEY_ESCAPE)
 	_drag_in_view(place + Vector2(0, 150), place + Vector2(0, 150))
 	expect_equal(_names(), ["s1"], "entries after Escape and a click")
@@ -85,10 +111,16 @@ func test_an_example_is_opened_from_its_menu() -> void:
 	expect_true(examples.visible, "the menu being open")
 	examples.hide()
 	examples.id_pressed.emit(0)
-	expect_equal(_demo.panel.document.scene.get_scene_attribute("title"), "Circle through three points", "title of what is shown")
+	expect_equal(
+		_demo.panel.document.scene.get_scene_attribute("title"),
+		"Circle through three points",
+		"title of what is shown"
+	)
 	expect_true((_demo.panel.top.get_node(^"Description") as Control).visible, "a description")
 	var view := ViewPoint.of(_scene())
-	expect_vector_near(_demo.get_viewport_camera().global_position, view.from, 1e-3, "where it is looked at from")
+	expect_vector_near(
+		_demo.get_viewport_camera().global_position, view.from, 1e-3, "where it is looked at from"
+	)
 
 
 func test_f_frames_the_selection() -> void:
@@ -98,7 +130,9 @@ func test_f_frames_the_selection() -> void:
 	Hands.press_key(_window(), KEY_F)
 	var camera := _demo.get_viewport_camera()
 	var seen := camera.global_transform.affine_inverse() * Vector3(10, 20, 30)
-	expect_vector_near(Vector3(seen.x, seen.y, 0.0), Vector3.ZERO, 1e-3, "the sphere's place in the view")
+	expect_vector_near(
+		Vector3(seen.x, seen.y, 0.0), Vector3.ZERO, 1e-3, "the sphere's place in the view"
+	)
 	expect_true(-seen.z > 5.0 and -seen.z < 20.0, "distance: %s" % -seen.z)
 
 
@@ -108,7 +142,10 @@ func test_colours_are_darker_before_a_light_background() -> void:
 	var dark := node.color
 	_demo.set_light(true)
 	expect_near(node.color.h, dark.h, 1e-3, "hue in the light")
-	expect_true(node.color.v < 0.9 * dark.v, "value in the light: %s, in the dark: %s" % [node.color.v, dark.v])
+	expect_true(
+		node.color.v < 0.9 * dark.v,
+		"value in the light: %s, in the dark: %s" % [node.color.v, dark.v]
+	)
 	_demo.set_light(false)
 	expect_equal(node.color, dark, "colour in the dark again")
 
@@ -125,7 +162,11 @@ func test_unsaved_work_is_there_at_the_next_start() -> void:
 	await wait_frames(2)
 	expect_equal(_scene().to_json(), text, "the document")
 	expect_true(_demo.panel.document.is_unsaved(), "still unsaved")
-	expect_equal(_demo.theme.get_color(&"font_color", &"Editor"), PlaygroundTheme.palette(true)[&"text"], "the light look")
+	expect_equal(
+		_demo.theme.get_color(&"font_color", &"Editor"),
+		PlaygroundTheme.palette(true)[&"text"],
+		"the light look"
+	)
 	_demo.state_path = ""
 	DirAccess.remove_absolute(STATE)
 
@@ -141,9 +182,15 @@ func test_escape_first_clears_the_selection() -> void:
 func test_themes_have_what_the_panel_asks_for() -> void:
 	for light: bool in [false, true]:
 		var theme := PlaygroundTheme.make(light)
-		for icon: StringName in [&"GuiVisibilityVisible", &"GuiVisibilityHidden", &"GuiTabMenuHl", &"StatusError"]:
+		for icon: StringName in [
+			&"GuiVisibilityVisible", &"GuiVisibilityHidden", &"GuiTabMenuHl", &"StatusError"
+		]:
 			expect_true(theme.has_icon(icon, &"EditorIcons"), "icon %s" % icon)
-			expect_equal(theme.get_icon(icon, &"EditorIcons").get_size(), Vector2(16, 16), "size of %s" % icon)
+			expect_equal(
+				theme.get_icon(icon, &"EditorIcons").get_size(),
+				Vector2(16, 16),
+				"size of %s" % icon
+			)
 		for color: StringName in [&"font_color", &"error_color", &"accent_color"]:
 			expect_true(theme.has_color(color, &"Editor"), "colour %s" % color)
 		expect_true(theme.has_stylebox(&"selected", &"Tree"), "the selection's box")

@@ -13,7 +13,11 @@ func test_an_expression_is_typed() -> void:
 	Hands.click(line)
 	Hands.type(_window(), "s = sphere(e1, 2")
 	await wait_frames(1)
-	expect_equal((_part("Typing/Words") as Label).text, "column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is still open", "what is told while typing")
+	expect_equal(
+		(_part("Typing/Words") as Label).text,
+		"column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is still open",
+		"what is told while typing"
+	)
 	Hands.type(_window(), ")")
 	Hands.press_key(_window(), KEY_ENTER)
 	expect_equal(_names(), ["s"], "entries")
@@ -43,7 +47,9 @@ func test_keys_rename_move_and_delete_the_selection() -> void:
 	expect_true(question.visible, "a question before what others depend on goes")
 	question.get_ok_button().pressed.emit()
 	expect_equal(_names(), ["b"], "names after the answer")
-	expect_equal(_scene().get_error("b"), "column 1: there is no entry 'a'", "error of what lost it")
+	expect_equal(
+		_scene().get_error("b"), "column 1: there is no entry 'a'", "error of what lost it"
+	)
 
 
 func test_coefficients_are_dragged_and_typed() -> void:
@@ -77,7 +83,9 @@ func test_coefficients_show_the_grade_that_is_there() -> void:
 	await wait_frames(4)
 	var field := panel.find_child("e1235", true, false) as Control
 	expect_true(field.get_global_rect().intersects(panel.get_global_rect()), "e1235 in view")
-	expect_true(panel.get_global_rect().end.y <= _demo.panel.get_global_rect().end.y, "the panel in view")
+	expect_true(
+		panel.get_global_rect().end.y <= _demo.panel.get_global_rect().end.y, "the panel in view"
+	)
 
 
 func test_a_row_is_dragged_to_another_place() -> void:
@@ -86,18 +94,28 @@ func test_a_row_is_dragged_to_another_place() -> void:
 	var first := _row("a").find_child("Name", true, false) as Control
 	Hands.drag(last, Vector2(0.3, 0.5), first, Vector2(0.5, 0.2))
 	expect_equal(_names(), ["d", "a", "b", "c"], "order after dragging the last to the top")
-	Hands.drag(_row("d").find_child("Words", true, false) as Control, Vector2(0.3, 0.5), _row("b"), Vector2(0.6, 0.95))
+	Hands.drag(
+		_row("d").find_child("Words", true, false) as Control,
+		Vector2(0.3, 0.5),
+		_row("b"),
+		Vector2(0.6, 0.95)
+	)
 	expect_equal(_names(), ["a", "b", "d", "c"], "order after dragging it down by two")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_names(), ["d", "a", "b", "c"], "order after one undo")
 	await wait_frames(3)
 	for row in _demo.panel.list.get_rows():
-		expect_true((row.find_child("Words", true, false) as Control).size.y < 30.0, "words of %s within their row" % row.entry)
+		expect_true(
+			(row.find_child("Words", true, false) as Control).size.y < 30.0,
+			"words of %s within their row" % row.entry
+		)
 
 
 func test_a_line_shows_where_a_dragged_row_goes() -> void:
 	await _open_with({"a": "1", "b": "2"})
-	var from := Hands.place_in(_row("b").find_child("Words", true, false) as Control, Vector2(0.3, 0.5))
+	var from := Hands.place_in(
+		_row("b").find_child("Words", true, false) as Control, Vector2(0.3, 0.5)
+	)
 	var to := Hands.place_in(_row("a"), Vector2(0.4, 0.1))
 	Hands.press(_window(), from, true)
 	for step in 6:
@@ -112,22 +130,36 @@ func test_a_line_shows_where_a_dragged_row_goes() -> void:
 func test_the_range_of_a_slider_is_set_as_one_step() -> void:
 	await _open_with({"k": "2"})
 	var dialog := await _open_slider_range("k")
-	expect_equal((dialog.find_child("From", true, false) as LineEdit).text, "-5", "the smallest by default")
+	expect_equal(
+		(dialog.find_child("From", true, false) as LineEdit).text, "-5", "the smallest by default"
+	)
 	(dialog.find_child("From", true, false) as LineEdit).text = "4"
 	(dialog.find_child("To", true, false) as LineEdit).text = "3"
 	(dialog.find_child("To", true, false) as LineEdit).text_changed.emit("3")
-	expect_equal((dialog.find_child("Error", true, false) as Label).text, "From has to be less than To.", "what is wrong")
+	expect_equal(
+		(dialog.find_child("Error", true, false) as Label).text,
+		"From has to be less than To.",
+		"what is wrong"
+	)
 	expect_true(dialog.get_ok_button().disabled, "no way to set it")
 	(dialog.find_child("From", true, false) as LineEdit).text = "1"
 	(dialog.find_child("Step", true, false) as LineEdit).text = "0.5"
 	(dialog.find_child("Step", true, false) as LineEdit).text_changed.emit("0.5")
 	dialog.get_ok_button().pressed.emit()
 	var slider := _row("k").find_child("Slider", true, false) as HSlider
-	expect_equal([slider.min_value, slider.max_value, slider.step, slider.value], [1.0, 3.0, 0.5, 2.0], "the slider")
+	expect_equal(
+		[slider.min_value, slider.max_value, slider.step, slider.value],
+		[1.0, 3.0, 0.5, 2.0],
+		"the slider"
+	)
 	expect_equal(_scene().get_entry_attributes("k").size(), 3, "attributes of the entry")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_scene().get_entry_attributes("k").size(), 0, "attributes after one undo")
-	expect_equal([slider.min_value, slider.max_value, slider.step], [-5.0, 5.0, 0.01], "the slider after undo")
+	expect_equal(
+		[slider.min_value, slider.max_value, slider.step],
+		[-5.0, 5.0, 0.01],
+		"the slider after undo"
+	)
 
 
 func test_a_broken_range_of_a_slider_is_as_by_default() -> void:
@@ -151,5 +183,9 @@ func test_json_is_copied_saved_opened_and_pasted() -> void:
 	_demo.panel.file_menu.paste("[%s]" % ", ".join(_numbers(2.0)))
 	expect_equal(_scene().get_description(_names()[-1] as String), "number 2", "32 pasted numbers")
 	_demo.panel.file_menu.paste("words")
-	expect_equal(_demo.get_notice(), "The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.", "what is told")
+	expect_equal(
+		_demo.get_notice(),
+		"The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.",
+		"what is told"
+	)
 	DirAccess.remove_absolute(SAVED)

@@ -1,7 +1,9 @@
 extends "res://tests/framework/test_case.gd"
 ## The playground's view: what is under the mouse, drags and clicks, without a window.
 
-const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
+const PlaygroundDocument := preload(
+	"res://addons/ga_godot/playground/document/playground_document.gd"
+)
 const EntryEdits := preload("res://addons/ga_godot/playground/document/entry_edits.gd")
 const EntryList := preload("res://addons/ga_godot/playground/entries/entry_list.gd")
 const OwnHistory := preload("res://addons/ga_godot/playground/document/own_history.gd")
@@ -29,7 +31,9 @@ func test_a_click_selects() -> void:
 	expect_true(_click(_at(Vector3(-2, 0.5, 0)), true), "a sphere takes the click")
 	expect_equal(_list.selection, PackedStringArray(["A", "s"]), "selection with Ctrl")
 	expect_true(_click(_at(Vector3(1, 0, 0)), true), "again")
-	expect_equal(_list.selection, PackedStringArray(["s"]), "selection with Ctrl on what is selected")
+	expect_equal(
+		_list.selection, PackedStringArray(["s"]), "selection with Ctrl on what is selected"
+	)
 	expect_true(_click(_at(Vector3(3, -1, 0))), "a plane takes what is left")
 	expect_equal(_list.selection, PackedStringArray(["p"]), "selection")
 	expect_equal(_history.has_undo(), false, "steps in the history")
@@ -53,13 +57,23 @@ func test_dragging_a_point_is_one_step() -> void:
 	_show({"A": "point(1, 0, 0)", "s": "sphere(A, 1)"})
 	var followed: Array[Vector3] = []
 	var scene := _document.scene
-	_document.changed.connect(func() -> void: followed.append(scene.get_value("s").classify().center as Vector3))
+	_document.changed.connect(
+		func() -> void: followed.append(scene.get_value("s").classify().center as Vector3)
+	)
 	_drag(_at(Vector3(1, 0, 0)), _at(Vector3(2, 1, 0)))
 	expect_true(followed.size() > 4, "changes while dragging")
 	var position: Vector3 = _document.scene.get_parameters("A").position
-	expect_near(_camera.unproject_position(position).distance_to(_at(Vector3(2, 1, 0))), 0.0, 1.0, "distance in pixels")
+	expect_near(
+		_camera.unproject_position(position).distance_to(_at(Vector3(2, 1, 0))),
+		0.0,
+		1.0,
+		"distance in pixels"
+	)
 	expect_vector_near(followed[-1], position, 1e-5)
-	expect_true(_document.scene.get_expression("A").length() < 30, "an expression without needless digits: %s" % _document.scene.get_expression("A"))
+	expect_true(
+		_document.scene.get_expression("A").length() < 30,
+		"an expression without needless digits: %s" % _document.scene.get_expression("A")
+	)
 	_history.undo()
 	expect_equal(_document.scene.get_expression("A"), "point(1, 0, 0)", "expression after undo")
 	expect_equal(_history.has_undo(), false, "more steps")
@@ -73,9 +87,13 @@ func test_a_handle_that_is_not_on_the_object() -> void:
 	expect_near(normal.place.distance_to(normal.stem), 60.0, 15.0, "length of the arm in pixels")
 	var tip: Vector3 = normal.handle["place"]
 	_drag(normal.place, _at(Vector3(0, 0, tip.length())), true)
-	expect_equal(_document.scene.get_expression("c"), "circle(0, e3, 1)", "circle with another normal")
+	expect_equal(
+		_document.scene.get_expression("c"), "circle(0, e3, 1)", "circle with another normal"
+	)
 	_drag(_handle("c", "radius").place, _at(Vector3(2.02, 0, 0)), true)
-	expect_equal(_document.scene.get_expression("c"), "circle(0, e3, 2)", "circle with another radius")
+	expect_equal(
+		_document.scene.get_expression("c"), "circle(0, e3, 2)", "circle with another radius"
+	)
 
 
 func test_ctrl_snaps_and_shift_stays_on_a_level() -> void:
@@ -94,7 +112,11 @@ func test_escape_and_the_other_button_take_back() -> void:
 		expect_true(_document.scene.get_expression("A") != "point(1, 0, 0)", "dragging")
 		expect_true(_send(how), "it is taken")
 		expect_equal(_document.scene.get_expression("A"), "point(1, 0, 0)", "expression")
-		expect_equal(_send(_motion(_at(Vector3(3, 1, 0)), MOUSE_BUTTON_MASK_LEFT)), false, "the mouse afterwards")
+		expect_equal(
+			_send(_motion(_at(Vector3(3, 1, 0)), MOUSE_BUTTON_MASK_LEFT)),
+			false,
+			"the mouse afterwards"
+		)
 		_send(_button(MOUSE_BUTTON_LEFT, false, _at(Vector3(3, 1, 0))))
 		expect_equal(_document.scene.get_expression("A"), "point(1, 0, 0)", "expression afterwards")
 	expect_equal(_history.has_undo(), false, "steps in the history")
@@ -108,7 +130,12 @@ func test_an_object_is_dragged_where_it_is_taken_hold_of() -> void:
 	_drag(_at(grabbed), _at(grabbed) + Vector2(60, 0))
 	var center: Vector3 = _document.scene.get_parameters("s").center
 	expect_true(center.x > 0.5, "the sphere moved to %s" % center)
-	expect_near(_camera.unproject_position(center + grabbed).distance_to(_at(grabbed) + Vector2(60, 0)), 0.0, 2.0, "what was grabbed, in pixels from the mouse")
+	expect_near(
+		_camera.unproject_position(center + grabbed).distance_to(_at(grabbed) + Vector2(60, 0)),
+		0.0,
+		2.0,
+		"what was grabbed, in pixels from the mouse"
+	)
 
 
 func test_a_point_of_what_goes_through_points() -> void:
@@ -117,12 +144,25 @@ func test_a_point_of_what_goes_through_points() -> void:
 	_drag(_at(Vector3(2, 0, 0)), _at(Vector3(2, 0, 0)) + Vector2(0, -50))
 	var parameters := _document.scene.get_parameters("q")
 	expect_equal(parameters.a, Vector3(-2, 0, 0), "the other point")
-	expect_near(_camera.unproject_position(parameters.b as Vector3).distance_to(_at(Vector3(2, 0, 0)) + Vector2(0, -50)), 0.0, 1.5, "distance in pixels")
+	expect_near(
+		_camera.unproject_position(parameters.b as Vector3).distance_to(
+			_at(Vector3(2, 0, 0)) + Vector2(0, -50)
+		),
+		0.0,
+		1.5,
+		"distance in pixels"
+	)
 
 
 func test_what_is_computed_is_selected_and_stays() -> void:
 	_set_up()
-	_show({"A": "point(-3, 0, 0)", "B": "point(3, 0, 0)", "m": "meet(plane(e1, 0), join(A, B) ^ einf)"})
+	_show(
+		{
+			"A": "point(-3, 0, 0)",
+			"B": "point(3, 0, 0)",
+			"m": "meet(plane(e1, 0), join(A, B) ^ einf)"
+		}
+	)
 	var before := _document.scene.document
 	_drag(_at(Vector3.ZERO), _at(Vector3(1, 1, 0)))
 	expect_equal(_list.selection, PackedStringArray(["m"]), "selection")
@@ -154,9 +194,15 @@ func test_every_kind_can_be_added_anywhere() -> void:
 			_pointer.adding = kind
 			var before := _document.scene.get_entry_count()
 			_click(point)
-			expect_equal(_document.scene.get_entry_count(), before + 1, "entries after adding %s" % kind)
+			expect_equal(
+				_document.scene.get_entry_count(), before + 1, "entries after adding %s" % kind
+			)
 			var entry := _document.scene.get_names()[before]
-			expect_equal(_document.scene.get_error(entry), "", "error of %s = %s" % [entry, _document.scene.get_expression(entry)])
+			expect_equal(
+				_document.scene.get_error(entry),
+				"",
+				"error of %s = %s" % [entry, _document.scene.get_expression(entry)]
+			)
 
 
 func test_a_double_click_adds_where_nothing_is() -> void:
@@ -189,14 +235,21 @@ func test_a_node_that_is_placed_elsewhere() -> void:
 	var node := GANode3D.new()
 	node.scene = _document.scene
 	node.entry = &"A"
-	node.transform = Transform3D(Basis(Vector3.UP, PI / 2.0).scaled(Vector3.ONE * 2.0), Vector3(0, 1, 0))
+	node.transform = Transform3D(
+		Basis(Vector3.UP, PI / 2.0).scaled(Vector3.ONE * 2.0), Vector3(0, 1, 0)
+	)
 	_viewport.add_child(node)
 	_pointer.other_nodes = [node]
 	var place := node.to_global(Vector3(1, 0, 0))
 	var target := node.to_global(Vector3(1, 0.5, 1))
 	_drag(_at(place), _at(target))
 	var position: Vector3 = _document.scene.get_parameters("A").position
-	expect_near(_camera.unproject_position(node.to_global(position)).distance_to(_at(target)), 0.0, 1.0, "distance in pixels")
+	expect_near(
+		_camera.unproject_position(node.to_global(position)).distance_to(_at(target)),
+		0.0,
+		1.0,
+		"distance in pixels"
+	)
 	node.free()
 	expect_equal(_send(_motion(_at(place), 0)), false, "the mouse where it was")
 
@@ -208,7 +261,12 @@ func test_a_parallel_view() -> void:
 	_show({"A": "point(1, 0, 0)"})
 	_drag(_at(Vector3(1, 0, 0)), _at(Vector3(-2, 1, 3)))
 	var position: Vector3 = _document.scene.get_parameters("A").position
-	expect_near(_camera.unproject_position(position).distance_to(_at(Vector3(-2, 1, 3))), 0.0, 1.0, "distance in pixels")
+	expect_near(
+		_camera.unproject_position(position).distance_to(_at(Vector3(-2, 1, 3))),
+		0.0,
+		1.0,
+		"distance in pixels"
+	)
 
 
 func _set_up() -> void:

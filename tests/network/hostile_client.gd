@@ -36,7 +36,9 @@ func _initialize() -> void:
 	for i: int in OVERSIZED:
 		_noise.append(_random.randi() & 255)
 	for id: int in 50:
-		_forger.add_body(_random.randi() & 0x7fffffff, Transform3D(Basis.IDENTITY, Vector3(0.0, 50.0, 0.0)))
+		_forger.add_body(
+			_random.randi() & 0x7fffffff, Transform3D(Basis.IDENTITY, Vector3(0.0, 50.0, 0.0))
+		)
 	_forger.add_receiver(1, 0.0)
 	var packed: PackedScene = load(SCENE)
 	_demo = packed.instantiate()

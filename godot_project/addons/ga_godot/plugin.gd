@@ -58,7 +58,11 @@ func _edit(object: Object) -> void:
 
 
 func _forward_3d_gui_input(viewport_camera: Camera3D, event: InputEvent) -> int:
-	return _tool.call(&"forward_input", viewport_camera, event) if _tool != null else AFTER_GUI_INPUT_PASS
+	return (
+		_tool.call(&"forward_input", viewport_camera, event)
+		if _tool != null
+		else AFTER_GUI_INPUT_PASS
+	)
 
 
 func _forward_3d_force_draw_over_viewport(viewport_control: Control) -> void:
@@ -101,14 +105,26 @@ func _report_missing_library() -> void:
 func _describe_fault() -> String:
 	var description := ConfigFile.new()
 	if description.load(EXTENSION_PATH) != OK:
-		return "%s is missing. Copy the whole folder addons/ga_godot into the project." % EXTENSION_PATH
+		return (
+			"%s is missing. Copy the whole folder addons/ga_godot into the project."
+			% EXTENSION_PATH
+		)
 	var system := "%s %s" % [OS.get_name(), Engine.get_architecture_name()]
 	var library := _find_library(description)
 	if library.is_empty():
-		return "this version has no library for %s. See the supported systems in the addon's README." % system
+		return (
+			"this version has no library for %s. See the supported systems in the addon's README."
+			% system
+		)
 	if not FileAccess.file_exists(library):
-		return "%s is missing. Build it with scons in GA-Godot's repository, or copy the addon from a release; then restart the editor." % library
-	return "%s is there but was not loaded. Restart the editor; if that does not help, build the library anew for %s." % [library, system]
+		return (
+			"%s is missing. Build it with scons in GA-Godot's repository, or copy the addon from a release; then restart the editor."
+			% library
+		)
+	return (
+		"%s is there but was not loaded. Restart the editor; if that does not help, build the library anew for %s."
+		% [library, system]
+	)
 
 
 ## The path of the library for this system, or an empty string.
@@ -121,5 +137,9 @@ func _find_library(description: ConfigFile) -> String:
 			fits = fits and OS.has_feature(feature)
 		if fits:
 			var path: String = description.get_value("libraries", key)
-			return path if path.begins_with("res://") else EXTENSION_PATH.get_base_dir().path_join(path)
+			return (
+				path
+				if path.begins_with("res://")
+				else EXTENSION_PATH.get_base_dir().path_join(path)
+			)
 	return ""

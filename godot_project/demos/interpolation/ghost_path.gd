@@ -75,7 +75,9 @@ func show_path(from: Transform3D, to: Transform3D) -> void:
 func set_chosen(chosen: bool) -> void:
 	var color := Modes.COLORS[_mode]
 	_ghost_material.albedo_color = Color(color, CHOSEN_GHOST_ALPHA if chosen else OTHER_GHOST_ALPHA)
-	_line_material.set_shader_parameter(&"color", Color(color, CHOSEN_LINE_ALPHA if chosen else OTHER_LINE_ALPHA))
+	_line_material.set_shader_parameter(
+		&"color", Color(color, CHOSEN_LINE_ALPHA if chosen else OTHER_LINE_ALPHA)
+	)
 	_ghost_material.render_priority = 1 if chosen else 0
 	_line_material.render_priority = 1 if chosen else 0
 
@@ -97,7 +99,9 @@ func _fill(pool: MotorPool, count: int) -> PackedFloat32Array:
 	return weights
 
 
-func _interpolate(pool: MotorPool, from: Transform3D, to: Transform3D, weights: PackedFloat32Array) -> void:
+func _interpolate(
+	pool: MotorPool, from: Transform3D, to: Transform3D, weights: PackedFloat32Array
+) -> void:
 	var ends: Array[Transform3D] = []
 	ends.resize(weights.size())
 	ends.fill(from)

@@ -168,7 +168,9 @@ func _on_poses_changed() -> void:
 
 func _on_factor_changed(factor: float) -> void:
 	_lerp.factor = factor
-	_readout_panel.show_motor(MultivectorLerp.interpolate(_start_motor, _end_motor, factor, _lerp.mode))
+	_readout_panel.show_motor(
+		MultivectorLerp.interpolate(_start_motor, _end_motor, factor, _lerp.mode)
+	)
 
 
 func _on_path_toggled(mode: int, shown: bool) -> void:

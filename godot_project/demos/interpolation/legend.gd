@@ -18,7 +18,9 @@ func _ready() -> void:
 		box.button_pressed = true
 		box.tooltip_text = "Show or hide this path"
 		box.focus_mode = Control.FOCUS_NONE
-		for state: StringName in [&"font_color", &"font_hover_color", &"font_pressed_color", &"font_hover_pressed_color"]:
+		for state: StringName in [
+			&"font_color", &"font_hover_color", &"font_pressed_color", &"font_hover_pressed_color"
+		]:
 			box.add_theme_color_override(state, Modes.COLORS[mode])
 		box.toggled.connect(_on_toggled.bind(mode))
 		add_child(box)

@@ -15,7 +15,9 @@ func _init(mode := 0, group: ButtonGroup = null) -> void:
 	custom_minimum_size.y = HEIGHT
 
 	var row := HBoxContainer.new()
-	row.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, MARGIN)
+	row.set_anchors_and_offsets_preset(
+		Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, MARGIN
+	)
 	row.add_theme_constant_override(&"separation", 8)
 	row.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	add_child(row)

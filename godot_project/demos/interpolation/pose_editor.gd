@@ -35,8 +35,12 @@ func get_pose() -> DemoPose:
 func show_pose(pose: DemoPose) -> void:
 	_pose = pose.duplicate_pose()
 	var numbers: Array[float] = [
-		pose.position.x, pose.position.y, pose.position.z,
-		pose.rotation_degrees.x, pose.rotation_degrees.y, pose.rotation_degrees.z,
+		pose.position.x,
+		pose.position.y,
+		pose.position.z,
+		pose.rotation_degrees.x,
+		pose.rotation_degrees.y,
+		pose.rotation_degrees.z,
 		pose.scale,
 	]
 	for i in numbers.size():

@@ -5,14 +5,22 @@ const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes
 
 ## The coefficients that a scaled motor can have, by their index among the 32 of a multivector.
 const MOTOR_BLADES: Dictionary[String, int] = {
-	"1": 0, "e45": 15,
-	"e12": 6, "e1245": 28,
-	"e13": 7, "e1345": 29,
-	"e23": 10, "e2345": 30,
-	"e14": 8, "e15": 9,
-	"e24": 11, "e25": 12,
-	"e34": 13, "e35": 14,
-	"e1234": 26, "e1235": 27,
+	"1": 0,
+	"e45": 15,
+	"e12": 6,
+	"e1245": 28,
+	"e13": 7,
+	"e1345": 29,
+	"e23": 10,
+	"e2345": 30,
+	"e14": 8,
+	"e15": 9,
+	"e24": 11,
+	"e25": 12,
+	"e34": 13,
+	"e35": 14,
+	"e1234": 26,
+	"e1235": 27,
 }
 const PAIRS: Array[Vector2i] = [Vector2i(0, 1), Vector2i(0, 2), Vector2i(1, 2)]
 const BLADE_WIDTH := 40
@@ -52,8 +60,9 @@ func show_motor(motor: Multivector) -> void:
 ## The largest deviations over the whole path between two poses, of the centres and of the rotations.
 func show_deviations(from: Multivector, to: Multivector) -> void:
 	for i in PAIRS.size():
-		var largest := MultivectorLerp.measure_deviation(from, to,
-				PAIRS[i].x as MultivectorLerp.Mode, PAIRS[i].y as MultivectorLerp.Mode, 0.0)
+		var largest := MultivectorLerp.measure_deviation(
+			from, to, PAIRS[i].x as MultivectorLerp.Mode, PAIRS[i].y as MultivectorLerp.Mode, 0.0
+		)
 		_deviations[2 * i].text = "%.0f" % (largest["distance"] * 1000.0)
 		_deviations[2 * i + 1].text = "%.2f" % rad_to_deg(largest["angle"] as float)
 
@@ -82,10 +91,15 @@ func _make_pair_label(pair: Vector2i) -> RichTextLabel:
 	label.autowrap_mode = TextServer.AUTOWRAP_OFF
 	label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	label.add_theme_font_size_override(&"normal_font_size", 12)
-	label.text = "[color=#%s]%s[/color] [color=#8c96a8]to[/color] [color=#%s]%s[/color]" % [
-		Modes.COLORS[pair.x].to_html(false), Modes.TITLES[pair.x],
-		Modes.COLORS[pair.y].to_html(false), Modes.TITLES[pair.y],
-	]
+	label.text = (
+		"[color=#%s]%s[/color] [color=#8c96a8]to[/color] [color=#%s]%s[/color]"
+		% [
+			Modes.COLORS[pair.x].to_html(false),
+			Modes.TITLES[pair.x],
+			Modes.COLORS[pair.y].to_html(false),
+			Modes.TITLES[pair.y],
+		]
+	)
 	return label
 
 

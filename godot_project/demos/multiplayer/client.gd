@@ -91,8 +91,9 @@ func open() -> String:
 	multiplayer.multiplayer_peer = _peer
 	meter = TrafficMeter.new(_peer.host, _proxy)
 	multiplayer.connected_to_server.connect(_on_connected)
-	multiplayer.connection_failed.connect(_close.bind("No answer from the server at %s:%d." % [
-			_options.address, _options.port]))
+	multiplayer.connection_failed.connect(
+		_close.bind("No answer from the server at %s:%d." % [_options.address, _options.port])
+	)
 	multiplayer.server_disconnected.connect(_close.bind(LOST))
 	_session.welcomed.connect(_on_welcomed)
 	_session.refused.connect(_close)
@@ -182,7 +183,12 @@ func _on_connect_timeout() -> void:
 
 
 func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
-	if link != null or cubes < 1 or not Options.METHODS.has(p_method) or not Options.SCENES.has(scene):
+	if (
+		link != null
+		or cubes < 1
+		or not Options.METHODS.has(p_method)
+		or not Options.SCENES.has(scene)
+	):
 		return
 	cube_count = cubes
 	method = p_method

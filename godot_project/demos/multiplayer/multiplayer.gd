@@ -99,7 +99,9 @@ func _add_session() -> void:
 
 ## A link for each method.
 func _make_links() -> Dictionary[String, PoseLink]:
-	var links: Dictionary[String, PoseLink] = {"motors": MotorLink.new(), "synchronizer": SynchronizerLink.new()}
+	var links: Dictionary[String, PoseLink] = {
+		"motors": MotorLink.new(), "synchronizer": SynchronizerLink.new()
+	}
 	for method: String in links:
 		links[method].name = method.capitalize()
 		add_child(links[method])

@@ -86,9 +86,13 @@ func _get_drive() -> Vector2:
 	if _autopilot == "circle":
 		return Vector2.from_angle(_seconds * CIRCLE_TURN)
 	var wish := Vector2(
-			_held(KEY_D, KEY_RIGHT) - _held(KEY_A, KEY_LEFT), _held(KEY_S, KEY_DOWN) - _held(KEY_W, KEY_UP))
+		_held(KEY_D, KEY_RIGHT) - _held(KEY_A, KEY_LEFT),
+		_held(KEY_S, KEY_DOWN) - _held(KEY_W, KEY_UP)
+	)
 	return wish.limit_length(1.0).rotated(-yaw)
 
 
 func _held(key: Key, other: Key) -> float:
-	return 1.0 if Input.is_physical_key_pressed(key) or Input.is_physical_key_pressed(other) else 0.0
+	return (
+		1.0 if Input.is_physical_key_pressed(key) or Input.is_physical_key_pressed(other) else 0.0
+	)

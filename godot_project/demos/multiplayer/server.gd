@@ -79,7 +79,9 @@ func open() -> String:
 	_recorder = PoseRecorder.new(_options.record, body_count)
 	_rows.resize(body_count * 12)
 	PhysicsServer3D.space_set_active(_simulation.get_world_3d().space, false)
-	print("Server on port %d: %d cubes, method %s." % [_options.port, _options.cubes, _options.method])
+	print(
+		"Server on port %d: %d cubes, method %s." % [_options.port, _options.cubes, _options.method]
+	)
 	set_physics_process(true)
 	_begin_if_complete()
 	var looks := Timer.new()
@@ -98,7 +100,9 @@ func _exit_tree() -> void:
 func _physics_process(delta: float) -> void:
 	_tick += 1
 	if _first_tick >= 0:
-		_simulation.is_calm = _options.calm > 0.0 and _simulation.seconds >= _options.seconds - _options.calm
+		_simulation.is_calm = (
+			_options.calm > 0.0 and _simulation.seconds >= _options.seconds - _options.calm
+		)
 		_simulation.step(delta)
 	var poses := _get_poses()
 	for link: PoseLink in _links.values():
@@ -145,9 +149,19 @@ func _finish(sent_tick: float) -> void:
 	_last_tick = _tick
 	_last_sent_tick = sent_tick
 	_recorder.close()
-	print("REPORT ", JSON.stringify({
-		"role": "server", "seconds": _simulation.seconds, "rejected": _links["motors"].get_counts()["rejected"],
-	}))
+	print(
+		"REPORT ",
+		(
+			JSON
+			. stringify(
+				{
+					"role": "server",
+					"seconds": _simulation.seconds,
+					"rejected": _links["motors"].get_counts()["rejected"],
+				}
+			)
+		)
+	)
 	get_tree().create_timer(FAREWELL).timeout.connect(get_tree().quit)
 	_look_after_players()
 	_quit_if_over()

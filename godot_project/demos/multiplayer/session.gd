@@ -37,7 +37,6 @@ const LONGEST_NAME := 24
 const LEAST_TOLERANCE := 0.0005
 const MOST_TOLERANCE := 0.1
 
-
 @rpc("authority", "call_remote", "reliable")
 func welcome(scene: String, cubes: int, method: String) -> void:
 	welcomed.emit(scene, cubes, method)
@@ -86,7 +85,12 @@ func want_method(method: String) -> void:
 
 @rpc("any_peer", "call_remote", "reliable")
 func want_tuning(tolerance: float, mode: int) -> void:
-	if multiplayer.is_server() and is_finite(tolerance) and mode >= 0 and mode <= MultivectorLerp.SEPARATE:
+	if (
+		multiplayer.is_server()
+		and is_finite(tolerance)
+		and mode >= 0
+		and mode <= MultivectorLerp.SEPARATE
+	):
 		var bound := clampf(tolerance, LEAST_TOLERANCE, MOST_TOLERANCE)
 		tuning_wanted.emit(multiplayer.get_remote_sender_id(), bound, mode)
 

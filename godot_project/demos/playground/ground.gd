@@ -46,7 +46,9 @@ func fit_to(view: OrbitCamera) -> void:
 	_material().set_shader_parameter(&"coarse_spacing", spacing)
 	_material().set_shader_parameter(&"fine_spacing", spacing / 10.0)
 	# The finer lines go before the coarser ones take their place.
-	_material().set_shader_parameter(&"fine_strength", FINE_STRENGTH * (1.0 - (power - floorf(power))))
+	_material().set_shader_parameter(
+		&"fine_strength", FINE_STRENGTH * (1.0 - (power - floorf(power)))
+	)
 	_material().set_shader_parameter(&"fade_begin", distance * FADE_BEGIN)
 	_material().set_shader_parameter(&"fade_end", distance * REACH)
 

@@ -1,7 +1,9 @@
 extends RefCounted
 ## What the playground keeps from one start to the next: the document with unsaved changes, and how it looks.
 
-const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
+const PlaygroundDocument := preload(
+	"res://addons/ga_godot/playground/document/playground_document.gd"
+)
 
 const SECTION := "playground"
 

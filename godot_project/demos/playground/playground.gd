@@ -28,8 +28,13 @@ const LEAST_FRAME := 1.2
 const FRAME_MARGIN := 1.05
 ## A document to begin with, for who was never here.
 const FIRST_ENTRIES: Dictionary[String, String] = {
-	"A": "point(-1.6, 0.2, 1)", "B": "point(1.5, 0.4, 1.2)", "C": "point(0.2, 2.5, -0.8)", "k": "circle(A, B, C)",
-	"S": "sphere(point(1, 1.3, 0), 1.2)", "P": "meet(k, S)", "l": "A ^ B ^ einf",
+	"A": "point(-1.6, 0.2, 1)",
+	"B": "point(1.5, 0.4, 1.2)",
+	"C": "point(0.2, 2.5, -0.8)",
+	"k": "circle(A, B, C)",
+	"S": "sphere(point(1, 1.3, 0), 1.2)",
+	"P": "meet(k, S)",
+	"l": "A ^ B ^ einf",
 }
 
 ## Where unsaved work and the look are kept between two starts; empty: nowhere.
@@ -116,7 +121,13 @@ func get_notice() -> String:
 
 ## Moves the camera so that the selected entries fill the view, or all if none is.
 func frame_selection() -> void:
-	_frame(panel.list.selection if not panel.list.selection.is_empty() else panel.document.scene.get_names())
+	_frame(
+		(
+			panel.list.selection
+			if not panel.list.selection.is_empty()
+			else panel.document.scene.get_names()
+		)
+	)
 
 
 func _frame(entries: PackedStringArray) -> void:
@@ -148,12 +159,22 @@ func _make_panel() -> void:
 	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z)", undo, panel.add_to_head)
 	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z)", redo, panel.add_to_head)
 	%Tools.add_child(_adding_menu)
-	_add_button(_frame_button, "Frame", "Frame the selection (F)", frame_selection, %Tools.add_child)
-	_add_button(_light_button, "Light", "Light or dark", func() -> void: set_light(not _is_light), %Tools.add_child)
+	_add_button(
+		_frame_button, "Frame", "Frame the selection (F)", frame_selection, %Tools.add_child
+	)
+	_add_button(
+		_light_button,
+		"Light",
+		"Light or dark",
+		func() -> void: set_light(not _is_light),
+		%Tools.add_child
+	)
 	_show_history()
 
 
-func _add_button(button: Button, title: String, hint: String, act: Callable, place: Callable) -> void:
+func _add_button(
+	button: Button, title: String, hint: String, act: Callable, place: Callable
+) -> void:
 	button.name = title
 	button.tooltip_text = hint
 	button.theme_type_variation = &"FlatButton"
@@ -166,7 +187,14 @@ func _add_button(button: Button, title: String, hint: String, act: Callable, pla
 func _input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	var line := get_viewport().gui_get_focus_owner() as LineEdit
-	if key != null and key.pressed and key.is_command_or_control_pressed() and key.keycode in [KEY_Z, KEY_Y] and line != null and line.text.is_empty():
+	if (
+		key != null
+		and key.pressed
+		and key.is_command_or_control_pressed()
+		and key.keycode in [KEY_Z, KEY_Y]
+		and line != null
+		and line.text.is_empty()
+	):
 		_press_key(key)
 		get_viewport().set_input_as_handled()
 
@@ -221,7 +249,9 @@ func _look_at_scene() -> void:
 
 
 func _show_keys() -> void:
-	_keys.text = KEYS if _pointer.adding.is_empty() else ADDING_KEYS % NewObjects.TITLES[_pointer.adding]
+	_keys.text = (
+		KEYS if _pointer.adding.is_empty() else ADDING_KEYS % NewObjects.TITLES[_pointer.adding]
+	)
 
 
 func _on_camera_moved() -> void:

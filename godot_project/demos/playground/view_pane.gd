@@ -29,7 +29,9 @@ func _gui_input(event: InputEvent) -> void:
 
 
 func _fit() -> void:
-	var pixels := Vector2i((size * get_viewport().get_final_transform().get_scale()).round()).max(Vector2i.ONE * 2)
+	var pixels := Vector2i((size * get_viewport().get_final_transform().get_scale()).round()).max(
+		Vector2i.ONE * 2
+	)
 	viewport.size = pixels
 	viewport.size_2d_override = Vector2i(size).max(Vector2i.ONE * 2)
 	queue_redraw()

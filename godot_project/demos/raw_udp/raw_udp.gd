@@ -56,7 +56,10 @@ func _process(_delta: float) -> void:
 		_shown.transform = receiver.get_transform(BODY)
 		_shown.position.y -= 1.5
 		var bytes: int = sender.get_statistics(RECEIVER).bytes_sent
-		_label.text = "moved above, as it arrives below: %.0f bytes a second" % (bytes * Engine.physics_ticks_per_second / float(_ticks))
+		_label.text = (
+			"moved above, as it arrives below: %.0f bytes a second"
+			% (bytes * Engine.physics_ticks_per_second / float(_ticks))
+		)
 
 
 ## Where the orange cube is at a time: somewhere on a loop, turning.

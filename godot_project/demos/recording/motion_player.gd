@@ -14,7 +14,10 @@ func open(path: String) -> Error:
 	_file = FileAccess.open(path, FileAccess.READ)
 	if _file == null:
 		return FileAccess.get_open_error()
-	if _file.get_buffer(MotionRecorder.MAGIC.length()).get_string_from_ascii() != MotionRecorder.MAGIC:
+	if (
+		_file.get_buffer(MotionRecorder.MAGIC.length()).get_string_from_ascii()
+		!= MotionRecorder.MAGIC
+	):
 		_file = null
 		return ERR_FILE_UNRECOGNIZED
 	_read_packet()

@@ -26,8 +26,10 @@ func _ready() -> void:
 	for tick in int(SECONDS * rate):
 		recorder.record(float(tick) / rate, get_poses(float(tick) / rate))
 	var size := recorder.close()
-	_label.text = "%d cubes for %.0f s: %.1f kB, %.0f times less than %d float32 poses a second" % [
-			COUNT, SECONDS, size / 1000.0, COUNT * SECONDS * rate * 28.0 / size, rate]
+	_label.text = (
+		"%d cubes for %.0f s: %.1f kB, %.0f times less than %d float32 poses a second"
+		% [COUNT, SECONDS, size / 1000.0, COUNT * SECONDS * rate * 28.0 / size, rate]
+	)
 	_rewind()
 
 
@@ -53,6 +55,12 @@ static func get_poses(time: float) -> Dictionary[int, Transform3D]:
 	for id in COUNT:
 		var angle := TAU * id / COUNT
 		var radius := 2.0 + 0.5 * sin(3.0 * angle + time)
-		var at := Vector3(radius * cos(angle + 0.6 * time), 0.8 * sin(2.0 * angle + 1.7 * time), radius * sin(angle + 0.6 * time))
-		poses[id] = Transform3D(Basis(Vector3(cos(angle), 1.0, sin(angle)).normalized(), 1.3 * time + angle), at)
+		var at := Vector3(
+			radius * cos(angle + 0.6 * time),
+			0.8 * sin(2.0 * angle + 1.7 * time),
+			radius * sin(angle + 0.6 * time)
+		)
+		poses[id] = Transform3D(
+			Basis(Vector3(cos(angle), 1.0, sin(angle)).normalized(), 1.3 * time + angle), at
+		)
 	return poses

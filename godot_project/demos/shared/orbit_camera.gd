@@ -14,7 +14,8 @@ const PAN_GESTURE := 12.0
 @export var distance := 7.4
 @export var nearest := 2.5
 @export var farthest := 20.0
-@export_flags("Left:1", "Right:2", "Middle:4") var turning_buttons := MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT
+@export_flags("Left:1", "Right:2", "Middle:4")
+var turning_buttons := MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT
 ## Move the point in the plane of the picture, as do the turning buttons with Shift if there are such; none by default.
 @export_flags("Left:1", "Right:2", "Middle:4") var panning_buttons := 0
 
@@ -43,7 +44,9 @@ func look_from(from: Vector3, at: Vector3) -> void:
 	position = at
 	_distance = clampf(offset.length(), nearest, farthest)
 	_yaw = atan2(offset.x, offset.z)
-	_pitch = clampf(asin(clampf(offset.y / maxf(offset.length(), 1e-6), -1.0, 1.0)), -STEEPEST, STEEPEST)
+	_pitch = clampf(
+		asin(clampf(offset.y / maxf(offset.length(), 1e-6), -1.0, 1.0)), -STEEPEST, STEEPEST
+	)
 	_apply()
 
 

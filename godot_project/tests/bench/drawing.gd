@@ -41,14 +41,20 @@ func _measure_all(path: String) -> void:
 	RenderingServer.viewport_set_measure_render_time(_view.get_viewport_rid(), true)
 	var rows: Array[Dictionary] = []
 	for subject in DrawnWorld.SUBJECTS:
-		rows.append_array(await _measure(DrawnWorld.make(subject), subject, {"still": false, "200 changed": true}))
-	rows.append_array(await _measure(DrawnWorld.make_document(), DOCUMENT, {"document, 200 dragged": true}))
+		rows.append_array(
+			await _measure(DrawnWorld.make(subject), subject, {"still": false, "200 changed": true})
+		)
+	rows.append_array(
+		await _measure(DrawnWorld.make_document(), DOCUMENT, {"document, 200 dragged": true})
+	)
 	DrawnWorld.free_shared()
 	_view.free()
 	quit(BenchRows.write(rows, path))
 
 
-func _measure(world: DrawnWorld, subject: StringName, cases: Dictionary[String, bool]) -> Array[Dictionary]:
+func _measure(
+	world: DrawnWorld, subject: StringName, cases: Dictionary[String, bool]
+) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
 	_view.add_child(world)
 	for size in _sizes:
@@ -59,7 +65,9 @@ func _measure(world: DrawnWorld, subject: StringName, cases: Dictionary[String, 
 	return rows
 
 
-func _measure_case(world: DrawnWorld, subject: StringName, case: String, changes: bool) -> Dictionary:
+func _measure_case(
+	world: DrawnWorld, subject: StringName, case: String, changes: bool
+) -> Dictionary:
 	var times := PackedFloat64Array()
 	var renders := PackedFloat64Array()
 	var started := 0
@@ -67,14 +75,28 @@ func _measure_case(world: DrawnWorld, subject: StringName, case: String, changes
 		var now := Time.get_ticks_usec()
 		if frame > SETTLING_FRAMES:
 			times.append((now - started) / 1000.0)
-			renders.append(RenderingServer.viewport_get_measured_render_time_cpu(_view.get_viewport_rid()) + RenderingServer.get_frame_setup_time_cpu())
+			renders.append(
+				(
+					RenderingServer.viewport_get_measured_render_time_cpu(_view.get_viewport_rid())
+					+ RenderingServer.get_frame_setup_time_cpu()
+				)
+			)
 		started = now
 		if changes:
 			world.change(frame)
 		await process_frame
-	var draws := RenderingServer.viewport_get_render_info(_view.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+	var draws := RenderingServer.viewport_get_render_info(
+		_view.get_viewport_rid(),
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME
+	)
 	return {
-		"case": case, "subject": subject, "size": "%dx%d" % [_view.size.x, _view.size.y], "frame": _median(times), "render": _median(renders), "draws": draws,
+		"case": case,
+		"subject": subject,
+		"size": "%dx%d" % [_view.size.x, _view.size.y],
+		"frame": _median(times),
+		"render": _median(renders),
+		"draws": draws,
 	}
 
 

@@ -7,7 +7,13 @@ const DrawnWorld := preload("res://tests/bench/drawn_world.gd")
 const SUBJECTS: Array[StringName] = [&"ga_godot", &"engine_primitives"]
 ## How many of each kind.
 const KINDS: Dictionary[StringName, int] = {
-	&"point": 300, &"pair": 150, &"line": 150, &"circle": 200, &"sphere": 150, &"plane": 30, &"motor": 20,
+	&"point": 300,
+	&"pair": 150,
+	&"line": 150,
+	&"circle": 200,
+	&"sphere": 150,
+	&"plane": 30,
+	&"motor": 20,
 }
 const CHANGING := 200
 ## Places that a changing object goes through.
@@ -17,7 +23,9 @@ const RADIUS := 0.5
 ## Of what is thin in the engine's primitives: about two pixels where most objects are.
 const THIN := 0.02
 
-var _colors: Array[Color] = [Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)]
+var _colors: Array[Color] = [
+	Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)
+]
 var _random := RandomNumberGenerator.new()
 var _nodes: Array[Node3D] = []
 # Of the first CHANGING nodes: a multivector or a transform for each phase.
@@ -84,7 +92,11 @@ func _add_camera() -> void:
 
 
 func _place() -> Vector3:
-	return Vector3(_random.randf_range(-1.0, 1.0) * EXTENT, _random.randf_range(-0.5, 0.5) * EXTENT, _random.randf_range(-1.0, 1.0) * EXTENT)
+	return Vector3(
+		_random.randf_range(-1.0, 1.0) * EXTENT,
+		_random.randf_range(-0.5, 0.5) * EXTENT,
+		_random.randf_range(-1.0, 1.0) * EXTENT
+	)
 
 
 func _add(kind: StringName, by_algebra: bool) -> void:
@@ -99,7 +111,12 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.color = color
 		_nodes.append(node)
 		if changes:
-			_multivectors.append(range(PHASES).map(func(phase: int) -> Multivector: return _multivector(kind, place + _step(phase), axis)))
+			_multivectors.append(
+				range(PHASES).map(
+					func(phase: int) -> Multivector:
+						return _multivector(kind, place + _step(phase), axis)
+				)
+			)
 	else:
 		var node := MeshInstance3D.new()
 		node.mesh = _mesh(kind)
@@ -108,7 +125,11 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		_nodes.append(node)
 		if changes:
-			_transforms.append(range(PHASES).map(func(phase: int) -> Transform3D: return _pose(kind, place + _step(phase), axis)))
+			_transforms.append(
+				range(PHASES).map(
+					func(phase: int) -> Transform3D: return _pose(kind, place + _step(phase), axis)
+				)
+			)
 	add_child(_nodes[index])
 
 
@@ -131,7 +152,9 @@ func _multivector(kind: StringName, place: Vector3, axis: Vector3) -> Multivecto
 		&"plane":
 			return Multivector.plane(axis, axis.dot(place))
 		_:
-			return Multivector.translator(place).geometric_product(Multivector.rotor(Quaternion(axis, 2.0)))
+			return Multivector.translator(place).geometric_product(
+				Multivector.rotor(Quaternion(axis, 2.0))
+			)
 
 
 func _pose(kind: StringName, place: Vector3, axis: Vector3) -> Transform3D:
@@ -190,7 +213,9 @@ static func _material(color: Color, kind: StringName) -> StandardMaterial3D:
 		var material := StandardMaterial3D.new()
 		material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
 		material.albedo_color = Color(color, 0.2 if is_face else 1.0)
-		material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA if is_face else BaseMaterial3D.TRANSPARENCY_DISABLED
+		material.transparency = (
+			BaseMaterial3D.TRANSPARENCY_ALPHA if is_face else BaseMaterial3D.TRANSPARENCY_DISABLED
+		)
 		material.cull_mode = BaseMaterial3D.CULL_DISABLED if is_face else BaseMaterial3D.CULL_BACK
 		_materials[key] = material
 	return _materials[key]

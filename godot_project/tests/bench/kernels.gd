@@ -61,8 +61,12 @@ func _make_poses(size: int) -> void:
 
 
 func _random_pose(random: RandomNumberGenerator) -> Transform3D:
-	var rotation: Quaternion = Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn()).normalized()
-	var origin: Vector3 = Vector3(random.randf_range(-10, 10), random.randf_range(-10, 10), random.randf_range(-10, 10))
+	var rotation: Quaternion = (
+		Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn()).normalized()
+	)
+	var origin: Vector3 = Vector3(
+		random.randf_range(-10, 10), random.randf_range(-10, 10), random.randf_range(-10, 10)
+	)
 	return Transform3D(Basis(rotation), origin)
 
 
@@ -103,6 +107,11 @@ func _time_pool(weight: float, mode: int, repeats: int) -> float:
 func _row(case: String, subject: String, size: int, times: PackedFloat64Array) -> Dictionary:
 	times.sort()
 	return {
-		"suite": "kernels", "case": case, "subject": subject, "n": size,
-		"value": times[times.size() / 2], "unit": "ns/pose", "where": "engine, from GDScript",
+		"suite": "kernels",
+		"case": case,
+		"subject": subject,
+		"n": size,
+		"value": times[times.size() / 2],
+		"unit": "ns/pose",
+		"where": "engine, from GDScript",
 	}

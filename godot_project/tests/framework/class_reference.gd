@@ -28,7 +28,9 @@ func _init(type: StringName) -> void:
 	var result := ""
 	var parameters := PackedStringArray()
 	while error == OK and parser.read() == OK:
-		var element := parser.get_node_name() if parser.get_node_type() != XMLParser.NODE_TEXT else ""
+		var element := (
+			parser.get_node_name() if parser.get_node_type() != XMLParser.NODE_TEXT else ""
+		)
 		if parser.get_node_type() == XMLParser.NODE_ELEMENT:
 			match element:
 				"class":
@@ -40,21 +42,40 @@ func _init(type: StringName) -> void:
 					parameters.clear()
 				"member":
 					title = parser.get_named_attribute_value("name")
-					members[title] = "%s = %s" % [parser.get_named_attribute_value("type"), parser.get_named_attribute_value_safe("default")]
+					members[title] = (
+						"%s = %s"
+						% [
+							parser.get_named_attribute_value("type"),
+							parser.get_named_attribute_value_safe("default")
+						]
+					)
 				"return":
 					result = parser.get_named_attribute_value("type")
 				"param":
 					var standard := parser.get_named_attribute_value_safe("default")
-					parameters.append("%s: %s%s" % [parser.get_named_attribute_value("name"),
-							parser.get_named_attribute_value("type"), "" if standard.is_empty() else " = %s" % standard])
+					parameters.append(
+						(
+							"%s: %s%s"
+							% [
+								parser.get_named_attribute_value("name"),
+								parser.get_named_attribute_value("type"),
+								"" if standard.is_empty() else " = %s" % standard
+							]
+						)
+					)
 				"brief_description":
 					parser.skip_section()
 		elif parser.get_node_type() == XMLParser.NODE_ELEMENT_END:
 			if element == "method":
-				methods[title] = "%s(%s) -> %s %s" % [title, ", ".join(parameters), result, qualifiers]
+				methods[title] = (
+					"%s(%s) -> %s %s" % [title, ", ".join(parameters), result, qualifiers]
+				)
 			elif element == "signal":
 				signals.append("%s(%s)" % [title, ", ".join(parameters)])
-		elif parser.get_node_type() == XMLParser.NODE_TEXT and not parser.get_node_data().strip_edges().is_empty():
+		elif (
+			parser.get_node_type() == XMLParser.NODE_TEXT
+			and not parser.get_node_data().strip_edges().is_empty()
+		):
 			descriptions["signal %s" % title if is_signal else title] = parser.get_node_data()
 			is_signal = false
 
@@ -86,10 +107,28 @@ func registered_methods() -> Dictionary[String, String]:
 		var parameters := PackedStringArray()
 		for i in arguments.size():
 			var standard := i - arguments.size() + defaults.size()
-			parameters.append("%s: %s%s" % [arguments[i]["name"], _type_of(arguments[i]),
-					"" if standard < 0 else " = %s" % var_to_str(defaults[standard])])
-		var qualifiers := "static" if flags & METHOD_FLAG_STATIC else "const" if flags & METHOD_FLAG_CONST else ""
-		result[method_name] = "%s(%s) -> %s %s" % [method_name, ", ".join(parameters), _type_of(method["return"] as Dictionary), qualifiers]
+			parameters.append(
+				(
+					"%s: %s%s"
+					% [
+						arguments[i]["name"],
+						_type_of(arguments[i]),
+						"" if standard < 0 else " = %s" % var_to_str(defaults[standard])
+					]
+				)
+			)
+		var qualifiers := (
+			"static" if flags & METHOD_FLAG_STATIC else "const" if flags & METHOD_FLAG_CONST else ""
+		)
+		result[method_name] = (
+			"%s(%s) -> %s %s"
+			% [
+				method_name,
+				", ".join(parameters),
+				_type_of(method["return"] as Dictionary),
+				qualifiers
+			]
+		)
 	return result
 
 
@@ -101,7 +140,13 @@ func registered_members() -> Dictionary[String, String]:
 		var usage: int = property["usage"]
 		if usage & (PROPERTY_USAGE_GROUP | PROPERTY_USAGE_CATEGORY) == 0:
 			var type: int = property["type"]
-			result[property_name] = "%s = %s" % [type_string(type), var_to_str(ClassDB.class_get_property_default_value(_type, property_name))]
+			result[property_name] = (
+				"%s = %s"
+				% [
+					type_string(type),
+					var_to_str(ClassDB.class_get_property_default_value(_type, property_name))
+				]
+			)
 	return result
 
 

@@ -27,7 +27,9 @@ static func find_faults(sample: String, parent: Node = null) -> PackedStringArra
 	var pattern := RegEx.create_from_string(PRINT)
 	var script := GDScript.new()
 	var base := "RefCounted" if parent == null else "Node"
-	script.source_code = SCRIPT % [base, pattern.sub(sample, "$1printed.append(str($2))", true).indent("\t")]
+	script.source_code = (
+		SCRIPT % [base, pattern.sub(sample, "$1printed.append(str($2))", true).indent("\t")]
+	)
 	if script.reload() != OK:
 		return ["does not compile:\n%s" % sample]
 	var instance: Object = script.new()
@@ -44,5 +46,7 @@ static func find_faults(sample: String, parent: Node = null) -> PackedStringArra
 	for i in calls.size():
 		var text := printed[i] if i < printed.size() else "nothing"
 		if text != calls[i].get_string(3):
-			faults.append("prints %s where it says %s" % [text, calls[i].get_string().strip_edges()])
+			faults.append(
+				"prints %s where it says %s" % [text, calls[i].get_string().strip_edges()]
+			)
 	return faults

@@ -10,7 +10,16 @@ var _expected: Array[String] = []
 var _unexpected := PackedStringArray()
 
 
-func _log_error(function: String, file: String, line: int, code: String, rationale: String, _editor_notify: bool, error_type: int, script_backtraces: Array[ScriptBacktrace]) -> void:
+func _log_error(
+	function: String,
+	file: String,
+	line: int,
+	code: String,
+	rationale: String,
+	_editor_notify: bool,
+	error_type: int,
+	script_backtraces: Array[ScriptBacktrace]
+) -> void:
 	var message := code if rationale.is_empty() else rationale
 	if error_type == Logger.ERROR_TYPE_WARNING:
 		message = WARNING + message
@@ -19,7 +28,12 @@ func _log_error(function: String, file: String, line: int, code: String, rationa
 	if index >= 0:
 		_expected.remove_at(index)
 	else:
-		_unexpected.append("unexpected error: %s\n      at %s (%s:%d)%s" % [message, function, file, line, _script_line(script_backtraces)])
+		_unexpected.append(
+			(
+				"unexpected error: %s\n      at %s (%s:%d)%s"
+				% [message, function, file, line, _script_line(script_backtraces)]
+			)
+		)
 	_mutex.unlock()
 
 
@@ -45,5 +59,7 @@ func take_faults() -> PackedStringArray:
 func _script_line(backtraces: Array[ScriptBacktrace]) -> String:
 	for backtrace in backtraces:
 		if backtrace.get_frame_count() > 0:
-			return ", called from %s:%d" % [backtrace.get_frame_file(0), backtrace.get_frame_line(0)]
+			return (
+				", called from %s:%d" % [backtrace.get_frame_file(0), backtrace.get_frame_line(0)]
+			)
 	return ""

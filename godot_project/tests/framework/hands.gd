@@ -3,7 +3,9 @@ extends RefCounted
 ## Mouse and keyboard: events as a window would get them, in its own places, whatever the size of the screen.
 
 
-static func click(control: Control, button := MOUSE_BUTTON_LEFT, with_control := false, at := Vector2(0.5, 0.5)) -> void:
+static func click(
+	control: Control, button := MOUSE_BUTTON_LEFT, with_control := false, at := Vector2(0.5, 0.5)
+) -> void:
 	var place := place_in(control, at)
 	move(control.get_viewport(), place, 0)
 	press(control.get_viewport(), place, true, button, with_control)
@@ -11,14 +13,26 @@ static func click(control: Control, button := MOUSE_BUTTON_LEFT, with_control :=
 
 
 ## Drags between places in controls, given as parts of their sizes, in steps.
-static func drag(from: Control, start: Vector2, to: Control, end: Vector2, button := MOUSE_BUTTON_LEFT, steps := 8) -> void:
+static func drag(
+	from: Control,
+	start: Vector2,
+	to: Control,
+	end: Vector2,
+	button := MOUSE_BUTTON_LEFT,
+	steps := 8
+) -> void:
 	var viewport := from.get_viewport()
 	var first := place_in(from, start)
 	var last := place_in(to, end)
 	move(viewport, first, 0)
 	press(viewport, first, true, button)
 	for step in steps:
-		move(viewport, first.lerp(last, (step + 1.0) / steps), 1 << (button - 1), (last - first) / steps)
+		move(
+			viewport,
+			first.lerp(last, (step + 1.0) / steps),
+			1 << (button - 1),
+			(last - first) / steps
+		)
 	press(viewport, last, false, button)
 
 
@@ -27,7 +41,9 @@ static func drag_with(control: Control, pixels: int, steps := 8) -> void:
 	var place := place_in(control, Vector2(0.5, 0.5))
 	press(control.get_viewport(), place, true)
 	for step in steps:
-		move(control.get_viewport(), place, MOUSE_BUTTON_MASK_LEFT, Vector2(float(pixels) / steps, 0))
+		move(
+			control.get_viewport(), place, MOUSE_BUTTON_MASK_LEFT, Vector2(float(pixels) / steps, 0)
+		)
 	press(control.get_viewport(), place, false)
 
 
@@ -44,7 +60,13 @@ static func move(viewport: Viewport, place: Vector2, buttons: int, by := Vector2
 	viewport.push_input(motion, true)
 
 
-static func press(viewport: Viewport, place: Vector2, pressed: bool, button := MOUSE_BUTTON_LEFT, with_control := false) -> void:
+static func press(
+	viewport: Viewport,
+	place: Vector2,
+	pressed: bool,
+	button := MOUSE_BUTTON_LEFT,
+	with_control := false
+) -> void:
 	var event := InputEventMouseButton.new()
 	event.button_index = button
 	event.button_mask = (1 << (button - 1) if pressed else 0) as MouseButtonMask

@@ -43,8 +43,12 @@ func _setting(key: String) -> Variant:
 
 func _expect_kept(t: float) -> void:
 	expect_near(_lab.t, t, 1e-9, "t")
-	var expected := MultivectorLerp.interpolate(_scene().get_value("A"), _scene().get_value("B"), t, MultivectorLerp.SCREW)
-	expect_equal(_scene().get_value("m1").coefficients, expected.coefficients, "what is kept, at %s" % t)
+	var expected := MultivectorLerp.interpolate(
+		_scene().get_value("A"), _scene().get_value("B"), t, MultivectorLerp.SCREW
+	)
+	expect_equal(
+		_scene().get_value("m1").coefficients, expected.coefficients, "what is kept, at %s" % t
+	)
 
 
 func _button(title: String) -> Button:

@@ -27,9 +27,13 @@ func _init(tree: SceneTree, branch_name: String) -> void:
 	synchronizer.target_group = &"bodies"
 	# So that tests need not wait long until motion is shown.
 	synchronizer.max_latency = 0.1
-	synchronizer.packet_rejected.connect(func(peer: int, reason: String) -> void: rejections.append([peer, reason]))
+	synchronizer.packet_rejected.connect(
+		func(peer: int, reason: String) -> void: rejections.append([peer, reason])
+	)
 	synchronizer.target_added.connect(func(node: Node3D) -> void: changes.append("+%s" % node.name))
-	synchronizer.target_removed.connect(func(node: Node3D) -> void: changes.append("-%s" % node.name))
+	synchronizer.target_removed.connect(
+		func(node: Node3D) -> void: changes.append("-%s" % node.name)
+	)
 	root.add_child(world)
 	tree.root.add_child(root)
 	tree.set_multiplayer(api, root.get_path())
@@ -62,7 +66,9 @@ func get_body(index: int) -> Node3D:
 func host(websocket := false) -> int:
 	var port := randi_range(FIRST_PORT, LAST_PORT)
 	for attempt in 50:
-		var peer: MultiplayerPeer = WebSocketMultiplayerPeer.new() if websocket else ENetMultiplayerPeer.new()
+		var peer: MultiplayerPeer = (
+			WebSocketMultiplayerPeer.new() if websocket else ENetMultiplayerPeer.new()
+		)
 		var error: Error = peer.call(&"create_server", port)
 		if error == OK:
 			api.multiplayer_peer = peer
@@ -83,7 +89,10 @@ func join(port: int, websocket := false) -> void:
 
 
 func is_joined() -> bool:
-	return api.multiplayer_peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED and not api.get_peers().is_empty()
+	return (
+		api.multiplayer_peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED
+		and not api.get_peers().is_empty()
+	)
 
 
 ## Ends the connection at once, as a process that dies.

@@ -35,7 +35,11 @@ func connect_peers(clients: int, bodies: int, websocket := false) -> void:
 	for branch in branches:
 		branch.add_bodies(bodies)
 		branch.start()
-	await wait_until(func() -> bool: return branches.all(func(branch: NetworkBranch) -> bool: return branch.is_joined()), "all peers being connected")
+	await wait_until(
+		func() -> bool:
+			return branches.all(func(branch: NetworkBranch) -> bool: return branch.is_joined()),
+		"all peers being connected"
+	)
 
 
 func wait_until(condition: Callable, what: String, limit := 4.0) -> bool:
@@ -58,7 +62,9 @@ func move(branch: NetworkBranch, seconds: float, pose := default_pose) -> void:
 		for body: Node3D in branch.synchronizer.get_active_targets():
 			if body.get_multiplayer_authority() == branch.api.get_unique_id():
 				body.transform = pose.call(body.name, time)
-				var path: PackedVector3Array = _paths.get_or_add(String(body.name), PackedVector3Array())
+				var path: PackedVector3Array = _paths.get_or_add(
+					String(body.name), PackedVector3Array()
+				)
 				path.append(body.position)
 				_paths[String(body.name)] = path.slice(-60)
 
@@ -83,16 +89,27 @@ func distance_from_path(body: Node3D) -> float:
 	var path: PackedVector3Array = _paths.get(String(body.name), PackedVector3Array())
 	var nearest := INF
 	for i in path.size() - 1:
-		nearest = minf(nearest, Geometry3D.get_closest_point_to_segment(body.position, path[i], path[i + 1]).distance_to(body.position))
+		nearest = minf(
+			nearest,
+			(
+				Geometry3D
+				. get_closest_point_to_segment(body.position, path[i], path[i + 1])
+				. distance_to(body.position)
+			)
+		)
 	return nearest
 
 
 ## Moves the first branch's bodies while the others must show them on their paths.
-func expect_motion(seconds: float, watched: Array[NetworkBranch], mover: NetworkBranch = branches[0]) -> void:
+func expect_motion(
+	seconds: float, watched: Array[NetworkBranch], mover: NetworkBranch = branches[0]
+) -> void:
 	var bound := 1.2 * mover.synchronizer.position_tolerance + 0.001
 	await move(mover, SETTLE)
 	for tick in MORE_TICKS:
-		if watched.all(func(branch: NetworkBranch) -> bool: return distance_from_paths(branch) <= bound):
+		if watched.all(
+			func(branch: NetworkBranch) -> bool: return distance_from_paths(branch) <= bound
+		):
 			break
 		await move(mover, 1.0 / Engine.physics_ticks_per_second)
 	var worst := 0.0
@@ -106,7 +123,10 @@ func expect_motion(seconds: float, watched: Array[NetworkBranch], mover: Network
 		var after := _positions(watched)
 		for i in mini(before.size(), after.size()):
 			travelled += before[i].distance_to(after[i]) / before.size()
-	expect_true(worst <= bound, "a distance of %.1f mm from the path, at most %.1f mm," % [worst * 1000.0, bound * 1000.0])
+	expect_true(
+		worst <= bound,
+		"a distance of %.1f mm from the path, at most %.1f mm," % [worst * 1000.0, bound * 1000.0]
+	)
 	expect_true(travelled > 0.3 * seconds, "%.2f m that bodies travelled" % travelled)
 
 

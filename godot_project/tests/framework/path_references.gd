@@ -9,14 +9,22 @@ static func linear(from: Transform3D, to: Transform3D, weight: float) -> Transfo
 	var second := to.basis.get_rotation_quaternion()
 	var sign_of_second := -1.0 if first.dot(second) < 0.0 else 1.0
 	var real := first * (1.0 - weight) + second * (weight * sign_of_second)
-	var dual := _half_translation(from.origin) * first * (1.0 - weight) \
-			+ _half_translation(to.origin) * second * (weight * sign_of_second)
-	var moved := dual * Quaternion(-real.x, -real.y, -real.z, real.w) * (2.0 / real.length_squared())
-	return _compose(Vector3(moved.x, moved.y, moved.z), real.normalized(), _blended_scale(from, to, weight))
+	var dual := (
+		_half_translation(from.origin) * first * (1.0 - weight)
+		+ _half_translation(to.origin) * second * (weight * sign_of_second)
+	)
+	var moved := (
+		dual * Quaternion(-real.x, -real.y, -real.z, real.w) * (2.0 / real.length_squared())
+	)
+	return _compose(
+		Vector3(moved.x, moved.y, moved.z), real.normalized(), _blended_scale(from, to, weight)
+	)
 
 
 static func separate(from: Transform3D, to: Transform3D, weight: float) -> Transform3D:
-	var rotation := from.basis.get_rotation_quaternion().slerp(to.basis.get_rotation_quaternion(), weight)
+	var rotation := from.basis.get_rotation_quaternion().slerp(
+		to.basis.get_rotation_quaternion(), weight
+	)
 	return _compose(from.origin.lerp(to.origin, weight), rotation, _blended_scale(from, to, weight))
 
 

@@ -31,7 +31,9 @@ func _open_with(entries: Dictionary[String, String], state_path := "") -> void:
 func _open_slider_range(entry: String) -> ConfirmationDialog:
 	var menu := _demo.panel.get_node(^"EntryMenu") as PopupMenu
 	Hands.click(_row(entry).find_child("Menu", true, false) as Control)
-	var items := range(menu.item_count).map(func(index: int) -> String: return menu.get_item_text(index))
+	var items := range(menu.item_count).map(
+		func(index: int) -> String: return menu.get_item_text(index)
+	)
 	menu.hide()
 	menu.id_pressed.emit(menu.get_item_id(items.find("Slider Range...")))
 	await wait_frames(2)

@@ -5,7 +5,9 @@ const FAR := 10000.0
 
 
 ## Uniform scale, then rotation, then translation, as a transform.
-static func make(translation: Vector3, rotation := Quaternion.IDENTITY, scale := 1.0) -> Transform3D:
+static func make(
+	translation: Vector3, rotation := Quaternion.IDENTITY, scale := 1.0
+) -> Transform3D:
 	return Transform3D(Basis(rotation).scaled(Vector3.ONE * scale), translation)
 
 
@@ -16,8 +18,10 @@ static func degenerate() -> Dictionary[String, Transform3D]:
 		"half turn about x": make(Vector3(1, 2, 3), Quaternion(1, 0, 0, 0)),
 		"half turn about y": make(Vector3(-1, 2, 3), Quaternion(0, 1, 0, 0)),
 		"half turn about z": make(Vector3(1, -2, 3), Quaternion(0, 0, 1, 0)),
-		"half turn about a slanted axis": make(Vector3(1, 2, -3), Quaternion(Vector3(1, 1, 1).normalized(), PI)),
-		"almost a half turn": make(Vector3(4, 0, 0), Quaternion(Vector3(1, -2, 1).normalized(), PI - 1e-4)),
+		"half turn about a slanted axis":
+		make(Vector3(1, 2, -3), Quaternion(Vector3(1, 1, 1).normalized(), PI)),
+		"almost a half turn":
+		make(Vector3(4, 0, 0), Quaternion(Vector3(1, -2, 1).normalized(), PI - 1e-4)),
 		"tiny turn": make(Vector3(1, 0, 0), Quaternion(Vector3.RIGHT, 1e-5)),
 		"scale 0.01": make(Vector3(5, 6, 7), Quaternion(Vector3.BACK, 2.0), 0.01),
 		"scale 100": make(Vector3(5, 6, 7), Quaternion(Vector3.BACK, 2.0), 100.0),
@@ -29,16 +33,21 @@ static func degenerate() -> Dictionary[String, Transform3D]:
 ## A random pose: within 10 m of the origin, any rotation, scale 0.2 to 5.
 static func random(generator: RandomNumberGenerator) -> Transform3D:
 	var translation := Vector3(
-			generator.randf_range(-10.0, 10.0), generator.randf_range(-10.0, 10.0), generator.randf_range(-10.0, 10.0))
-	return make(translation, random_rotation(generator), exp(generator.randf_range(log(0.2), log(5.0))))
+		generator.randf_range(-10.0, 10.0),
+		generator.randf_range(-10.0, 10.0),
+		generator.randf_range(-10.0, 10.0)
+	)
+	return make(
+		translation, random_rotation(generator), exp(generator.randf_range(log(0.2), log(5.0)))
+	)
 
 
 static func random_rotation(generator: RandomNumberGenerator) -> Quaternion:
 	while true:
-		var four := Vector4(generator.randfn(), generator.randfn(), generator.randfn(), generator.randfn())
+		var four := Vector4(
+			generator.randfn(), generator.randfn(), generator.randfn(), generator.randfn()
+		)
 		if four.length() > 0.01:
 			four = four.normalized()
 			return Quaternion(four.x, four.y, four.z, four.w)
 	return Quaternion.IDENTITY
-
-

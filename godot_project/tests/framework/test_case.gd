@@ -40,27 +40,42 @@ func expect_near(actual: float, expected: float, tolerance: float, what := "valu
 		fail("%s is %s, expected %s within %s" % [what, actual, expected, tolerance])
 
 
-func expect_vector_near(actual: Vector3, expected: Vector3, tolerance: float, what := "vector") -> void:
+func expect_vector_near(
+	actual: Vector3, expected: Vector3, tolerance: float, what := "vector"
+) -> void:
 	_expectations += 1
 	if not actual.distance_to(expected) <= tolerance:
 		fail("%s is %s, expected %s within %s" % [what, actual, expected, tolerance])
 
 
 ## Every entry of the basis and the origin within the tolerance.
-func expect_transform_near(actual: Transform3D, expected: Transform3D, tolerance: float, what := "transform") -> void:
+func expect_transform_near(
+	actual: Transform3D, expected: Transform3D, tolerance: float, what := "transform"
+) -> void:
 	_expectations += 1
 	var worst := 0.0
 	var expected_columns := _columns(expected)
 	for difference in _columns(actual):
 		difference -= expected_columns.pop_front() as Vector3
 		# NaN would vanish in a maximum.
-		worst = maxf(worst, difference.abs()[difference.abs().max_axis_index()]) if difference.is_finite() else INF
+		worst = (
+			maxf(worst, difference.abs()[difference.abs().max_axis_index()])
+			if difference.is_finite()
+			else INF
+		)
 	if worst > tolerance:
-		fail("%s is off by %s, allowed %s\n      actual   %s\n      expected %s" % [what, worst, tolerance, actual, expected])
+		fail(
+			(
+				"%s is off by %s, allowed %s\n      actual   %s\n      expected %s"
+				% [what, worst, tolerance, actual, expected]
+			)
+		)
 
 
 ## The coefficients of a multivector, all 32, given those that are not zero by index.
-func expect_coefficients(actual: Multivector, nonzero: Dictionary[int, float], tolerance := 1e-12, what := "multivector") -> void:
+func expect_coefficients(
+	actual: Multivector, nonzero: Dictionary[int, float], tolerance := 1e-12, what := "multivector"
+) -> void:
 	_expectations += 1
 	if actual == null:
 		fail("%s is null" % what)

@@ -37,7 +37,7 @@ func _run_all() -> void:
 		print("FAIL outside of any test: %s" % fault)
 	OS.remove_logger(_log)
 	if _found == 0:
-		print("FAIL no test matches \"%s\"" % argument)
+		print('FAIL no test matches "%s"' % argument)
 	var complete := _found > 0 and _passed == _found and _failed == 0
 	if _passed + _failed < _found:
 		print("FAIL %d tests were found, only %d ran" % [_found, _passed + _failed])
@@ -54,7 +54,9 @@ func _run_file(file: String) -> void:
 	var methods := PackedStringArray()
 	for method in script.get_script_method_list():
 		var method_name: String = method["name"]
-		var wanted := argument.is_empty() or file.contains(argument) or method_name.contains(argument)
+		var wanted := (
+			argument.is_empty() or file.contains(argument) or method_name.contains(argument)
+		)
 		if method_name.begins_with("test_") and wanted and not methods.has(method_name):
 			methods.append(method_name)
 	_found += methods.size()

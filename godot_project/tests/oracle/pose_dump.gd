@@ -27,7 +27,7 @@ func _ready() -> void:
 		get_tree().quit(1)
 		return
 	_make_pairs()
-	file.store_string("{\"cases\": [")
+	file.store_string('{"cases": [')
 	for mode in MODE_NAMES.size():
 		_write_single(file, mode as MultivectorLerp.Mode)
 		_write_pool(file, mode as MultivectorLerp.Mode)
@@ -65,8 +65,13 @@ func _add_pair(from: Transform3D, to: Transform3D, weight: float) -> void:
 
 func _write_single(file: FileAccess, mode: MultivectorLerp.Mode) -> void:
 	for i in _from.size():
-		_write_case(file, "interpolate_transform", i, mode,
-				MultivectorLerp.interpolate_transform(_from[i], _to[i], _weights[i], mode))
+		_write_case(
+			file,
+			"interpolate_transform",
+			i,
+			mode,
+			MultivectorLerp.interpolate_transform(_from[i], _to[i], _weights[i], mode)
+		)
 
 
 func _write_pool(file: FileAccess, mode: MultivectorLerp.Mode) -> void:
@@ -81,20 +86,40 @@ func _write_pool(file: FileAccess, mode: MultivectorLerp.Mode) -> void:
 		_write_case(file, "MotorPool", i, mode, pool.get_transform(indices[i]))
 
 
-func _write_case(file: FileAccess, source: String, index: int, mode: MultivectorLerp.Mode, result: Transform3D) -> void:
-	file.store_string(_separator + JSON.stringify({
-		"source": source,
-		"mode": MODE_NAMES[mode],
-		"weight": _weights[index],
-		"from": _rows(_from[index]),
-		"to": _rows(_to[index]),
-		"result": _rows(result),
-	}, "", false, true))
+func _write_case(
+	file: FileAccess, source: String, index: int, mode: MultivectorLerp.Mode, result: Transform3D
+) -> void:
+	(
+		file
+		. store_string(
+			(
+				_separator
+				+ (
+					JSON
+					. stringify(
+						{
+							"source": source,
+							"mode": MODE_NAMES[mode],
+							"weight": _weights[index],
+							"from": _rows(_from[index]),
+							"to": _rows(_to[index]),
+							"result": _rows(result),
+						},
+						"",
+						false,
+						true
+					)
+				)
+			)
+		)
+	)
 	_separator = ",\n"
 
 
 func _rows(pose: Transform3D) -> Array[float]:
 	var rows: Array[float] = []
 	for row in 3:
-		rows.append_array([pose.basis.x[row], pose.basis.y[row], pose.basis.z[row], pose.origin[row]])
+		rows.append_array(
+			[pose.basis.x[row], pose.basis.y[row], pose.basis.z[row], pose.origin[row]]
+		)
 	return rows

@@ -4,9 +4,13 @@ extends Control
 
 const DrawnChanges := preload("res://tests/pictures/drawn_changes.gd")
 
-const COLORS: Array[Color] = [Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)]
+const COLORS: Array[Color] = [
+	Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)
+]
 ## What there is at last: a name, and in which world.
-const LAST: Dictionary[String, int] = {"ring": 0, "ball": 0, "axis": 0, "dot": 0, "moved": 0, "lone": 1, "guest": 1, "pair": 1}
+const LAST: Dictionary[String, int] = {
+	"ring": 0, "ball": 0, "axis": 0, "dot": 0, "moved": 0, "lone": 1, "guest": 1, "pair": 1
+}
 
 var _worlds: Array[Node3D] = []
 var _nodes: Dictionary[String, GANode3D] = {}
@@ -93,13 +97,17 @@ func _last_value(title: String) -> Multivector:
 
 func _build_last() -> void:
 	for title: String in LAST:
-		_add(title, _last_value(title), LAST.keys().find(title) % COLORS.size(), _worlds[LAST[title]])
+		_add(
+			title, _last_value(title), LAST.keys().find(title) % COLORS.size(), _worlds[LAST[title]]
+		)
 	_finish_moved()
 	_nodes["axis"].line_width = 4.0
 
 
 func _finish_moved() -> void:
-	_nodes["moved"].transform = Transform3D(Basis.from_euler(Vector3(0.3, 0.7, 0.0)).scaled(Vector3.ONE * 1.5), Vector3(-0.5, 1.0, 1.0))
+	_nodes["moved"].transform = Transform3D(
+		Basis.from_euler(Vector3(0.3, 0.7, 0.0)).scaled(Vector3.ONE * 1.5), Vector3(-0.5, 1.0, 1.0)
+	)
 
 
 ## As many circles as make the batch grow more than once, in a parent that goes; what stays has another look.
@@ -108,7 +116,12 @@ func _begin() -> void:
 	crowd.name = "Crowd"
 	_worlds[0].add_child(crowd)
 	for i in 11:
-		_add("crowd%d" % i, Multivector.circle(Vector3(0.4 * i - 2.0, 0, 1), Vector3.UP, 0.6), 3, crowd)
+		_add(
+			"crowd%d" % i,
+			Multivector.circle(Vector3(0.4 * i - 2.0, 0, 1), Vector3.UP, 0.6),
+			3,
+			crowd
+		)
 	for title: String in LAST:
 		_add(title, Multivector.circle(Vector3(0, 0.2, 0), Vector3.UP, 2.0), 3, _worlds[0])
 	for i in range(11, 20):

@@ -7,8 +7,12 @@ const COLUMNS := 6
 const ROWS := 4
 const BACKGROUNDS: Array[Color] = [Color(0.11, 0.125, 0.15), Color(0.95, 0.953, 0.96)]
 const LETTERS: Array[Color] = [Color(0.72, 0.75, 0.8), Color(0.3, 0.33, 0.38)]
-const COLORS: Array[Color] = [Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)]
-const COLORS_ON_LIGHT: Array[Color] = [Color(0.05, 0.42, 0.8), Color(0.75, 0.38, 0.02), Color(0.08, 0.5, 0.2), Color(0.8, 0.14, 0.26)]
+const COLORS: Array[Color] = [
+	Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)
+]
+const COLORS_ON_LIGHT: Array[Color] = [
+	Color(0.05, 0.42, 0.8), Color(0.75, 0.38, 0.02), Color(0.08, 0.5, 0.2), Color(0.8, 0.14, 0.26)
+]
 ## By what it is; what begins with "dual:" is read in IPNS.
 const OBJECTS: Dictionary[String, String] = {
 	"point": "point(0, 0, 0)",
@@ -57,7 +61,9 @@ func _build(theme_index: int, colors: Array[Color]) -> void:
 	grid.add_theme_constant_override(&"v_separation", 1)
 	add_child(grid)
 	for title: String in OBJECTS:
-		grid.add_child(_cell(title, OBJECTS[title], theme_index, colors[grid.get_child_count() / COLUMNS]))
+		grid.add_child(
+			_cell(title, OBJECTS[title], theme_index, colors[grid.get_child_count() / COLUMNS])
+		)
 
 
 func _cell(title: String, expression: String, theme_index: int, color: Color) -> Control:

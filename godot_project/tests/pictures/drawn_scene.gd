@@ -44,12 +44,22 @@ func _build() -> void:
 	_draw("a", a, RED)
 	_draw("b", b, RED)
 	_draw("c", c, RED)
-	_draw("a ^ b ^ c", Multivector.circle_through(Vector3(-3.2, 0.0, 2.0), Vector3(-1.4, 2.4, 1.2), Vector3(-3.6, 2.6, -0.6)), RED)
+	_draw(
+		"a ^ b ^ c",
+		Multivector.circle_through(
+			Vector3(-3.2, 0.0, 2.0), Vector3(-1.4, 2.4, 1.2), Vector3(-3.6, 2.6, -0.6)
+		),
+		RED
+	)
 	_draw("", line, ORANGE)
 	_draw("", far, GREEN)
 	_draw("", farther, GREEN)
 	_draw("imaginary", far.meet(farther), GREEN)
-	_draw("huge circle", Multivector.circle(Vector3(2e4 - 7.0, 0.0, -6.0), Vector3(0.0, 0.0, 1.0), 2e4), BLUE)
+	_draw(
+		"huge circle",
+		Multivector.circle(Vector3(2e4 - 7.0, 0.0, -6.0), Vector3(0.0, 0.0, 1.0), 2e4),
+		BLUE
+	)
 
 
 func _draw(title: String, value: Multivector, color: Color, width := 2.0) -> void:

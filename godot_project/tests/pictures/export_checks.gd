@@ -39,7 +39,10 @@ func find_problems(reference: Image) -> PackedStringArray:
 	_expect_alike("the export", opaque, reference)
 	var changed := Gallery.load_example(EXAMPLE)
 	changed.set_entry_attribute("pair", "visible", false)
-	_expect(not PictureComparison.compare(await _draw(SIZE, true, changed), reference).is_alike(), "a pair that vanished is not noticed")
+	_expect(
+		not PictureComparison.compare(await _draw(SIZE, true, changed), reference).is_alike(),
+		"a pair that vanished is not noticed"
+	)
 	_check_transparent(await _draw(SIZE, false), opaque)
 	await _check_larger(reference)
 	await _check_dialog()
@@ -47,10 +50,15 @@ func find_problems(reference: Image) -> PackedStringArray:
 
 
 func _check_transparent(picture: Image, opaque: Image) -> void:
-	_expect(picture.get_size() == SIZE, "the size of the transparent picture is %s" % picture.get_size())
+	_expect(
+		picture.get_size() == SIZE, "the size of the transparent picture is %s" % picture.get_size()
+	)
 	for corner: Vector2i in [Vector2i.ZERO, SIZE - Vector2i.ONE]:
 		_expect(picture.get_pixelv(corner).a == 0.0, "the corner %s is transparent" % corner)
-	_expect(picture.get_used_rect().size.x > SIZE.x / 3, "there is something to see in %s" % picture.get_used_rect())
+	_expect(
+		picture.get_used_rect().size.x > SIZE.x / 3,
+		"there is something to see in %s" % picture.get_used_rect()
+	)
 	# Laid onto the background it is the same picture.
 	var laid := Image.create_empty(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8)
 	laid.fill(ViewPoint.DEFAULT_BACKGROUND)
@@ -60,11 +68,16 @@ func _check_transparent(picture: Image, opaque: Image) -> void:
 
 func _check_larger(reference: Image) -> void:
 	var picture := await _draw(2 * SIZE, true)
-	_expect(picture.get_size() == 2 * SIZE, "the size of the larger picture is %s" % picture.get_size())
+	_expect(
+		picture.get_size() == 2 * SIZE, "the size of the larger picture is %s" % picture.get_size()
+	)
 	picture.resize(SIZE.x, SIZE.y, Image.INTERPOLATE_LANCZOS)
 	# Not quite the same: lines are smoother.
 	var comparison := PictureComparison.compare(picture, reference)
-	_expect(comparison.obstacle.is_empty() and comparison.share < 0.02 and comparison.mean < 1.0, "the larger picture, made smaller: %s" % comparison.describe())
+	_expect(
+		comparison.obstacle.is_empty() and comparison.share < 0.02 and comparison.mean < 1.0,
+		"the larger picture, made smaller: %s" % comparison.describe()
+	)
 
 
 func _check_dialog() -> void:
@@ -82,10 +95,16 @@ func _check_dialog() -> void:
 	for wrong: String in WRONG_PATHS:
 		path.text = wrong
 		var told := await dialog.export_picture()
-		_expect(told.begins_with(WRONG_PATHS[wrong]) and dialog.visible, "the error for \"%s\" is \"%s\"" % [wrong, told])
+		_expect(
+			told.begins_with(WRONG_PATHS[wrong]) and dialog.visible,
+			'the error for "%s" is "%s"' % [wrong, told]
+		)
 	path.text = FILE
 	var error := await dialog.export_picture()
-	_expect(error.is_empty() and not dialog.visible and paths.size() == 1 and paths[0] == FILE, "the dialog saves: %s, %s" % [error, paths])
+	_expect(
+		error.is_empty() and not dialog.visible and paths.size() == 1 and paths[0] == FILE,
+		"the dialog saves: %s, %s" % [error, paths]
+	)
 	var written := Image.load_from_file(FILE)
 	_expect(written != null and written.get_size() == SIZE, "the file has the size that was chosen")
 	DirAccess.remove_absolute(FILE)

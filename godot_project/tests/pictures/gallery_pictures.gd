@@ -48,7 +48,9 @@ func _write_all() -> void:
 	if writes_all and failed == 0:
 		var others: Dictionary[String, Image] = {"all": _make_sheet(pictures)}
 		for title in OPENED:
-			others[title] = await _open(OPENED[title][0] as String, OPENED[title][1] as String, OPENED[title][2] as bool)
+			others[title] = await _open(
+				OPENED[title][0] as String, OPENED[title][1] as String, OPENED[title][2] as bool
+			)
 		for title in others:
 			var is_saved := _save(others[title], title)
 			written += int(is_saved)
@@ -100,11 +102,17 @@ func _save(picture: Image, title: String) -> bool:
 func _make_sheet(pictures: Array[Image]) -> Image:
 	var rows := ceili(float(pictures.size()) / SHEET_COLUMNS)
 	var step := SHEET_CELL + Vector2i(SHEET_GAP, SHEET_GAP)
-	var sheet := Image.create_empty(SHEET_COLUMNS * step.x + SHEET_GAP, rows * step.y + SHEET_GAP, false, Image.FORMAT_RGB8)
+	var sheet := Image.create_empty(
+		SHEET_COLUMNS * step.x + SHEET_GAP, rows * step.y + SHEET_GAP, false, Image.FORMAT_RGB8
+	)
 	sheet.fill(SHEET_COLOR)
 	for i in pictures.size():
 		var small: Image = pictures[i].duplicate()
 		small.convert(Image.FORMAT_RGB8)
 		small.resize(SHEET_CELL.x, SHEET_CELL.y, Image.INTERPOLATE_LANCZOS)
-		sheet.blit_rect(small, Rect2i(Vector2i.ZERO, SHEET_CELL), Vector2i(SHEET_GAP, SHEET_GAP) + step * Vector2i(i % SHEET_COLUMNS, i / SHEET_COLUMNS))
+		sheet.blit_rect(
+			small,
+			Rect2i(Vector2i.ZERO, SHEET_CELL),
+			Vector2i(SHEET_GAP, SHEET_GAP) + step * Vector2i(i % SHEET_COLUMNS, i / SHEET_COLUMNS)
+		)
 	return sheet

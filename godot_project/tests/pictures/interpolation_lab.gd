@@ -5,7 +5,9 @@ const InterpolationLabPicture := preload("res://tests/pictures/interpolation_lab
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const EntryEdits := preload("res://addons/ga_godot/playground/document/entry_edits.gd")
 const EntryList := preload("res://addons/ga_godot/playground/entries/entry_list.gd")
-const PlaygroundDocument := preload("res://addons/ga_godot/playground/document/playground_document.gd")
+const PlaygroundDocument := preload(
+	"res://addons/ga_godot/playground/document/playground_document.gd"
+)
 const PlaygroundTheme := preload("res://addons/ga_godot/playground/theme/playground_theme.gd")
 const SceneDrawing := preload("res://addons/ga_godot/playground/view/scene_drawing.gd")
 const InterpolationLab := preload("res://addons/ga_godot/playground/lab/interpolation_lab.gd")
@@ -62,7 +64,9 @@ func _make_side(lab: InterpolationLab, light: bool) -> Control:
 	var side := PanelContainer.new()
 	side.theme = PlaygroundTheme.make(light)
 	side.custom_minimum_size.x = WIDTHS[light]
-	side.set_anchors_and_offsets_preset(Control.PRESET_RIGHT_WIDE if light else Control.PRESET_LEFT_WIDE)
+	side.set_anchors_and_offsets_preset(
+		Control.PRESET_RIGHT_WIDE if light else Control.PRESET_LEFT_WIDE
+	)
 	side.grow_horizontal = Control.GROW_DIRECTION_BEGIN if light else Control.GROW_DIRECTION_END
 	var list := EntryList.new(lab.document, EntryEdits.new(lab.document))
 	_lists.append(list)

@@ -49,8 +49,10 @@ func is_alike() -> bool:
 func describe() -> String:
 	if not obstacle.is_empty():
 		return obstacle
-	return "%.3f %% of the picture differs (allowed %.3f), mean difference %.3f (allowed %.3f)" % [
-		100.0 * share, 100.0 * ALLOWED_SHARE, mean, ALLOWED_MEAN]
+	return (
+		"%.3f %% of the picture differs (allowed %.3f), mean difference %.3f (allowed %.3f)"
+		% [100.0 * share, 100.0 * ALLOWED_SHARE, mean, ALLOWED_MEAN]
+	)
 
 
 static func _average(picture: Image) -> PackedByteArray:

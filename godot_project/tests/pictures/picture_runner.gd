@@ -79,7 +79,9 @@ func _compare_all() -> void:
 		await _expect_shared_draw_calls()
 		await _check_export()
 		await _check_line()
-		await _expect_different("the lab without one of its paths", _without_screw, "interpolation_lab_frames")
+		await _expect_different(
+			"the lab without one of its paths", _without_screw, "interpolation_lab_frames"
+		)
 	print("[pictures] %d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 else 1)
 
@@ -109,7 +111,9 @@ func _scenes() -> Dictionary[String, Callable]:
 
 
 ## The changed scene must not pass for the picture of what it was; by default that of the demo without panels.
-func _expect_different(change: String, make_scene: Callable, title := "interpolation_paths") -> void:
+func _expect_different(
+	change: String, make_scene: Callable, title := "interpolation_paths"
+) -> void:
 	var reference := _load_reference(title)
 	if reference == null:
 		_fail("%s: there is no reference" % change)
@@ -173,7 +177,9 @@ func _with_circles(parent: Node, count: int) -> Node:
 	scene.add_child(camera)
 	for i in count:
 		var node := GANode3D.new()
-		node.multivector = Multivector.circle(Vector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0), Vector3.BACK, 1.0)
+		node.multivector = Multivector.circle(
+			Vector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0), Vector3.BACK, 1.0
+		)
 		scene.add_child(node)
 	parent.add_child(scene)
 	return scene
@@ -210,7 +216,9 @@ func _take(make_scene: Callable) -> Image:
 	for i in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
 	var picture := get_viewport().get_texture().get_image()
-	_last_draw_calls = get_viewport().get_render_info(Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_DRAW_CALLS_IN_FRAME)
+	_last_draw_calls = get_viewport().get_render_info(
+		Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_DRAW_CALLS_IN_FRAME
+	)
 	scene.queue_free()
 	await get_tree().process_frame
 	return picture

@@ -56,7 +56,9 @@ static func interpolation_lab(parent: Node, body: String) -> Node:
 	return picture
 
 
-static func interpolation(parent: Node, preset := 0, mode := MultivectorLerp.SCREW, with_panels := true) -> Interpolation:
+static func interpolation(
+	parent: Node, preset := 0, mode := MultivectorLerp.SCREW, with_panels := true
+) -> Interpolation:
 	var demo: Interpolation = open(parent, INTERPOLATION)
 	demo.choose_preset(preset)
 	demo.choose_mode(mode)

@@ -11,12 +11,27 @@ var failed: int = 0
 func same(value: Variant, expected: Variant) -> void:
 	# A null that was declared as an object has the type of one.
 	var is_null: bool = value == null and expected == null
-	if is_null or (typeof(value) == typeof(expected) and (value == expected or _close(value, expected))):
+	if (
+		is_null
+		or (typeof(value) == typeof(expected) and (value == expected or _close(value, expected)))
+	):
 		passed += 1
 		return
 	failed += 1
 	var place: Dictionary = get_stack()[1] if get_stack().size() > 1 else {"source": "?", "line": 0}
-	print("FAIL %s:%d: %s (%s) is not %s (%s)" % [place["source"], place["line"], var_to_str(value), type_string(typeof(value)), var_to_str(expected), type_string(typeof(expected))])
+	print(
+		(
+			"FAIL %s:%d: %s (%s) is not %s (%s)"
+			% [
+				place["source"],
+				place["line"],
+				var_to_str(value),
+				type_string(typeof(value)),
+				var_to_str(expected),
+				type_string(typeof(expected))
+			]
+		)
+	)
 
 
 ## Announces an error line that the next call prints.

@@ -31,7 +31,10 @@ func check_enums_and_constants() -> void:
 	same(values.mix(SampleValues.GREEN, SampleValues.RED), SampleValues.BLUE)
 	same(SampleValues.BLUE as int, 40)
 	same(SampleValues.LIMIT, 1000)
-	same(ClassDB.class_get_enum_constants("SampleValues", "Colour", true), PackedStringArray(["RED", "GREEN", "BLUE"]))
+	same(
+		ClassDB.class_get_enum_constants("SampleValues", "Colour", true),
+		PackedStringArray(["RED", "GREEN", "BLUE"])
+	)
 	same(ClassDB.class_get_integer_constant_enum("SampleValues", "GREEN"), &"Colour")
 	same(ClassDB.class_get_enum_list("SampleValues", true), PackedStringArray(["Colour"]))
 	same(method_of("SampleValues", "mix")["args"][0]["class_name"], &"SampleValues.Colour")
@@ -47,17 +50,17 @@ func check_wrong_numbers_of_arguments() -> void:
 	same(misfit("values.negate()"), true)
 	same(misfit("values.negate(true, false)"), true)
 	same(misfit("values.repeat()"), true)
-	same(misfit("values.repeat(\"a\", 1, \"b\", 2)"), true)
+	same(misfit('values.repeat("a", 1, "b", 2)'), true)
 	same(misfit("values.count_alive(1)"), true)
 	same(misfit("values.negate(true)"), false)
-	same(misfit("values.repeat(\"a\")"), false)
+	same(misfit('values.repeat("a")'), false)
 
 
 func check_wrong_types_of_arguments() -> void:
-	same(misfit("values.negate(\"yes\")"), true)
+	same(misfit('values.negate("yes")'), true)
 	same(misfit("values.cross(1, 2)"), true)
 	same(misfit("values.cross(Vector3(), Vector2())"), true)
-	same(misfit("values.floats(\"text\")"), true)
+	same(misfit('values.floats("text")'), true)
 	same(misfit("values.summarise({})"), true)
 	# An object of another class is refused by bindings/ and arrives as null with godot-cpp.
 	for method: String in ["describe_note", "describe_node"]:
@@ -71,11 +74,17 @@ func check_wrong_types_of_arguments() -> void:
 
 
 func check_what_callers_are_told() -> void:
-	expect_error("Invalid type in function 'cross (via call)' in base 'SampleValues'. Cannot convert argument 3 from String to Vector3.")
+	expect_error(
+		"Invalid type in function 'cross (via call)' in base 'SampleValues'. Cannot convert argument 3 from String to Vector3."
+	)
 	call_wrongly(&"cross", [Vector3.UP, "up"])
-	expect_error("Invalid call to function 'add_up (via call)' in base 'SampleValues'. Expected 4 argument(s).")
+	expect_error(
+		"Invalid call to function 'add_up (via call)' in base 'SampleValues'. Expected 4 argument(s)."
+	)
 	call_wrongly(&"add_up", [1, 2])
-	expect_error("Invalid call to function 'negate (via call)' in base 'SampleValues'. Expected 1 argument(s).")
+	expect_error(
+		"Invalid call to function 'negate (via call)' in base 'SampleValues'. Expected 1 argument(s)."
+	)
 	call_wrongly(&"negate", [1, 2, 3])
 	same(values.negate(false), true)
 
@@ -111,8 +120,25 @@ class Listener:
 	func _log_message(message: String, _error: bool) -> void:
 		heard.append(message.strip_edges())
 
-	func _log_error(_function: String, _file: String, _line: int, code: String, rationale: String, _editor_notify: bool, error_type: int, _script_backtraces: Array[ScriptBacktrace]) -> void:
-		heard.append("%s: %s" % ["warning" if error_type == ERROR_TYPE_WARNING else "error", code if rationale.is_empty() else rationale])
+	func _log_error(
+		_function: String,
+		_file: String,
+		_line: int,
+		code: String,
+		rationale: String,
+		_editor_notify: bool,
+		error_type: int,
+		_script_backtraces: Array[ScriptBacktrace]
+	) -> void:
+		heard.append(
+			(
+				"%s: %s"
+				% [
+					"warning" if error_type == ERROR_TYPE_WARNING else "error",
+					code if rationale.is_empty() else rationale
+				]
+			)
+		)
 
 
 func method_of(type: StringName, method: StringName) -> Dictionary:

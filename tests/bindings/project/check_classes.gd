@@ -36,7 +36,9 @@ func check_types_of_methods() -> void:
 	same(argument("describe_node", 0)["class_name"], &"Node3D")
 	same(argument("halve", 0)["type"], TYPE_FLOAT)
 	same(argument("add_up", 3)["name"], "d")
-	same(argument("echo", 0)["usage"] & PROPERTY_USAGE_NIL_IS_VARIANT, PROPERTY_USAGE_NIL_IS_VARIANT)
+	same(
+		argument("echo", 0)["usage"] & PROPERTY_USAGE_NIL_IS_VARIANT, PROPERTY_USAGE_NIL_IS_VARIANT
+	)
 	same(method("new_note")["return"]["class_name"], &"SampleNote")
 	same(method("keep")["return"]["type"], TYPE_NIL)
 	same(method("measure")["return"]["type"], TYPE_ARRAY)

@@ -28,7 +28,10 @@ func check_callables() -> void:
 	same(callable.call(), 0)
 	same(node.call_it(func(a: int, b: int) -> int: return a * b, [6, 7]), 42)
 	same(node.call_it(Callable(), []), "invalid")
-	same(node.call("call_it", node.callable_of(&"get_log"), []), PackedStringArray(["postinitialize"]))
+	same(
+		node.call("call_it", node.callable_of(&"get_log"), []),
+		PackedStringArray(["postinitialize"])
+	)
 	var values := SampleValues.new()
 	same(values.echo(callable), callable)
 	same(values.type_of(callable), "Callable")
@@ -52,7 +55,10 @@ func check_groups() -> void:
 func check_multiplayer() -> void:
 	var node := SampleNode.new()
 	tree.root.add_child(node)
-	same(node.describe_multiplayer(), ["SceneMultiplayer", ^"/root", 1, 0, MultiplayerPeer.CONNECTION_CONNECTED])
+	same(
+		node.describe_multiplayer(),
+		["SceneMultiplayer", ^"/root", 1, 0, MultiplayerPeer.CONNECTION_CONNECTED]
+	)
 	var branch := Node.new()
 	branch.name = "Branch"
 	tree.root.add_child(branch)

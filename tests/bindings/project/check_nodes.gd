@@ -20,7 +20,10 @@ func check_order_below_another_extension_class() -> void:
 	tree.root.add_child(node)
 	tree.root.remove_child(node)
 	# Parents first, and last where the engine takes things down.
-	same(node.get_log(), PackedStringArray(["postinitialize", "enter", "child enter", "ready", "child exit", "exit"]))
+	same(
+		node.get_log(),
+		PackedStringArray(["postinitialize", "enter", "child enter", "ready", "child exit", "exit"])
+	)
 	tree.root.add_child(node)
 	await tree.process_frame
 	await tree.process_frame

@@ -57,7 +57,9 @@ func check_resources() -> void:
 	same(copy.text, "two")
 	same(copy.values, PackedFloat64Array([1, 2]))
 	same(ResourceSaver.save(note, "user://note.tres"), OK)
-	var loaded: SampleNote = ResourceLoader.load("user://note.tres", "", ResourceLoader.CACHE_MODE_IGNORE)
+	var loaded: SampleNote = ResourceLoader.load(
+		"user://note.tres", "", ResourceLoader.CACHE_MODE_IGNORE
+	)
 	same(loaded.text, "two")
 	same(loaded.values, PackedFloat64Array([1, 2]))
 

@@ -35,14 +35,26 @@ func check_texts() -> void:
 func check_geometry() -> void:
 	var turn := Quaternion(Vector3(1, 2, 2) / 3.0, 1.1)
 	var other := Transform3D(Basis(turn).scaled(Vector3(2, 3, 4)), Vector3(7, 8, 9))
-	same(values.cross(Vector3(1, 2, 3), Vector3(-2, 5, 0.5)), Vector3(1, 2, 3).cross(Vector3(-2, 5, 0.5)))
+	same(
+		values.cross(Vector3(1, 2, 3), Vector3(-2, 5, 0.5)),
+		Vector3(1, 2, 3).cross(Vector3(-2, 5, 0.5))
+	)
 	same(values.turn_twice(turn), turn * turn)
 	same(values.to_basis(turn), Basis(turn))
-	same(values.chain(other, Transform3D(Basis(turn), Vector3(1, 0, 0))), other * Transform3D(Basis(turn), Vector3(1, 0, 0)))
+	same(
+		values.chain(other, Transform3D(Basis(turn), Vector3(1, 0, 0))),
+		other * Transform3D(Basis(turn), Vector3(1, 0, 0))
+	)
 	both(&"cross", [Vector3(1, 0, 0), Vector3(0, 1, 0)], Vector3(0, 0, 1))
 	both(&"turn_twice", [turn], turn * turn)
 	both(&"chain", [other, other], other * other)
-	for axis: Vector3 in [Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(-1, 1, 1).normalized(), Vector3(3, 1, -2).normalized()]:
+	for axis: Vector3 in [
+		Vector3(1, 0, 0),
+		Vector3(0, 1, 0),
+		Vector3(0, 0, 1),
+		Vector3(-1, 1, 1).normalized(),
+		Vector3(3, 1, -2).normalized()
+	]:
 		for angle: float in [0.0, 0.3, 2.0, 3.1, PI]:
 			var basis := Basis(axis, angle)
 			same(Basis(values.to_quaternion(basis)), basis)
@@ -51,17 +63,29 @@ func check_geometry() -> void:
 
 func check_plain_data() -> void:
 	same(values.halfway(Vector2(1, 2), Vector2(3, 8)), Vector2(2, 5))
-	same(values.moved_box(AABB(Vector3(1, 2, 3), Vector3(4, 5, 6)), Vector3(1, 1, 1)), AABB(Vector3(2, 3, 4), Vector3(4, 5, 6)))
+	same(
+		values.moved_box(AABB(Vector3(1, 2, 3), Vector3(4, 5, 6)), Vector3(1, 1, 1)),
+		AABB(Vector3(2, 3, 4), Vector3(4, 5, 6))
+	)
 	same(values.without_red(Color(0.25, 0.5, 0.75, 0.125)), Color(0, 0.5, 0.75, 0.125))
 	same(values.make_rid(), true)
 	var packed: Array = [Vector2(1, 2), Vector3(1, 2, 3), Vector3(4, 5, 6), Color(1, 0, 0)]
-	same(values.pack(PackedVector2Array([packed[0]]), PackedVector3Array([packed[1], packed[2]]), PackedColorArray([packed[3]])), packed)
+	same(
+		values.pack(
+			PackedVector2Array([packed[0]]),
+			PackedVector3Array([packed[1], packed[2]]),
+			PackedColorArray([packed[3]])
+		),
+		packed
+	)
 	both(&"halfway", [Vector2(1, 2), Vector2(3, 8)], Vector2(2, 5))
 	both(&"without_red", [Color(1, 1, 1)], Color(0, 1, 1))
 
 
 func check_measures() -> void:
-	var measured: Array = values.measure(Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4)))
+	var measured: Array = values.measure(
+		Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4))
+	)
 	same(measured, [25.0, 5.0, 12.0, 24.0, true, false, Vector3(3, 4, 12) / 13.0])
 	measured = values.measure(Vector3(NAN, 0, 0), Vector3(INF, 0, 0), Basis.IDENTITY)
 	same(measured[4], false)
@@ -69,7 +93,23 @@ func check_measures() -> void:
 
 
 func check_variants() -> void:
-	for value: Variant in [null, true, -5, 2.5, "text", &"name", ^"path", Vector3(1, 2, 3), Transform3D.IDENTITY, [1, "two"], {"a": 1}, PackedByteArray([1, 2]), values, Color.RED, Vector2i(3, 4)]:
+	for value: Variant in [
+		null,
+		true,
+		-5,
+		2.5,
+		"text",
+		&"name",
+		^"path",
+		Vector3(1, 2, 3),
+		Transform3D.IDENTITY,
+		[1, "two"],
+		{"a": 1},
+		PackedByteArray([1, 2]),
+		values,
+		Color.RED,
+		Vector2i(3, 4)
+	]:
 		same(values.echo(value), value)
 		same(values.type_of(value), type_string(typeof(value)) if value != null else "Nil")
 		both(&"echo", [value], value)
@@ -100,7 +140,9 @@ func check_packed_arrays() -> void:
 
 
 func check_typed_arrays() -> void:
-	var transforms: Array[Transform3D] = [Transform3D.IDENTITY, Transform3D(Basis.IDENTITY, Vector3(1, 2, 3))]
+	var transforms: Array[Transform3D] = [
+		Transform3D.IDENTITY, Transform3D(Basis.IDENTITY, Vector3(1, 2, 3))
+	]
 	var moved: Array[Transform3D] = values.move_all(transforms, Vector3(0, 0, 10))
 	same(moved.size(), 2)
 	same(moved[1].origin, Vector3(1, 2, 13))
@@ -113,13 +155,15 @@ func check_typed_arrays() -> void:
 	var untyped: Array = [Transform3D.IDENTITY]
 	same(values.move_all(untyped, Vector3.UP)[0].origin, Vector3.UP)
 	var wrong: Array = ["text"]
-	expect_error("Unable to convert array index 0 from \"String\" to \"Transform3D\".")
+	expect_error('Unable to convert array index 0 from "String" to "Transform3D".')
 	same(values.move_all(wrong, Vector3.UP).size(), 0)
 	same(values.move_all([], Vector3.UP).get_typed_builtin(), TYPE_TRANSFORM3D)
 
 
 func check_conversions_free_what_they_make() -> void:
-	var arguments: Array = [[1, 2, 3], {"a": 1}, "text", PackedFloat32Array([1, 2]), [] as Array[Transform3D]]
+	var arguments: Array = [
+		[1, 2, 3], {"a": 1}, "text", PackedFloat32Array([1, 2]), [] as Array[Transform3D]
+	]
 	same(values.convert_often(arguments, 10), 100)
 	var before: int = OS.get_static_memory_usage()
 	same(values.convert_often(arguments, 20000), 200000)

@@ -1,7 +1,14 @@
 ## Runs every check_ method of the files below against the sample extension and prints how many passed.
 extends SceneTree
 
-const FILES: Array[String] = ["res://check_values.gd", "res://check_objects.gd", "res://check_calls.gd", "res://check_nodes.gd", "res://check_network.gd", "res://check_classes.gd"]
+const FILES: Array[String] = [
+	"res://check_values.gd",
+	"res://check_objects.gd",
+	"res://check_calls.gd",
+	"res://check_nodes.gd",
+	"res://check_network.gd",
+	"res://check_classes.gd"
+]
 
 
 func _initialize() -> void:

@@ -10,15 +10,25 @@ func _initialize() -> void:
 	var loaded: bool = GDExtensionManager.is_extension_loaded(EXTENSION)
 	for i: int in 3:
 		var values: RefCounted = ClassDB.instantiate("SampleValues")
-		var results: Array = [values.call("repeat", "a"), values.call("is_editor"), values.call("type_of", []), is_mapped()]
+		var results: Array = [
+			values.call("repeat", "a"),
+			values.call("is_editor"),
+			values.call("type_of", []),
+			is_mapped()
+		]
 		values = null
-		var unloaded: bool = GDExtensionManager.unload_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		var unloaded: bool = (
+			GDExtensionManager.unload_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		)
 		unloaded = unloaded and not ClassDB.class_exists("SampleValues") and not is_mapped()
 		for good: bool in [loaded, results == ["a-a", false, "Array", true], unloaded]:
 			passed += int(good)
 			failed += int(not good)
 		# Not after the last time: what the engine frees at its end may no longer lead into the library.
-		loaded = i == 2 or GDExtensionManager.load_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		loaded = (
+			i == 2
+			or GDExtensionManager.load_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
+		)
 	if failed > 0:
 		print("FAIL res://reload.gd: the library was not unloaded and loaded again")
 	print("[bindings] %d passed, %d failed" % [passed, failed])

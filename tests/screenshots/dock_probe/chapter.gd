@@ -184,7 +184,9 @@ func picture() -> Image:
 	RenderingServer.render_loop_enabled = true
 	await settle()
 	RenderingServer.render_loop_enabled = false
-	return dock().get_viewport().get_texture().get_image().get_region(Rect2i(dock().get_global_rect()))
+	return dock().get_viewport().get_texture().get_image().get_region(
+		Rect2i(dock().get_global_rect())
+	)
 
 
 ## The value of a user argument, empty if it is not given.

@@ -12,7 +12,10 @@ var _frames := 0
 
 
 func _process(_delta: float) -> void:
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
+	if (
+		DisplayServer.get_name() == "headless"
+		or EditorInterface.get_resource_filesystem().is_scanning()
+	):
 		return
 	_frames += 1
 	if _frames >= FIRST_FRAMES:
@@ -31,7 +34,12 @@ func _read_chapters() -> void:
 		@warning_ignore("redundant_await")
 		await chapter.read()
 		said += chapter.said
-		print("[probe] %s: %d expectations, %.1f s" % [title, chapter.said, (Time.get_ticks_msec() - start) / 1000.0])
+		print(
+			(
+				"[probe] %s: %d expectations, %.1f s"
+				% [title, chapter.said, (Time.get_ticks_msec() - start) / 1000.0]
+			)
+		)
 	RenderingServer.render_loop_enabled = true
 	print("[probe] %d expectations" % said)
 	print("[probe] done")

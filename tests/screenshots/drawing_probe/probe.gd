@@ -20,8 +20,36 @@ func _init() -> void:
 
 func get_steps() -> Array[Callable]:
 	return [
-		_make_scene, _open, _show_3d, _look, _widen, _see_wide, _undo, _see_narrow, _change_entry, _see_entry, _select_ball, _duplicate, _see_duplicate, _undo, _see_no_duplicate,
-		_select_ball, _delete, _see_deleted, _undo, _see_undeleted, _split, _look_everywhere, _unsplit, _hide_parent, _see_hidden, _show_parent, _save, _reload, _see_reloaded, _end,
+		_make_scene,
+		_open,
+		_show_3d,
+		_look,
+		_widen,
+		_see_wide,
+		_undo,
+		_see_narrow,
+		_change_entry,
+		_see_entry,
+		_select_ball,
+		_duplicate,
+		_see_duplicate,
+		_undo,
+		_see_no_duplicate,
+		_select_ball,
+		_delete,
+		_see_deleted,
+		_undo,
+		_see_undeleted,
+		_split,
+		_look_everywhere,
+		_unsplit,
+		_hide_parent,
+		_see_hidden,
+		_show_parent,
+		_save,
+		_reload,
+		_see_reloaded,
+		_end,
 	]
 
 
@@ -70,7 +98,8 @@ func _look() -> void:
 ## As the inspector's own editor of the property does it.
 func _widen() -> void:
 	var editors := EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false).filter(
-			func(editor: EditorProperty) -> bool: return editor.get_edited_property() == &"line_width")
+		func(editor: EditorProperty) -> bool: return editor.get_edited_property() == &"line_width"
+	)
 	_expect(editors.size(), 1, "editors of line_width in the inspector")
 	if not editors.is_empty():
 		var editor: EditorProperty = editors[0]
@@ -79,7 +108,11 @@ func _widen() -> void:
 
 func _see_wide() -> void:
 	_expect(_node("Line").line_width, 8.0, "line_width from the inspector")
-	_expect(_count(0, BLUE) > 2 * _narrow, true, "a wider line has more pixels: %d, before %d" % [_count(0, BLUE), _narrow])
+	_expect(
+		_count(0, BLUE) > 2 * _narrow,
+		true,
+		"a wider line has more pixels: %d, before %d" % [_count(0, BLUE), _narrow]
+	)
 
 
 func _undo() -> void:
@@ -178,9 +211,17 @@ func _reload() -> void:
 
 
 func _see_reloaded() -> void:
-	_expect(_node("Ball").describe(), "sphere, radius 1, centre (-1.5, 0, 0)", "the ball after saving and loading")
+	_expect(
+		_node("Ball").describe(),
+		"sphere, radius 1, centre (-1.5, 0, 0)",
+		"the ball after saving and loading"
+	)
 	_expect(_node("Ball").color, GREEN, "its colour after saving and loading")
-	_expect(_node("Circle").describe(), "circle, radius 1, centre (1.5, 0, 0), normal (0, 0, 1)", "the entry after saving and loading")
+	_expect(
+		_node("Circle").describe(),
+		"circle, radius 1, centre (1.5, 0, 0), normal (0, 0, 1)",
+		"the entry after saving and loading"
+	)
 	_expect_seen(0, GREEN, true, "after saving and loading")
 	_expect_seen(0, BLUE, true, "after saving and loading")
 
@@ -207,7 +248,10 @@ func _count(view: int, color: Color) -> int:
 	var data := picture.get_data()
 	var count := 0
 	for i in range(0, data.size(), 3):
-		var distance := maxf(absf(data[i] / 255.0 - color.r), maxf(absf(data[i + 1] / 255.0 - color.g), absf(data[i + 2] / 255.0 - color.b)))
+		var distance := maxf(
+			absf(data[i] / 255.0 - color.r),
+			maxf(absf(data[i + 1] / 255.0 - color.g), absf(data[i + 2] / 255.0 - color.b))
+		)
 		if distance < 0.12:
 			count += 1
 	return count

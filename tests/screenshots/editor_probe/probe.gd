@@ -10,8 +10,15 @@ const ADDON := "ga_godot"
 const SCENE := "res://demos/interpolation/interpolation.tscn"
 const NODE := ^"Lerp"
 const STEPS: Array[StringName] = [
-	&"_tell_state", &"_switch_off", &"_tell_off", &"_switch_on", &"_tell_on", &"_open_scene", &"_edit_node",
-	&"_save_picture", &"_end",
+	&"_tell_state",
+	&"_switch_off",
+	&"_tell_off",
+	&"_switch_on",
+	&"_tell_on",
+	&"_open_scene",
+	&"_edit_node",
+	&"_save_picture",
+	&"_end",
 ]
 ## Frames for docks and previews to settle before each step.
 const SETTLING_FRAMES := 30
@@ -22,7 +29,10 @@ var _step := 0
 
 func _process(_delta: float) -> void:
 	# An import has no editor to drive.
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
+	if (
+		DisplayServer.get_name() == "headless"
+		or EditorInterface.get_resource_filesystem().is_scanning()
+	):
 		return
 	_frames += 1
 	if _frames > SETTLING_FRAMES and _step < STEPS.size():
@@ -73,7 +83,9 @@ func _edit_node() -> void:
 func _save_picture() -> void:
 	for argument in OS.get_cmdline_user_args():
 		if argument.begins_with("--picture="):
-			var picture := EditorInterface.get_base_control().get_viewport().get_texture().get_image()
+			var picture := (
+				EditorInterface.get_base_control().get_viewport().get_texture().get_image()
+			)
 			_say("picture %s" % error_string(picture.save_png(argument.trim_prefix("--picture="))))
 
 

@@ -10,8 +10,33 @@ var _before := ""
 
 func get_steps() -> Array[Callable]:
 	return [
-		_open_dock, _add_motors, _type_another, _unfold, _see_suggestion, _select, _select_another, _use_selection, _see_drawing, _slide, _undo_slide, _play, _see_playing, _keep, _see_kept,
-		_undo_keep, _rename, _see_renamed, _delete, _see_deleted, _undo_delete, _take_picture, _show_tab_menu, _float, _widen, _take_wide_picture, _end,
+		_open_dock,
+		_add_motors,
+		_type_another,
+		_unfold,
+		_see_suggestion,
+		_select,
+		_select_another,
+		_use_selection,
+		_see_drawing,
+		_slide,
+		_undo_slide,
+		_play,
+		_see_playing,
+		_keep,
+		_see_kept,
+		_undo_keep,
+		_rename,
+		_see_renamed,
+		_delete,
+		_see_deleted,
+		_undo_delete,
+		_take_picture,
+		_show_tab_menu,
+		_float,
+		_widen,
+		_take_wide_picture,
+		_end,
 	]
 
 
@@ -65,8 +90,14 @@ func _see_drawing() -> void:
 	var drawing: Node3D = drawings[0]
 	_expect(drawing.is_visible_in_tree(), true, "its being seen")
 	var body: Node3D = drawing.get_node(^"Screw/Body")
-	var middle := MultivectorLerp.interpolate(_scene().get_value("m1"), _scene().get_value("B"), 0.5, MultivectorLerp.SCREW)
-	_expect(body.transform.is_equal_approx(middle.to_transform()), true, "place of what moves by the screw")
+	var middle := MultivectorLerp.interpolate(
+		_scene().get_value("m1"), _scene().get_value("B"), 0.5, MultivectorLerp.SCREW
+	)
+	_expect(
+		body.transform.is_equal_approx(middle.to_transform()),
+		true,
+		"place of what moves by the screw"
+	)
 
 
 func _slide() -> void:
@@ -91,7 +122,11 @@ func _see_playing() -> void:
 	var slider: HSlider = _lab_part("Player").get_node(^"Slider")
 	_expect(slider.value != _setting("t"), true, "another t while it is played")
 	Hands.click(_lab_part("Play"))
-	_expect(_scene().get_scene_attribute("interpolation/t") != null, true, "attribute t, which playing leaves alone")
+	_expect(
+		_scene().get_scene_attribute("interpolation/t") != null,
+		true,
+		"attribute t, which playing leaves alone"
+	)
 
 
 func _keep() -> void:
@@ -136,7 +171,7 @@ func _take_picture() -> void:
 
 
 func _show_tab_menu() -> void:
-	var tabs := (_dock().get_parent() as TabContainer)
+	var tabs := _dock().get_parent() as TabContainer
 	var bar := tabs.get_tab_bar()
 	var middle := bar.get_tab_rect(tabs.get_tab_idx_from_control(_dock())).get_center()
 	Hands.click(bar, MOUSE_BUTTON_RIGHT, false, middle / bar.size)
@@ -159,7 +194,9 @@ func _take_wide_picture() -> void:
 
 
 func _save_picture(option: String) -> void:
-	var picture := _dock().get_viewport().get_texture().get_image().get_region(Rect2i(_dock().get_global_rect()))
+	var picture := _dock().get_viewport().get_texture().get_image().get_region(
+		Rect2i(_dock().get_global_rect())
+	)
 	_expect(picture.save_png(_option(option)), OK, "saving the picture")
 
 

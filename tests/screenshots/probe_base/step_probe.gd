@@ -15,7 +15,6 @@ var _frames := -FIRST_FRAMES
 var _step := 0
 var _said := 0
 
-
 ## In their order; the last is _end.
 @abstract func get_steps() -> Array[Callable]
 
@@ -25,7 +24,10 @@ func _enter_tree() -> void:
 
 
 func _process(_delta: float) -> void:
-	if DisplayServer.get_name() == "headless" or EditorInterface.get_resource_filesystem().is_scanning():
+	if (
+		DisplayServer.get_name() == "headless"
+		or EditorInterface.get_resource_filesystem().is_scanning()
+	):
 		return
 	_frames += 1
 	if _frames >= settling_frames and _step < _steps.size():

@@ -19,7 +19,9 @@ static func save(path: String) -> void:
 	node.name = "Node"
 	node.scene = scene
 	node.entry = &"B"
-	node.transform = Transform3D(Basis(Vector3.UP, 1.0).scaled(Vector3.ONE * 1.5), Vector3(0.9, 0, 2.3))
+	node.transform = Transform3D(
+		Basis(Vector3.UP, 1.0).scaled(Vector3.ONE * 1.5), Vector3(0.9, 0, 2.3)
+	)
 	root.add_child(node)
 	node.owner = root
 	var packed := PackedScene.new()

@@ -5,7 +5,9 @@ extends "step_probe.gd"
 
 
 ## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.
-func _check_drag(entry: String, key: String, by: Vector2, dependents: Array[String], reaches := true) -> void:
+func _check_drag(
+	entry: String, key: String, by: Vector2, dependents: Array[String], reaches := true
+) -> void:
 	var scene := _scene()
 	var before := scene.document
 	var values := _values(dependents)
@@ -23,7 +25,14 @@ func _check_drag(entry: String, key: String, by: Vector2, dependents: Array[Stri
 		_expect(followed[dependent], true, "%s follows %s of %s" % [dependent, key, entry])
 	if reaches:
 		var distance := _handle_place(entry, key).distance_to(place + by)
-		_expect(distance < 2.5, true, "%s of %s is %f pixels from the mouse: %s" % [key, entry, distance, scene.get_expression(entry)])
+		_expect(
+			distance < 2.5,
+			true,
+			(
+				"%s of %s is %f pixels from the mouse: %s"
+				% [key, entry, distance, scene.get_expression(entry)]
+			)
+		)
 	_expect(scene.document != before, true, "%s of %s was dragged" % [key, entry])
 	_undo()
 	_expect(scene.document, before, "one undo takes back %s of %s" % [key, entry])
@@ -67,14 +76,27 @@ func _send(event: InputEventMouse, place: Vector2) -> void:
 
 func _handle_place(entry: String, key: String) -> Vector2:
 	for handle: RefCounted in _pointer().call(&"get_handles", _camera()):
-		if (handle.get(&"node") as GANode3D).entry == StringName(entry) and (handle.get(&"handle") as Dictionary)["key"] == key:
+		if (
+			(handle.get(&"node") as GANode3D).entry == StringName(entry)
+			and (handle.get(&"handle") as Dictionary)["key"] == key
+		):
 			return handle.get(&"place")
 	_expect("none", key, "handle of %s" % entry)
 	return Vector2.ZERO
 
 
 func _undo() -> void:
-	get_undo_redo().get_history_undo_redo(EditorUndoRedoManager.GLOBAL_HISTORY if not _scene().resource_path.contains("::") else get_undo_redo().get_object_history_id(_edited())).undo()
+	(
+		get_undo_redo()
+		. get_history_undo_redo(
+			(
+				EditorUndoRedoManager.GLOBAL_HISTORY
+				if not _scene().resource_path.contains("::")
+				else get_undo_redo().get_object_history_id(_edited())
+			)
+		)
+		. undo()
+	)
 
 
 func _select(entries: PackedStringArray) -> void:
@@ -123,4 +145,6 @@ func _scene() -> GAScene:
 
 
 func _values(entries: Array[String]) -> Array:
-	return entries.map(func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients)
+	return entries.map(
+		func(entry: String) -> PackedFloat64Array: return _scene().get_value(entry).coefficients
+	)

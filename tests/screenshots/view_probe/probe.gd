@@ -27,8 +27,47 @@ var _before := ""
 
 func get_steps() -> Array[Callable]:
 	return [
-		_open, _choose_kind, _click_ground, _see_added, _fill, _drag_point, _drag_radius, _drag_center, _drag_normal, _drag_offset, _drag_axis, _escape, _snap,
-		_click_object, _hold, _see_held, _aim, _see_aim, _select_all, _hover, _take_picture, _select_mesh, _see_mesh, _select_node, _see_node, _drag_node, _see_kept, _new_document, _see_question, _deselect, _see_own, _hide, _see_hidden, _show_again, _close, _see_closed, _open_again, _save, _four, _see_four, _end,
+		_open,
+		_choose_kind,
+		_click_ground,
+		_see_added,
+		_fill,
+		_drag_point,
+		_drag_radius,
+		_drag_center,
+		_drag_normal,
+		_drag_offset,
+		_drag_axis,
+		_escape,
+		_snap,
+		_click_object,
+		_hold,
+		_see_held,
+		_aim,
+		_see_aim,
+		_select_all,
+		_hover,
+		_take_picture,
+		_select_mesh,
+		_see_mesh,
+		_select_node,
+		_see_node,
+		_drag_node,
+		_see_kept,
+		_new_document,
+		_see_question,
+		_deselect,
+		_see_own,
+		_hide,
+		_see_hidden,
+		_show_again,
+		_close,
+		_see_closed,
+		_open_again,
+		_save,
+		_four,
+		_see_four,
+		_end,
 	]
 
 
@@ -49,7 +88,14 @@ func _click_ground() -> void:
 	_expect(Array(_scene().get_names()), ["A"], "a point by a click")
 	var position: Vector3 = _scene().get_parameters("A").position
 	_expect(position.y, 0.0, "its height")
-	_expect(_camera().unproject_position(position).distance_to(Vector2(0.4, 0.7) * _surface().size) < 2.0, true, "its place %s" % position)
+	_expect(
+		(
+			_camera().unproject_position(position).distance_to(Vector2(0.4, 0.7) * _surface().size)
+			< 2.0
+		),
+		true,
+		"its place %s" % position
+	)
 	_expect(_selection(), PackedStringArray(["A"]), "selection in the dock")
 
 
@@ -117,7 +163,9 @@ func _snap() -> void:
 	var place := _handle_place("A", "position")
 	_drag(place, place + Vector2(33, 21), true)
 	var position: Vector3 = _scene().get_parameters("A").position
-	_expect(position.is_equal_approx(position.snappedf(0.1)), true, "a place on the grid: %s" % position)
+	_expect(
+		position.is_equal_approx(position.snappedf(0.1)), true, "a place on the grid: %s" % position
+	)
 	_undo()
 
 
@@ -167,7 +215,9 @@ func _hover() -> void:
 
 
 func _take_picture() -> void:
-	var picture := get_tree().root.get_texture().get_image().get_region(Rect2i(_surface().get_global_rect()))
+	var picture := get_tree().root.get_texture().get_image().get_region(
+		Rect2i(_surface().get_global_rect())
+	)
 	picture.save_png(_option(PICTURES).path_join("viewport.png"))
 	_save_window("viewport_editor.png")
 	if not _option(REFERENCE).is_empty():
@@ -193,7 +243,11 @@ func _select_node() -> void:
 
 
 func _see_node() -> void:
-	_expect(_selected_nodes(), [_edited().get_node(^"Node")], "what a click on an object of a node selects")
+	_expect(
+		_selected_nodes(),
+		[_edited().get_node(^"Node")],
+		"what a click on an object of a node selects"
+	)
 	_expect(Array(_scene().get_names()), ["B", "t"], "entries in the dock")
 	_expect(_selection(), PackedStringArray(["B"]), "entry selected in the dock")
 
@@ -201,7 +255,11 @@ func _see_node() -> void:
 func _drag_node() -> void:
 	var node := _edited().get_node(^"Node") as Node3D
 	var place := _handle_place("B", "position")
-	_expect(_camera().unproject_position(node.to_global(Vector3(0, 0.5, 0))).distance_to(place) < 1.0, true, "a handle in the node's space")
+	_expect(
+		_camera().unproject_position(node.to_global(Vector3(0, 0.5, 0))).distance_to(place) < 1.0,
+		true,
+		"a handle in the node's space"
+	)
 	_check_drag("B", "position", Vector2(30, -20), ["t"])
 	EditorInterface.save_scene()
 
@@ -210,8 +268,14 @@ func _drag_node() -> void:
 func _see_kept() -> void:
 	_expect(_selection(), PackedStringArray(["B"]), "entry selected in the dock after saving")
 	var session := ConfigFile.new()
-	session.load(EditorInterface.get_editor_paths().get_project_settings_dir().path_join("ga_playground.cfg"))
-	_expect(session.get_value("session", "document", ""), _before, "the dock's own document, as it is kept")
+	session.load(
+		EditorInterface.get_editor_paths().get_project_settings_dir().path_join("ga_playground.cfg")
+	)
+	_expect(
+		session.get_value("session", "document", ""),
+		_before,
+		"the dock's own document, as it is kept"
+	)
 
 
 ## It would take the place of the dock's own, which is not saved.
@@ -269,15 +333,30 @@ func _open_again() -> void:
 func _save() -> void:
 	_expect(_tool().is_visible_in_tree(), true, "objects when the dock is open again")
 	EditorInterface.save_scene()
-	var saved := (ResourceLoader.load(EDITED_SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene).get_state()
-	_expect(range(saved.get_node_count()).map(func(index: int) -> String: return saved.get_node_name(index)), ["Root", "Box", "Node"], "nodes of the saved scene")
+	var saved := (
+		(ResourceLoader.load(EDITED_SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene)
+		. get_state()
+	)
+	_expect(
+		range(saved.get_node_count()).map(
+			func(index: int) -> String: return saved.get_node_name(index)
+		),
+		["Root", "Box", "Node"],
+		"nodes of the saved scene"
+	)
 
 
 func _four() -> void:
 	for index in 4:
 		var viewport := EditorInterface.get_editor_viewport_3d(index)
-		_expect(viewport.find_world_3d() == _tool().get_world_3d(), true, "the world of viewport %d" % index)
-	for menu in EditorInterface.get_editor_main_screen().find_children("*", "PopupMenu", true, false):
+		_expect(
+			viewport.find_world_3d() == _tool().get_world_3d(),
+			true,
+			"the world of viewport %d" % index
+		)
+	for menu in EditorInterface.get_editor_main_screen().find_children(
+		"*", "PopupMenu", true, false
+	):
 		var popup := menu as PopupMenu
 		for index in popup.item_count:
 			if popup.get_item_text(index) == "4 Viewports":

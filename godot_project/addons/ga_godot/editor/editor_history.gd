@@ -71,7 +71,10 @@ func undo(scene: GAScene) -> void:
 
 func redo(scene: GAScene) -> void:
 	var steps := _steps_of(scene)
-	if steps.has_redo() and steps.get_action_name(steps.get_current_action() + 1).begins_with(PREFIX):
+	if (
+		steps.has_redo()
+		and steps.get_action_name(steps.get_current_action() + 1).begins_with(PREFIX)
+	):
 		steps.redo()
 
 
@@ -80,13 +83,20 @@ func _steps_of(scene: GAScene) -> UndoRedo:
 
 
 func _history_of(scene: GAScene) -> int:
-	return _undo_redo.get_object_history_id(scene) if is_embedded(scene) else EditorUndoRedoManager.GLOBAL_HISTORY
+	return (
+		_undo_redo.get_object_history_id(scene)
+		if is_embedded(scene)
+		else EditorUndoRedoManager.GLOBAL_HISTORY
+	)
 
 
 func _is_in_reach(scene: GAScene) -> bool:
 	var root := EditorInterface.get_edited_scene_root()
 	var id := _history_of(scene)
-	return id == EditorUndoRedoManager.GLOBAL_HISTORY or (root != null and id == _undo_redo.get_object_history_id(root))
+	return (
+		id == EditorUndoRedoManager.GLOBAL_HISTORY
+		or (root != null and id == _undo_redo.get_object_history_id(root))
+	)
 
 
 func _expect_others() -> void:

@@ -25,7 +25,9 @@ func make_file_dialog() -> FileDialog:
 
 
 func warn(words: String) -> void:
-	EditorInterface.get_editor_toaster().push_toast("GA Playground: " + words, EditorToaster.SEVERITY_WARNING)
+	EditorInterface.get_editor_toaster().push_toast(
+		"GA Playground: " + words, EditorToaster.SEVERITY_WARNING
+	)
 
 
 func note_file(path: String) -> void:

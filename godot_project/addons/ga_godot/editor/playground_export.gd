@@ -3,7 +3,9 @@ extends EditorExportPlugin
 ## Adds the playground to exported games. Its folder is hidden from the editor's file system, which would complain about
 ## every script of it where the library is missing; its examples are of a kind of file that is not exported by itself.
 
-const FOLDERS: PackedStringArray = ["res://addons/ga_godot/playground", "res://addons/ga_godot/gallery"]
+const FOLDERS: PackedStringArray = [
+	"res://addons/ga_godot/playground", "res://addons/ga_godot/gallery"
+]
 const OPTION := &"ga_godot/include_playground"
 const LEFT_OUT: PackedStringArray = ["uid", "gdignore"]
 
@@ -20,7 +22,9 @@ func _get_export_options(_platform: EditorExportPlatform) -> Array[Dictionary]:
 	return [{"option": {"name": OPTION, "type": TYPE_BOOL}, "default_value": true}]
 
 
-func _export_begin(_features: PackedStringArray, _is_debug: bool, _path: String, _flags: int) -> void:
+func _export_begin(
+	_features: PackedStringArray, _is_debug: bool, _path: String, _flags: int
+) -> void:
 	if get_option(OPTION):
 		for folder in FOLDERS:
 			_add_folder(folder)

@@ -61,7 +61,9 @@ func handle_click(event: InputEvent, camera: Camera3D) -> bool:
 		_is_pressed = false
 		return was_pressed
 	var may_take: bool = _pointer.may_take.call(camera, button.position)
-	var node := Picking.find_object(_edited_nodes(), camera, button.position, false) if may_take else null
+	var node := (
+		Picking.find_object(_edited_nodes(), camera, button.position, false) if may_take else null
+	)
 	if node == null:
 		return false
 	_is_pressed = true
@@ -134,7 +136,14 @@ func _leave_out_drawn() -> void:
 	_pointer.other_nodes.clear()
 	var entries := PackedStringArray()
 	for node in _edited_nodes():
-		var is_same := node == _node or (node.is_inside_tree() and node.is_visible_in_tree() and node.global_transform == _drawing.global_transform)
+		var is_same := (
+			node == _node
+			or (
+				node.is_inside_tree()
+				and node.is_visible_in_tree()
+				and node.global_transform == _drawing.global_transform
+			)
+		)
 		if is_same and node.scene == _dock.document.scene:
 			_pointer.other_nodes.append(node)
 			entries.append(node.entry)

@@ -105,7 +105,13 @@ func _update_visibility() -> void:
 
 # A closed dock is in none of the places where docks are.
 func _is_dock_open() -> bool:
-	return _dock.is_inside_tree() and (_dock.get_parent() is TabContainer or _dock.get_window() != EditorInterface.get_base_control().get_window())
+	return (
+		_dock.is_inside_tree()
+		and (
+			_dock.get_parent() is TabContainer
+			or _dock.get_window() != EditorInterface.get_base_control().get_window()
+		)
+	)
 
 
 func _is_beside_manipulator(camera: Camera3D, point: Vector2) -> bool:
@@ -113,7 +119,10 @@ func _is_beside_manipulator(camera: Camera3D, point: Vector2) -> bool:
 	for node in EditorInterface.get_selection().get_top_selected_nodes():
 		var selected := node as Node3D
 		if selected != null and not camera.is_position_behind(selected.global_position):
-			if camera.unproject_position(selected.global_position).distance_to(point) < reach * EditorInterface.get_editor_scale() * 1.2:
+			if (
+				camera.unproject_position(selected.global_position).distance_to(point)
+				< reach * EditorInterface.get_editor_scale() * 1.2
+			):
 				return false
 	return true
 
@@ -122,7 +131,11 @@ func _have_views_moved() -> bool:
 	var has_moved := false
 	for index in VIEWPORTS:
 		var camera := EditorInterface.get_editor_viewport_3d(index).get_camera_3d()
-		if camera != null and camera.is_visible_in_tree() and _views.get(camera) != camera.global_transform:
+		if (
+			camera != null
+			and camera.is_visible_in_tree()
+			and _views.get(camera) != camera.global_transform
+		):
 			_views[camera] = camera.global_transform
 			has_moved = true
 	return has_moved

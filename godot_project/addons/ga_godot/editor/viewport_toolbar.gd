@@ -52,7 +52,9 @@ func _fill_menu() -> void:
 	var menu := _adding.get_popup()
 	menu.clear()
 	for kind in _kinds():
-		menu.add_icon_item(PlaygroundIcons.make(kind, self), NewObjects.TITLES[kind], NewObjects.KINDS.find(kind))
+		menu.add_icon_item(
+			PlaygroundIcons.make(kind, self), NewObjects.TITLES[kind], NewObjects.KINDS.find(kind)
+		)
 	menu.add_separator()
 	menu.add_item("Add Nothing More (Escape)")
 	menu.set_item_id(menu.item_count - 1, NewObjects.KINDS.size())
@@ -75,7 +77,15 @@ func _on_shown_toggled(on: bool) -> void:
 
 func _show_adding() -> void:
 	var is_adding := not _pointer.adding.is_empty()
-	_adding.icon = PlaygroundIcons.make(_pointer.adding, self) if is_adding else get_theme_icon(&"Add", &"EditorIcons")
+	_adding.icon = (
+		PlaygroundIcons.make(_pointer.adding, self)
+		if is_adding
+		else get_theme_icon(&"Add", &"EditorIcons")
+	)
 	_adding.set_pressed_no_signal(is_adding)
-	_adding.tooltip_text = "Click into the viewport to add: %s. Escape ends it." % NewObjects.TITLES[_pointer.adding] if is_adding else ADDING_TEXT
+	_adding.tooltip_text = (
+		"Click into the viewport to add: %s. Escape ends it." % NewObjects.TITLES[_pointer.adding]
+		if is_adding
+		else ADDING_TEXT
+	)
 	_adding.get_popup().set_item_disabled(_adding.get_popup().item_count - 1, not is_adding)

@@ -43,4 +43,8 @@ func make_view_point() -> ViewPoint:
 
 
 func get_view_size() -> Vector2i:
-	return (camera.get_viewport() as SubViewport).size if camera.get_viewport() is SubViewport else camera.get_window().size
+	return (
+		(camera.get_viewport() as SubViewport).size
+		if camera.get_viewport() is SubViewport
+		else camera.get_window().size
+	)

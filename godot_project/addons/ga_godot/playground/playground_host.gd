@@ -9,13 +9,10 @@ const ViewPoint := preload("picture/view_point.gd")
 
 var history: EditHistory
 
-
 @abstract func make_number_field(step: float) -> NumberField
-
 
 ## For files of a scene.
 @abstract func make_file_dialog() -> FileDialog
-
 
 ## Tells a person what went wrong.
 @abstract func warn(words: String) -> void

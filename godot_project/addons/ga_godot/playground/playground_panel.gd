@@ -60,7 +60,9 @@ func _init(p_host: PlaygroundHost) -> void:
 	lab = InterpolationLab.new(document)
 	var lab_panel := LabPanel.new(lab, list, host)
 	bottom.add_child(lab_panel)
-	for part: Control in [head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll]:
+	for part: Control in [
+		head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll
+	]:
 		add_child(part)
 	top.add_child(_description)
 	_top_scroll.name = "Upper"
@@ -121,7 +123,9 @@ func _make_head() -> void:
 
 func _open_examples() -> void:
 	_examples.reset_size()
-	_examples.position = _examples_button.get_screen_position() + Vector2(0.0, _examples_button.size.y)
+	_examples.position = (
+		_examples_button.get_screen_position() + Vector2(0.0, _examples_button.size.y)
+	)
 	_examples.popup()
 
 
@@ -152,5 +156,12 @@ func _on_scene_switched() -> void:
 
 
 func _show_file_name() -> void:
-	_file_name.text = ("not saved yet" if document.path.is_empty() else document.get_file().get_file()) + ("*" if document.is_unsaved() else "")
-	_file_name.tooltip_text = "A part of %s, saved with it." % document.get_file() if document.is_embedded() else document.path
+	_file_name.text = (
+		("not saved yet" if document.path.is_empty() else document.get_file().get_file())
+		+ ("*" if document.is_unsaved() else "")
+	)
+	_file_name.tooltip_text = (
+		"A part of %s, saved with it." % document.get_file()
+		if document.is_embedded()
+		else document.path
+	)

@@ -49,7 +49,11 @@ func update(link: PoseLink) -> void:
 			continue
 		if shown <= truth.tick + Truth.TICKS - 1:
 			for i: int in truth.ids.size():
-				_add(distance(link.bodies[truth.ids[i]].transform, truth.get_pose(i, shown - truth.tick)))
+				_add(
+					distance(
+						link.bodies[truth.ids[i]].transform, truth.get_pose(i, shown - truth.tick)
+					)
+				)
 		_waiting.remove_at(at)
 
 

@@ -18,7 +18,9 @@ func _init(path: String, body_count: int) -> void:
 		return
 	_file = FileAccess.open(path, FileAccess.WRITE)
 	if _file == null:
-		printerr("Cannot write the record %s: %s" % [path, error_string(FileAccess.get_open_error())])
+		printerr(
+			"Cannot write the record %s: %s" % [path, error_string(FileAccess.get_open_error())]
+		)
 		return
 	_file.store_buffer(MAGIC.to_ascii_buffer())
 	_file.store_32(body_count)

@@ -22,7 +22,10 @@ func begin(meter: TrafficMeter) -> void:
 func finish(method: String, meter: TrafficMeter) -> void:
 	meter.update()
 	_values = {
-		"role": "client", "method": method, "seconds": _get_seconds() - _begun_at, "bytes": meter.bytes - _bytes,
+		"role": "client",
+		"method": method,
+		"seconds": _get_seconds() - _begun_at,
+		"bytes": meter.bytes - _bytes,
 		"packets": meter.packets - _packets,
 	}
 

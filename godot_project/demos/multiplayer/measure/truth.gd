@@ -27,7 +27,9 @@ func to_bytes() -> PackedByteArray:
 	for i: int in ids.size():
 		bytes.encode_u16(HEADER + i * BODY_BYTES, ids[i])
 		for step: int in TICKS:
-			_encode(bytes, HEADER + i * BODY_BYTES + 2 + step * POSE_BYTES, poses[step * ids.size() + i])
+			_encode(
+				bytes, HEADER + i * BODY_BYTES + 2 + step * POSE_BYTES, poses[step * ids.size() + i]
+			)
 	return bytes
 
 
@@ -57,7 +59,9 @@ func get_pose(i: int, ticks: float) -> Transform3D:
 
 static func _encode(bytes: PackedByteArray, at: int, pose: Transform3D) -> void:
 	var turn := pose.basis.get_rotation_quaternion()
-	var numbers := PackedFloat32Array([pose.origin.x, pose.origin.y, pose.origin.z, turn.x, turn.y, turn.z, turn.w])
+	var numbers := PackedFloat32Array(
+		[pose.origin.x, pose.origin.y, pose.origin.z, turn.x, turn.y, turn.z, turn.w]
+	)
 	for i: int in numbers.size():
 		bytes.encode_float(at + 4 * i, numbers[i])
 
@@ -66,4 +70,6 @@ static func _decode(bytes: PackedByteArray, at: int) -> Transform3D:
 	var numbers := bytes.slice(at, at + POSE_BYTES).to_float32_array()
 	var origin := Vector3(numbers[0], numbers[1], numbers[2])
 	var turn := Quaternion(numbers[3], numbers[4], numbers[5], numbers[6])
-	return Transform3D(Basis(turn.normalized()) if turn.is_finite() and turn.length() > 0.5 else Basis(), origin)
+	return Transform3D(
+		Basis(turn.normalized()) if turn.is_finite() and turn.length() > 0.5 else Basis(), origin
+	)

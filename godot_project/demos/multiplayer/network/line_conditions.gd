@@ -18,4 +18,11 @@ var rate := 0.0
 
 
 func is_perfect() -> bool:
-	return loss <= 0.0 and delay <= 0.0 and jitter <= 0.0 and reorder <= 0.0 and duplicate <= 0.0 and rate <= 0.0
+	return (
+		loss <= 0.0
+		and delay <= 0.0
+		and jitter <= 0.0
+		and reorder <= 0.0
+		and duplicate <= 0.0
+		and rate <= 0.0
+	)

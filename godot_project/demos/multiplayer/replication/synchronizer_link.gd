@@ -17,7 +17,9 @@ func open(body_count: int) -> void:
 	var configuration := SceneReplicationConfig.new()
 	var property := NodePath(".:transform")
 	configuration.add_property(property)
-	configuration.property_set_replication_mode(property, SceneReplicationConfig.REPLICATION_MODE_ALWAYS)
+	configuration.property_set_replication_mode(
+		property, SceneReplicationConfig.REPLICATION_MODE_ALWAYS
+	)
 	for id: int in body_count:
 		var synchronizer := MultiplayerSynchronizer.new()
 		synchronizer.name = "S"

@@ -54,7 +54,12 @@ func _process(_delta: float) -> void:
 
 func _unhandled_input(event: InputEvent) -> void:
 	var button := event as InputEventMouseButton
-	if button == null or not button.pressed or button.button_index != MOUSE_BUTTON_LEFT or _multimesh == null:
+	if (
+		button == null
+		or not button.pressed
+		or button.button_index != MOUSE_BUTTON_LEFT
+		or _multimesh == null
+	):
 		return
 	var origin := _rig.camera.project_ray_origin(button.position)
 	var direction := _rig.camera.project_ray_normal(button.position)
@@ -105,7 +110,11 @@ func _rebuild_balls() -> void:
 
 func _get_own_position() -> Vector3:
 	var slot := _client.get_own_slot()
-	return _client.link.bodies[_client.cube_count + slot].position if _balls.has(slot) else Vector3.ZERO
+	return (
+		_client.link.bodies[_client.cube_count + slot].position
+		if _balls.has(slot)
+		else Vector3.ZERO
+	)
 
 
 ## The nearest cube on a ray as shown, or -1.
@@ -115,7 +124,11 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 	for i: int in _client.cube_count:
 		var offset := _client.link.bodies[i].position - origin
 		var along := offset.dot(direction)
-		if along > 0.0 and along < best_along and (offset - direction * along).length() < PICK_RADIUS:
+		if (
+			along > 0.0
+			and along < best_along
+			and (offset - direction * along).length() < PICK_RADIUS
+		):
 			best = i
 			best_along = along
 	return best

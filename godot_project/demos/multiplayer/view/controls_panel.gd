@@ -10,7 +10,9 @@ const LineConditions := preload("../network/line_conditions.gd")
 const SliderRow := preload("slider_row.gd")
 
 const MODE_TITLES: Dictionary[String, MultivectorLerp.Mode] = {
-	"Linear": MultivectorLerp.LINEAR, "Screw": MultivectorLerp.SCREW, "Separate": MultivectorLerp.SEPARATE,
+	"Linear": MultivectorLerp.LINEAR,
+	"Screw": MultivectorLerp.SCREW,
+	"Separate": MultivectorLerp.SEPARATE,
 }
 const WIDTH := 250
 ## Seconds between two wishes while a slider is dragged.

@@ -10,13 +10,19 @@ const Palette := preload("palette.gd")
 const Sparkline := preload("sparkline.gd")
 
 const TITLES: Dictionary[String, String] = {
-	"motors": "MotorSynchronizer", "synchronizer": "MultiplayerSynchronizer",
+	"motors": "MotorSynchronizer",
+	"synchronizer": "MultiplayerSynchronizer",
 }
 const LINES: Dictionary[String, String] = {
-	"motors": "GA-Godot: what the tolerance asks for", "synchronizer": "Godot: every transform, 20 times a second",
+	"motors": "GA-Godot: what the tolerance asks for",
+	"synchronizer": "Godot: every transform, 20 times a second",
 }
 const FIGURES: PackedStringArray = [
-	"Packets", "Loss", "Playback delay", "Error, median", "Error, worst of 2 s",
+	"Packets",
+	"Loss",
+	"Playback delay",
+	"Error, median",
+	"Error, worst of 2 s",
 ]
 const UPDATE_PAUSE := 0.5
 ## Readings after a change of method that still hold some of the old one's bytes, or its beginning.
@@ -83,7 +89,9 @@ func update(client: Client) -> void:
 	_lost = client.meter.lost
 	_settling -= 1
 	if _settling < 0:
-		_rates[_method] = lerpf(_rates[_method], rate, NEWEST_SHARE) if _rates.has(_method) else rate
+		_rates[_method] = (
+			lerpf(_rates[_method], rate, NEWEST_SHARE) if _rates.has(_method) else rate
+		)
 		_curve.push(rate)
 	_show_rates()
 	_values["Packets"].text = "%.0f /s" % (packets / elapsed)

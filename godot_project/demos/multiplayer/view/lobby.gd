@@ -11,7 +11,9 @@ const Options := preload("../options.gd")
 const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
-const SCENE_TITLES: Dictionary[String, String] = {"cubes": "Structures that fall", "push": "A field to push through"}
+const SCENE_TITLES: Dictionary[String, String] = {
+	"cubes": "Structures that fall", "push": "A field to push through"
+}
 const COLUMN_WIDTH := 400
 ## The picture behind turns this fast, in radians a second.
 const TURN_SPEED := 0.06
@@ -43,7 +45,11 @@ func _init(options: Options, message: String) -> void:
 	panel.add_child(margin)
 	margin.add_child(column)
 	_add_label(column, "Multiplayer", &"TitleLabel")
-	_add_label(column, "A server simulates the cubes; it sends their poses as quantised motors.", &"CaptionLabel")
+	_add_label(
+		column,
+		"A server simulates the cubes; it sends their poses as quantised motors.",
+		&"CaptionLabel"
+	)
 	if not message.is_empty():
 		_add_label(column, message, &"HeadingLabel")
 	_name.text = options.player_name
@@ -95,8 +101,18 @@ func _on_host() -> void:
 	var arguments: PackedStringArray = ["--headless"]
 	if OS.has_feature("editor"):
 		arguments.append_array(["--path", ProjectSettings.globalize_path("res://")])
-	arguments.append_array([SCENE, "--", "--role=server", "--quit-when-empty=on", "--port=%d" % _options.port,
-			"--scene=%s" % _options.scene, "--cubes=%d" % _options.cubes, "--method=%s" % _options.method])
+	arguments.append_array(
+		[
+			SCENE,
+			"--",
+			"--role=server",
+			"--quit-when-empty=on",
+			"--port=%d" % _options.port,
+			"--scene=%s" % _options.scene,
+			"--cubes=%d" % _options.cubes,
+			"--method=%s" % _options.method
+		]
+	)
 	OS.create_process(OS.get_executable_path(), arguments)
 	_options.address = "127.0.0.1"
 	_play()

@@ -18,7 +18,9 @@ func _init(title: String, line: String, color: Color, group: ButtonGroup) -> voi
 	focus_mode = Control.FOCUS_NONE
 	custom_minimum_size.y = HEIGHT
 	var lines := VBoxContainer.new()
-	lines.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, MARGIN)
+	lines.set_anchors_and_offsets_preset(
+		Control.PRESET_FULL_RECT, Control.PRESET_MODE_MINSIZE, MARGIN
+	)
 	lines.offset_bottom = -MARGIN - BAR_HEIGHT
 	lines.alignment = BoxContainer.ALIGNMENT_CENTER
 	lines.add_theme_constant_override(&"separation", -3)
@@ -50,7 +52,9 @@ func _draw() -> void:
 	var width := size.x - 2.0 * MARGIN
 	var at := Vector2(MARGIN, size.y - MARGIN - BAR_HEIGHT + 1.0)
 	draw_rect(Rect2(at, Vector2(width, BAR_HEIGHT)), Color(1.0, 1.0, 1.0, 0.07))
-	draw_rect(Rect2(at, Vector2(maxf(width * _share, 2.0 if _share > 0.0 else 0.0), BAR_HEIGHT)), _color)
+	draw_rect(
+		Rect2(at, Vector2(maxf(width * _share, 2.0 if _share > 0.0 else 0.0), BAR_HEIGHT)), _color
+	)
 
 
 func _make_label(words: String, variation: StringName) -> Label:

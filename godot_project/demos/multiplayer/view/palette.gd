@@ -8,11 +8,19 @@ const KEY_LIGHT := Color("ffe6c4")
 const RIM_LIGHT := Color("7fa8ff")
 const ACCENT := Color("3ed6c4")
 ## Of the ways in which poses come.
-const METHODS: Dictionary[String, Color] = {"motors": Color("3ed6c4"), "synchronizer": Color("ff9e6b")}
+const METHODS: Dictionary[String, Color] = {
+	"motors": Color("3ed6c4"), "synchronizer": Color("ff9e6b")
+}
 const LIFT := Color("ffb454")
 const ROLLER := Color("ff7a3d")
 const PLAYERS: Array[Color] = [
-	Color("ffd23f"), Color("4cc9f0"), Color("b8f35d"), Color("c792ff"), Color("ff6b8b"), Color("5eead4"), Color("f4f1de"),
+	Color("ffd23f"),
+	Color("4cc9f0"),
+	Color("b8f35d"),
+	Color("c792ff"),
+	Color("ff6b8b"),
+	Color("5eead4"),
+	Color("f4f1de"),
 ]
 
 

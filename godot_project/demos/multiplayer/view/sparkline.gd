@@ -31,8 +31,12 @@ func _draw() -> void:
 	var curve := PackedVector2Array()
 	var start := CAPACITY - _values.size()
 	for i: int in _values.size():
-		curve.append(Vector2(
-				size.x * (start + i) / (CAPACITY - 1), size.y - 1.0 - (size.y - 3.0) * _values[i] / (most * 1.1)))
+		curve.append(
+			Vector2(
+				size.x * (start + i) / (CAPACITY - 1),
+				size.y - 1.0 - (size.y - 3.0) * _values[i] / (most * 1.1)
+			)
+		)
 	var area := curve.duplicate()
 	area.append(Vector2(curve[-1].x, size.y))
 	area.append(Vector2(curve[0].x, size.y))

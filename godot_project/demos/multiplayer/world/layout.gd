@@ -53,7 +53,11 @@ func _add_field(count: int) -> void:
 	for i: int in count:
 		var cell := Vector3(i % side - reach, 0.0, floorf(i / float(side)) - reach)
 		var away := cell.length() / maxf(reach * sqrt(2.0), 1.0)
-		_add(Transform3D(Basis.IDENTITY, cell * FIELD_PITCH + Vector3(0.0, EDGE * 0.5, 0.0)), FIELD_COLORS, away)
+		_add(
+			Transform3D(Basis.IDENTITY, cell * FIELD_PITCH + Vector3(0.0, EDGE * 0.5, 0.0)),
+			FIELD_COLORS,
+			away
+		)
 
 
 func _add_set(center: Vector3, count: int) -> void:
@@ -96,7 +100,10 @@ func _add_pyramid(base: Vector3, count: int) -> void:
 	var left := count
 	while left > 0:
 		for i: int in mini(left, rows * rows):
-			var cell := Vector3(i % rows, 0.0, floorf(i / float(rows))) - Vector3(rows - 1, 0.0, rows - 1) * 0.5
+			var cell := (
+				Vector3(i % rows, 0.0, floorf(i / float(rows)))
+				- Vector3(rows - 1, 0.0, rows - 1) * 0.5
+			)
 			var at := base + turn * (cell * PITCH) + Vector3(0.0, EDGE * (layer + 0.5), 0.0)
 			_add(Transform3D(turn, at), PYRAMID_COLORS, layer / maxf(side - 1, 1))
 		left -= mini(left, rows * rows)

@@ -26,7 +26,9 @@ func _init(scene: String, half_extent: float) -> void:
 ## The pose of the ball at [param seconds] of the scene.
 func get_ball_pose(seconds: float) -> Transform3D:
 	var angle := seconds * BALL_TURN
-	var at := Vector3(_reach * sin(angle + 0.9), BALL_RADIUS, _reach * 0.75 * sin(2.0 * angle + 2.6))
+	var at := Vector3(
+		_reach * sin(angle + 0.9), BALL_RADIUS, _reach * 0.75 * sin(2.0 * angle + 2.6)
+	)
 	var roll := seconds * 4.0
 	return Transform3D(Basis(Vector3(cos(angle), 0.0, sin(angle)).normalized(), roll), at)
 

@@ -101,7 +101,9 @@ func kick(cube: int, direction: Vector3) -> void:
 ## Where a player's ball enters the arena.
 func get_entry(slot: int) -> Vector3:
 	var angle := TAU * slot / SLOTS + 0.4
-	return Vector3(cos(angle), 0.0, sin(angle)) * (layout.half_extent - 1.5) + Vector3(0.0, 1.2, 0.0)
+	return (
+		Vector3(cos(angle), 0.0, sin(angle)) * (layout.half_extent - 1.5) + Vector3(0.0, 1.2, 0.0)
+	)
 
 
 func _add_cube(pose: Transform3D, shape: Shape3D) -> void:
@@ -135,8 +137,12 @@ func _add_arena() -> void:
 	_add_box(arena, Vector3(0.0, -0.5, 0.0), Vector3(2.0 * half + 2.0, 1.0, 2.0 * half + 2.0))
 	for side: float in [-1.0, 1.0]:
 		var at := side * (half + 0.5)
-		_add_box(arena, Vector3(at, WALL_HEIGHT * 0.5, 0.0), Vector3(1.0, WALL_HEIGHT, 2.0 * half + 2.0))
-		_add_box(arena, Vector3(0.0, WALL_HEIGHT * 0.5, at), Vector3(2.0 * half + 2.0, WALL_HEIGHT, 1.0))
+		_add_box(
+			arena, Vector3(at, WALL_HEIGHT * 0.5, 0.0), Vector3(1.0, WALL_HEIGHT, 2.0 * half + 2.0)
+		)
+		_add_box(
+			arena, Vector3(0.0, WALL_HEIGHT * 0.5, at), Vector3(2.0 * half + 2.0, WALL_HEIGHT, 1.0)
+		)
 
 
 func _add_box(parent: StaticBody3D, center: Vector3, size: Vector3) -> void:
@@ -150,8 +156,11 @@ func _add_box(parent: StaticBody3D, center: Vector3, size: Vector3) -> void:
 
 ## What leaves the arena all the same comes back from above.
 func _keep_inside(body: RigidBody3D, home: Vector3) -> void:
-	if body.position.y > -2.0 and absf(body.position.x) < layout.half_extent + 3.0 \
-			and absf(body.position.z) < layout.half_extent + 3.0:
+	if (
+		body.position.y > -2.0
+		and absf(body.position.x) < layout.half_extent + 3.0
+		and absf(body.position.z) < layout.half_extent + 3.0
+	):
 		return
 	body.position = home + Vector3(0.0, 6.0, 0.0)
 	body.linear_velocity = Vector3.ZERO

@@ -79,7 +79,9 @@ class Tweened:
 	func _ready() -> void:
 		_tween = create_tween().set_parallel()
 		for i in world.nodes.size():
-			_tween.tween_property(world.nodes[i], ^"transform", world.to[i], SECONDS).from(world.from[i])
+			_tween.tween_property(world.nodes[i], ^"transform", world.to[i], SECONDS).from(
+				world.from[i]
+			)
 		_tween.pause()
 
 	func _process(_delta: float) -> void:
@@ -108,7 +110,9 @@ class Animated:
 			for end: Array in [[0.0, world.from[i]], [1.0, world.to[i]]]:
 				var pose: Transform3D = end[1]
 				animation.position_track_insert_key(position, end[0] as float, pose.origin)
-				animation.rotation_track_insert_key(rotation, end[0] as float, pose.basis.get_rotation_quaternion())
+				animation.rotation_track_insert_key(
+					rotation, end[0] as float, pose.basis.get_rotation_quaternion()
+				)
 		var library := AnimationLibrary.new()
 		library.add_animation(&"all", animation)
 		_player.add_animation_library(&"", library)

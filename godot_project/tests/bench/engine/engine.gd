@@ -33,7 +33,9 @@ func _initialize() -> void:
 			"--rivals":
 				_load_rivals(value)
 			"--sizes":
-				sizes = PackedInt64Array(Array(value.split(",")).map(func(size: String) -> int: return size.to_int()))
+				sizes = PackedInt64Array(
+					Array(value.split(",")).map(func(size: String) -> int: return size.to_int())
+				)
 			"--rounds":
 				_rounds = value.to_int()
 			"--arms":
@@ -44,7 +46,9 @@ func _initialize() -> void:
 	# Without a display the engine would sleep between frames.
 	OS.low_processor_usage_mode_sleep_usec = 1
 	if not ClassDB.class_exists(Arms.NATIVE_CLASS):
-		printerr("The rivals in C++ are missing: build them with scons bench_engine and give --rivals=FILE.")
+		printerr(
+			"The rivals in C++ are missing: build them with scons bench_engine and give --rivals=FILE."
+		)
 		quit(1)
 		return
 	_measure_all.call_deferred(sizes, path)
@@ -91,7 +95,9 @@ func _measure(size: int) -> Array[Dictionary]:
 	return rows
 
 
-func _take_turn(world: World, size: int, frames: PackedFloat64Array, works: PackedFloat64Array) -> void:
+func _take_turn(
+	world: World, size: int, frames: PackedFloat64Array, works: PackedFloat64Array
+) -> void:
 	var count := clampi(MOVES_PER_TURN / size, FEWEST_FRAMES, MOST_FRAMES)
 	var before := 0
 	for frame in WARM_UP_FRAMES + count + 1:
@@ -104,12 +110,22 @@ func _take_turn(world: World, size: int, frames: PackedFloat64Array, works: Pack
 		before = began
 
 
-func _row(size: int, name: String, frames: Dictionary[String, PackedFloat64Array], works: Dictionary[String, PackedFloat64Array]) -> Dictionary:
+func _row(
+	size: int,
+	name: String,
+	frames: Dictionary[String, PackedFloat64Array],
+	works: Dictionary[String, PackedFloat64Array]
+) -> Dictionary:
 	var frame := _quantile(frames[name], 0.5)
 	return {
-		"subject": name, "n": size,
-		"frame": frame, "frame_p95": _quantile(frames[name], 0.95), "cost": frame - _quantile(frames[IDLE], 0.5),
-		"work": _quantile(works[name], 0.5), "work_p95": _quantile(works[name], 0.95), "frames": frames[name].size(),
+		"subject": name,
+		"n": size,
+		"frame": frame,
+		"frame_p95": _quantile(frames[name], 0.95),
+		"cost": frame - _quantile(frames[IDLE], 0.5),
+		"work": _quantile(works[name], 0.5),
+		"work_p95": _quantile(works[name], 0.95),
+		"frames": frames[name].size(),
 	}
 
 

@@ -8,7 +8,9 @@ const BenchRows := preload("res://tests/bench/bench_rows.gd")
 
 const ROUNDS := 9
 const BODIES_PER_ROUND := 2_000_000
-const MODES: Dictionary[String, int] = {"interpolate_linear": MultivectorLerp.LINEAR, "interpolate_screw": MultivectorLerp.SCREW}
+const MODES: Dictionary[String, int] = {
+	"interpolate_linear": MultivectorLerp.LINEAR, "interpolate_screw": MultivectorLerp.SCREW
+}
 
 var _pool := MotorPool.new()
 var _buffer := PackedFloat32Array()
@@ -20,7 +22,11 @@ func _initialize() -> void:
 	var path := ""
 	for argument in OS.get_cmdline_user_args():
 		if argument.begins_with("--sizes="):
-			sizes = PackedInt64Array(Array(argument.get_slice("=", 1).split(",")).map(func(size: String) -> int: return size.to_int()))
+			sizes = PackedInt64Array(
+				Array(argument.get_slice("=", 1).split(",")).map(
+					func(size: String) -> int: return size.to_int()
+				)
+			)
 		elif argument.begins_with("--json="):
 			path = argument.get_slice("=", 1)
 	var rows: Array[Dictionary] = []
@@ -29,10 +35,17 @@ func _initialize() -> void:
 		for case in MODES:
 			var mode := MODES[case]
 			rows.append_array(_measure(case, size, func() -> void: _pool.interpolate(0.4, mode)))
-		rows.append_array(_measure("set_to_buffer", size, func() -> void: _pool.set_to_buffer(_buffer)))
+		rows.append_array(
+			_measure("set_to_buffer", size, func() -> void: _pool.set_to_buffer(_buffer))
+		)
 	if path.is_empty():
 		for row in rows:
-			print("%-20s %9d %-20s %8.2f ns/body" % [row["case"], row["n"], row["subject"], row["value"]])
+			print(
+				(
+					"%-20s %9d %-20s %8.2f ns/body"
+					% [row["case"], row["n"], row["subject"], row["value"]]
+				)
+			)
 		quit(0)
 	else:
 		quit(BenchRows.write(rows, path))
@@ -47,9 +60,16 @@ func _fill(size: int) -> void:
 	random.seed = 2026
 	_buffer.clear()
 	for i in mini(size, 1_000):
-		var basis := Basis(Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn()).normalized())
+		var basis := Basis(
+			(
+				Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn())
+				. normalized()
+			)
+		)
 		for row in 3:
-			_buffer.append_array([basis.x[row], basis.y[row], basis.z[row], random.randf_range(-10, 10)])
+			_buffer.append_array(
+				[basis.x[row], basis.y[row], basis.z[row], random.randf_range(-10, 10)]
+			)
 	while _buffer.size() < 12 * size:
 		_buffer.append_array(_buffer.slice(0, mini(_buffer.size(), 12 * size - _buffer.size())))
 	_pool.set_to_buffer(_buffer)
@@ -69,9 +89,18 @@ func _measure(case: String, size: int, call_once: Callable) -> Array[Dictionary]
 		shared.append(_usec * 1000.0 / repeats / size)
 		WorkerThreadPool.wait_for_task_completion(WorkerThreadPool.add_task(timed))
 		alone.append(_usec * 1000.0 / repeats / size)
-	return [_row(case, "motor_pool", size, shared), _row(case, "motor_pool_one_thread", size, alone)]
+	return [
+		_row(case, "motor_pool", size, shared), _row(case, "motor_pool_one_thread", size, alone)
+	]
 
 
 func _row(case: String, subject: String, size: int, times: PackedFloat64Array) -> Dictionary:
 	times.sort()
-	return {"suite": "engine", "case": case, "subject": subject, "n": size, "value": times[times.size() / 2], "unit": "ns/body"}
+	return {
+		"suite": "engine",
+		"case": case,
+		"subject": subject,
+		"n": size,
+		"value": times[times.size() / 2],
+		"unit": "ns/body"
+	}

@@ -39,7 +39,9 @@ func _init(count: int) -> void:
 		cube.mesh = mesh
 		cubes.add_child(cube)
 		nodes.append(cube)
-		var place := Vector3(i % side, i / side % side, i / side / side) - Vector3.ONE * (side / 2.0)
+		var place := (
+			Vector3(i % side, i / side % side, i / side / side) - Vector3.ONE * (side / 2.0)
+		)
 		from.append(_random_pose(random, place * SPACING))
 		to.append(_random_pose(random, place * SPACING))
 		cube.transform = from[i]
@@ -79,5 +81,9 @@ func _end() -> void:
 
 
 func _random_pose(random: RandomNumberGenerator, place: Vector3) -> Transform3D:
-	var rotation_now := Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn()).normalized()
-	return Transform3D(Basis(rotation_now), place + Vector3(random.randf(), random.randf(), random.randf()))
+	var rotation_now := (
+		Quaternion(random.randfn(), random.randfn(), random.randfn(), random.randfn()).normalized()
+	)
+	return Transform3D(
+		Basis(rotation_now), place + Vector3(random.randf(), random.randf(), random.randf())
+	)

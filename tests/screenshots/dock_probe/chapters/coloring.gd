@@ -29,12 +29,20 @@ func read() -> void:
 	swatch.get_popup().hide()
 	await settle(2)
 	undo()
-	expect(scene().document, before, "document after undoing with a picker opened for nothing in between")
+	expect(
+		scene().document,
+		before,
+		"document after undoing with a picker opened for nothing in between"
+	)
 
 
 # Where the colour is written in hexadecimal.
 func _find_text(picker: ColorPicker) -> LineEdit:
 	for edit: LineEdit in picker.find_children("*", "LineEdit", true, false):
-		if edit.is_visible_in_tree() and edit.text.length() >= 6 and not edit.get_parent() is SpinBox:
+		if (
+			edit.is_visible_in_tree()
+			and edit.text.length() >= 6
+			and not edit.get_parent() is SpinBox
+		):
 			return edit
 	return null

@@ -3,15 +3,42 @@ extends "../chapter.gd"
 ## Two entries selected, a button pressed.
 
 const ENTRIES: PackedStringArray = [
-	"A", "point(0, 0, 1)", "p", "plane(e2, 1)", "q", "plane(e1, 2)", "s", "sphere(point(0, 0, 0), 2)",
-	"d", "!sphere(point(0, 0, 0), 2)", "l", "line(point(0, 2, 0), e1 + e2)", "n", "!plane(e2, 1)",
-	"m", "translator(3 e1)",
+	"A",
+	"point(0, 0, 1)",
+	"p",
+	"plane(e2, 1)",
+	"q",
+	"plane(e1, 2)",
+	"s",
+	"sphere(point(0, 0, 0), 2)",
+	"d",
+	"!sphere(point(0, 0, 0), 2)",
+	"l",
+	"line(point(0, 2, 0), e1 + e2)",
+	"n",
+	"!plane(e2, 1)",
+	"m",
+	"translator(3 e1)",
 ]
 ## Which two, the button, and what is added: its name, expression and description.
 const CASES: Array[PackedStringArray] = [
 	["p", "q", "meet", "l1", "meet(p, q)", "line, at (2, 1, 0), direction (0, 0, 1)"],
-	["p", "d", "intersect", "c1", "meet(p, undual(d))", "circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"],
-	["p", "s", "intersect", "c1", "meet(p, s)", "circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"],
+	[
+		"p",
+		"d",
+		"intersect",
+		"c1",
+		"meet(p, undual(d))",
+		"circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"
+	],
+	[
+		"p",
+		"s",
+		"intersect",
+		"c1",
+		"meet(p, s)",
+		"circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"
+	],
 	["A", "p", "project", "B", "project_onto(A ^ einf, p)", "flat point, at (0, 1, 1)"],
 	["A", "n", "project", "B", "project_onto(A ^ einf, undual(n))", "flat point, at (0, 1, 1)"],
 	["l", "p", "project", "l1", "project_onto(l, p)", "line, at (0, 1, 0), direction (1, 0, 0)"],

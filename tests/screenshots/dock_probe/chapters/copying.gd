@@ -3,7 +3,16 @@ extends "../chapter.gd"
 ## Entries copied as text for other places, and pasted.
 
 const ENTRIES: PackedStringArray = [
-	"A", "point(1, 2, 3)", "for", "sphere(A, 2)", "p", "plane(e2, 1.5)", "c_1", "meet(for, p)", "m", "motor(2 e1, rotor(e3, deg(90)), 1)",
+	"A",
+	"point(1, 2, 3)",
+	"for",
+	"sphere(A, 2)",
+	"p",
+	"plane(e2, 1.5)",
+	"c_1",
+	"meet(for, p)",
+	"m",
+	"motor(2 e1, rotor(e3, deg(90)), 1)",
 ]
 const LATEX := """\\begin{align*}
 A &= \\mathbf{e}_{1} + 2 \\mathbf{e}_{2} + 3 \\mathbf{e}_{3} + 6.5 \\mathbf{e}_{4} + 7.5 \\mathbf{e}_{5} \\\\
@@ -34,8 +43,16 @@ func _copy_gdscript() -> void:
 	var copied: RefCounted = script.new()
 	for entry: String in ["A", "for", "p", "c_1", "m"]:
 		var value: Multivector = copied.get("for_" if entry == "for" else entry)
-		expect(value.coefficients if value != null else PackedFloat64Array(), scene().get_value(entry).coefficients, "%s copied as GDScript" % entry)
-		expect(value.to_json() if value != null else "", scene().get_value(entry).to_json(), "%s copied as GDScript, to its last bit" % entry)
+		expect(
+			value.coefficients if value != null else PackedFloat64Array(),
+			scene().get_value(entry).coefficients,
+			"%s copied as GDScript" % entry
+		)
+		expect(
+			value.to_json() if value != null else "",
+			scene().get_value(entry).to_json(),
+			"%s copied as GDScript, to its last bit" % entry
+		)
 
 
 func _copy_cpp() -> void:
@@ -44,7 +61,11 @@ func _copy_cpp() -> void:
 	var place := argument("--copied-cpp")
 	if not place.is_empty():
 		FileAccess.open(place, FileAccess.WRITE).store_string(DisplayServer.clipboard_get())
-	expect(DisplayServer.clipboard_get(), FileAccess.get_file_as_string(CPP_FIXTURE), "what is copied as C++")
+	expect(
+		DisplayServer.clipboard_get(),
+		FileAccess.get_file_as_string(CPP_FIXTURE),
+		"what is copied as C++"
+	)
 
 
 func _copy_latex() -> void:
@@ -56,7 +77,11 @@ func _copy_latex() -> void:
 func _copy_numbers() -> void:
 	await select(["A"])
 	await choose_for_entry("A", "Copy as 32 Numbers")
-	expect(DisplayServer.clipboard_get(), "[0,1,2,3,6.5,7.5%s]" % ",0".repeat(26), "what is copied as 32 numbers")
+	expect(
+		DisplayServer.clipboard_get(),
+		"[0,1,2,3,6.5,7.5%s]" % ",0".repeat(26),
+		"what is copied as 32 numbers"
+	)
 
 
 func _paste() -> void:

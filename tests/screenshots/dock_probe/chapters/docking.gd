@@ -19,7 +19,9 @@ func _float() -> void:
 	expect_true(dock().get_window() != plugin.get_window(), "a window of its own")
 	var before := scene().document
 	Hands.click(part("Objects/sphere"))
-	expect(scene().get_value(names()[-1]).classify()["kind"], &"sphere", "what is added in the window")
+	expect(
+		scene().get_value(names()[-1]).classify()["kind"], &"sphere", "what is added in the window"
+	)
 	undo()
 	await settle(2)
 	expect(scene().document, before, "document after undoing in the window")
@@ -42,7 +44,9 @@ func _close() -> void:
 ## To the slots at the left and back, by the map in the menu of its tab.
 func _move() -> void:
 	var home := dock().get_parent()
-	for slot: EditorDock.DockSlot in [EditorDock.DOCK_SLOT_LEFT_BL, EditorDock.DOCK_SLOT_LEFT_UR, EditorDock.DOCK_SLOT_RIGHT_UL]:
+	for slot: EditorDock.DockSlot in [
+		EditorDock.DOCK_SLOT_LEFT_BL, EditorDock.DOCK_SLOT_LEFT_UR, EditorDock.DOCK_SLOT_RIGHT_UL
+	]:
 		dock().close()
 		dock().default_slot = slot
 		dock().open()
@@ -71,7 +75,11 @@ func _restart_plugin() -> void:
 	expect(scene().document, before, "document after the plugin was off and on")
 	for step in 3:
 		undo()
-	expect(words_of("s"), "sphere, radius 2, centre (0, 0, 0)", "row after undoing steps from before the plugin was off")
+	expect(
+		words_of("s"),
+		"sphere, radius 2, centre (0, 0, 0)",
+		"row after undoing steps from before the plugin was off"
+	)
 	Hands.click(part("Objects/plane"))
 	expect(names()[-1], "p1", "a plane after all that")
 	undo()
@@ -85,7 +93,10 @@ func _create_node() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	await choose_for_entry("s", "Create Node")
 	var node := root.get_node_or_null(^"s")
-	expect_true(node != null and node.owner == root and node.get(&"scene") == scene(), "a node that follows the entry")
+	expect_true(
+		node != null and node.owner == root and node.get(&"scene") == scene(),
+		"a node that follows the entry"
+	)
 	await settle()
 	expect(_left_out(), PackedStringArray(["s"]), "what the dock does not draw, as a node does")
 	undo()
@@ -95,4 +106,6 @@ func _create_node() -> void:
 
 
 func _left_out() -> PackedStringArray:
-	return plugin.get_tree().root.find_child("ViewportTool", true, false).get_child(0).get(&"left_out")
+	return plugin.get_tree().root.find_child("ViewportTool", true, false).get_child(0).get(
+		&"left_out"
+	)

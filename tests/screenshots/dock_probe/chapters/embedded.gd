@@ -61,7 +61,10 @@ func _edit_and_undo() -> void:
 	Hands.click(part("Objects/sphere"))
 	await settle(2)
 	expect(names(), ["A", "s1"], "entries of the embedded scene")
-	expect_true(_history().get_current_action_name().contains("Add s1"), "last step of the .tscn: %s" % _history().get_current_action_name())
+	expect_true(
+		_history().get_current_action_name().contains("Add s1"),
+		"last step of the .tscn: %s" % _history().get_current_action_name()
+	)
 	expect_true(_history().get_version() > 1, "the .tscn being unsaved")
 	undo()
 	await settle(2)
@@ -75,7 +78,10 @@ func _save_and_reload() -> void:
 	expect(file_name().text, "probe_embedded.tscn*", "name with changes")
 	await choose_in_file_menu("Save")
 	expect(file_name().text, "probe_embedded.tscn", "name after saving")
-	expect_true(FileAccess.get_file_as_string(PLACE).contains("sphere(point(0, 0, 0), 1)"), "the saved .tscn having what was added")
+	expect_true(
+		FileAccess.get_file_as_string(PLACE).contains("sphere(point(0, 0, 0), 1)"),
+		"the saved .tscn having what was added"
+	)
 	EditorInterface.reload_scene_from_path(PLACE)
 	await settle()
 	EditorInterface.edit_resource(_node().scene)
@@ -103,7 +109,9 @@ func _switch_tabs() -> void:
 	expect(names(), ["A", "s1", "p1"], "entries after redoing from another tab")
 	EditorInterface.open_scene_from_path(PLACE)
 	await settle()
-	expect(Array(_node().scene.get_names()), ["A", "s1", "p1"], "entries of the node after coming back")
+	expect(
+		Array(_node().scene.get_names()), ["A", "s1", "p1"], "entries of the node after coming back"
+	)
 	undo()
 	await settle(2)
 	expect(names(), ["A", "s1"], "entries after undo in the scene's own tab")
@@ -119,7 +127,9 @@ func _ask_before_replacing() -> void:
 	await settle()
 	expect(scene() == unsaved, true, "an unsaved scene before the question is answered")
 	var question := file_menu().get_node("Question") as ConfirmationDialog
-	expect(question.visible, true, "a question before another scene takes the place of an unsaved one")
+	expect(
+		question.visible, true, "a question before another scene takes the place of an unsaved one"
+	)
 	press(question.get_ok_button())
 	await settle()
 	expect(scene() == _node().scene, true, "the scene after discarding")
@@ -146,4 +156,6 @@ func _node() -> GANode3D:
 
 
 func _history() -> UndoRedo:
-	return plugin.get_undo_redo().get_history_undo_redo(plugin.get_undo_redo().get_object_history_id(EditorInterface.get_edited_scene_root()))
+	return plugin.get_undo_redo().get_history_undo_redo(
+		plugin.get_undo_redo().get_object_history_id(EditorInterface.get_edited_scene_root())
+	)

@@ -31,7 +31,10 @@ func _type() -> void:
 	Hands.click(line())
 	Hands.type(window(), "s = sphere(A,")
 	await settle()
-	expect_true(typed_words().text.begins_with("column 14: expected"), "what is said while typing: %s" % typed_words().text)
+	expect_true(
+		typed_words().text.begins_with("column 14: expected"),
+		"what is said while typing: %s" % typed_words().text
+	)
 	Hands.press_key(window(), KEY_ENTER)
 	expect(names(), ["A", "B"], "entries after a wrong line")
 	Hands.type(window(), " 2)")
@@ -46,13 +49,21 @@ func _join() -> void:
 	await select(["A", "B"])
 	Hands.click(part("Combinations/join"))
 	expect(scene().get_expression("pair1"), "join(A, B)", "join of both points")
-	expect(words_of("pair1"), "point pair, radius 0.5, centre (0.5, 0, 0), direction (-1, 0, 0)", "words of the join")
+	expect(
+		words_of("pair1"),
+		"point pair, radius 0.5, centre (0.5, 0, 0), direction (-1, 0, 0)",
+		"words of the join"
+	)
 	await settle()
 	var edit := row_part("B", "Expression") as LineEdit
 	Hands.write_over(edit, "point(0, 4, 0)")
 	Hands.press_key(window(), KEY_ENTER)
 	expect(scene().get_expression("B"), "point(0, 4, 0)", "expression edited in place")
-	expect(words_of("pair1"), "point pair, radius 2, centre (0, 2, 0), direction (0, -1, 0)", "what follows from it")
+	expect(
+		words_of("pair1"),
+		"point pair, radius 2, centre (0, 2, 0), direction (0, -1, 0)",
+		"what follows from it"
+	)
 	await settle()
 
 
@@ -70,7 +81,9 @@ func _rename() -> void:
 	await settle()
 	Hands.write_over(row_part("B", "Name") as LineEdit, "e1")
 	await settle()
-	expect_true(words_of("B").contains("cannot be a name"), "refusal while typing: %s" % words_of("B"))
+	expect_true(
+		words_of("B").contains("cannot be a name"), "refusal while typing: %s" % words_of("B")
+	)
 	Hands.press_key(window(), KEY_ESCAPE)
 	expect(names(), ["apex", "B", "s", "pair1"], "names after a refusal")
 	await settle()
@@ -102,8 +115,13 @@ func _slide() -> void:
 	expect(scene().get_expression("k1"), "1", "number")
 	await settle()
 	var before := scene().document
-	Hands.drag(row_part("k1", "Slider"), Vector2(0.6, 0.5), row_part("k1", "Slider"), Vector2(0.9, 0.5))
-	expect_true(scene().get_value("k1").coefficients[0] > 3.0, "number after sliding: %s" % scene().get_expression("k1"))
+	Hands.drag(
+		row_part("k1", "Slider"), Vector2(0.6, 0.5), row_part("k1", "Slider"), Vector2(0.9, 0.5)
+	)
+	expect_true(
+		scene().get_value("k1").coefficients[0] > 3.0,
+		"number after sliding: %s" % scene().get_expression("k1")
+	)
 	await settle()
 	undo()
 	expect(scene().document, before, "document after one undo of a drag")
@@ -134,7 +152,10 @@ func _delete() -> void:
 	Hands.press_key(window(), KEY_DELETE)
 	var question := dock().get_node("Panel/EntryMenu/Question") as ConfirmationDialog
 	expect(question.visible, true, "a question before deleting")
-	expect_true(question.dialog_text.begins_with("s, pair1 depend on apex"), "what depends on it: %s" % question.dialog_text)
+	expect_true(
+		question.dialog_text.begins_with("s, pair1 depend on apex"),
+		"what depends on it: %s" % question.dialog_text
+	)
 	await settle()
 	press(question.get_ok_button())
 	await settle()

@@ -53,13 +53,27 @@ func _open_broken() -> void:
 	await choose_in_file_menu("Open...")
 	await _give_path("res://broken.json")
 	expect(names(), ["A", "s"], "entries of a file with a broken one")
-	expect_true(_toasts().contains("broken.json was read in part") and _toasts().contains("line 2, column 58: entry skipped"), "what is told of a broken entry: %s" % _toasts())
-	expect(document().get(&"path"), "", "path of what was read in part, which saving would take the rest from")
+	expect_true(
+		(
+			_toasts().contains("broken.json was read in part")
+			and _toasts().contains("line 2, column 58: entry skipped")
+		),
+		"what is told of a broken entry: %s" % _toasts()
+	)
+	expect(
+		document().get(&"path"),
+		"",
+		"path of what was read in part, which saving would take the rest from"
+	)
 	Hands.click(part("Objects/point"))
 	await settle(2)
 	EditorInterface.save_all_scenes()
 	await settle(2)
-	expect(FileAccess.get_file_as_string("res://broken.json"), BROKEN, "the broken file after opening it")
+	expect(
+		FileAccess.get_file_as_string("res://broken.json"),
+		BROKEN,
+		"the broken file after opening it"
+	)
 	undo()
 	await settle(2)
 
@@ -70,12 +84,18 @@ func _open_others() -> void:
 	await choose_in_file_menu("Open...")
 	await _give_path("res://no_scene.json")
 	expect(scene().document, before, "document after a file that is no JSON")
-	expect_true(_toasts().contains("no_scene.json is no scene of the playground"), "what is told of a file that is no JSON: %s" % _toasts())
+	expect_true(
+		_toasts().contains("no_scene.json is no scene of the playground"),
+		"what is told of a file that is no JSON: %s" % _toasts()
+	)
 	ResourceSaver.save(Gradient.new(), "res://gradient.tres")
 	await choose_in_file_menu("Open...")
 	await _give_path("res://gradient.tres")
 	expect(scene().document, before, "document after a file of another kind")
-	expect_true(_toasts().contains("gradient.tres is a Gradient"), "what is told of a file of another kind: %s" % _toasts())
+	expect_true(
+		_toasts().contains("gradient.tres is a Gradient"),
+		"what is told of a file of another kind: %s" % _toasts()
+	)
 
 
 func _ask() -> void:
@@ -129,6 +149,8 @@ func _question() -> ConfirmationDialog:
 ## All that the editor shows in its corner.
 func _toasts() -> String:
 	var texts := PackedStringArray()
-	for label: Label in EditorInterface.get_editor_toaster().find_children("*", "Label", true, false):
+	for label: Label in EditorInterface.get_editor_toaster().find_children(
+		"*", "Label", true, false
+	):
 		texts.append(label.text)
 	return "\n".join(texts)

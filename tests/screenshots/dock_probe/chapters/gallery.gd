@@ -20,7 +20,9 @@ func _open_example() -> void:
 	choose(_examples(), EXAMPLE)
 	await settle()
 	expect(names().slice(0, 4), ["A", "B", "C", "AB"], "entries of an example")
-	expect(words_of("A"), "sphere, radius 1.55, centre (-1.1, 0.7, 0.4)", "words of an example's entry")
+	expect(
+		words_of("A"), "sphere, radius 1.55, centre (-1.1, 0.7, 0.4)", "words of an example's entry"
+	)
 	expect_true(_description().visible, "the description")
 	expect((_description().find_child("Title", true, false) as Label).text, EXAMPLE, "its title")
 	Hands.click(_description().find_child("Close", true, false) as Control)
@@ -55,13 +57,20 @@ func _export() -> void:
 	press(dialog.get_ok_button())
 	await settle(20)
 	var problem := dialog.find_child("Problem", true, false) as Label
-	expect_true(dialog.visible and problem.visible and problem.text.contains("no_folder"), "what is wrong with the file: %s" % problem.text)
+	expect_true(
+		dialog.visible and problem.visible and problem.text.contains("no_folder"),
+		"what is wrong with the file: %s" % problem.text
+	)
 	path.text = PICTURE
 	press(dialog.get_ok_button())
 	await settle(20)
 	expect_true(not dialog.visible, "the dialog being away: %s" % problem.text)
 	var picture := Image.load_from_file(PICTURE)
-	expect(picture.get_size() if picture != null else Vector2i(), Vector2i(1920, 1080), "size of the picture")
+	expect(
+		picture.get_size() if picture != null else Vector2i(),
+		Vector2i(1920, 1080),
+		"size of the picture"
+	)
 	expect_true(picture != null and _color_count(picture) > 50, "a picture of something")
 	RenderingServer.render_loop_enabled = false
 

@@ -7,13 +7,33 @@ const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
 ## One of each kind, and what a person also sees.
 const ENTRIES: PackedStringArray = [
-	"A", "point(0, 1, 0)", "pair", "point_pair(A, point(2, 1, 0))", "l", "line(A, e1)", "c", "circle(A, e3, k)", "p", "plane(e2, 1.5)",
-	"s", "sphere(A, 2)", "m", "motor(2 e1, rotor(e3, deg(90)), 1)", "k", "1.5", "wrong", "meet(s, gone)",
-	"long_name", "sandwich(m, meet(sphere(A, 2), plane(e2, 1.5))) + 0.25 (A ^ point(2, 1, 0) ^ einf)",
-	"imaginary", "meet(s, plane(e2, 9))",
+	"A",
+	"point(0, 1, 0)",
+	"pair",
+	"point_pair(A, point(2, 1, 0))",
+	"l",
+	"line(A, e1)",
+	"c",
+	"circle(A, e3, k)",
+	"p",
+	"plane(e2, 1.5)",
+	"s",
+	"sphere(A, 2)",
+	"m",
+	"motor(2 e1, rotor(e3, deg(90)), 1)",
+	"k",
+	"1.5",
+	"wrong",
+	"meet(s, gone)",
+	"long_name",
+	"sandwich(m, meet(sphere(A, 2), plane(e2, 1.5))) + 0.25 (A ^ point(2, 1, 0) ^ einf)",
+	"imaginary",
+	"meet(s, plane(e2, 9))",
 ]
 const HEIGHT := 760
-const COLORS: Dictionary[String, String] = {"A": "#e8b339", "c": "#2fa84f", "p": "#c64fd8", "s": "#e05252"}
+const COLORS: Dictionary[String, String] = {
+	"A": "#e8b339", "c": "#2fa84f", "p": "#c64fd8", "s": "#e05252"
+}
 
 
 func read() -> void:
@@ -59,7 +79,11 @@ func _take(title: String) -> void:
 	var taken := await picture()
 	var folder := argument("--pictures")
 	if not folder.is_empty():
-		expect(taken.save_png(folder.path_join("dock_%s.png" % title)), OK, "saving the picture %s" % title)
+		expect(
+			taken.save_png(folder.path_join("dock_%s.png" % title)),
+			OK,
+			"saving the picture %s" % title
+		)
 	var reference := argument("--references").path_join("dock_%s.png" % title)
 	if FileAccess.file_exists(reference):
 		var compared := PictureComparison.compare(taken, Image.load_from_file(reference))

@@ -13,7 +13,15 @@ func read() -> void:
 	expect(words_of("s1"), "sphere, radius 1, centre (0, 0, 0)", "row after a restart")
 	expect(file_name().text, "probe_left.tres*", "name after a restart")
 	expect(document().get(&"path"), PLACE, "path after a restart")
-	expect(FileAccess.get_file_as_string(PLACE).contains("sphere"), false, "the file having what was never saved")
+	expect(
+		FileAccess.get_file_as_string(PLACE).contains("sphere"),
+		false,
+		"the file having what was never saved"
+	)
 	await choose_in_file_menu("Save")
 	expect(file_name().text, "probe_left.tres", "name after saving")
-	expect(FileAccess.get_file_as_string(PLACE).contains("sphere"), true, "the file having what was saved")
+	expect(
+		FileAccess.get_file_as_string(PLACE).contains("sphere"),
+		true,
+		"the file having what was saved"
+	)

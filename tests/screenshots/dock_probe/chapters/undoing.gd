@@ -52,7 +52,11 @@ func _after_other_steps() -> void:
 	expect(names(), ["A"], "entries after Ctrl and Z in the dock, with a newer step of the scene")
 	expect(root.editor_description, "done", "the scene after Ctrl and Z in the dock")
 	Hands.press_key(window(), KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
-	expect(names(), ["A", "s1"], "entries after Ctrl, Shift and Z in the dock, with a newer step of the scene")
+	expect(
+		names(),
+		["A", "s1"],
+		"entries after Ctrl, Shift and Z in the dock, with a newer step of the scene"
+	)
 	undo()
 	expect(root.editor_description, "", "the scene after Ctrl and Z outside of the dock")
 	expect(names(), ["A", "s1"], "entries after Ctrl and Z outside of the dock")

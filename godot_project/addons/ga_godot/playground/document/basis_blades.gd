@@ -3,13 +3,44 @@ extends RefCounted
 ## The 32 coefficients by grade, in the basis with e4 and e5 or in the one with eo and einf.
 
 const NAMES: PackedStringArray = [
-	"1", "e1", "e2", "e3", "e4", "e5", "e12", "e13", "e14", "e15", "e23", "e24", "e25", "e34", "e35", "e45",
-	"e123", "e124", "e125", "e134", "e135", "e145", "e234", "e235", "e245", "e345",
-	"e1234", "e1235", "e1245", "e1345", "e2345", "e12345",
+	"1",
+	"e1",
+	"e2",
+	"e3",
+	"e4",
+	"e5",
+	"e12",
+	"e13",
+	"e14",
+	"e15",
+	"e23",
+	"e24",
+	"e25",
+	"e34",
+	"e35",
+	"e45",
+	"e123",
+	"e124",
+	"e125",
+	"e134",
+	"e135",
+	"e145",
+	"e234",
+	"e235",
+	"e245",
+	"e345",
+	"e1234",
+	"e1235",
+	"e1245",
+	"e1345",
+	"e2345",
+	"e12345",
 ]
 ## Index of the first of each grade, and the end.
 const GRADES: PackedInt32Array = [0, 1, 6, 16, 26, 31, 32]
-const GRADE_TITLES: PackedStringArray = ["Scalar", "Vectors", "Bivectors", "Trivectors", "Quadvectors", "Pseudoscalar"]
+const GRADE_TITLES: PackedStringArray = [
+	"Scalar", "Vectors", "Bivectors", "Trivectors", "Quadvectors", "Pseudoscalar"
+]
 
 
 ## In the null basis, einf stands where e4 stood and eo where e5 stood.
@@ -47,7 +78,11 @@ static func to_standard(coefficients: PackedFloat64Array, null_basis: bool) -> P
 
 ## For a blade with e4 and no e5 the same one with e5 instead; -1 for all else.
 static func partner_of(index: int) -> int:
-	return NAMES.find(NAMES[index].replace("4", "5")) if _has(index, "4") and not has_both(index) else -1
+	return (
+		NAMES.find(NAMES[index].replace("4", "5"))
+		if _has(index, "4") and not has_both(index)
+		else -1
+	)
 
 
 static func has_both(index: int) -> bool:

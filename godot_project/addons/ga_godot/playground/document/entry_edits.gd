@@ -7,7 +7,9 @@ const NewObjects := preload("new_objects.gd")
 const ValueSlider := preload("../entries/value_slider.gd")
 
 ## Pressed with two entries selected, in this order; see combine().
-const COMBINATIONS: Array[StringName] = [&"join", &"meet", &"intersect", &"project", &"reflect", &"move"]
+const COMBINATIONS: Array[StringName] = [
+	&"join", &"meet", &"intersect", &"project", &"reflect", &"move"
+]
 const FLATS: Array[StringName] = [&"plane", &"line", &"flat_point"]
 const VERSORS: Array[StringName] = [&"rotor", &"translator", &"dilator", &"motor"]
 
@@ -20,50 +22,76 @@ func _init(document: PlaygroundDocument) -> void:
 
 ## The name of the new entry.
 func add_object(kind: StringName, dual: bool) -> String:
-	return add("", NewObjects.expression(kind, dual, _document.scene), NewObjects.is_dual(kind, dual), kind)
+	return add(
+		"", NewObjects.expression(kind, dual, _document.scene), NewObjects.is_dual(kind, dual), kind
+	)
 
 
 ## Without a name it gets one by the kind of what it is.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
-		var value: Multivector = _document.scene.evaluate(expression) if _document.scene.get_expression_error(expression).is_empty() else null
+		var value: Multivector = (
+			_document.scene.evaluate(expression)
+			if _document.scene.get_expression_error(expression).is_empty()
+			else null
+		)
 		kind = value.classify(ipns)["kind"] if value != null else &""
 	if entry.is_empty():
 		entry = NewObjects.free_name(kind, _document.scene)
-	_document.change("Add %s" % entry, func(scene: GAScene) -> void:
-		scene.add_entry(entry, expression)
-		scene.set_entry_attribute(entry, "ipns", ipns))
+	_document.change(
+		"Add %s" % entry,
+		func(scene: GAScene) -> void:
+			scene.add_entry(entry, expression)
+			scene.set_entry_attribute(entry, "ipns", ipns)
+	)
 	return entry
 
 
 func set_expression(entry: String, expression: String) -> void:
-	_document.change("Edit %s" % entry, func(scene: GAScene) -> void: scene.set_expression(entry, expression))
+	_document.change(
+		"Edit %s" % entry, func(scene: GAScene) -> void: scene.set_expression(entry, expression)
+	)
 
 
 func rename(from: String, to: String) -> void:
-	_document.change("Rename %s to %s" % [from, to], func(scene: GAScene) -> void: scene.rename_entry(from, to))
+	_document.change(
+		"Rename %s to %s" % [from, to], func(scene: GAScene) -> void: scene.rename_entry(from, to)
+	)
 
 
 func move(entry: String, index: int) -> void:
 	if index >= 0 and index < _document.scene.get_entry_count():
-		_document.change("Move %s" % entry, func(scene: GAScene) -> void: scene.move_entry(entry, index))
+		_document.change(
+			"Move %s" % entry, func(scene: GAScene) -> void: scene.move_entry(entry, index)
+		)
 
 
 func remove(entries: PackedStringArray) -> void:
-	_document.change("Delete %s" % ", ".join(entries), func(scene: GAScene) -> void:
-		for entry in entries:
-			scene.remove_entry(entry))
+	_document.change(
+		"Delete %s" % ", ".join(entries),
+		func(scene: GAScene) -> void:
+			for entry in entries:
+				scene.remove_entry(entry)
+	)
 
 
 func set_attribute(entry: String, key: String, value: Variant) -> void:
-	_document.change("Set %s of %s" % [key, entry], func(scene: GAScene) -> void: scene.set_entry_attribute(entry, key, value))
+	_document.change(
+		"Set %s of %s" % [key, entry],
+		func(scene: GAScene) -> void: scene.set_entry_attribute(entry, key, value)
+	)
 
 
 ## By the attributes of ValueSlider; what is as by default is not kept.
 func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
-	_document.change("Set slider of %s" % entry, func(scene: GAScene) -> void:
-		for key in values:
-			scene.set_entry_attribute(entry, key, values[key] if values[key] != ValueSlider.DEFAULTS[key] else null))
+	_document.change(
+		"Set slider of %s" % entry,
+		func(scene: GAScene) -> void:
+			for key in values:
+				scene.set_entry_attribute(
+					entry, key, values[key] if values[key] != ValueSlider.DEFAULTS[key] else null
+				)
+	)
 
 
 ## What loses its value without these entries, beside themselves.
@@ -86,7 +114,10 @@ func combination(how: StringName, first: String, second: String) -> String:
 		&"intersect":
 			return "meet(%s, %s)" % [_primal(first), _primal(second)]
 		&"project":
-			return "project_onto(%s, %s)" % [_flat(first) if _is_flat(second) else _primal(first), _primal(second)]
+			return (
+				"project_onto(%s, %s)"
+				% [_flat(first) if _is_flat(second) else _primal(first), _primal(second)]
+			)
 		&"reflect":
 			return "reflect_in(%s, %s)" % [first, second]
 		_:
@@ -117,7 +148,9 @@ func _is_flat(entry: String) -> bool:
 
 # The foot of a point is that of its flat point: a round one has a radius, which does not stay 0.
 func _flat(entry: String) -> String:
-	return "%s ^ einf" % entry if _kind(entry) == &"point" and not _is_ipns(entry) else _primal(entry)
+	return (
+		"%s ^ einf" % entry if _kind(entry) == &"point" and not _is_ipns(entry) else _primal(entry)
+	)
 
 
 func _kind(entry: String) -> StringName:

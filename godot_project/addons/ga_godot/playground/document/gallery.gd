@@ -53,7 +53,10 @@ static func load_example(example: String) -> GAScene:
 ## Why an example cannot be opened; empty if it can.
 static func error_of(example: String) -> String:
 	if not EXAMPLES.has(example):
-		return "There is no example named \"%s\"." % example
+		return 'There is no example named "%s".' % example
 	if not FileAccess.file_exists(path_of(example)):
-		return "%s is missing. Copy the whole folder addons/ga_godot into the project, or export it with *.json files." % path_of(example)
+		return (
+			"%s is missing. Copy the whole folder addons/ga_godot into the project, or export it with *.json files."
+			% path_of(example)
+		)
 	return ""

@@ -2,10 +2,18 @@
 extends RefCounted
 ## What the buttons of the dock add: for each kind of object an expression with numbers, and names.
 
-const KINDS: Array[StringName] = [&"point", &"pair", &"line", &"circle", &"plane", &"sphere", &"motor", &"scalar"]
+const KINDS: Array[StringName] = [
+	&"point", &"pair", &"line", &"circle", &"plane", &"sphere", &"motor", &"scalar"
+]
 const TITLES: Dictionary[StringName, String] = {
-	&"point": "Point", &"pair": "Point pair", &"line": "Line", &"circle": "Circle", &"plane": "Plane",
-	&"sphere": "Sphere", &"motor": "Motor", &"scalar": "Number with a slider",
+	&"point": "Point",
+	&"pair": "Point pair",
+	&"line": "Line",
+	&"circle": "Circle",
+	&"plane": "Plane",
+	&"sphere": "Sphere",
+	&"motor": "Motor",
+	&"scalar": "Number with a slider",
 }
 ## %d is a place that the last one of the kind does not have.
 const EXPRESSIONS: Dictionary[StringName, String] = {
@@ -20,8 +28,18 @@ const EXPRESSIONS: Dictionary[StringName, String] = {
 }
 ## How names of what is computed begin, by the kind that Multivector.classify tells.
 const INITIALS: Dictionary[StringName, String] = {
-	&"point_pair": "pair", &"line": "l", &"circle": "c", &"plane": "p", &"sphere": "s", &"motor": "m", &"rotor": "r",
-	&"translator": "t", &"dilator": "d", &"scalar": "k", &"direction": "v", &"pair": "pair",
+	&"point_pair": "pair",
+	&"line": "l",
+	&"circle": "c",
+	&"plane": "p",
+	&"sphere": "s",
+	&"motor": "m",
+	&"rotor": "r",
+	&"translator": "t",
+	&"dilator": "d",
+	&"scalar": "k",
+	&"direction": "v",
+	&"pair": "pair",
 }
 ## E and I are constants of the language.
 const POINT_NAMES := "ABCDFGHJKLMNOPQRSTUVWXYZ"
@@ -30,7 +48,9 @@ const WITH_DUAL: Array[StringName] = [&"point", &"pair", &"line", &"circle", &"p
 
 
 static func expression(kind: StringName, dual: bool, scene: GAScene) -> String:
-	var text := EXPRESSIONS[kind] % (_count(kind, scene) + (1 if kind in [&"motor", &"scalar"] else 0))
+	var text := (
+		EXPRESSIONS[kind] % (_count(kind, scene) + (1 if kind in [&"motor", &"scalar"] else 0))
+	)
 	return "!" + text if is_dual(kind, dual) else text
 
 
@@ -54,6 +74,8 @@ static func free_name(kind: StringName, scene: GAScene) -> String:
 static func _count(kind: StringName, scene: GAScene) -> int:
 	var count := 0
 	for entry in scene.get_names():
-		if scene.get_expression(entry).trim_prefix("!").begins_with(EXPRESSIONS[kind].get_slice("(", 0) + "("):
+		if scene.get_expression(entry).trim_prefix("!").begins_with(
+			EXPRESSIONS[kind].get_slice("(", 0) + "("
+		):
 			count += 1
 	return count

@@ -112,8 +112,14 @@ func name_error(text: String) -> String:
 		return "There is an entry %s already." % text
 	var language := GAScene.new()
 	language.add_entry(TYPED, text)
-	if text.length() > MAX_NAME_LENGTH or language.get_dependencies(TYPED) != PackedStringArray([text]):
-		return "%s cannot be a name: it needs letters, digits and underscores, no digit first, and must not be a constant." % ("This" if text.is_empty() else text)
+	if (
+		text.length() > MAX_NAME_LENGTH
+		or language.get_dependencies(TYPED) != PackedStringArray([text])
+	):
+		return (
+			"%s cannot be a name: it needs letters, digits and underscores, no digit first, and must not be a constant."
+			% ("This" if text.is_empty() else text)
+		)
 	return ""
 
 

@@ -4,11 +4,71 @@ extends RefCounted
 
 ## What an entry may be called and a variable may not.
 const RESERVED: PackedStringArray = [
-	"and", "as", "assert", "auto", "await", "bool", "break", "case", "catch", "char", "class", "const", "continue", "default",
-	"delete", "do", "double", "elif", "else", "enum", "export", "extends", "extern", "false", "float", "for", "func", "goto",
-	"if", "in", "int", "is", "long", "match", "namespace", "new", "not", "null", "operator", "or", "pass", "preload", "private",
-	"public", "return", "self", "short", "signal", "static", "struct", "super", "switch", "template", "this", "throw", "true",
-	"try", "typename", "union", "using", "var", "void", "when", "while", "yield",
+	"and",
+	"as",
+	"assert",
+	"auto",
+	"await",
+	"bool",
+	"break",
+	"case",
+	"catch",
+	"char",
+	"class",
+	"const",
+	"continue",
+	"default",
+	"delete",
+	"do",
+	"double",
+	"elif",
+	"else",
+	"enum",
+	"export",
+	"extends",
+	"extern",
+	"false",
+	"float",
+	"for",
+	"func",
+	"goto",
+	"if",
+	"in",
+	"int",
+	"is",
+	"long",
+	"match",
+	"namespace",
+	"new",
+	"not",
+	"null",
+	"operator",
+	"or",
+	"pass",
+	"preload",
+	"private",
+	"public",
+	"return",
+	"self",
+	"short",
+	"signal",
+	"static",
+	"struct",
+	"super",
+	"switch",
+	"template",
+	"this",
+	"throw",
+	"true",
+	"try",
+	"typename",
+	"union",
+	"using",
+	"var",
+	"void",
+	"when",
+	"while",
+	"yield",
 ]
 
 
@@ -19,7 +79,12 @@ static func gdscript(scene: GAScene, entries: PackedStringArray) -> String:
 		for dependency in scene.get_dependencies(entry):
 			variables.append("%s: %s" % [JSON.stringify(dependency), _variable(dependency)])
 		var given := ", {%s}" % ", ".join(variables) if not variables.is_empty() else ""
-		lines.append("var %s := Multivector.evaluate(\"%s\"%s)" % [_variable(entry), scene.get_expression(entry).c_escape(), given])
+		lines.append(
+			(
+				'var %s := Multivector.evaluate("%s"%s)'
+				% [_variable(entry), scene.get_expression(entry).c_escape(), given]
+			)
+		)
 	return "\n".join(lines) + "\n"
 
 
@@ -30,7 +95,15 @@ static func cpp(scene: GAScene, entries: PackedStringArray) -> String:
 		var value := scene.get_value(entry)
 		if value != null:
 			lines.append("// %s = %s" % [entry, scene.get_expression(entry).replace("\n", " ")])
-			lines.append("const cga::Multivector %s({ %s });" % [_variable(entry), value.to_json().trim_prefix("[").trim_suffix("]").replace(",", ", ")])
+			lines.append(
+				(
+					"const cga::Multivector %s({ %s });"
+					% [
+						_variable(entry),
+						value.to_json().trim_prefix("[").trim_suffix("]").replace(",", ", ")
+					]
+				)
+			)
 	return "\n".join(lines) + "\n"
 
 

@@ -20,7 +20,9 @@ func _init(document: PlaygroundDocument) -> void:
 	size_flags_vertical = Control.SIZE_SHRINK_CENTER
 	var side := WIDTH * PlaygroundStyle.scale()
 	custom_minimum_size = Vector2(side, side)
-	for style: StringName in [&"normal", &"hover", &"pressed", &"focus", &"hover_pressed", &"disabled"]:
+	for style: StringName in [
+		&"normal", &"hover", &"pressed", &"focus", &"hover_pressed", &"disabled"
+	]:
 		add_theme_stylebox_override(style, StyleBoxEmpty.new())
 	pressed.connect(_document.begin_gesture)
 	color_changed.connect(_on_color_changed)

@@ -158,7 +158,10 @@ func _drag(_at: Vector2, row: EntryRow) -> Variant:
 
 
 func _can_drop(_at: Vector2, data: Variant, row: EntryRow) -> bool:
-	if not data is Dictionary or not _document.scene.has_entry((data as Dictionary).get(DRAGGED, "") as String):
+	if (
+		not data is Dictionary
+		or not _document.scene.has_entry((data as Dictionary).get(DRAGGED, "") as String)
+	):
 		return false
 	_show_drop(row, EntryRow.Drop.BELOW if _is_below(row) else EntryRow.Drop.ABOVE)
 	return true

@@ -23,7 +23,9 @@ var _question := ConfirmationDialog.new()
 var _slider_range: SliderRangeDialog
 
 
-func _init(document: PlaygroundDocument, edits: EntryEdits, list: EntryList, host: PlaygroundHost) -> void:
+func _init(
+	document: PlaygroundDocument, edits: EntryEdits, list: EntryList, host: PlaygroundHost
+) -> void:
 	name = "EntryMenu"
 	_document = document
 	_edits = edits
@@ -56,8 +58,10 @@ func delete_selected() -> void:
 		_edits.remove(_list.selection)
 		return
 	_question.title = "Delete %s?" % ", ".join(_list.selection)
-	_question.dialog_text = "%s depend%s on %s and will have no value without it. Undo brings everything back." % [
-		", ".join(dependents), "s" if dependents.size() == 1 else "", ", ".join(_list.selection)]
+	_question.dialog_text = (
+		"%s depend%s on %s and will have no value without it. Undo brings everything back."
+		% [", ".join(dependents), "s" if dependents.size() == 1 else "", ", ".join(_list.selection)]
+	)
 	_question.popup_centered(Vector2i(Vector2(320, 90) * PlaygroundStyle.scale()))
 
 

@@ -22,9 +22,11 @@ const DROP_LINE := 2.0
 const QUIET := Color(1, 1, 1, 0.65)
 
 var entry := ""
-var selected := false: set = set_selected
+var selected := false:
+	set = set_selected
 ## Where a line tells that what is dragged would go: above, below, or nowhere.
-var drop_side := Drop.NONE: set = set_drop_side
+var drop_side := Drop.NONE:
+	set = set_drop_side
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -88,7 +90,12 @@ func _notification(what: int) -> void:
 ## Shows what the scene has under that name, if it is anything else than before.
 func refresh(new_entry: String, has_new_value: bool) -> void:
 	var scene := _document.scene
-	if has_new_value or new_entry != entry or scene.get_expression(entry) != _shown_expression or scene.get_entry_attributes(entry) != _shown_attributes:
+	if (
+		has_new_value
+		or new_entry != entry
+		or scene.get_expression(entry) != _shown_expression
+		or scene.get_entry_attributes(entry) != _shown_attributes
+	):
 		show_entry(new_entry)
 
 
@@ -104,7 +111,9 @@ func show_entry(new_entry: String) -> void:
 	var is_visible: bool = scene.get_entry_attribute(entry, "visible")
 	var has_label: bool = scene.get_entry_attribute(entry, "label")
 	_eye.set_pressed_no_signal(is_visible)
-	_eye.icon = get_theme_icon(&"GuiVisibilityVisible" if is_visible else &"GuiVisibilityHidden", &"EditorIcons")
+	_eye.icon = get_theme_icon(
+		&"GuiVisibilityVisible" if is_visible else &"GuiVisibilityHidden", &"EditorIcons"
+	)
 	_label_toggle.set_pressed_no_signal(has_label)
 	_label_toggle.icon = _label_icon_on if has_label else _label_icon
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
@@ -259,7 +268,10 @@ func _commit_name() -> void:
 
 
 func _commit_expression() -> void:
-	if _document.scene.has_entry(entry) and _expression.text != _document.scene.get_expression(entry):
+	if (
+		_document.scene.has_entry(entry)
+		and _expression.text != _document.scene.get_expression(entry)
+	):
 		_edits.set_expression(entry, _expression.text)
 
 
@@ -289,7 +301,9 @@ func _tell(error: String) -> void:
 func _wrap_words() -> void:
 	var is_whole := selected or _error_icon.texture != null
 	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART if is_whole else TextServer.AUTOWRAP_OFF
-	_words.text_overrun_behavior = TextServer.OVERRUN_NO_TRIMMING if is_whole else TextServer.OVERRUN_TRIM_ELLIPSIS
+	_words.text_overrun_behavior = (
+		TextServer.OVERRUN_NO_TRIMMING if is_whole else TextServer.OVERRUN_TRIM_ELLIPSIS
+	)
 	# A change there and back within a frame would leave them higher than their line.
 	(_words.get_parent() as Container).queue_sort()
 
@@ -306,15 +320,22 @@ func _words_style() -> StyleBox:
 	# By types: the parts of the row learn of another theme after the row.
 	var style := StyleBoxEmpty.new()
 	style.content_margin_left = get_theme_stylebox(&"normal", &"LineEdit").get_margin(SIDE_LEFT)
-	var button := get_theme_icon(&"GuiTabMenuHl", &"EditorIcons").get_height() + 2.0 * BUTTON_MARGIN * PlaygroundStyle.scale()
-	var text := get_theme_font(&"font", &"Label").get_height(get_theme_font_size(&"font_size", &"Label"))
+	var button := (
+		get_theme_icon(&"GuiTabMenuHl", &"EditorIcons").get_height()
+		+ 2.0 * BUTTON_MARGIN * PlaygroundStyle.scale()
+	)
+	var text := get_theme_font(&"font", &"Label").get_height(
+		get_theme_font_size(&"font_size", &"Label")
+	)
 	style.content_margin_top = maxf(0.0, (button - text) / 2.0)
 	style.content_margin_bottom = style.content_margin_top
 	return style
 
 
 func _show_selection() -> void:
-	var style: StyleBox = get_theme_stylebox(&"selected", &"Tree").duplicate() if selected else StyleBoxEmpty.new()
+	var style: StyleBox = (
+		get_theme_stylebox(&"selected", &"Tree").duplicate() if selected else StyleBoxEmpty.new()
+	)
 	style.set_content_margin_all(3 * PlaygroundStyle.scale())
 	# An override counts as a change of the theme.
 	_is_styling = true

@@ -7,7 +7,9 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const ValueSlider := preload("value_slider.gd")
 
-const TITLES: Dictionary[String, String] = {ValueSlider.MIN: "From", ValueSlider.MAX: "To", ValueSlider.STEP: "Step"}
+const TITLES: Dictionary[String, String] = {
+	ValueSlider.MIN: "From", ValueSlider.MAX: "To", ValueSlider.STEP: "Step"
+}
 const WIDTH := 220.0
 
 var _document: PlaygroundDocument
@@ -78,7 +80,10 @@ func _find_error() -> String:
 	var values := _read()
 	if not values[ValueSlider.MIN] < values[ValueSlider.MAX]:
 		return "From has to be less than To."
-	if not (values[ValueSlider.STEP] > 0.0 and values[ValueSlider.STEP] <= values[ValueSlider.MAX] - values[ValueSlider.MIN]):
+	if not (
+		values[ValueSlider.STEP] > 0.0
+		and values[ValueSlider.STEP] <= values[ValueSlider.MAX] - values[ValueSlider.MIN]
+	):
 		return "Step has to be more than 0 and within the range."
 	return ""
 

@@ -54,4 +54,7 @@ func _on_value_changed(number: float) -> void:
 	if _document.is_in_gesture():
 		_document.scene.set_parameter(_entry, PARAMETER, number)
 	else:
-		_document.change("Slide %s" % _entry, func(scene: GAScene) -> void: scene.set_parameter(_entry, PARAMETER, number))
+		_document.change(
+			"Slide %s" % _entry,
+			func(scene: GAScene) -> void: scene.set_parameter(_entry, PARAMETER, number)
+		)

@@ -6,7 +6,9 @@ extends RefCounted
 const LENGTH := 0.5
 const HUB := 0.07
 
-const AXIS_COLORS: Array[Color] = [Color(0.93, 0.34, 0.36), Color(0.46, 0.76, 0.3), Color(0.32, 0.56, 0.95)]
+const AXIS_COLORS: Array[Color] = [
+	Color(0.93, 0.34, 0.36), Color(0.46, 0.76, 0.3), Color(0.32, 0.56, 0.95)
+]
 
 
 ## The three axes as bars of that thickness in metres, with vertex colours.

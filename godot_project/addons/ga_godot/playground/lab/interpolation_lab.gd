@@ -22,7 +22,8 @@ const FINEST := 1e-4
 var document: PlaygroundDocument
 var poses: LabPoses
 ## Whether it is wanted at all; without, nothing is computed or drawn.
-var is_open := false: set = set_open
+var is_open := false:
+	set = set_open
 ## Further than 0 to 1 only where an entry gives it.
 var t := 0.5
 
@@ -64,9 +65,12 @@ func set_setting(key: StringName, value: Variant) -> void:
 
 
 func set_settings(title: String, settings: Dictionary[StringName, Variant]) -> void:
-	document.change(title, func(scene: GAScene) -> void:
-		for key in settings:
-			LabSettings.write(scene, key, settings[key]))
+	document.change(
+		title,
+		func(scene: GAScene) -> void:
+			for key in settings:
+				LabSettings.write(scene, key, settings[key])
+	)
 
 
 func choose(from: String, to: String) -> void:
@@ -98,7 +102,10 @@ func move(new_t: float) -> void:
 	elif document.is_in_gesture() or is_playing():
 		document.scene.set_parameter(entry, VALUE, snappedf(new_t, FINEST))
 	else:
-		document.change("Slide %s" % entry, func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, snappedf(new_t, FINEST)))
+		document.change(
+			"Slide %s" % entry,
+			func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, snappedf(new_t, FINEST))
+		)
 
 
 func end_move() -> void:
@@ -128,7 +135,9 @@ func stop() -> void:
 	if not entry.is_empty():
 		var last := t
 		document.scene.set_parameter(entry, VALUE, _t_before_play)
-		document.change("Play %s" % entry, func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, last))
+		document.change(
+			"Play %s" % entry, func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, last)
+		)
 	moved.emit()
 
 
@@ -149,7 +158,9 @@ func advance(delta: float) -> void:
 
 ## The pose at t as a motor, null without poses.
 func get_moment(mode: MultivectorLerp.Mode) -> Multivector:
-	return MultivectorLerp.interpolate(poses.from, poses.to, t, mode) if poses.is_complete() else null
+	return (
+		MultivectorLerp.interpolate(poses.from, poses.to, t, mode) if poses.is_complete() else null
+	)
 
 
 ## The largest deviation of two modes, as MultivectorLerp.measure_deviation tells it.
@@ -169,15 +180,22 @@ func keep(mode: MultivectorLerp.Mode) -> String:
 	var t_entry := get_t_entry()
 	var is_new_t := t_entry.is_empty()
 	if is_new_t:
-		t_entry = "t" if not document.scene.has_entry("t") else NewObjects.free_name(&"translator", document.scene)
+		t_entry = (
+			"t"
+			if not document.scene.has_entry("t")
+			else NewObjects.free_name(&"translator", document.scene)
+		)
 	var value := t
-	document.change("Keep the interpolation of %s and %s" % [from, to], func(scene: GAScene) -> void:
-		if is_new_t:
-			scene.add_entry(t_entry, String.num(snappedf(value, 0.001)))
-		scene.add_entry(entry, "%s(%s, %s, %s)" % [Modes.FUNCTIONS[mode], from, to, t_entry])
-		LabSettings.write(scene, &"from", from)
-		LabSettings.write(scene, &"to", to)
-		LabSettings.write(scene, &"t_entry", t_entry))
+	document.change(
+		"Keep the interpolation of %s and %s" % [from, to],
+		func(scene: GAScene) -> void:
+			if is_new_t:
+				scene.add_entry(t_entry, String.num(snappedf(value, 0.001)))
+			scene.add_entry(entry, "%s(%s, %s, %s)" % [Modes.FUNCTIONS[mode], from, to, t_entry])
+			LabSettings.write(scene, &"from", from)
+			LabSettings.write(scene, &"to", to)
+			LabSettings.write(scene, &"t_entry", t_entry)
+	)
 	return entry
 
 
@@ -230,4 +248,6 @@ func _set_t(new_t: float) -> void:
 
 
 static func _is_number(scene: GAScene, entry: String) -> bool:
-	return not entry.is_empty() and scene.has_entry(entry) and scene.get_parameters(entry).has(VALUE)
+	return (
+		not entry.is_empty() and scene.has_entry(entry) and scene.get_parameters(entry).has(VALUE)
+	)

@@ -21,7 +21,9 @@ static func solid(kind: StringName, color: Color) -> ArrayMesh:
 	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS[kind])
 	mesh.surface_set_material(0, _with_vertex_colors(1.0))
 	if kind == CUBE:
-		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS[kind]).surface_get_arrays(0))
+		mesh.add_surface_from_arrays(
+			Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS[kind]).surface_get_arrays(0)
+		)
 	else:
 		FrameMesh.add_hub(mesh)
 	mesh.surface_set_material(1, _of_one_color(color))

@@ -5,14 +5,17 @@ extends Node3D
 const InterpolationLab := preload("interpolation_lab.gd")
 const ModePath := preload("mode_path.gd")
 
-var lab: InterpolationLab: set = set_lab
+var lab: InterpolationLab:
+	set = set_lab
 
 var _paths: Array[ModePath] = []
 
 
 func _init(p_lab: InterpolationLab = null) -> void:
 	name = "Interpolation"
-	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]:
+	for mode: MultivectorLerp.Mode in [
+		MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+	]:
 		var path := ModePath.new(mode)
 		path.visible = false
 		_paths.append(path)

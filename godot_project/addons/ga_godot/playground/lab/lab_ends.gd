@@ -68,7 +68,9 @@ func _prepare_choice(choice: OptionButton, title: String, hint: String) -> void:
 	choice.text_overrun_behavior = TextServer.OVERRUN_TRIM_ELLIPSIS
 	choice.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	choice.custom_minimum_size.x = CHOICE_WIDTH * PlaygroundStyle.scale()
-	choice.item_selected.connect(func(_index: int) -> void: _lab.choose(_chosen(_from), _chosen(_to)))
+	choice.item_selected.connect(
+		func(_index: int) -> void: _lab.choose(_chosen(_from), _chosen(_to))
+	)
 
 
 func _prepare_button(button: Button, title: String, hint: String, act: Callable) -> void:
@@ -103,8 +105,11 @@ func _chosen(choice: OptionButton) -> String:
 func _show_selection() -> void:
 	var pair := _selected_pair()
 	_use_selection.disabled = pair.is_empty()
-	_use_selection.tooltip_text = "Interpolate from %s to %s, which are selected." % [pair[0], pair[1]] if not pair.is_empty() \
-			else "Interpolate what is selected: select two motors (Ctrl and click)."
+	_use_selection.tooltip_text = (
+		"Interpolate from %s to %s, which are selected." % [pair[0], pair[1]]
+		if not pair.is_empty()
+		else "Interpolate what is selected: select two motors (Ctrl and click)."
+	)
 
 
 func _selected_pair() -> PackedStringArray:

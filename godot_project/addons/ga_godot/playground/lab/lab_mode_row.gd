@@ -72,7 +72,10 @@ func _measure() -> void:
 		return
 	_deviation = "\n" + LabWords.deviation(_lab.measure(_mode, MultivectorLerp.SCREW))
 	var lever: float = _lab.get_setting(&"lever")
-	_words.tooltip_text = "The pose at t, and the largest deviation on the way. The distance is that of a point %s from the body's origin, of all such points the one that fares worst." % LabWords.length(lever)
+	_words.tooltip_text = (
+		"The pose at t, and the largest deviation on the way. The distance is that of a point %s from the body's origin, of all such points the one that fares worst."
+		% LabWords.length(lever)
+	)
 
 
 static func _make_swatch(color: Color) -> Control:

@@ -16,7 +16,14 @@ var _key: StringName
 var _field: NumberField
 
 
-func _init(lab: InterpolationLab, host: PlaygroundHost, key: StringName, label: String, step: float, hint: String) -> void:
+func _init(
+	lab: InterpolationLab,
+	host: PlaygroundHost,
+	key: StringName,
+	label: String,
+	step: float,
+	hint: String
+) -> void:
 	name = String(key).to_pascal_case()
 	_lab = lab
 	_key = key

@@ -39,7 +39,9 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	_below.name = "Below"
 	_column.add_child(_below)
 	_below.add_child(_player)
-	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE]:
+	for mode: MultivectorLerp.Mode in [
+		MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
+	]:
 		_rows.append(LabModeRow.new(lab, mode))
 		_below.add_child(_rows[-1])
 	_below.add_child(_shown)

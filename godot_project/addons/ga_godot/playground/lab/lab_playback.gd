@@ -5,7 +5,9 @@ extends RefCounted
 const THERE_AND_BACK := "there and back"
 const LOOP := "loop"
 const ONCE := "once"
-const TITLES: Dictionary[String, String] = {THERE_AND_BACK: "There and back", LOOP: "Loop", ONCE: "Once"}
+const TITLES: Dictionary[String, String] = {
+	THERE_AND_BACK: "There and back", LOOP: "Loop", ONCE: "Once"
+}
 
 var is_playing := false
 

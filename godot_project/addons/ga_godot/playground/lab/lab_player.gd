@@ -10,7 +10,9 @@ const STEP := 0.001
 const VALUE_WIDTH := 44.0
 const SLIDER_WIDTH := 60.0
 const REPEAT_ICONS: Dictionary[String, StringName] = {
-	LabPlayback.THERE_AND_BACK: &"PingPongLoop", LabPlayback.LOOP: &"Loop", LabPlayback.ONCE: &"Stop",
+	LabPlayback.THERE_AND_BACK: &"PingPongLoop",
+	LabPlayback.LOOP: &"Loop",
+	LabPlayback.ONCE: &"Stop",
 }
 
 var _lab: InterpolationLab
@@ -51,7 +53,9 @@ func _notification(what: int) -> void:
 func refresh() -> void:
 	var repeat: String = _lab.get_setting(&"repeat")
 	_repeat.icon = get_theme_icon(REPEAT_ICONS[repeat], &"EditorIcons")
-	_repeat.tooltip_text = "Played: %s. Click for another way." % LabPlayback.TITLES[repeat].to_lower()
+	_repeat.tooltip_text = (
+		"Played: %s. Click for another way." % LabPlayback.TITLES[repeat].to_lower()
+	)
 	refresh_moment()
 
 
@@ -62,7 +66,11 @@ func refresh_moment() -> void:
 	_slider.set_value_no_signal(_lab.t)
 	_value.text = "%.3f" % _lab.t
 	var entry := _lab.get_t_entry()
-	_slider.tooltip_text = "t, how far it is from one pose to the other." if entry.is_empty() else "t, the value of the entry %s." % entry
+	_slider.tooltip_text = (
+		"t, how far it is from one pose to the other."
+		if entry.is_empty()
+		else "t, the value of the entry %s." % entry
+	)
 
 
 func _prepare_button(button: Button, title: String, act: Callable) -> void:

@@ -103,7 +103,9 @@ func _sort_out(names: PackedStringArray) -> bool:
 	for entry in names:
 		var value := _scene.get_value(entry) if _scene.has_entry(entry) else null
 		# A number is a motor, too: one that does nothing. One with a slider is hardly meant as a pose.
-		var fits := value != null and value.is_motor() and not _scene.get_parameters(entry).has(NUMBER)
+		var fits := (
+			value != null and value.is_motor() and not _scene.get_parameters(entry).has(NUMBER)
+		)
 		if fits != _candidates.has(entry):
 			is_other = true
 			if fits:
@@ -135,7 +137,13 @@ func _follow_names(names: PackedStringArray) -> bool:
 
 
 func _renamed(entry: String, value: Multivector, index: int, names: PackedStringArray) -> String:
-	if entry.is_empty() or value == null or _scene.has_entry(entry) or index < 0 or index >= _scene.get_entry_count():
+	if (
+		entry.is_empty()
+		or value == null
+		or _scene.has_entry(entry)
+		or index < 0
+		or index >= _scene.get_entry_count()
+	):
 		return entry
 	var other := _scene.get_names()[index]
 	var is_new := names.has(other) and _scene.get_value(other) != null
@@ -145,7 +153,11 @@ func _renamed(entry: String, value: Multivector, index: int, names: PackedString
 func _update() -> void:
 	from_name = _chosen_from
 	to_name = _chosen_to
-	var names := PackedStringArray() if not from_name.is_empty() and not to_name.is_empty() else get_candidates()
+	var names := (
+		PackedStringArray()
+		if not from_name.is_empty() and not to_name.is_empty()
+		else get_candidates()
+	)
 	for entry in names:
 		if from_name.is_empty() and entry != to_name:
 			from_name = entry
@@ -169,7 +181,9 @@ func _motor_of(entry: String, faults: PackedStringArray) -> Multivector:
 		faults.append("%s has no value: %s." % [entry, _scene.get_error(entry).trim_suffix(".")])
 		return null
 	if not value.is_motor():
-		faults.append("%s is no motor: choose a product of translators, rotors and dilators." % entry)
+		faults.append(
+			"%s is no motor: choose a product of translators, rotors and dilators." % entry
+		)
 		return null
 	if not value.to_transform().is_finite():
 		faults.append("%s is too large to be drawn." % entry)

@@ -6,26 +6,30 @@ const PREFIX := "interpolation/"
 const NO_ENTRY := ""
 
 const DEFAULTS: Dictionary[StringName, Variant] = {
-	&"from": NO_ENTRY, # an entry
-	&"to": NO_ENTRY, # an entry
-	&"t": 0.5, # 0..1
-	&"t_entry": NO_ENTRY, # an entry that is a number: t is its value
+	&"from": NO_ENTRY,  # an entry
+	&"to": NO_ENTRY,  # an entry
+	&"t": 0.5,  # 0..1
+	&"t_entry": NO_ENTRY,  # an entry that is a number: t is its value
 	&"linear": true,
 	&"screw": true,
 	&"separate": true,
 	&"ghosts": true,
 	&"ghost_count": 9.0,
 	&"path": true,
-	&"body": "frame", # or "cube"
-	&"lever": 1.0, # metres
-	&"duration": 2.5, # seconds
-	&"repeat": "there and back", # or "loop", "once"
+	&"body": "frame",  # or "cube"
+	&"lever": 1.0,  # metres
+	&"duration": 2.5,  # seconds
+	&"repeat": "there and back",  # or "loop", "once"
 }
 const RANGES: Dictionary[StringName, Array] = {
-	&"t": [0.0, 1.0], &"ghost_count": [2.0, 60.0], &"lever": [0.0, 1000.0], &"duration": [0.1, 60.0],
+	&"t": [0.0, 1.0],
+	&"ghost_count": [2.0, 60.0],
+	&"lever": [0.0, 1000.0],
+	&"duration": [0.1, 60.0],
 }
 const CHOICES: Dictionary[StringName, Array] = {
-	&"body": ["frame", "cube"], &"repeat": ["there and back", "loop", "once"],
+	&"body": ["frame", "cube"],
+	&"repeat": ["there and back", "loop", "once"],
 }
 ## By MultivectorLerp.Mode.
 const MODES: Array[StringName] = [&"linear", &"screw", &"separate"]

@@ -26,12 +26,23 @@ func _init(lab: InterpolationLab, host: PlaygroundHost) -> void:
 	_body.tooltip_text = "What moves."
 	for kind in LabBody.KINDS:
 		_body.add_item(LabBody.TITLES[kind])
-	_body.item_selected.connect(func(index: int) -> void: _lab.set_setting(&"body", String(LabBody.KINDS[index])))
+	_body.item_selected.connect(
+		func(index: int) -> void: _lab.set_setting(&"body", String(LabBody.KINDS[index]))
+	)
 	_path = _make_box(&"path", "Path", "The way of the body's origin.")
 	_ghosts = _make_box(&"ghosts", "Ghosts", "The body at even steps of t.")
-	_count = LabNumber.new(lab, host, &"ghost_count", "", 1.0, "How many ghosts, both ends among them.")
+	_count = LabNumber.new(
+		lab, host, &"ghost_count", "", 1.0, "How many ghosts, both ends among them."
+	)
 	_lever = LabNumber.new(lab, host, &"lever", "lever", 0.01, LEVER_HINT)
-	_duration = LabNumber.new(lab, host, &"duration", "time", 0.1, "How many seconds it is played from one pose to the other.")
+	_duration = LabNumber.new(
+		lab,
+		host,
+		&"duration",
+		"time",
+		0.1,
+		"How many seconds it is played from one pose to the other."
+	)
 	for part: Control in [_body, _path, _ghosts, _count, _lever, _duration]:
 		add_child(part)
 

@@ -9,13 +9,23 @@ const NEAR := 1e-6
 ## "at (1.00, 2.00, 3.00), turned 45.0° about (0.00, 0.00, 1.00), scale 2.00": as long at each t.
 static func pose(motor: Multivector) -> String:
 	var position := motor.get_translation()
-	var words := PackedStringArray(["at %s" % _vector(position, 2 if position.length() >= 1.0 else 3)])
+	var words := PackedStringArray(
+		["at %s" % _vector(position, 2 if position.length() >= 1.0 else 3)]
+	)
 	var rotation := motor.get_rotation()
 	if rotation.w < 0.0:
 		rotation = -rotation
 	var sines := Vector3(rotation.x, rotation.y, rotation.z)
 	if sines.length() > NEAR:
-		words.append("turned %s° about %s" % [_number(rad_to_deg(2.0 * atan2(sines.length(), rotation.w)), 1), _vector(sines.normalized(), 2)])
+		words.append(
+			(
+				"turned %s° about %s"
+				% [
+					_number(rad_to_deg(2.0 * atan2(sines.length(), rotation.w)), 1),
+					_vector(sines.normalized(), 2)
+				]
+			)
+		)
 	if absf(motor.get_scale() - 1.0) > NEAR:
 		words.append("scale %s" % _number(motor.get_scale(), 2 if motor.get_scale() >= 0.1 else 4))
 	return ", ".join(words)
@@ -25,7 +35,9 @@ static func pose(motor: Multivector) -> String:
 static func deviation(found: Dictionary) -> String:
 	var parts := PackedStringArray()
 	if found["distance"] > NEAR:
-		parts.append("%s (at t %.2f)" % [length(found["distance"] as float), found["distance_weight"]])
+		parts.append(
+			"%s (at t %.2f)" % [length(found["distance"] as float), found["distance_weight"]]
+		)
 	if found["angle"] > NEAR:
 		parts.append("%s (at t %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
 	return "the same as the screw" if parts.is_empty() else "off the screw: %s" % ", ".join(parts)
@@ -34,7 +46,12 @@ static func deviation(found: Dictionary) -> String:
 static func length(metres: float) -> String:
 	if metres >= 1.0:
 		return "%.2f m" % metres
-	return "%s mm" % String.num(metres * 1000.0, 3 if metres < 1e-3 else 1 if metres < 0.1 else 0).trim_suffix(".0")
+	return (
+		"%s mm"
+		% String.num(metres * 1000.0, 3 if metres < 1e-3 else 1 if metres < 0.1 else 0).trim_suffix(
+			".0"
+		)
+	)
 
 
 static func angle(radians: float) -> String:
@@ -43,7 +60,10 @@ static func angle(radians: float) -> String:
 
 
 static func _vector(vector: Vector3, decimals: int) -> String:
-	return "(%s, %s, %s)" % [_number(vector.x, decimals), _number(vector.y, decimals), _number(vector.z, decimals)]
+	return (
+		"(%s, %s, %s)"
+		% [_number(vector.x, decimals), _number(vector.y, decimals), _number(vector.z, decimals)]
+	)
 
 
 # No "-0.00".

@@ -119,7 +119,9 @@ func _scroll_to_grade() -> void:
 	await get_tree().process_frame
 	for field in _fields:
 		if not is_zero_approx(field.get_number()):
-			_scroll.scroll_vertical = roundi((field.get_parent().get_parent() as Control).position.y)
+			_scroll.scroll_vertical = roundi(
+				(field.get_parent().get_parent() as Control).position.y
+			)
 			return
 
 
@@ -140,7 +142,9 @@ func _show_coefficients() -> void:
 		_fields[index].set_read_only(not is_free)
 		_fields[index].show_number(numbers[index])
 		_fields[index].modulate.a = ZERO_ALPHA if is_zero_approx(numbers[index]) else 1.0
-		_fields[index].tooltip_text = FREE if is_free else DEPENDENT if value != null else WITHOUT_VALUE
+		_fields[index].tooltip_text = (
+			FREE if is_free else DEPENDENT if value != null else WITHOUT_VALUE
+		)
 
 
 func _on_edited(number: float, index: int) -> void:

@@ -11,8 +11,12 @@ signal added(entry: String)
 
 ## %s, %s: the entries in the order of selection.
 const TITLES: Dictionary[StringName, String] = {
-	&"join": "Join %s and %s", &"meet": "Meet %s and %s", &"intersect": "Intersect %s and %s, duals as what they are duals of",
-	&"project": "Project %s onto %s", &"reflect": "Reflect %s in %s", &"move": "Move by a motor: %s and %s, one of which is the motor",
+	&"join": "Join %s and %s",
+	&"meet": "Meet %s and %s",
+	&"intersect": "Intersect %s and %s, duals as what they are duals of",
+	&"project": "Project %s onto %s",
+	&"reflect": "Reflect %s in %s",
+	&"move": "Move by a motor: %s and %s, one of which is the motor",
 }
 
 var _edits: EntryEdits
@@ -50,7 +54,11 @@ func _show_selection() -> void:
 		var is_pair := chosen.size() == 2
 		button.disabled = not is_pair or _edits.combination(how, chosen[0], chosen[1]).is_empty()
 		var title := TITLES[how] % ([chosen[0], chosen[1]] if is_pair else ["one", "another"])
-		button.tooltip_text = title if is_pair else "%s. Select two entries: click one, then the other with Ctrl." % title
+		button.tooltip_text = (
+			title
+			if is_pair
+			else "%s. Select two entries: click one, then the other with Ctrl." % title
+		)
 
 
 func _on_pressed(how: StringName) -> void:

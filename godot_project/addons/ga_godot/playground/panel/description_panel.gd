@@ -14,7 +14,8 @@ const TEXT_OPACITY := 0.85
 const MOST_LINES := 6
 
 ## Null shows nothing.
-var scene: GAScene: set = set_scene
+var scene: GAScene:
+	set = set_scene
 
 var _title := Label.new()
 var _scroll := ScrollContainer.new()
@@ -58,7 +59,9 @@ func _init() -> void:
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED or what == NOTIFICATION_ENTER_TREE:
 		_close.icon = get_theme_icon(&"Close", &"EditorIcons")
-		_title.add_theme_font_size_override(&"font_size", roundi(get_theme_default_font_size() * TITLE_ENLARGEMENT))
+		_title.add_theme_font_size_override(
+			&"font_size", roundi(get_theme_default_font_size() * TITLE_ENLARGEMENT)
+		)
 	elif what == NOTIFICATION_PREDELETE:
 		scene = null
 
@@ -90,7 +93,9 @@ func _show_texts() -> void:
 
 
 func _fit_height() -> void:
-	_scroll.custom_minimum_size.y = minf(_text.get_minimum_size().y, MOST_LINES * _text.get_line_height())
+	_scroll.custom_minimum_size.y = minf(
+		_text.get_minimum_size().y, MOST_LINES * _text.get_line_height()
+	)
 
 
 func _text_of(key: String) -> String:

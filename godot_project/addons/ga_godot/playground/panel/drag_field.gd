@@ -65,17 +65,36 @@ func is_read_only() -> bool:
 
 
 func _draw() -> void:
-	draw_style_box(get_theme_stylebox(&"read_only" if _is_read_only else &"normal", &"LineEdit"), Rect2(Vector2.ZERO, size))
+	draw_style_box(
+		get_theme_stylebox(&"read_only" if _is_read_only else &"normal", &"LineEdit"),
+		Rect2(Vector2.ZERO, size)
+	)
 	if has_focus() and not _edit.visible:
 		draw_style_box(get_theme_stylebox(&"focus", &"LineEdit"), Rect2(Vector2.ZERO, size))
 	var font := get_theme_font(&"font", &"LineEdit")
 	var font_size := get_theme_font_size(&"font_size", &"LineEdit")
 	var color := get_theme_color(&"font_color", &"LineEdit")
 	var line := (size.y + font.get_ascent(font_size) - font.get_descent(font_size)) / 2.0
-	draw_string(font, Vector2(MARGIN, line), _label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, Color(color, LABEL_ALPHA))
+	draw_string(
+		font,
+		Vector2(MARGIN, line),
+		_label,
+		HORIZONTAL_ALIGNMENT_LEFT,
+		-1,
+		font_size,
+		Color(color, LABEL_ALPHA)
+	)
 	var label_width := font.get_string_size(_label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	var room := size.x - label_width - 3.0 * MARGIN
-	draw_string(font, Vector2(label_width + 2.0 * MARGIN, line), _text(), HORIZONTAL_ALIGNMENT_RIGHT, room, font_size, color)
+	draw_string(
+		font,
+		Vector2(label_width + 2.0 * MARGIN, line),
+		_text(),
+		HORIZONTAL_ALIGNMENT_RIGHT,
+		room,
+		font_size,
+		color
+	)
 
 
 # Without the sign of a zero.

@@ -63,7 +63,12 @@ func open(path: String) -> void:
 	if resource is GAScene:
 		_document.show_scene(resource, path)
 	elif resource != null:
-		_warn("%s is a %s. The playground opens files of a GAScene: .tres, or .json." % [path, resource.get_class()])
+		_warn(
+			(
+				"%s is a %s. The playground opens files of a GAScene: .tres, or .json."
+				% [path, resource.get_class()]
+			)
+		)
 	else:
 		_warn("%s cannot be read. See the output for why." % path)
 
@@ -82,7 +87,12 @@ func _open_json(path: String) -> void:
 		return
 	_document.show_scene(scene, path if outcome == OK else "")
 	if outcome != OK:
-		_warn("%s was read in part, and is shown as a new scene; the file stays as it is:\n%s" % [path, errors])
+		_warn(
+			(
+				"%s was read in part, and is shown as a new scene; the file stays as it is:\n%s"
+				% [path, errors]
+			)
+		)
 
 
 func save(path: String) -> void:
@@ -95,7 +105,12 @@ func save(path: String) -> void:
 	else:
 		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
 	if outcome != OK:
-		_warn("%s cannot be saved: %s. Choose another place with Save As." % [path, error_string(outcome)])
+		_warn(
+			(
+				"%s cannot be saved: %s. Choose another place with Save As."
+				% [path, error_string(outcome)]
+			)
+		)
 		return
 	_document.mark_saved(path)
 	_host.note_file(path)
@@ -114,7 +129,9 @@ func save_or_ask() -> void:
 func paste(text: String) -> void:
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
-		_warn("The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.")
+		_warn(
+			"The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first."
+		)
 		return
 	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
 		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))

@@ -43,7 +43,13 @@ func _notification(what: int) -> void:
 func _show_titles() -> void:
 	for kind in NewObjects.KINDS:
 		var button: Button = get_node(String(kind))
-		button.tooltip_text = "Add: %s%s" % [NewObjects.TITLES[kind], " (dual)" if NewObjects.is_dual(kind, _dual.button_pressed) else ""]
+		button.tooltip_text = (
+			"Add: %s%s"
+			% [
+				NewObjects.TITLES[kind],
+				" (dual)" if NewObjects.is_dual(kind, _dual.button_pressed) else ""
+			]
+		)
 	_dual.tooltip_text = "Add what comes next as its dual (IPNS)."
 
 

@@ -48,14 +48,19 @@ func _share_out(parts: Array[Control], room: float) -> Dictionary[Control, float
 	var all := 0.0
 	for part in parts:
 		if part is CappedScroll:
-			wishes[part] = (part as CappedScroll).get_wanted_height() - part.get_combined_minimum_size().y
+			wishes[part] = (
+				(part as CappedScroll).get_wanted_height() - part.get_combined_minimum_size().y
+			)
 			all += wishes[part]
 	if all <= room:
 		return wishes
 	var rest := room
 	for part: Control in wishes:
 		var others := all - wishes[part]
-		wishes[part] = minf(wishes[part], maxf(rest - others, room * FIRST_SHARE if part == wishes.keys()[0] else rest))
+		wishes[part] = minf(
+			wishes[part],
+			maxf(rest - others, room * FIRST_SHARE if part == wishes.keys()[0] else rest)
+		)
 		rest -= wishes[part]
 	return wishes
 

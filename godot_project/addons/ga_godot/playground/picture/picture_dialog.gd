@@ -11,7 +11,9 @@ signal saved(path: String)
 enum Size { AS_SHOWN, TWICE, HD, UHD, OWN }
 enum Background { AS_SHOWN, TRANSPARENT, COLOR }
 
-const FIXED_SIZES: Dictionary[Size, Vector2i] = {Size.HD: Vector2i(1920, 1080), Size.UHD: Vector2i(3840, 2160)}
+const FIXED_SIZES: Dictionary[Size, Vector2i] = {
+	Size.HD: Vector2i(1920, 1080), Size.UHD: Vector2i(3840, 2160)
+}
 const FIELD_WIDTH := 300.0
 const FIRST_NAME := "picture.png"
 
@@ -64,7 +66,14 @@ func _init(files: FileDialog) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED:
-		_problem.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor") if has_theme_color(&"error_color", &"Editor") else Color(1.0, 0.45, 0.42))
+		_problem.add_theme_color_override(
+			&"font_color",
+			(
+				get_theme_color(&"error_color", &"Editor")
+				if has_theme_color(&"error_color", &"Editor")
+				else Color(1.0, 0.45, 0.42)
+			)
+		)
 
 
 ## Opens for a document as it is seen now. What stands beside it in the world is made for each picture by a callable
@@ -75,13 +84,17 @@ func ask(scene: GAScene, view: ViewPoint, shown_size: Vector2i, make_besides := 
 	_shown_size = shown_size
 	_make_besides = make_besides
 	_sizes.set_item_text(Size.AS_SHOWN, "As shown, %d x %d" % [shown_size.x, shown_size.y])
-	_sizes.set_item_text(Size.TWICE, "Twice as large, %d x %d" % [2 * shown_size.x, 2 * shown_size.y])
+	_sizes.set_item_text(
+		Size.TWICE, "Twice as large, %d x %d" % [2 * shown_size.x, 2 * shown_size.y]
+	)
 	_width.value = shown_size.x
 	_height.value = shown_size.y
 	_color.color = view.background
 	_problem.visible = false
 	if _path.text.is_empty():
-		_path.text = ("res://" if _files.access == FileDialog.ACCESS_RESOURCES else "user://") + FIRST_NAME
+		_path.text = (
+			("res://" if _files.access == FileDialog.ACCESS_RESOURCES else "user://") + FIRST_NAME
+		)
 	popup_centered()
 
 
@@ -155,7 +168,9 @@ func _make_file_row() -> Control:
 
 func _fill_choices() -> void:
 	_sizes.name = "Size"
-	for words: String in ["As shown", "Twice as large", "1920 x 1080", "3840 x 2160", "Another size"]:
+	for words: String in [
+		"As shown", "Twice as large", "1920 x 1080", "3840 x 2160", "Another size"
+	]:
 		_sizes.add_item(words)
 	for field: SpinBox in [_width, _height]:
 		field.min_value = 1
@@ -177,7 +192,11 @@ func _fill_choices() -> void:
 # The labels beside the fields that are not asked for go with them.
 func _show_fields() -> void:
 	for field: Control in [_own_size, _color]:
-		var is_asked := _sizes.selected == Size.OWN if field == _own_size else _backgrounds.selected == Background.COLOR
+		var is_asked := (
+			_sizes.selected == Size.OWN
+			if field == _own_size
+			else _backgrounds.selected == Background.COLOR
+		)
 		field.visible = is_asked
 		(field.get_parent().get_child(field.get_index() - 1) as Control).visible = is_asked
 	reset_size()

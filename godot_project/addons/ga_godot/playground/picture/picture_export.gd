@@ -21,9 +21,15 @@ var line_scale := 1.0
 ## Why there can be no picture of that size; empty if there can.
 static func size_error(wanted: Vector2i) -> String:
 	if wanted.x < 1 or wanted.y < 1:
-		return "A picture needs at least one pixel in each direction, not %d x %d." % [wanted.x, wanted.y]
+		return (
+			"A picture needs at least one pixel in each direction, not %d x %d."
+			% [wanted.x, wanted.y]
+		)
 	if wanted.x > LARGEST or wanted.y > LARGEST:
-		return "A picture has at most %d pixels in each direction, not %d x %d." % [LARGEST, wanted.x, wanted.y]
+		return (
+			"A picture has at most %d pixels in each direction, not %d x %d."
+			% [LARGEST, wanted.x, wanted.y]
+		)
 	return ""
 
 
@@ -66,8 +72,15 @@ static func save(image: Image, path: String) -> String:
 		return "%s: a picture is saved as PNG; give it a name that ends with .png." % path
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	if file == null:
-		return "%s cannot be written: %s. Is there such a folder, and may you write there?" % [path, error_string(FileAccess.get_open_error()).to_lower()]
-	return "" if file.store_buffer(image.save_png_to_buffer()) else "%s cannot be written to its end. Is the disk full?" % path
+		return (
+			"%s cannot be written: %s. Is there such a folder, and may you write there?"
+			% [path, error_string(FileAccess.get_open_error()).to_lower()]
+		)
+	return (
+		""
+		if file.store_buffer(image.save_png_to_buffer())
+		else "%s cannot be written to its end. Is the disk full?" % path
+	)
 
 
 func _make_viewport() -> SubViewport:

@@ -10,21 +10,39 @@ const SMALL_RADIUS := 4
 const RADIUS := 6
 ## What is typed into or lies in a list.
 const BOXES: Array[StringName] = [&"LineEdit", &"TextEdit", &"Tree", &"ItemList"]
-const BUTTONS: Array[StringName] = [&"Button", &"OptionButton", &"MenuButton", &"CheckBox", &"CheckButton"]
+const BUTTONS: Array[StringName] = [
+	&"Button", &"OptionButton", &"MenuButton", &"CheckBox", &"CheckButton"
+]
 
 
 ## Colours by what they are for; translucent ones lie on any surface.
 static func palette(light: bool) -> Dictionary[StringName, Color]:
 	if light:
 		return {
-			&"base": Color("f4f5f8"), &"raised": Color("ffffff"), &"field": Color("ffffff"), &"border": Color("d3d7df"),
-			&"text": Color("232936"), &"faint": Color("232936", 0.05), &"hover": Color("232936", 0.07), &"accent": Color("1f6fd1"),
-			&"selected": Color("1f6fd1", 0.14), &"error": Color("c3283f"), &"view": Color("e9ebf0"),
+			&"base": Color("f4f5f8"),
+			&"raised": Color("ffffff"),
+			&"field": Color("ffffff"),
+			&"border": Color("d3d7df"),
+			&"text": Color("232936"),
+			&"faint": Color("232936", 0.05),
+			&"hover": Color("232936", 0.07),
+			&"accent": Color("1f6fd1"),
+			&"selected": Color("1f6fd1", 0.14),
+			&"error": Color("c3283f"),
+			&"view": Color("e9ebf0"),
 		}
 	return {
-		&"base": Color("191d25"), &"raised": Color("232934"), &"field": Color("11141a"), &"border": Color("343b49"),
-		&"text": Color("d8dde6"), &"faint": Color("ffffff", 0.06), &"hover": Color("ffffff", 0.08), &"accent": Color("6aaeff"),
-		&"selected": Color("6aaeff", 0.17), &"error": Color("ff7b85"), &"view": Color("12151b"),
+		&"base": Color("191d25"),
+		&"raised": Color("232934"),
+		&"field": Color("11141a"),
+		&"border": Color("343b49"),
+		&"text": Color("d8dde6"),
+		&"faint": Color("ffffff", 0.06),
+		&"hover": Color("ffffff", 0.08),
+		&"accent": Color("6aaeff"),
+		&"selected": Color("6aaeff", 0.17),
+		&"error": Color("ff7b85"),
+		&"view": Color("12151b"),
 	}
 
 
@@ -32,7 +50,15 @@ static func make(light: bool) -> Theme:
 	var colors := palette(light)
 	var theme := Theme.new()
 	theme.default_font_size = FONT_SIZE
-	ThemeIcons.add_to(theme, {"TEXT": colors[&"text"], "ACCENT": colors[&"accent"], "BASE": colors[&"base"], "ERROR": colors[&"error"]})
+	ThemeIcons.add_to(
+		theme,
+		{
+			"TEXT": colors[&"text"],
+			"ACCENT": colors[&"accent"],
+			"BASE": colors[&"base"],
+			"ERROR": colors[&"error"]
+		}
+	)
 	_set_texts(theme, colors)
 	_set_boxes(theme, colors)
 	_set_buttons(theme, colors)
@@ -46,11 +72,15 @@ static func _set_texts(theme: Theme, colors: Dictionary[StringName, Color]) -> v
 	theme.set_color(&"font_color", &"Editor", colors[&"text"])
 	theme.set_color(&"error_color", &"Editor", colors[&"error"])
 	theme.set_color(&"accent_color", &"Editor", colors[&"accent"])
-	for type: StringName in [&"Label", &"LineEdit", &"TextEdit", &"Tree", &"ItemList", &"TooltipLabel"]:
+	for type: StringName in [
+		&"Label", &"LineEdit", &"TextEdit", &"Tree", &"ItemList", &"TooltipLabel"
+	]:
 		theme.set_color(&"font_color", type, colors[&"text"])
 	theme.set_color(&"default_color", &"RichTextLabel", colors[&"text"])
 	for type: StringName in [&"Tree", &"ItemList"]:
-		for item: StringName in [&"font_hovered_color", &"font_selected_color", &"font_hovered_selected_color"]:
+		for item: StringName in [
+			&"font_hovered_color", &"font_selected_color", &"font_hovered_selected_color"
+		]:
 			theme.set_color(item, type, colors[&"text"])
 		theme.set_color(&"guide_color", type, Color.TRANSPARENT)
 	theme.set_color(&"drop_position_color", &"Tree", colors[&"accent"])
@@ -61,7 +91,11 @@ static func _set_texts(theme: Theme, colors: Dictionary[StringName, Color]) -> v
 	theme.set_color(&"clear_button_color", &"LineEdit", colors[&"text"])
 	theme.set_color(&"selection_color", &"LineEdit", Color(colors[&"accent"], 0.35))
 	for color: StringName in [&"folder_icon_color", &"file_icon_color"]:
-		theme.set_color(color, &"FileDialog", colors[&"accent"] if color == &"folder_icon_color" else colors[&"text"])
+		theme.set_color(
+			color,
+			&"FileDialog",
+			colors[&"accent"] if color == &"folder_icon_color" else colors[&"text"]
+		)
 	theme.set_type_variation(&"HeaderSmall", &"Label")
 	theme.set_font_size(&"font_size", &"HeaderSmall", FONT_SIZE - 1)
 
@@ -73,13 +107,25 @@ static func _set_boxes(theme: Theme, colors: Dictionary[StringName, Color]) -> v
 		theme.set_stylebox(&"read_only", type, _box(colors[&"faint"], colors[&"border"], 6, 3))
 		theme.set_stylebox(&"focus", type, _outline(colors[&"accent"]))
 	for type: StringName in [&"Tree", &"ItemList"]:
-		for style: StringName in [&"selected", &"selected_focus", &"hovered_selected", &"hovered_selected_focus"]:
-			theme.set_stylebox(style, type, _box(colors[&"selected"], Color.TRANSPARENT, 4, 2, SMALL_RADIUS))
-		theme.set_stylebox(&"hovered", type, _box(colors[&"hover"], Color.TRANSPARENT, 4, 2, SMALL_RADIUS))
-	theme.set_stylebox(&"panel", &"PanelContainer", _box(colors[&"base"], Color.TRANSPARENT, 8, 8, 0))
+		for style: StringName in [
+			&"selected", &"selected_focus", &"hovered_selected", &"hovered_selected_focus"
+		]:
+			theme.set_stylebox(
+				style, type, _box(colors[&"selected"], Color.TRANSPARENT, 4, 2, SMALL_RADIUS)
+			)
+		theme.set_stylebox(
+			&"hovered", type, _box(colors[&"hover"], Color.TRANSPARENT, 4, 2, SMALL_RADIUS)
+		)
+	theme.set_stylebox(
+		&"panel", &"PanelContainer", _box(colors[&"base"], Color.TRANSPARENT, 8, 8, 0)
+	)
 	theme.set_stylebox(&"panel", &"Panel", _box(colors[&"base"], Color.TRANSPARENT, 0, 0, 0))
 	theme.set_stylebox(&"panel", &"ScrollContainer", StyleBoxEmpty.new())
-	theme.set_stylebox(&"split_bar_background", &"SplitContainer", _box(colors[&"base"], Color.TRANSPARENT, 0, 0, 0))
+	theme.set_stylebox(
+		&"split_bar_background",
+		&"SplitContainer",
+		_box(colors[&"base"], Color.TRANSPARENT, 0, 0, 0)
+	)
 	for type: StringName in [&"HSeparator", &"VSeparator"]:
 		var line := StyleBoxLine.new()
 		line.color = colors[&"border"]
@@ -96,7 +142,16 @@ static func _set_buttons(theme: Theme, colors: Dictionary[StringName, Color]) ->
 		var border := Color.TRANSPARENT if is_flat else colors[&"border"]
 		theme.set_stylebox(&"normal", type, _box(fill, border, margin, 4))
 		theme.set_stylebox(&"disabled", type, _box(fill, border, margin, 4))
-		theme.set_stylebox(&"hover", type, _box(colors[&"hover"] if is_flat else colors[&"raised"].lerp(colors[&"text"], 0.08), border, margin, 4))
+		theme.set_stylebox(
+			&"hover",
+			type,
+			_box(
+				colors[&"hover"] if is_flat else colors[&"raised"].lerp(colors[&"text"], 0.08),
+				border,
+				margin,
+				4
+			)
+		)
 		theme.set_stylebox(&"pressed", type, _box(colors[&"selected"], border, margin, 4))
 		theme.set_stylebox(&"hover_pressed", type, _box(colors[&"selected"], border, margin, 4))
 		theme.set_stylebox(&"focus", type, _outline(colors[&"accent"]))
@@ -116,8 +171,12 @@ static func _set_windows(theme: Theme, colors: Dictionary[StringName, Color]) ->
 	menu.shadow_size = 8
 	theme.set_stylebox(&"panel", &"PopupMenu", menu)
 	theme.set_stylebox(&"panel", &"PopupPanel", menu)
-	theme.set_stylebox(&"panel", &"TooltipPanel", _box(colors[&"raised"], colors[&"border"], 8, 4, SMALL_RADIUS))
-	theme.set_stylebox(&"hover", &"PopupMenu", _box(colors[&"selected"], Color.TRANSPARENT, 0, 0, SMALL_RADIUS))
+	theme.set_stylebox(
+		&"panel", &"TooltipPanel", _box(colors[&"raised"], colors[&"border"], 8, 4, SMALL_RADIUS)
+	)
+	theme.set_stylebox(
+		&"hover", &"PopupMenu", _box(colors[&"selected"], Color.TRANSPARENT, 0, 0, SMALL_RADIUS)
+	)
 	var separator := StyleBoxLine.new()
 	separator.color = colors[&"border"]
 	theme.set_stylebox(&"separator", &"PopupMenu", separator)
@@ -126,7 +185,9 @@ static func _set_windows(theme: Theme, colors: Dictionary[StringName, Color]) ->
 	theme.set_constant(&"item_end_padding", &"PopupMenu", 8)
 	for color: StringName in [&"font_color", &"font_hover_color"]:
 		theme.set_color(color, &"PopupMenu", colors[&"text"])
-	for color: StringName in [&"font_accelerator_color", &"font_disabled_color", &"font_separator_color"]:
+	for color: StringName in [
+		&"font_accelerator_color", &"font_disabled_color", &"font_separator_color"
+	]:
 		theme.set_color(color, &"PopupMenu", Color(colors[&"text"], 0.45))
 	var frame := _box(colors[&"base"], colors[&"border"], 10, 10)
 	frame.expand_margin_top = 32
@@ -136,19 +197,37 @@ static func _set_windows(theme: Theme, colors: Dictionary[StringName, Color]) ->
 		theme.set_stylebox(style, &"Window", frame)
 	theme.set_color(&"title_color", &"Window", colors[&"text"])
 	theme.set_constant(&"title_height", &"Window", 32)
-	theme.set_stylebox(&"panel", &"AcceptDialog", _box(colors[&"base"], Color.TRANSPARENT, 12, 12, 0))
+	theme.set_stylebox(
+		&"panel", &"AcceptDialog", _box(colors[&"base"], Color.TRANSPARENT, 12, 12, 0)
+	)
 
 
 static func _set_sliders(theme: Theme, colors: Dictionary[StringName, Color]) -> void:
 	for type: StringName in [&"HScrollBar", &"VScrollBar"]:
 		theme.set_stylebox(&"scroll", type, _box(Color.TRANSPARENT, Color.TRANSPARENT, 3, 3, 3))
-		theme.set_stylebox(&"scroll_focus", type, _box(Color.TRANSPARENT, Color.TRANSPARENT, 3, 3, 3))
-		theme.set_stylebox(&"grabber", type, _box(Color(colors[&"text"], 0.25), Color.TRANSPARENT, 3, 3, 3))
-		theme.set_stylebox(&"grabber_highlight", type, _box(Color(colors[&"text"], 0.4), Color.TRANSPARENT, 3, 3, 3))
-		theme.set_stylebox(&"grabber_pressed", type, _box(colors[&"accent"], Color.TRANSPARENT, 3, 3, 3))
-	theme.set_stylebox(&"slider", &"HSlider", _box(Color(colors[&"text"], 0.15), Color.TRANSPARENT, 2, 2, 2))
-	theme.set_stylebox(&"grabber_area", &"HSlider", _box(Color(colors[&"accent"], 0.7), Color.TRANSPARENT, 2, 2, 2))
-	theme.set_stylebox(&"grabber_area_highlight", &"HSlider", _box(colors[&"accent"], Color.TRANSPARENT, 2, 2, 2))
+		theme.set_stylebox(
+			&"scroll_focus", type, _box(Color.TRANSPARENT, Color.TRANSPARENT, 3, 3, 3)
+		)
+		theme.set_stylebox(
+			&"grabber", type, _box(Color(colors[&"text"], 0.25), Color.TRANSPARENT, 3, 3, 3)
+		)
+		theme.set_stylebox(
+			&"grabber_highlight",
+			type,
+			_box(Color(colors[&"text"], 0.4), Color.TRANSPARENT, 3, 3, 3)
+		)
+		theme.set_stylebox(
+			&"grabber_pressed", type, _box(colors[&"accent"], Color.TRANSPARENT, 3, 3, 3)
+		)
+	theme.set_stylebox(
+		&"slider", &"HSlider", _box(Color(colors[&"text"], 0.15), Color.TRANSPARENT, 2, 2, 2)
+	)
+	theme.set_stylebox(
+		&"grabber_area", &"HSlider", _box(Color(colors[&"accent"], 0.7), Color.TRANSPARENT, 2, 2, 2)
+	)
+	theme.set_stylebox(
+		&"grabber_area_highlight", &"HSlider", _box(colors[&"accent"], Color.TRANSPARENT, 2, 2, 2)
+	)
 
 
 static func _set_foldables(theme: Theme, colors: Dictionary[StringName, Color]) -> void:
@@ -163,7 +242,9 @@ static func _set_foldables(theme: Theme, colors: Dictionary[StringName, Color]) 
 		theme.set_color(color, type, colors[&"text"])
 
 
-static func _box(fill: Color, border: Color, across: int, up: int, radius := RADIUS) -> StyleBoxFlat:
+static func _box(
+	fill: Color, border: Color, across: int, up: int, radius := RADIUS
+) -> StyleBoxFlat:
 	var box := StyleBoxFlat.new()
 	box.bg_color = fill
 	box.border_color = border

@@ -26,12 +26,19 @@ const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"scalar": "1",
 }
 const AXES: Dictionary[Vector3, String] = {
-	Vector3.RIGHT: "e1", Vector3.UP: "e2", Vector3.BACK: "e3", Vector3.LEFT: "-e1", Vector3.DOWN: "-e2", Vector3.FORWARD: "-e3",
+	Vector3.RIGHT: "e1",
+	Vector3.UP: "e2",
+	Vector3.BACK: "e3",
+	Vector3.LEFT: "-e1",
+	Vector3.DOWN: "-e2",
+	Vector3.FORWARD: "-e3",
 }
 
 
 ## In the space of the drawing: "place", and "normal" of the surface, which faces the eye.
-static func find_place(drawing: SceneDrawing, camera: Camera3D, point: Vector2) -> Dictionary[String, Vector3]:
+static func find_place(
+	drawing: SceneDrawing, camera: Camera3D, point: Vector2
+) -> Dictionary[String, Vector3]:
 	var ray := ViewRay.new(camera, point, drawing.global_transform)
 	var place := ray.meet_plane(Vector3.UP, 0.0)
 	var normal := Vector3.UP
@@ -48,8 +55,14 @@ static func find_place(drawing: SceneDrawing, camera: Camera3D, point: Vector2) 
 			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
 			across = (found - (facts["center"] as Vector3)).normalized()
 		# What is hidden is nowhere on the screen.
-		var is_drawn := node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point))
-		if is_drawn and found.is_finite() and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST):
+		var is_drawn := (
+			node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point))
+		)
+		if (
+			is_drawn
+			and found.is_finite()
+			and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST)
+		):
 			place = found
 			normal = across if across.dot(ray.direction) < 0.0 else -across
 	if not place.is_finite():
@@ -58,25 +71,45 @@ static func find_place(drawing: SceneDrawing, camera: Camera3D, point: Vector2) 
 
 
 ## The name of the new entry.
-static func add(edits: EntryEdits, drawing: SceneDrawing, kind: StringName, camera: Camera3D, point: Vector2, snaps: bool) -> String:
+static func add(
+	edits: EntryEdits,
+	drawing: SceneDrawing,
+	kind: StringName,
+	camera: Camera3D,
+	point: Vector2,
+	snaps: bool
+) -> String:
 	var found := find_place(drawing, camera, point)
 	var pixel := ViewScale.pixel(camera, drawing.global_transform * found["place"])
 	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
 	var length := ViewScale.round_length(pixel, SIZE * ViewScale.PlaygroundStyle.scale())
 	var place := found["place"].snappedf(step)
 	var normal := found["normal"].snappedf(0.001)
-	var expression := EXPRESSIONS[kind].format({
-		"place": _coordinates(place, step), "other": _coordinates((place + found["normal"] * length).snappedf(step), step),
-		"normal": AXES.get(normal, "vector(%s)" % _coordinates(normal, 0.001)), "length": String.num(length).trim_suffix(".0"),
-		"distance": _number(found["normal"].dot(place), step),
-	})
+	var expression := (
+		EXPRESSIONS[kind]
+		. format(
+			{
+				"place": _coordinates(place, step),
+				"other": _coordinates((place + found["normal"] * length).snappedf(step), step),
+				"normal": AXES.get(normal, "vector(%s)" % _coordinates(normal, 0.001)),
+				"length": String.num(length).trim_suffix(".0"),
+				"distance": _number(found["normal"].dot(place), step),
+			}
+		)
+	)
 	return edits.add("", expression, false, kind)
 
 
 static func _coordinates(vector: Vector3, step: float) -> String:
-	return "%s, %s, %s" % [_number(vector.x, step), _number(vector.y, step), _number(vector.z, step)]
+	return (
+		"%s, %s, %s" % [_number(vector.x, step), _number(vector.y, step), _number(vector.z, step)]
+	)
 
 
 static func _number(value: float, step: float) -> String:
 	# Without the sign of a zero.
-	return String.num(snappedf(value, step) + 0.0, maxi(0, roundi(-log(step) / log(10.0)))).trim_suffix(".0")
+	return (
+		String
+		. num(snappedf(value, step) + 0.0, maxi(0, roundi(-log(step) / log(10.0))))
+		. trim_suffix(".0")
+	)

@@ -28,14 +28,28 @@ func _init(document: PlaygroundDocument, handle: ViewHandle, mouse: Vector2) -> 
 
 ## On a level: what moves freely stays at its height.
 func move(camera: Camera3D, mouse: Vector2, snaps: bool, on_level: bool) -> void:
-	if not is_instance_valid(start.node) or not start.node.is_inside_tree() or not _document.scene.has_entry(entry):
+	if (
+		not is_instance_valid(start.node)
+		or not start.node.is_inside_tree()
+		or not _document.scene.has_entry(entry)
+	):
 		return
 	var space := start.node.global_transform
 	var ray := ViewRay.new(camera, mouse - _offset, space)
-	var pixel := ViewScale.pixel(camera, space * (start.handle["place"] as Vector3)) / space.basis.x.length()
+	var pixel := (
+		ViewScale.pixel(camera, space * (start.handle["place"] as Vector3)) / space.basis.x.length()
+	)
 	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
 	var angle := ViewScale.COARSE_ANGLE if snaps else ViewScale.FINE_ANGLE
-	_document.scene.drag_handle(entry, start.handle, ray.origin, ray.direction, Vector3.UP if on_level else ray.view, step, angle)
+	_document.scene.drag_handle(
+		entry,
+		start.handle,
+		ray.origin,
+		ray.direction,
+		Vector3.UP if on_level else ray.view,
+		step,
+		angle
+	)
 
 
 func end() -> void:

@@ -34,13 +34,25 @@ static func draw(canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer) -> 
 		if handle.is_visible:
 			_draw_disc(canvas, handle.place, _is_active(handle, pointer), scale)
 			if pointer.is_dragging() and handle.is_same(pointer.get_drag().start):
-				_draw_text(canvas, camera.get_viewport().get_visible_rect(), handle.place, _words(handle), scale)
-	if not pointer.adding.is_empty() and pointer.mouse.is_finite() and pointer.mouse_camera == camera:
+				_draw_text(
+					canvas,
+					camera.get_viewport().get_visible_rect(),
+					handle.place,
+					_words(handle),
+					scale
+				)
+	if (
+		not pointer.adding.is_empty()
+		and pointer.mouse.is_finite()
+		and pointer.mouse_camera == camera
+	):
 		_draw_target(canvas, camera, pointer, scale)
 
 
 static func _is_active(handle: ViewHandle, pointer: ViewPointer) -> bool:
-	return handle.is_same(pointer.get_drag().start if pointer.is_dragging() else pointer.hovered_handle)
+	return handle.is_same(
+		pointer.get_drag().start if pointer.is_dragging() else pointer.hovered_handle
+	)
 
 
 static func _draw_disc(canvas: CanvasItem, place: Vector2, is_active: bool, scale: float) -> void:
@@ -59,7 +71,13 @@ static func _words(handle: ViewHandle) -> String:
 		return "(%s, %s, %s)" % [_number(vector.x), _number(vector.y), _number(vector.z)]
 	if value is float:
 		var number: float = value
-		return "%s %s" % [handle.key(), _number(rad_to_deg(number)) + "°" if handle.key() == "angle" else _number(number)]
+		return (
+			"%s %s"
+			% [
+				handle.key(),
+				_number(rad_to_deg(number)) + "°" if handle.key() == "angle" else _number(number)
+			]
+		)
 	return ""
 
 
@@ -67,7 +85,9 @@ static func _number(value: float) -> String:
 	return String.num(snappedf(value, 0.0001) + 0.0, 4).trim_suffix(".0")
 
 
-static func _draw_text(canvas: CanvasItem, bounds: Rect2, place: Vector2, words: String, scale: float) -> void:
+static func _draw_text(
+	canvas: CanvasItem, bounds: Rect2, place: Vector2, words: String, scale: float
+) -> void:
 	if words.is_empty():
 		return
 	var font := ThemeDB.fallback_font
@@ -79,11 +99,20 @@ static func _draw_text(canvas: CanvasItem, bounds: Rect2, place: Vector2, words:
 	corner.x = corner.x if corner.x < room.x else place.x - TEXT_OFFSET.x * scale - size.x
 	corner = corner.clamp(MARGIN * scale, room.max(MARGIN * scale))
 	canvas.draw_rect(Rect2(corner - MARGIN * scale, size + 2.0 * MARGIN * scale), PANEL)
-	canvas.draw_string(font, corner + Vector2(0, font.get_ascent(font_size)), words, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
+	canvas.draw_string(
+		font,
+		corner + Vector2(0, font.get_ascent(font_size)),
+		words,
+		HORIZONTAL_ALIGNMENT_LEFT,
+		-1,
+		font_size
+	)
 
 
 # A ring on the surface where a click adds something.
-static func _draw_target(canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer, scale: float) -> void:
+static func _draw_target(
+	canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer, scale: float
+) -> void:
 	var found := ClickAdding.find_place(pointer.drawing, camera, pointer.mouse)
 	var space := pointer.drawing.global_transform
 	var place := space * found["place"]
@@ -98,4 +127,6 @@ static func _draw_target(canvas: CanvasItem, camera: Camera3D, pointer: ViewPoin
 		ring.append(camera.unproject_position(edge))
 	canvas.draw_polyline(ring, SHADE, 4.0 * scale, true)
 	canvas.draw_polyline(ring, HOVERED_FILL, 1.6 * scale, true)
-	canvas.draw_circle(camera.unproject_position(place), 2.5 * scale, HOVERED_FILL, true, -1.0, true)
+	canvas.draw_circle(
+		camera.unproject_position(place), 2.5 * scale, HOVERED_FILL, true, -1.0, true
+	)

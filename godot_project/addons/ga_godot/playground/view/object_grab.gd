@@ -14,7 +14,9 @@ static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle
 	for handle: ViewHandle in handles:
 		if handle.handle["moves_body"]:
 			var place: Vector3 = handle.handle["place"]
-			var grabbed := _point_under(node, ViewRay.new(camera, point, node.global_transform), place)
+			var grabbed := _point_under(
+				node, ViewRay.new(camera, point, node.global_transform), place
+			)
 			handle.handle["grab"] = grabbed - place if grabbed.is_finite() else Vector3.ZERO
 			# By the mouse itself, not by where the handle is on the screen.
 			handle.place = point

@@ -24,7 +24,9 @@ static func find_handle(handles: Array[RefCounted], point: Vector2) -> ViewHandl
 
 ## Null if there is none. Planes fill the view, and spheres hold other things: with their faces they are taken wherever the mouse
 ## is on them, without only by their lines.
-static func find_object(nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_faces: bool) -> GANode3D:
+static func find_object(
+	nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_faces: bool
+) -> GANode3D:
 	var best: GANode3D = null
 	var best_rank := INF
 	for node in nodes:
@@ -40,7 +42,14 @@ static func classify(node: GANode3D) -> Dictionary:
 	var value := node.get_value()
 	if value == null:
 		return {}
-	var dual: bool = node.ipns or (node.scene != null and node.scene.has_entry(node.entry) and node.scene.get_entry_attribute(node.entry, "ipns"))
+	var dual: bool = (
+		node.ipns
+		or (
+			node.scene != null
+			and node.scene.has_entry(node.entry)
+			and node.scene.get_entry_attribute(node.entry, "ipns")
+		)
+	)
 	return value.classify(dual)
 
 
@@ -69,8 +78,13 @@ static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: 
 	return 2.0 * reach if _is_on_outline(node, camera, point, center, radius, reach) else INF
 
 
-static func _is_on_outline(node: GANode3D, camera: Camera3D, point: Vector2, center: Vector3, radius: float, reach: float) -> bool:
+static func _is_on_outline(
+	node: GANode3D, camera: Camera3D, point: Vector2, center: Vector3, radius: float, reach: float
+) -> bool:
 	var ray := ViewRay.new(camera, point, node.global_transform)
 	var nearest := ray.pass_by(center)
-	var pixel := ViewScale.pixel(camera, node.global_transform * nearest) / node.global_transform.basis.x.length()
+	var pixel := (
+		ViewScale.pixel(camera, node.global_transform * nearest)
+		/ node.global_transform.basis.x.length()
+	)
 	return absf(nearest.distance_to(center) - radius) < reach * pixel

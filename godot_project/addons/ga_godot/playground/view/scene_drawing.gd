@@ -7,10 +7,17 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 ## By what Multivector.classify tells; all else has the last.
 const COLORS: Dictionary[StringName, Color] = {
-	&"point": Color(0.98, 0.45, 0.45), &"flat_point": Color(0.98, 0.45, 0.45), &"point_pair": Color(0.95, 0.55, 0.75),
-	&"line": Color(1.0, 0.75, 0.35), &"circle": Color(0.55, 0.85, 0.45), &"plane": Color(0.6, 0.7, 0.85),
-	&"sphere": Color(0.35, 0.7, 1.0), &"motor": Color(0.8, 0.6, 1.0), &"rotor": Color(0.8, 0.6, 1.0),
-	&"translator": Color(0.8, 0.6, 1.0), &"dilator": Color(0.8, 0.6, 1.0),
+	&"point": Color(0.98, 0.45, 0.45),
+	&"flat_point": Color(0.98, 0.45, 0.45),
+	&"point_pair": Color(0.95, 0.55, 0.75),
+	&"line": Color(1.0, 0.75, 0.35),
+	&"circle": Color(0.55, 0.85, 0.45),
+	&"plane": Color(0.6, 0.7, 0.85),
+	&"sphere": Color(0.35, 0.7, 1.0),
+	&"motor": Color(0.8, 0.6, 1.0),
+	&"rotor": Color(0.8, 0.6, 1.0),
+	&"translator": Color(0.8, 0.6, 1.0),
+	&"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
 ## Line widths in pixels at the usual scale, and what is added to them.
@@ -23,11 +30,14 @@ const THICKEST := 20.0
 ## Before a light background nothing is lighter.
 const LIGHTEST := 0.48
 
-var scene: GAScene: set = set_scene
+var scene: GAScene:
+	set = set_scene
 ## Whether what is behind the objects is light; colours of kinds are then darker. An entry with its own keeps it.
-var on_light := false: set = set_on_light
+var on_light := false:
+	set = set_on_light
 ## Entries that something else draws in the same place.
-var left_out := PackedStringArray(): set = set_left_out
+var left_out := PackedStringArray():
+	set = set_left_out
 
 var _nodes: Dictionary[String, GANode3D] = {}
 var _hovered := ""
@@ -127,7 +137,10 @@ func _set_width(entry: String) -> void:
 
 func _width_of(entry: String) -> float:
 	var extra := SELECTED_EXTRA if _selected.has(entry) else 0.0
-	return (width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra)) * PlaygroundStyle.scale()
+	return (
+		(width_of(scene, entry) + (HOVERED_EXTRA if entry == _hovered else extra))
+		* PlaygroundStyle.scale()
+	)
 
 
 func _make_node(entry: String) -> GANode3D:

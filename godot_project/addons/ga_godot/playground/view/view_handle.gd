@@ -25,13 +25,22 @@ func _init(p_node: GANode3D, p_handle: Dictionary, camera: Camera3D) -> void:
 	var space := node.global_transform
 	var from: Vector3 = handle["stem"]
 	if handle["is_arm"]:
-		var length := ARM * ViewScale.PlaygroundStyle.scale() * ViewScale.pixel(camera, space * from) / space.basis.x.length()
+		var length := (
+			ARM
+			* ViewScale.PlaygroundStyle.scale()
+			* ViewScale.pixel(camera, space * from)
+			/ space.basis.x.length()
+		)
 		handle["place"] = from + (handle["place"] as Vector3 - from) * length
 	var in_world := space * (handle["place"] as Vector3)
 	is_visible = not camera.is_position_behind(in_world)
 	if is_visible:
 		place = camera.unproject_position(in_world)
-		stem = place if camera.is_position_behind(space * from) else camera.unproject_position(space * from)
+		stem = (
+			place
+			if camera.is_position_behind(space * from)
+			else camera.unproject_position(space * from)
+		)
 
 
 func key() -> String:
@@ -39,14 +48,22 @@ func key() -> String:
 
 
 func is_same(other: RefCounted) -> bool:
-	return other != null and other.get(&"node") == node and (other.get(&"handle") as Dictionary)["key"] == handle["key"]
+	return (
+		other != null
+		and other.get(&"node") == node
+		and (other.get(&"handle") as Dictionary)["key"] == handle["key"]
+	)
 
 
 ## Those of the entry that a node draws; none of what is hidden.
 static func of(of_node: GANode3D, camera: Camera3D) -> Array[RefCounted]:
 	var found: Array[RefCounted] = []
 	var scene := of_node.scene
-	if scene == null or not scene.has_entry(of_node.entry) or not scene.get_entry_attribute(of_node.entry, "visible"):
+	if (
+		scene == null
+		or not scene.has_entry(of_node.entry)
+		or not scene.get_entry_attribute(of_node.entry, "visible")
+	):
 		return found
 	if not of_node.is_visible_in_tree() or ViewRay.is_flat(of_node.global_transform):
 		return found

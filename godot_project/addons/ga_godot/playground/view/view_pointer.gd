@@ -22,7 +22,8 @@ signal adding_changed
 const CLICK := 4.0
 
 ## The kind of NewObjects.KINDS that a click adds; empty for none.
-var adding := &"": set = set_adding
+var adding := &"":
+	set = set_adding
 ## The kind that a double click beside all objects adds; empty for none.
 var double_click_adds := &""
 ## Whether planes and spheres are taken by their faces, too, which may be all over the view.
@@ -54,7 +55,9 @@ var _pressed_at := Vector2.INF
 var _pressed_beside := false
 
 
-func _init(p_drawing: SceneDrawing, p_document: PlaygroundDocument, edits: EntryEdits, list: EntryList) -> void:
+func _init(
+	p_drawing: SceneDrawing, p_document: PlaygroundDocument, edits: EntryEdits, list: EntryList
+) -> void:
 	drawing = p_drawing
 	document = p_document
 	_edits = edits
@@ -187,7 +190,9 @@ func _press(button: InputEventMouseButton, camera: Camera3D) -> bool:
 		_pressed = ObjectGrab.take(hovered_node, camera, button.position)
 		return true
 	if button.double_click and not double_click_adds.is_empty():
-		_select([ClickAdding.add(_edits, drawing, double_click_adds, camera, button.position, snaps)])
+		_select(
+			[ClickAdding.add(_edits, drawing, double_click_adds, camera, button.position, snaps)]
+		)
 		return true
 	_pressed_beside = true
 	return false
@@ -248,7 +253,11 @@ func _hover_at(camera: Camera3D, point: Vector2) -> void:
 
 
 func _hover(handle: ViewHandle, node: GANode3D) -> void:
-	var is_other := node != hovered_node or (handle == null) != (hovered_handle == null) or (handle != null and not handle.is_same(hovered_handle))
+	var is_other := (
+		node != hovered_node
+		or (handle == null) != (hovered_handle == null)
+		or (handle != null and not handle.is_same(hovered_handle))
+	)
 	hovered_handle = handle
 	hovered_node = node
 	if is_other:
@@ -265,5 +274,7 @@ func _on_scene_switched() -> void:
 
 
 func _on_selection_changed() -> void:
-	drawing.emphasize(String(hovered_node.entry) if is_instance_valid(hovered_node) else "", _list.selection)
+	drawing.emphasize(
+		String(hovered_node.entry) if is_instance_valid(hovered_node) else "", _list.selection
+	)
 	redraw_needed.emit()

@@ -16,7 +16,9 @@ const FINE_ANGLE := deg_to_rad(0.1)
 static func pixel(camera: Camera3D, place: Vector3) -> float:
 	var depth := maxf(-(camera.global_transform.affine_inverse() * place).z, camera.near)
 	var middle := Vector2(camera.get_viewport().get_visible_rect().size) / 2.0
-	return camera.project_position(middle, depth).distance_to(camera.project_position(middle + Vector2.RIGHT, depth))
+	return camera.project_position(middle, depth).distance_to(
+		camera.project_position(middle + Vector2.RIGHT, depth)
+	)
 
 
 ## A power of ten below a pixel: what is dragged becomes a number with no more digits than can be seen.
