@@ -198,7 +198,7 @@ func test_it_fits_into_a_narrow_panel() -> void:
 		await wait_frames(4)
 		expect_equal(_panel.size.y, height, "height of the panel")
 		expect_true(
-			_panel.list.size.y >= EntryList.LEAST_HEIGHT,
+			_panel.list.size.y >= EntryList.MIN_HEIGHT,
 			"room for the list in %s: %s" % [height, _panel.list.size.y]
 		)
 		var content: Control = scroll.get_child(0)

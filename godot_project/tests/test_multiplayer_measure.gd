@@ -84,7 +84,7 @@ func test_bytes_that_are_no_truth_are_refused() -> void:
 
 func test_a_probe_takes_different_moving_bodies_and_rests_unwatched() -> void:
 	var truth := _probe_truth(45)
-	expect_equal(truth.ids.size(), Truth.MOST_BODIES, "bodies")
+	expect_equal(truth.ids.size(), Truth.MAX_BODIES, "bodies")
 	for i: int in truth.ids.size():
 		expect_true(truth.ids[i] % 2 == 1, "body %d moving" % truth.ids[i])
 		expect_equal(truth.ids.count(truth.ids[i]), 1, "times that body %d is told" % truth.ids[i])

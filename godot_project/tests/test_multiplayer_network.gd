@@ -100,7 +100,7 @@ func test_the_rate_bounds_throughput_and_delay() -> void:
 			slowest = maxf(slowest, i * STEP - other.decode_double(0))
 	expect_near(arrived, 500.0, 15.0, "packets that passed in 10 s")
 	expect_near(line.overflowed, 485.0, 15.0, "packets thrown away before the queue")
-	expect_near(slowest, ImpairedLine.LONGEST_QUEUE + 0.02, 0.02, "longest wait")
+	expect_near(slowest, ImpairedLine.MAX_QUEUE + 0.02, 0.02, "longest wait")
 
 
 func test_the_same_seed_is_the_same_fate() -> void:
@@ -136,7 +136,7 @@ func test_conditions_change_at_once() -> void:
 func test_what_is_held_is_bounded() -> void:
 	var line := ImpairedLine.new(1)
 	line.conditions.delay = 1000.0
-	for i: int in ImpairedLine.MOST_HELD + 10:
+	for i: int in ImpairedLine.MAX_HELD + 10:
 		line.put(PackedByteArray([1]), 0.0)
 	expect_equal(line.overflowed, 10, "packets thrown away")
 

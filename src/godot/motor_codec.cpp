@@ -49,7 +49,7 @@ PackedByteArray MotorCodec::encode(const PackedInt32Array &p_ids, const TypedArr
 		cga::Pose<double> pose;
 		const char *fault = pose_from_transform(p_transforms[i], pose);
 		ERR_FAIL_COND_V_MSG(fault != nullptr, PackedByteArray(), vformat("MotorCodec.encode: the transform at index %d (id %d) %s.", i, id, fault));
-		_bodies[size_t(i)] = { std::uint32_t(id), cga::pose_cast<float>(pose) };
+		_bodies[size_t(i)] = { uint32_t(id), cga::pose_cast<float>(pose) };
 	}
 	const net::CodecStatus status = net::encode(_bodies.data(), _bodies.size(), _tolerance, _packet);
 	ERR_FAIL_COND_V_MSG(status.error != nullptr, PackedByteArray(), vformat("MotorCodec.encode: %s (index %d).", status.error, int64_t(status.index)));

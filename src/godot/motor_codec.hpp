@@ -34,7 +34,7 @@ private:
 	net::Tolerance _tolerance;
 	// Kept between calls, so that a steady stream of packets allocates only what it returns.
 	std::vector<net::BodyPose> _bodies;
-	std::vector<std::uint8_t> _packet;
+	std::vector<uint8_t> _packet;
 };
 
 } // namespace ga_godot

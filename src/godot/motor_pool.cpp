@@ -124,7 +124,7 @@ void MotorPool::close_gaps() {
 
 void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
 	// Measured: below this the other threads have not begun when the first one is done (docs/performance/engine.md).
-	constexpr uint32_t LEAST_SHARED = 65536;
+	constexpr uint32_t MIN_SHARED = 65536;
 	if (_slot_of_row.empty()) {
 		return;
 	}
@@ -136,7 +136,7 @@ void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mod
 	}
 	const PoseBlock *blocks = _blocks.data();
 	float *rows = _buffer.ptrw();
-	RowSplit::run(uint32_t(_slot_of_row.size()), LEAST_SHARED, [&](uint32_t p_first, uint32_t p_count) {
+	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t p_first, uint32_t p_count) {
 		const float *weights = p_weights != nullptr ? p_weights + p_first : nullptr;
 		cga::interpolate_blocks(blocks + p_first / PoseBlock::LANES, p_count, weights, p_weight, cga::Mode(p_mode), rows + p_first * cga::ROW_FLOATS);
 	});

@@ -21,7 +21,7 @@ using godot::vformat;
 
 static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
 // Setting a pose costs about eighty times what blending it does.
-static constexpr uint32_t LEAST_SHARED = 4096;
+static constexpr uint32_t MIN_SHARED = 4096;
 
 void MotorPool::put_end(End p_end, uint32_t p_row, const cga::Pose<float> &p_pose) {
 	cga::PoseBlock &block = block_of(p_row);
@@ -55,7 +55,7 @@ void MotorPool::put_end_all(End p_end, const char *p_method, const char *p_what,
 	cga::Pose<float> *poses = _poses.data();
 	constexpr uint32_t NONE = std::numeric_limits<uint32_t>::max();
 	std::atomic<uint32_t> first_faulty = NONE;
-	RowSplit::run(uint32_t(p_count), LEAST_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
+	RowSplit::run(uint32_t(p_count), MIN_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
 		for (uint32_t row = p_first; row < p_first + p_rows; row++) {
 			cga::Pose<double> pose;
 			if (pose_from_transform(p_read(row), pose) != nullptr) {
@@ -73,7 +73,7 @@ void MotorPool::put_end_all(End p_end, const char *p_method, const char *p_what,
 		const char *fault = pose_from_transform(p_read(faulty), pose);
 		ERR_FAIL_MSG(vformat("MotorPool.%s: the transform at index %d %s. No pose was changed.", p_method, int64_t(faulty), fault));
 	}
-	RowSplit::run(uint32_t(p_count), LEAST_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
+	RowSplit::run(uint32_t(p_count), MIN_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
 		for (uint32_t row = p_first; row < p_first + p_rows; row++) {
 			put_end(p_end, row, poses[row]);
 		}
@@ -120,7 +120,7 @@ void MotorPool::set_to_buffer(const PackedFloat32Array &p_buffer) {
 
 void MotorPool::advance() {
 	close_gaps();
-	RowSplit::run(uint32_t(_slot_of_row.size()), LEAST_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
+	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t p_first, uint32_t p_rows) {
 		for (uint32_t row = p_first; row < p_first + p_rows; row++) {
 			put_end(End::FROM, row, block_of(row).get_to(lane_of(row)));
 		}

@@ -24,7 +24,7 @@ MotorReceiver::MotorReceiver() {
 }
 
 void MotorReceiver::clear() {
-	_receiver = std::make_unique<net::Receiver>(std::size_t(_most_bodies));
+	_receiver = std::make_unique<net::Receiver>(size_t(_most_bodies));
 	limits_changed();
 }
 
@@ -70,18 +70,18 @@ void MotorReceiver::advance(double p_now) {
 
 Transform3D MotorReceiver::get_transform(int64_t p_id) const {
 	cga::Pose<double> pose;
-	const bool found = p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(std::uint32_t(p_id), pose);
+	const bool found = p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(uint32_t(p_id), pose);
 	ERR_FAIL_COND_V_MSG(!found, Transform3D(), vformat("MotorReceiver.get_transform: there is no body with id %d; has_body() and the signals tell which there are.", p_id));
 	return to_godot(pose);
 }
 
 bool MotorReceiver::has_body(int64_t p_id) const {
 	cga::Pose<double> pose;
-	return p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(std::uint32_t(p_id), pose);
+	return p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(uint32_t(p_id), pose);
 }
 
 PackedInt32Array MotorReceiver::get_bodies() const {
-	std::vector<std::uint32_t> ids;
+	std::vector<uint32_t> ids;
 	_receiver->bodies(ids);
 	PackedInt32Array result;
 	result.resize(int64_t(ids.size()));

@@ -49,7 +49,7 @@ private:
 	std::unique_ptr<net::Receiver> _receiver;
 	int64_t _most_bodies = 65536;
 	// Kept between calls, so that a steady stream allocates only what it returns.
-	std::vector<std::uint8_t> _answer;
+	std::vector<uint8_t> _answer;
 	std::vector<net::BodyEvent> _events;
 };
 

@@ -39,20 +39,20 @@ void MotorSender::settings_changed() {
 
 bool MotorSender::add_body(int64_t p_id, const Transform3D &p_transform) {
 	ERR_FAIL_COND_V_MSG(!is_body(p_id), false, vformat("MotorSender.add_body: id %d is not in 0 to 2147483647.", p_id));
-	ERR_FAIL_COND_V_MSG(_sender.has_body(std::uint32_t(p_id)), false, vformat("MotorSender.add_body: there is a body with id %d.", p_id));
+	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(p_id)), false, vformat("MotorSender.add_body: there is a body with id %d.", p_id));
 	cga::Pose<double> pose;
 	const char *fault = pose_from_transform(p_transform, pose);
 	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.add_body: the transform of body %d %s.", p_id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.add_body(std::uint32_t(p_id), pose), false, vformat("MotorSender.add_body: the transform of body %d is farther out, or its scale is larger or smaller, than a stream can say.", p_id));
+	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(p_id), pose), false, vformat("MotorSender.add_body: the transform of body %d is farther out, or its scale is larger or smaller, than a stream can say.", p_id));
 	return true;
 }
 
 bool MotorSender::remove_body(int64_t p_id) {
-	return is_body(p_id) && _sender.remove_body(std::uint32_t(p_id));
+	return is_body(p_id) && _sender.remove_body(uint32_t(p_id));
 }
 
 bool MotorSender::has_body(int64_t p_id) const {
-	return is_body(p_id) && _sender.has_body(std::uint32_t(p_id));
+	return is_body(p_id) && _sender.has_body(uint32_t(p_id));
 }
 
 int64_t MotorSender::get_body_count() const {
@@ -65,29 +65,29 @@ bool MotorSender::observe(int64_t p_id, double p_time, const Transform3D &p_tran
 	cga::Pose<double> pose;
 	const char *fault = pose_from_transform(p_transform, pose);
 	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.observe: the transform of body %d %s.", p_id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.observe(std::uint32_t(p_id), p_time, pose), false, vformat("MotorSender.observe: body %d was observed later than %f s already, or its transform is more than a stream can say.", p_id, p_time));
+	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(p_id), p_time, pose), false, vformat("MotorSender.observe: body %d was observed later than %f s already, or its transform is more than a stream can say.", p_id, p_time));
 	return true;
 }
 
 bool MotorSender::teleport(int64_t p_id) {
 	ERR_FAIL_COND_V_MSG(!has_body(p_id), false, vformat("MotorSender.teleport: there is no body with id %d.", p_id));
-	return _sender.teleport(std::uint32_t(p_id));
+	return _sender.teleport(uint32_t(p_id));
 }
 
 void MotorSender::add_receiver(int64_t p_receiver, double p_time) {
 	ERR_FAIL_COND_MSG(!is_receiver(p_receiver), vformat("MotorSender.add_receiver: receiver %d is not in 0 to 4294967295.", p_receiver));
 	ERR_FAIL_COND_MSG(!std::isfinite(p_time), "MotorSender.add_receiver: the time is not finite.");
-	_sender.add_receiver(std::uint32_t(p_receiver), p_time);
+	_sender.add_receiver(uint32_t(p_receiver), p_time);
 }
 
 void MotorSender::remove_receiver(int64_t p_receiver) {
 	if (is_receiver(p_receiver)) {
-		_sender.remove_receiver(std::uint32_t(p_receiver));
+		_sender.remove_receiver(uint32_t(p_receiver));
 	}
 }
 
 bool MotorSender::has_receiver(int64_t p_receiver) const {
-	return is_receiver(p_receiver) && _sender.has_receiver(std::uint32_t(p_receiver));
+	return is_receiver(p_receiver) && _sender.has_receiver(uint32_t(p_receiver));
 }
 
 TypedArray<Dictionary> MotorSender::flush(double p_time) {
@@ -113,13 +113,13 @@ String MotorSender::accept(int64_t p_receiver, const PackedByteArray &p_answer, 
 	if (!has_receiver(p_receiver)) {
 		return "comes from no receiver of this sender";
 	}
-	const char *fault = _sender.accept(std::uint32_t(p_receiver), p_answer.ptr(), size_t(p_answer.size()), p_time);
+	const char *fault = _sender.accept(uint32_t(p_receiver), p_answer.ptr(), size_t(p_answer.size()), p_time);
 	return fault != nullptr ? String(fault) : String();
 }
 
 Dictionary MotorSender::get_statistics(int64_t p_receiver) const {
 	ERR_FAIL_COND_V_MSG(!has_receiver(p_receiver), Dictionary(), vformat("MotorSender.get_statistics: there is no receiver %d.", p_receiver));
-	const net::ReceiverStatistics statistics = _sender.statistics(std::uint32_t(p_receiver));
+	const net::ReceiverStatistics statistics = _sender.statistics(uint32_t(p_receiver));
 	Dictionary result;
 	result["bytes_sent"] = int64_t(statistics.bytes_sent);
 	result["packets_sent"] = int64_t(statistics.packets_sent);

@@ -69,7 +69,7 @@ private:
 	/// A node that is replicated and in the tree.
 	struct Target {
 		uint64_t node = 0; // instance id
-		std::uint32_t body = 0; // the same on all peers
+		uint32_t body = 0; // the same on all peers
 		int32_t authority = 0; // 0 until it was first looked at
 		bool sent = false; // _sender has the body
 		bool posed = false; // transform and pose are those of the last sample
@@ -87,18 +87,18 @@ private:
 		TrafficMeter received;
 		// It gets our stream.
 		bool subscribed = false;
-		std::uint8_t subscription = 0; // its link
+		uint8_t subscription = 0; // its link
 		double subscribed_at = 0.0;
 		// We get its stream.
 		std::unique_ptr<net::Receiver> stream;
-		std::uint8_t link = 0;
-		std::size_t most_bodies = 0;
+		uint8_t link = 0;
+		size_t most_bodies = 0;
 		double hello_due = 0.0;
 		double ended_at = -1e9; // when a stream in either direction ended: packets may still be on their way
-		std::uint64_t foreign_bodies = 0;
+		uint64_t foreign_bodies = 0;
 		// What was refused.
-		std::uint64_t rejected = 0;
-		std::uint64_t unreported = 0;
+		uint64_t rejected = 0;
+		uint64_t unreported = 0;
 		double reported_at = -1e9;
 		const char *reason = nullptr;
 	};
@@ -117,9 +117,9 @@ private:
 	std::vector<uint64_t> find_targets();
 	bool begin_target(uint64_t p_id);
 	bool claim_body(const Target &p_target);
-	void end_target(std::size_t p_index);
+	void end_target(size_t p_index);
 	void rename_targets();
-	std::uint32_t body_of(const godot::Node3D *p_node) const;
+	uint32_t body_of(const godot::Node3D *p_node) const;
 	Target *find_target(uint64_t p_id);
 	void _on_target_exiting(int64_t p_id);
 	void _on_node_renamed(const godot::Variant &p_node);
@@ -132,7 +132,7 @@ private:
 	void update_streams();
 	void open_stream(Peer &r_peer);
 	void forget_stream(Peer &r_peer);
-	void subscribe(int32_t p_id, std::uint8_t p_link, double p_now);
+	void subscribe(int32_t p_id, uint8_t p_link, double p_now);
 	void unsubscribe(int32_t p_id, Peer &r_peer);
 	void send_hellos();
 	void say_goodbye();
@@ -140,10 +140,10 @@ private:
 	godot::String relative_path(const godot::Node *p_node) const;
 
 	// Packets
-	void send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind, std::uint8_t p_link, const std::uint8_t *p_bytes, std::size_t p_size, godot::MultiplayerPeer::TransferMode p_mode);
-	void send_bye(int32_t p_id, Peer &r_peer, std::uint8_t p_link, bool p_from_sender);
+	void send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind, uint8_t p_link, const uint8_t *p_bytes, size_t p_size, godot::MultiplayerPeer::TransferMode p_mode);
+	void send_bye(int32_t p_id, Peer &r_peer, uint8_t p_link, bool p_from_sender);
 	void _on_peer_packet(int64_t p_peer, const godot::PackedByteArray &p_packet);
-	void take_bye(int32_t p_id, Peer *p_peer, std::uint8_t p_link, bool p_from_sender);
+	void take_bye(int32_t p_id, Peer *p_peer, uint8_t p_link, bool p_from_sender);
 	void reject(int32_t p_id, const char *p_reason);
 	void report_rejections();
 
@@ -185,7 +185,7 @@ private:
 	int64_t _channel = 0;
 
 	std::vector<Target> _targets;
-	std::unordered_map<std::uint32_t, uint64_t> _node_of_body;
+	std::unordered_map<uint32_t, uint64_t> _node_of_body;
 	std::vector<uint64_t> _added; // by add_target
 	std::vector<uint64_t> _excluded; // by remove_target
 	std::vector<uint64_t> _refused; // reported: same body as another, or outside of the multiplayer root
@@ -201,7 +201,7 @@ private:
 	uint64_t _transport = 0; // instance id of the MultiplayerPeer
 	bool _foreign_api = false; // which was reported
 	int32_t _self = 0; // 0: not connected
-	std::uint16_t _key = 0;
+	uint16_t _key = 0;
 	godot::String _root; // path, with a slash at its end
 	std::map<int32_t, Peer> _peers;
 	std::vector<int32_t> _connected;
@@ -210,13 +210,13 @@ private:
 	bool _running = false;
 	double _now = 0.0; // seconds on the local clock, at the beginning of the tick or frame
 
-	std::uint64_t _rejected = 0;
-	std::uint64_t _late = 0; // of streams that are closed
+	uint64_t _rejected = 0;
+	uint64_t _late = 0; // of streams that are closed
 	godot::String _monitors; // what their names begin with; empty if there are none
 	godot::PackedStringArray _shown_warnings;
 	int64_t _watch_in = 0; // frames
 	// Kept between calls, so that a steady stream allocates only what goes to the engine.
-	std::vector<std::uint8_t> _answer;
+	std::vector<uint8_t> _answer;
 	std::vector<net::BodyEvent> _events;
 };
 

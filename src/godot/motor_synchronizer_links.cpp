@@ -28,7 +28,7 @@ static constexpr double HELLO_INTERVAL = 0.25; // seconds
 /// Seconds between two streams to one peer, so that nobody makes us start one in each tick.
 static constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// Room for bodies whose nodes are still to be spawned here. Bounds what a peer can make us keep.
-static constexpr std::size_t SPARE_BODIES = 4096;
+static constexpr size_t SPARE_BODIES = 4096;
 
 String MotorSynchronizer::relative_path(const Node *p_node) const {
 	const String path = p_node->get_path();
@@ -97,7 +97,7 @@ void MotorSynchronizer::update_key() {
 	if (!_root.ends_with("/")) {
 		_root += "/";
 	}
-	const std::uint16_t key = net::path_key(to_utf8(relative_path(this)));
+	const uint16_t key = net::path_key(to_utf8(relative_path(this)));
 	if (key != _key) {
 		say_goodbye();
 		leave_connection();
@@ -164,7 +164,7 @@ void MotorSynchronizer::update_streams() {
 void MotorSynchronizer::open_stream(Peer &r_peer) {
 	// One sequence for all nodes here, begun anywhere, so that what is still on its way to an earlier stream is not
 	// taken for a packet of this one.
-	static std::uint8_t last_link = std::uint8_t(std::int64_t(clock() * 1e3));
+	static uint8_t last_link = uint8_t(int64_t(clock() * 1e3));
 	r_peer.link = ++last_link;
 	r_peer.most_bodies = 2 * _targets.size() + SPARE_BODIES;
 	r_peer.stream = std::make_unique<net::Receiver>(r_peer.most_bodies);
@@ -180,7 +180,7 @@ void MotorSynchronizer::forget_stream(Peer &r_peer) {
 	}
 }
 
-void MotorSynchronizer::subscribe(int32_t p_id, std::uint8_t p_link, double p_now) {
+void MotorSynchronizer::subscribe(int32_t p_id, uint8_t p_link, double p_now) {
 	const auto found = _peers.find(p_id);
 	const bool subscribed = found != _peers.end() && found->second.subscribed;
 	if (subscribed && (found->second.subscription == p_link || p_now - found->second.subscribed_at < SUBSCRIPTION_INTERVAL)) {
@@ -195,13 +195,13 @@ void MotorSynchronizer::subscribe(int32_t p_id, std::uint8_t p_link, double p_no
 		_sender = std::make_unique<net::Sender>(_settings);
 	}
 	if (subscribed) {
-		_sender->remove_receiver(std::uint32_t(p_id));
+		_sender->remove_receiver(uint32_t(p_id));
 		peer.ended_at = p_now;
 	}
 	peer.subscribed = true;
 	peer.subscription = p_link;
 	peer.subscribed_at = p_now;
-	_sender->add_receiver(std::uint32_t(p_id), media_time());
+	_sender->add_receiver(uint32_t(p_id), media_time());
 }
 
 void MotorSynchronizer::unsubscribe(int32_t p_id, Peer &r_peer) {
@@ -210,7 +210,7 @@ void MotorSynchronizer::unsubscribe(int32_t p_id, Peer &r_peer) {
 	}
 	r_peer.subscribed = false;
 	r_peer.ended_at = _now;
-	_sender->remove_receiver(std::uint32_t(p_id));
+	_sender->remove_receiver(uint32_t(p_id));
 	if (std::none_of(_peers.begin(), _peers.end(), [](const auto &p_entry) { return p_entry.second.subscribed; })) {
 		_sender.reset();
 		for (Target &target : _targets) {

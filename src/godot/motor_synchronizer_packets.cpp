@@ -21,10 +21,10 @@ static constexpr double SILENCE = 1.0;
 /// Seconds between two packet_rejected signals about one peer.
 static constexpr double REPORT_INTERVAL = 0.5;
 
-void MotorSynchronizer::send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind, std::uint8_t p_link, const std::uint8_t *p_bytes, std::size_t p_size, MultiplayerPeer::TransferMode p_mode) {
+void MotorSynchronizer::send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind, uint8_t p_link, const uint8_t *p_bytes, size_t p_size, MultiplayerPeer::TransferMode p_mode) {
 	PackedByteArray packet;
 	packet.resize(int64_t(net::ENVELOPE_BYTES + p_size));
-	std::uint8_t *bytes = packet.ptrw();
+	uint8_t *bytes = packet.ptrw();
 	net::write_envelope({ p_kind, _key, p_link }, bytes);
 	if (p_size > 0) {
 		std::memcpy(bytes + net::ENVELOPE_BYTES, p_bytes, p_size);
@@ -33,15 +33,15 @@ void MotorSynchronizer::send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind,
 	r_peer.sent.add(net::ENVELOPE_BYTES + p_size, _now);
 }
 
-void MotorSynchronizer::send_bye(int32_t p_id, Peer &r_peer, std::uint8_t p_link, bool p_from_sender) {
-	const std::uint8_t role = p_from_sender ? 1 : 0;
+void MotorSynchronizer::send_bye(int32_t p_id, Peer &r_peer, uint8_t p_link, bool p_from_sender) {
+	const uint8_t role = p_from_sender ? 1 : 0;
 	send(p_id, r_peer, net::PacketKind::BYE, p_link, &role, 1, MultiplayerPeer::TRANSFER_MODE_RELIABLE);
 }
 
 void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p_packet) {
 	net::Envelope envelope;
-	const std::size_t size = std::size_t(p_packet.size());
-	const std::uint8_t *bytes = p_packet.ptr();
+	const size_t size = size_t(p_packet.size());
+	const uint8_t *bytes = p_packet.ptr();
 	if (!net::read_envelope(bytes, size, envelope) || envelope.key != _key || _self == 0) {
 		return; // for somebody else
 	}
@@ -63,7 +63,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 		return;
 	}
 	bytes += net::ENVELOPE_BYTES;
-	const std::size_t length = size - net::ENVELOPE_BYTES;
+	const size_t length = size - net::ENVELOPE_BYTES;
 	const bool is_aftermath = peer != nullptr && now - peer->ended_at < AFTERMATH;
 	switch (envelope.kind) {
 		case net::PacketKind::HELLO:
@@ -91,7 +91,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 			if (peer != nullptr && peer->subscribed && peer->subscription == envelope.link) {
 				// Between two ticks the time goes on, so that round trips are not measured in whole ticks.
 				const double since_tick = std::min(std::max(now - _now, 0.0), _settings.tick);
-				if (const char *fault = _sender->accept(std::uint32_t(id), bytes, length, media_time() + since_tick)) {
+				if (const char *fault = _sender->accept(uint32_t(id), bytes, length, media_time() + since_tick)) {
 					reject(id, fault);
 				}
 			} else if (!is_aftermath) {
@@ -101,7 +101,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 	}
 }
 
-void MotorSynchronizer::take_bye(int32_t p_id, Peer *p_peer, std::uint8_t p_link, bool p_from_sender) {
+void MotorSynchronizer::take_bye(int32_t p_id, Peer *p_peer, uint8_t p_link, bool p_from_sender) {
 	if (p_peer == nullptr) {
 		return;
 	}

@@ -24,7 +24,7 @@ static constexpr const char *MONITORED[] = { "bytes_per_second", "packets_per_se
 struct MotorSynchronizer::Figures {
 	double sent_bytes = 0.0, sent_packets = 0.0, received_bytes = 0.0, received_packets = 0.0; // a second
 	double loss = 0.0, round_trip = 0.0, playback_delay = 0.0; // the worst
-	std::uint64_t late = 0, rejected = 0, foreign = 0;
+	uint64_t late = 0, rejected = 0, foreign = 0;
 
 	Dictionary to_dictionary() const {
 		Dictionary result;
@@ -57,7 +57,7 @@ MotorSynchronizer::Figures MotorSynchronizer::figures_of(int32_t p_id, Peer &r_p
 		figures.late = stream.late_windows;
 	}
 	if (r_peer.subscribed) {
-		const net::ReceiverStatistics receiver = _sender->statistics(std::uint32_t(p_id));
+		const net::ReceiverStatistics receiver = _sender->statistics(uint32_t(p_id));
 		figures.loss = std::max(figures.loss, receiver.loss);
 		figures.round_trip = std::max(figures.round_trip, receiver.round_trip);
 	}

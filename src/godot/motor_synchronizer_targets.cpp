@@ -148,7 +148,7 @@ void MotorSynchronizer::refresh_targets() {
 	const std::unordered_set<uint64_t> wanted(ids.begin(), ids.end());
 	std::unordered_set<uint64_t> present;
 	std::vector<uint64_t> removed, added;
-	for (std::size_t i = _targets.size(); i-- > 0;) {
+	for (size_t i = _targets.size(); i-- > 0;) {
 		if (wanted.count(_targets[i].node) == 0) {
 			removed.push_back(_targets[i].node);
 			end_target(i);
@@ -174,7 +174,7 @@ void MotorSynchronizer::refresh_targets() {
 	}
 }
 
-std::uint32_t MotorSynchronizer::body_of(const Node3D *p_node) const {
+uint32_t MotorSynchronizer::body_of(const Node3D *p_node) const {
 	return net::path_body(to_utf8(relative_path(p_node)));
 }
 
@@ -206,7 +206,7 @@ bool MotorSynchronizer::claim_body(const Target &p_target) {
 	return false;
 }
 
-void MotorSynchronizer::end_target(std::size_t p_index) {
+void MotorSynchronizer::end_target(size_t p_index) {
 	Target &target = _targets[p_index];
 	if (target.sent) {
 		_sender->remove_body(target.body);
@@ -230,10 +230,10 @@ void MotorSynchronizer::rename_targets() {
 	_names_stale = false;
 	update_key();
 	_node_of_body.clear();
-	for (std::size_t i = _targets.size(); i-- > 0;) {
+	for (size_t i = _targets.size(); i-- > 0;) {
 		Target &target = _targets[i];
 		const Node3D *node = node_of(target.node);
-		const std::uint32_t body = node != nullptr ? body_of(node) : target.body;
+		const uint32_t body = node != nullptr ? body_of(node) : target.body;
 		if (body != target.body && target.sent) {
 			_sender->remove_body(target.body);
 			target.sent = false;
@@ -250,7 +250,7 @@ void MotorSynchronizer::_on_target_exiting(int64_t p_id) {
 	if (target == nullptr) {
 		return;
 	}
-	end_target(std::size_t(target - _targets.data()));
+	end_target(size_t(target - _targets.data()));
 	// It may be on its way to another place.
 	_targets_stale = true;
 	emit_signal("target_removed", node_of(uint64_t(p_id)));

@@ -25,7 +25,7 @@ using godot::TypedArray;
 using godot::vformat;
 
 static constexpr int64_t FRAMES_BETWEEN_LOOKS = 60;
-static constexpr int64_t MOST_TARGET_FAULTS = 6;
+static constexpr int64_t MAX_TARGET_FAULTS = 6;
 
 // Properties of a Node3D that another synchronizer must not send as well.
 static bool is_pose_property(const String &p_name) {
@@ -93,7 +93,7 @@ PackedStringArray MotorSynchronizer::get_setup_warnings() const {
 		}
 	}
 	if (_group != StringName()) {
-		const std::size_t before = nodes.size();
+		const size_t before = nodes.size();
 		const TypedArray<Node> members = get_tree()->get_nodes_in_group(_group);
 		for (int64_t i = 0; i < members.size(); i++) {
 			if (const Node3D *node = Object::cast_to<Node3D>(members[i].get_validated_object())) {
@@ -112,7 +112,7 @@ void MotorSynchronizer::find_target_faults(const std::vector<const Node3D *> &p_
 	std::vector<SentPose> sent_poses;
 	find_sent_poses(find_top(this), sent_poses);
 	const TypedArray<Node> others = get_tree()->get_nodes_in_group(GROUP);
-	const int64_t most = r_faults.size() + MOST_TARGET_FAULTS;
+	const int64_t most = r_faults.size() + MAX_TARGET_FAULTS;
 	for (const Node3D *node : p_nodes) {
 		if (r_faults.size() >= most) {
 			r_faults.push_back("More targets have such faults.");

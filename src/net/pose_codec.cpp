@@ -18,11 +18,11 @@ constexpr int MAX_OFFSET_BITS = 49;
 struct Grid {
 	float step = 0;
 	int rotor_bits = 0;
-	std::int64_t origin[3] = { 0, 0, 0 };
+	int64_t origin[3] = { 0, 0, 0 };
 	int bits[3] = { 0, 0, 0 };
 };
 
-std::int64_t grid_index(float coordinate, float step) {
+int64_t grid_index(float coordinate, float step) {
 	return std::llround(double(coordinate) / double(step));
 }
 
@@ -53,78 +53,78 @@ const char *check(const BodyPose &body, float step) {
 	return nullptr;
 }
 
-Grid enclosing_grid(const BodyPose *bodies, std::size_t count, const Tolerance &tolerance) {
+Grid enclosing_grid(const BodyPose *bodies, size_t count, const Tolerance &tolerance) {
 	Grid grid;
 	grid.step = position_step(tolerance.position);
 	grid.rotor_bits = rotor_bits(tolerance.rotation);
 	for (int axis = 0; axis < 3 && count > 0; ++axis) {
-		std::int64_t lowest = grid_index(bodies[0].pose.translation[axis], grid.step);
-		std::int64_t highest = lowest;
-		for (std::size_t i = 1; i < count; ++i) {
-			const std::int64_t index = grid_index(bodies[i].pose.translation[axis], grid.step);
+		int64_t lowest = grid_index(bodies[0].pose.translation[axis], grid.step);
+		int64_t highest = lowest;
+		for (size_t i = 1; i < count; ++i) {
+			const int64_t index = grid_index(bodies[i].pose.translation[axis], grid.step);
 			lowest = index < lowest ? index : lowest;
 			highest = index > highest ? index : highest;
 		}
 		grid.origin[axis] = lowest;
-		grid.bits[axis] = bit_width(std::uint64_t(highest - lowest));
+		grid.bits[axis] = bit_width(uint64_t(highest - lowest));
 	}
 	return grid;
 }
 
-void write_header(BitWriter &writer, const Grid &grid, std::size_t count) {
-	std::uint32_t step_bits = 0;
+void write_header(BitWriter &writer, const Grid &grid, size_t count) {
+	uint32_t step_bits = 0;
 	std::memcpy(&step_bits, &grid.step, sizeof(step_bits));
 	writer.write(FORMAT_VERSION, 8);
 	writer.write_varint(count);
 	writer.write(step_bits, 32);
-	writer.write(std::uint64_t(grid.rotor_bits), 8);
+	writer.write(uint64_t(grid.rotor_bits), 8);
 	for (int axis = 0; axis < 3; ++axis) {
 		writer.write_varint(zigzag(grid.origin[axis]));
-		writer.write(std::uint64_t(grid.bits[axis]), 8);
+		writer.write(uint64_t(grid.bits[axis]), 8);
 	}
 }
 
-void write_body(BitWriter &writer, const Grid &grid, const BodyPose &body, std::int64_t previous_id) {
-	const std::int64_t gap = std::int64_t(body.id) - previous_id - 1;
+void write_body(BitWriter &writer, const Grid &grid, const BodyPose &body, int64_t previous_id) {
+	const int64_t gap = int64_t(body.id) - previous_id - 1;
 	writer.write(gap == 0, 1);
 	if (gap != 0) {
-		const std::uint64_t code = zigzag(gap);
+		const uint64_t code = zigzag(gap);
 		const int width = bit_width(code);
 		// Widths 1..32 as 0..31: a zero gap never gets here.
-		writer.write(std::uint64_t(width - 1), ID_WIDTH_BITS);
+		writer.write(uint64_t(width - 1), ID_WIDTH_BITS);
 		writer.write(code, width);
 	}
 	for (int axis = 0; axis < 3; ++axis) {
-		writer.write(std::uint64_t(grid_index(body.pose.translation[axis], grid.step) - grid.origin[axis]), grid.bits[axis]);
+		writer.write(uint64_t(grid_index(body.pose.translation[axis], grid.step) - grid.origin[axis]), grid.bits[axis]);
 	}
 	const SmallestThree rotor = quantise_rotor(glm::normalize(body.pose.rotation), grid.rotor_bits);
 	writer.write(rotor.dropped, 2);
-	for (const std::uint32_t level : rotor.level) {
+	for (const uint32_t level : rotor.level) {
 		writer.write(level, grid.rotor_bits);
 	}
-	const std::int32_t scale_level = *quantise_scale(body.pose.scale);
+	const int32_t scale_level = *quantise_scale(body.pose.scale);
 	writer.write(scale_level == 0, 1);
 	if (scale_level != 0) {
 		writer.write(zigzag(scale_level), SCALE_BITS);
 	}
 }
 
-const char *read_header(BitReader &reader, Grid &grid, std::size_t &count) {
+const char *read_header(BitReader &reader, Grid &grid, size_t &count) {
 	if (reader.read(8) != FORMAT_VERSION && !reader.failed()) {
 		return "packet has another format version";
 	}
 	count = reader.read_varint();
-	const std::uint32_t step_bits = std::uint32_t(reader.read(32));
+	const uint32_t step_bits = uint32_t(reader.read(32));
 	std::memcpy(&grid.step, &step_bits, sizeof(grid.step));
 	grid.rotor_bits = int(reader.read(8));
-	std::size_t record_bits = std::size_t(1 + 2 + 3 * grid.rotor_bits + 1);
+	size_t record_bits = size_t(1 + 2 + 3 * grid.rotor_bits + 1);
 	for (int axis = 0; axis < 3; ++axis) {
 		grid.origin[axis] = unzigzag(reader.read_varint());
 		grid.bits[axis] = int(reader.read(8));
 		if (std::abs(double(grid.origin[axis])) > MAX_GRID_INDEX || grid.bits[axis] > MAX_OFFSET_BITS) {
 			return "packet header has positions out of range";
 		}
-		record_bits += std::size_t(grid.bits[axis]);
+		record_bits += size_t(grid.bits[axis]);
 	}
 	if (reader.failed()) {
 		return "packet is truncated in its header";
@@ -142,32 +142,32 @@ const char *read_header(BitReader &reader, Grid &grid, std::size_t &count) {
 	return nullptr;
 }
 
-const char *read_body(BitReader &reader, const Grid &grid, std::int64_t previous_id, BodyPose &body) {
-	std::int64_t id = previous_id + 1;
+const char *read_body(BitReader &reader, const Grid &grid, int64_t previous_id, BodyPose &body) {
+	int64_t id = previous_id + 1;
 	if (reader.read(1) == 0) {
 		const int width = int(reader.read(ID_WIDTH_BITS)) + 1;
 		id += unzigzag(reader.read(width));
 	}
 	for (int axis = 0; axis < 3; ++axis) {
-		const std::int64_t index = grid.origin[axis] + std::int64_t(reader.read(grid.bits[axis]));
+		const int64_t index = grid.origin[axis] + int64_t(reader.read(grid.bits[axis]));
 		body.pose.translation[axis] = float(double(index) * double(grid.step));
 		if (!std::isfinite(body.pose.translation[axis])) {
 			return "body has a position that is not finite";
 		}
 	}
 	SmallestThree rotor;
-	rotor.dropped = std::uint32_t(reader.read(2));
-	for (std::uint32_t &level : rotor.level) {
-		level = std::uint32_t(reader.read(grid.rotor_bits));
+	rotor.dropped = uint32_t(reader.read(2));
+	for (uint32_t &level : rotor.level) {
+		level = uint32_t(reader.read(grid.rotor_bits));
 	}
-	std::int64_t scale_level = 0;
+	int64_t scale_level = 0;
 	if (reader.read(1) == 0) {
 		scale_level = unzigzag(reader.read(SCALE_BITS));
 	}
 	if (reader.failed()) {
 		return "packet is truncated";
 	}
-	if (id < 0 || id >= std::int64_t(ID_LIMIT)) {
+	if (id < 0 || id >= int64_t(ID_LIMIT)) {
 		return "body has an id out of range";
 	}
 	const std::optional<glm::quat> rotation = dequantise_rotor(rotor, grid.rotor_bits);
@@ -177,15 +177,15 @@ const char *read_body(BitReader &reader, const Grid &grid, std::int64_t previous
 	if (scale_level > MAX_SCALE_LEVEL || scale_level < -MAX_SCALE_LEVEL) {
 		return "body has a scale out of range";
 	}
-	body.id = std::uint32_t(id);
+	body.id = uint32_t(id);
 	body.pose.rotation = *rotation;
-	body.pose.scale = dequantise_scale(std::int32_t(scale_level));
+	body.pose.scale = dequantise_scale(int32_t(scale_level));
 	return nullptr;
 }
 
 } // namespace
 
-CodecStatus encode(const BodyPose *bodies, std::size_t count, const Tolerance &tolerance, std::vector<std::uint8_t> &packet) {
+CodecStatus encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet) {
 	packet.clear();
 	if (!(tolerance.position > 0) || !std::isfinite(tolerance.position)) {
 		return { "position_tolerance must be positive and finite", 0 };
@@ -194,7 +194,7 @@ CodecStatus encode(const BodyPose *bodies, std::size_t count, const Tolerance &t
 		return { "rotation_tolerance must be finite and at least 0.000017 degrees", 0 };
 	}
 	const float step = position_step(tolerance.position);
-	for (std::size_t i = 0; i < count; ++i) {
+	for (size_t i = 0; i < count; ++i) {
 		if (const char *error = check(bodies[i], step)) {
 			return { error, i };
 		}
@@ -202,8 +202,8 @@ CodecStatus encode(const BodyPose *bodies, std::size_t count, const Tolerance &t
 	const Grid grid = enclosing_grid(bodies, count, tolerance);
 	BitWriter writer(packet);
 	write_header(writer, grid, count);
-	std::int64_t previous_id = -1;
-	for (std::size_t i = 0; i < count; ++i) {
+	int64_t previous_id = -1;
+	for (size_t i = 0; i < count; ++i) {
 		write_body(writer, grid, bodies[i], previous_id);
 		previous_id = bodies[i].id;
 	}
@@ -211,17 +211,17 @@ CodecStatus encode(const BodyPose *bodies, std::size_t count, const Tolerance &t
 	return {};
 }
 
-CodecStatus decode(const std::uint8_t *packet, std::size_t size, std::vector<BodyPose> &bodies) {
+CodecStatus decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies) {
 	bodies.clear();
 	BitReader reader(packet, size);
 	Grid grid;
-	std::size_t count = 0;
+	size_t count = 0;
 	if (const char *error = read_header(reader, grid, count)) {
 		return { error, 0 };
 	}
 	bodies.resize(count);
-	std::int64_t previous_id = -1;
-	for (std::size_t i = 0; i < count; ++i) {
+	int64_t previous_id = -1;
+	for (size_t i = 0; i < count; ++i) {
 		if (const char *error = read_body(reader, grid, previous_id, bodies[i])) {
 			bodies.clear();
 			return { error, i };

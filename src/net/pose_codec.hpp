@@ -12,14 +12,14 @@ namespace net {
 
 /// One body's pose under its network id.
 struct BodyPose {
-	std::uint32_t id = 0;
+	uint32_t id = 0;
 	cga::Pose<float> pose;
 };
 
 /// What went wrong, and at which body (encode) or which body's record (decode).
 struct [[nodiscard]] CodecStatus {
 	const char *error = nullptr; ///< null on success; a literal
-	std::size_t index = 0;
+	size_t index = 0;
 };
 
 /// Poses as absolute quantised motors, several in one packet; each packet
@@ -38,15 +38,15 @@ struct [[nodiscard]] CodecStatus {
 ///   zero bits up to a byte
 ///
 /// At the default tolerance in an arena of 40 m this is about 9 bytes a pose.
-inline constexpr std::uint8_t FORMAT_VERSION = 1;
+inline constexpr uint8_t FORMAT_VERSION = 1;
 
 /// Replaces `packet` with the coded bodies. Positions reach the receiver
 /// within tolerance.position plus float32 rounding, rotations within
 /// tolerance.rotation. On an error `packet` is empty.
-CodecStatus encode(const BodyPose *bodies, std::size_t count, const Tolerance &tolerance, std::vector<std::uint8_t> &packet);
+CodecStatus encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet);
 
 /// Replaces `bodies` with the packet's content; any bytes are safe input.
 /// On an error `bodies` is empty.
-CodecStatus decode(const std::uint8_t *packet, std::size_t size, std::vector<BodyPose> &bodies);
+CodecStatus decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies);
 
 } // namespace net

@@ -23,34 +23,34 @@ constexpr double PART_PAUSE = 0.75;
 /// sender that began again.
 constexpr double STRAGGLERS = 1.0;
 /// One whose number is further on than this is that of another sender, if it is of an earlier time.
-constexpr std::uint8_t MOST_STATES_MISSED = 32;
+constexpr uint8_t MAX_STATES_MISSED = 32;
 /// Weight of a chunk in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 /// Bytes that a body takes in a state at most, and the models.
-constexpr std::size_t BODY_BYTES = 96;
-constexpr std::size_t MODEL_BYTES = 8192;
+constexpr size_t BODY_BYTES = 96;
+constexpr size_t MODEL_BYTES = 8192;
 
 } // namespace
 
 struct Receiver::State {
-	explicit State(std::size_t p_most_bodies) :
-			most_bodies(p_most_bodies) {}
+	explicit State(size_t most_bodies) :
+			most_bodies(most_bodies) {}
 
-	std::size_t most_bodies;
+	size_t most_bodies;
 	PacketContent content;
 	ChunkBuffer chunks;
 	std::unique_ptr<StreamDecoder> decoder; // null before the first state
 	StateHeader header;
 	double window_end = 0.0; // ticks
 	PlaybackClock clock;
-	std::unordered_map<std::uint32_t, MotionTrack> tracks;
+	std::unordered_map<uint32_t, MotionTrack> tracks;
 	std::vector<BodyEvent> events;
 	std::vector<BodyMotion> motions;
-	std::vector<std::uint8_t> window;
+	std::vector<uint8_t> window;
 
 	StateParts parts; // of the state that is arriving, or the last one
 	bool state_done = false; // the last one has been read
-	std::uint8_t last_state = 0; // number of the one before
+	uint8_t last_state = 0; // number of the one before
 	bool broken = false; // the stream cannot be followed without a new state
 	bool answer_due = false;
 	bool state_ack_due = false;
@@ -62,13 +62,13 @@ struct Receiver::State {
 	double most_margin = -1.0; // negative: as much as max_latency
 	StreamStatistics statistics;
 
-	std::uint8_t newest_chunk = 0;
+	uint8_t newest_chunk = 0;
 
-	void count_loss(std::uint8_t number, bool is_new);
+	void count_loss(uint8_t number, bool is_new);
 	const char *check_parts() const;
 	void take_part(const StatePartItem &part, double now);
 	const char *finish_state(double now);
-	[[nodiscard]] bool is_next_state() const { return std::uint8_t(parts.number() - last_state) <= MOST_STATES_MISSED; }
+	[[nodiscard]] bool is_next_state() const { return uint8_t(parts.number() - last_state) <= MAX_STATES_MISSED; }
 	[[nodiscard]] bool is_behind(const StateHeader &next) const;
 	[[nodiscard]] bool is_lost(double now) const;
 	void decode_windows(double now);
@@ -79,13 +79,13 @@ struct Receiver::State {
 	[[nodiscard]] double tick() const { return header.settings.tick; }
 };
 
-Receiver::Receiver(std::size_t most_bodies) :
-		state_(std::make_unique<State>(most_bodies)) {}
+Receiver::Receiver(size_t most_bodies) :
+		_state(std::make_unique<State>(most_bodies)) {}
 
 Receiver::~Receiver() = default;
 
-const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, double now) {
-	State &s = *state_;
+const char *Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	State &s = *_state;
 	const char *error = read_packet(packet, size, s.content);
 	if (error == nullptr) {
 		error = s.check_parts();
@@ -105,7 +105,7 @@ const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, doubl
 	}
 	for (const ChunkItem &chunk : s.content.chunks) {
 		s.answer_due = true;
-		std::uint8_t number = 0;
+		uint8_t number = 0;
 		const bool is_new = s.chunks.add(chunk, number);
 		s.count_loss(number, is_new);
 	}
@@ -125,18 +125,18 @@ const char *Receiver::accept(const std::uint8_t *packet, std::size_t size, doubl
 	return nullptr;
 }
 
-void Receiver::State::count_loss(std::uint8_t number, bool is_new) {
+void Receiver::State::count_loss(uint8_t number, bool is_new) {
 	if (!is_new) {
 		return;
 	}
 	// One that comes after a later one was lost, or was overtaken.
-	const bool is_late = std::int8_t(number - newest_chunk) < 0;
+	const bool is_late = int8_t(number - newest_chunk) < 0;
 	statistics.loss += ((is_late ? 1.0 : 0.0) - statistics.loss) * LOSS_WEIGHT;
 	newest_chunk = is_late ? newest_chunk : number;
 }
 
 const char *Receiver::State::check_parts() const {
-	const std::size_t most_parts = (most_bodies * BODY_BYTES + MODEL_BYTES) / StateSnapshot::PART_BYTES + 1;
+	const size_t most_parts = (most_bodies * BODY_BYTES + MODEL_BYTES) / StateSnapshot::PART_BYTES + 1;
 	for (const StatePartItem &part : content.parts) {
 		if (part.parts == 0 || part.part >= part.parts || part.size == 0) {
 			return "a state's part has a wrong number";
@@ -152,7 +152,7 @@ void Receiver::State::take_part(const StatePartItem &part, double now) {
 	if (state_done && part.state == parts.number()) {
 		return;
 	}
-	if ((parts.is_open() || state_done) && std::int8_t(part.state - parts.number()) < 0 && now - progressed < STRAGGLERS) {
+	if ((parts.is_open() || state_done) && int8_t(part.state - parts.number()) < 0 && now - progressed < STRAGGLERS) {
 		return;
 	}
 	if (!parts.belongs(part)) {
@@ -181,7 +181,7 @@ const char *Receiver::State::finish_state(double now) {
 	}
 	const bool is_first = decoder == nullptr;
 	const bool is_earlier = double(next.tick) < window_end;
-	const bool goes_on = !is_first && next.settings.tick == tick() && (!is_earlier || (is_next_state() && double(next.tick) >= window_end - MOST_TICKS));
+	const bool goes_on = !is_first && next.settings.tick == tick() && (!is_earlier || (is_next_state() && double(next.tick) >= window_end - MAX_TICKS));
 	header = next;
 	decoder = std::move(fresh);
 	window_end = double(header.tick);
@@ -197,12 +197,12 @@ const char *Receiver::State::finish_state(double now) {
 	set_limits();
 	clock.observe(window_end * tick(), now);
 	chunks.restart(parts.next_chunk());
-	if (!goes_on || std::int8_t(newest_chunk - parts.next_chunk()) < 0) {
-		newest_chunk = std::uint8_t(parts.next_chunk() - 1);
+	if (!goes_on || int8_t(newest_chunk - parts.next_chunk()) < 0) {
+		newest_chunk = uint8_t(parts.next_chunk() - 1);
 	}
 	// Bodies of the state are there from now on; those that are not in it have gone.
-	std::unordered_map<std::uint32_t, bool> present;
-	for (std::size_t i = 0; i < decoder->body_count(); ++i) {
+	std::unordered_map<uint32_t, bool> present;
+	for (size_t i = 0; i < decoder->body_count(); ++i) {
 		BodyMotion motion;
 		motion.id = decoder->id(i);
 		motion.segment.begin = window_end;
@@ -227,7 +227,7 @@ const char *Receiver::State::finish_state(double now) {
 
 bool Receiver::State::is_behind(const StateHeader &next) const {
 	// It came so late that the windows after it have been decoded, with what was there before.
-	return decoder != nullptr && !broken && is_next_state() && double(next.tick) <= window_end && double(next.tick) >= window_end - MOST_TICKS &&
+	return decoder != nullptr && !broken && is_next_state() && double(next.tick) <= window_end && double(next.tick) >= window_end - MAX_TICKS &&
 			next.settings.is_same_stream(header.settings);
 }
 
@@ -240,8 +240,8 @@ void Receiver::State::show(const BodyMotion &motion) {
 }
 
 void Receiver::State::decode_windows(double now) {
-	std::uint8_t check = 0;
-	std::uint8_t check_mask = 0;
+	uint8_t check = 0;
+	uint8_t check_mask = 0;
 	if (broken) {
 		return;
 	}
@@ -270,7 +270,7 @@ void Receiver::State::decode_windows(double now) {
 	broken = broken || chunks.is_broken() || tracks.size() > 2 * most_bodies + 64;
 	if (events.size() > 8 * most_bodies + 64) {
 		// Nobody takes them: the oldest half is of no use any more.
-		events.erase(events.begin(), events.begin() + std::ptrdiff_t(events.size() / 2));
+		events.erase(events.begin(), events.begin() + ptrdiff_t(events.size() / 2));
 	}
 	if (broken) {
 		chunks.forget(); // what waited may be as wrong
@@ -289,8 +289,8 @@ bool Receiver::State::is_lost(double now) const {
 	return broken || (has_heard && now - progressed > (decoder == nullptr && !parts.is_open() ? PAUSE : SILENCE));
 }
 
-bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
-	State &s = *state_;
+bool Receiver::take_answer(std::vector<uint8_t> &packet, double now) {
+	State &s = *_state;
 	packet.clear();
 	if (s.is_lost(now) && now - s.asked > PAUSE) {
 		s.asked = now;
@@ -308,11 +308,11 @@ bool Receiver::take_answer(std::vector<std::uint8_t> &packet, double now) {
 }
 
 bool Receiver::is_ready() const {
-	return state_->decoder != nullptr;
+	return _state->decoder != nullptr;
 }
 
 void Receiver::advance(double now) {
-	State &s = *state_;
+	State &s = *_state;
 	if (s.decoder == nullptr) {
 		return;
 	}
@@ -332,31 +332,31 @@ void Receiver::advance(double now) {
 }
 
 double Receiver::media_time() const {
-	return state_->clock.media_time();
+	return _state->clock.media_time();
 }
 
 double Receiver::media_time_at(double now) const {
-	return state_->clock.media_time_at(now);
+	return _state->clock.media_time_at(now);
 }
 
 double Receiver::known_time() const {
-	return state_->window_end * state_->tick();
+	return _state->window_end * _state->tick();
 }
 
-bool Receiver::pose(std::uint32_t id, cga::Pose<double> &pose) const {
+bool Receiver::pose(uint32_t id, cga::Pose<double> &pose) const {
 	return pose_at(id, media_time(), pose);
 }
 
-bool Receiver::pose_at(std::uint32_t id, double media_time, cga::Pose<double> &pose) const {
-	const auto track = state_->tracks.find(id);
-	return track != state_->tracks.end() && track->second.pose_at(media_time / state_->tick(), pose);
+bool Receiver::pose_at(uint32_t id, double media_time, cga::Pose<double> &pose) const {
+	const auto track = _state->tracks.find(id);
+	return track != _state->tracks.end() && track->second.pose_at(media_time / _state->tick(), pose);
 }
 
-void Receiver::bodies(std::vector<std::uint32_t> &ids) const {
+void Receiver::bodies(std::vector<uint32_t> &ids) const {
 	ids.clear();
 	cga::Pose<double> pose;
-	for (const auto &track : state_->tracks) {
-		if (track.second.pose_at(state_->clock.media_time() / state_->tick(), pose)) {
+	for (const auto &track : _state->tracks) {
+		if (track.second.pose_at(_state->clock.media_time() / _state->tick(), pose)) {
 			ids.push_back(track.first);
 		}
 	}
@@ -364,21 +364,21 @@ void Receiver::bodies(std::vector<std::uint32_t> &ids) const {
 
 void Receiver::take_events(std::vector<BodyEvent> &events) {
 	events.clear();
-	events.swap(state_->events);
+	events.swap(_state->events);
 }
 
 void Receiver::set_margin_limits(double least, double most) {
-	state_->least_margin = std::max(least, 0.0);
-	state_->most_margin = std::max(most, state_->least_margin);
-	state_->set_limits();
+	_state->least_margin = std::max(least, 0.0);
+	_state->most_margin = std::max(most, _state->least_margin);
+	_state->set_limits();
 }
 
 const StreamSettings &Receiver::settings() const {
-	return state_->header.settings;
+	return _state->header.settings;
 }
 
 StreamStatistics Receiver::statistics() const {
-	return state_->statistics;
+	return _state->statistics;
 }
 
 } // namespace net

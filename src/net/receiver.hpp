@@ -10,10 +10,10 @@
 namespace net {
 
 struct StreamStatistics {
-	std::uint64_t bytes_received = 0;
-	std::uint64_t packets_received = 0;
-	std::uint64_t packets_rejected = 0;
-	std::uint64_t late_windows = 0; ///< arrived after their place in the motion had begun to be shown
+	uint64_t bytes_received = 0;
+	uint64_t packets_received = 0;
+	uint64_t packets_rejected = 0;
+	uint64_t late_windows = 0; ///< arrived after their place in the motion had begun to be shown
 	double playback_delay = 0.0; ///< seconds behind the newest media time that could have arrived
 	double jitter = 0.0; ///< seconds between the earliest and the late arrivals, recent
 	double round_trip = 0.0; ///< seconds, as the sender measured it; 0 before that
@@ -21,12 +21,12 @@ struct StreamStatistics {
 };
 
 struct BodyEvent {
-	enum Kind : std::uint8_t {
+	enum Kind : uint8_t {
 		ADDED,
 		REMOVED
 	};
 	Kind kind;
-	std::uint32_t id;
+	uint32_t id;
 };
 
 /// What one authority's stream looks like at a receiver: takes packets in any order, keeps a jitter buffer of decoded
@@ -35,13 +35,13 @@ struct BodyEvent {
 class Receiver {
 public:
 	/// At most `most_bodies` bodies; a stream with more is rejected.
-	explicit Receiver(std::size_t most_bodies = 65536);
+	explicit Receiver(size_t most_bodies = 65536);
 	~Receiver();
 
 	/// Takes a packet. Null, or why it was rejected (a literal); then nothing has changed. Repeats are no error.
-	const char *accept(const std::uint8_t *packet, std::size_t size, double now);
+	const char *accept(const uint8_t *packet, size_t size, double now);
 	/// Replaces `packet` with an answer for the sender. False if none is due. Call it after the packets of a frame.
-	bool take_answer(std::vector<std::uint8_t> &packet, double now);
+	bool take_answer(std::vector<uint8_t> &packet, double now);
 
 	/// True once there is something to show.
 	[[nodiscard]] bool is_ready() const;
@@ -55,11 +55,11 @@ public:
 	[[nodiscard]] double known_time() const;
 
 	/// The pose shown of a body. False if it is not there (yet).
-	bool pose(std::uint32_t id, cga::Pose<double> &pose) const;
+	bool pose(uint32_t id, cga::Pose<double> &pose) const;
 	/// The pose of a body at another media time not before media_time(), for measuring. False if it is not known.
-	bool pose_at(std::uint32_t id, double media_time, cga::Pose<double> &pose) const;
+	bool pose_at(uint32_t id, double media_time, cga::Pose<double> &pose) const;
 	/// Ids of the bodies shown.
-	void bodies(std::vector<std::uint32_t> &ids) const;
+	void bodies(std::vector<uint32_t> &ids) const;
 	/// What appeared and vanished since the last call, in order.
 	void take_events(std::vector<BodyEvent> &events);
 
@@ -71,7 +71,7 @@ public:
 
 private:
 	struct State;
-	std::unique_ptr<State> state_;
+	std::unique_ptr<State> _state;
 };
 
 } // namespace net

@@ -17,18 +17,18 @@ namespace {
 /// Longest window in which nothing moves, in seconds: it tells receivers that the sender is there.
 constexpr double IDLE_WINDOW = 0.5;
 /// The shortest window in relation to the longest, whatever the network.
-constexpr double LEAST_WINDOW = 0.25;
+constexpr double MIN_WINDOW = 0.25;
 /// Loss from which a window has to leave time for a repeat.
 constexpr double NOTABLE_LOSS = 0.004;
-constexpr double MOST_STEP = 4.0; ///< ticks between two flushes that count
+constexpr double MAX_STEP = 4.0; ///< ticks between two flushes that count
 /// Ticks within which a time is at a tick.
 constexpr double SAME_TICK = 1e-5;
 
 /// Any number, the same for the same time.
-std::uint8_t number_from(double time) {
-	std::uint64_t bits = 0;
+uint8_t number_from(double time) {
+	uint64_t bits = 0;
 	std::memcpy(&bits, &time, sizeof(bits));
-	return std::uint8_t((bits ^ bits >> 32) * 0x9e3779b97f4a7c15u >> 56);
+	return uint8_t((bits ^ bits >> 32) * 0x9e3779b97f4a7c15u >> 56);
 }
 
 } // namespace
@@ -36,49 +36,49 @@ std::uint8_t number_from(double time) {
 struct Sender::State {
 	struct Peer {
 		Delivery delivery;
-		std::uint64_t bytes_sent = 0;
-		std::uint64_t packets_sent = 0;
+		uint64_t bytes_sent = 0;
+		uint64_t packets_sent = 0;
 	};
 
-	explicit State(const StreamSettings &p_settings) :
-			settings(p_settings) {}
+	explicit State(const StreamSettings &settings) :
+			settings(settings) {}
 
 	StreamSettings settings;
-	std::unordered_map<std::uint32_t, cga::Pose<double>> bodies; // the last pose of each
+	std::unordered_map<uint32_t, cga::Pose<double>> bodies; // the last pose of each
 	std::unique_ptr<StreamEncoder> encoder; // only while there are receivers
 	ChunkRing ring;
-	std::map<std::uint32_t, Peer> peers;
-	std::vector<std::uint8_t> window;
-	std::vector<std::uint8_t> bytes;
+	std::map<uint32_t, Peer> peers;
+	std::vector<uint8_t> window;
+	std::vector<uint8_t> bytes;
 	std::vector<OutgoingPacket> packets;
 	PacketContent answer;
-	std::uint8_t state_number = 0; // of the last one; begins anywhere, so that another sender's states are not taken for it
+	uint8_t state_number = 0; // of the last one; begins anywhere, so that another sender's states are not taken for it
 	bool has_state_number = false;
 	double time = 0.0; // of the last flush
 	double origin = 0.0; // time of tick 0
 	bool has_origin = false;
-	std::int64_t window_begin = 0; // ticks
-	std::int64_t last_flush = 0;
-	std::int64_t news_since = -1; // tick; -1: no news
+	int64_t window_begin = 0; // ticks
+	int64_t last_flush = 0;
+	int64_t news_since = -1; // tick; -1: no news
 	double step = 1.0; // ticks between flushes
 
 	[[nodiscard]] double ticks(double at) const { return (at - origin) / settings.tick; }
 	void begin_at(double first_time);
 	void start_encoder();
 	[[nodiscard]] double longest_window() const;
-	[[nodiscard]] bool is_window_due(std::int64_t now) const;
-	void close_window(std::int64_t end);
+	[[nodiscard]] bool is_window_due(int64_t now) const;
+	void close_window(int64_t end);
 	void give_states();
 	void send_all();
 };
 
 Sender::Sender(const StreamSettings &settings) :
-		state_(std::make_unique<State>(settings)) {}
+		_state(std::make_unique<State>(settings)) {}
 
 Sender::~Sender() = default;
 
-bool Sender::add_body(std::uint32_t id, const cga::Pose<double> &pose) {
-	State &s = *state_;
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
+	State &s = *_state;
 	const StreamGrid grid(float(s.settings.position_tolerance), float(s.settings.rotation_tolerance));
 	if (id >= ID_LIMIT || has_body(id) || !BodyState::can_hold(pose, grid)) {
 		return false;
@@ -90,8 +90,8 @@ bool Sender::add_body(std::uint32_t id, const cga::Pose<double> &pose) {
 	return true;
 }
 
-bool Sender::remove_body(std::uint32_t id) {
-	State &s = *state_;
+bool Sender::remove_body(uint32_t id) {
+	State &s = *_state;
 	if (s.bodies.erase(id) == 0) {
 		return false;
 	}
@@ -101,16 +101,16 @@ bool Sender::remove_body(std::uint32_t id) {
 	return true;
 }
 
-bool Sender::has_body(std::uint32_t id) const {
-	return state_->bodies.count(id) != 0;
+bool Sender::has_body(uint32_t id) const {
+	return _state->bodies.count(id) != 0;
 }
 
-std::size_t Sender::body_count() const {
-	return state_->bodies.size();
+size_t Sender::body_count() const {
+	return _state->bodies.size();
 }
 
-bool Sender::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
-	State &s = *state_;
+bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
+	State &s = *_state;
 	s.begin_at(time);
 	const auto found = s.bodies.find(id);
 	if (found == s.bodies.end() || !std::isfinite(time)) {
@@ -127,26 +127,26 @@ bool Sender::observe(std::uint32_t id, double time, const cga::Pose<double> &pos
 	return true;
 }
 
-bool Sender::teleport(std::uint32_t id) {
-	return state_->encoder != nullptr ? state_->encoder->jump(id) : has_body(id);
+bool Sender::teleport(uint32_t id) {
+	return _state->encoder != nullptr ? _state->encoder->jump(id) : has_body(id);
 }
 
-void Sender::add_receiver(std::uint32_t receiver, double time) {
-	State &s = *state_;
+void Sender::add_receiver(uint32_t receiver, double time) {
+	State &s = *_state;
 	s.begin_at(time);
 	s.peers.erase(receiver);
 	s.peers.emplace(receiver, State::Peer{ Delivery(time) });
 }
 
-void Sender::remove_receiver(std::uint32_t receiver) {
-	state_->peers.erase(receiver);
-	if (state_->peers.empty()) {
-		state_->encoder.reset();
+void Sender::remove_receiver(uint32_t receiver) {
+	_state->peers.erase(receiver);
+	if (_state->peers.empty()) {
+		_state->encoder.reset();
 	}
 }
 
-bool Sender::has_receiver(std::uint32_t receiver) const {
-	return state_->peers.count(receiver) != 0;
+bool Sender::has_receiver(uint32_t receiver) const {
+	return _state->peers.count(receiver) != 0;
 }
 
 void Sender::State::begin_at(double first_time) {
@@ -158,12 +158,12 @@ void Sender::State::begin_at(double first_time) {
 
 void Sender::State::start_encoder() {
 	encoder = std::make_unique<StreamEncoder>(float(settings.position_tolerance), float(settings.rotation_tolerance), settings.mode);
-	std::vector<std::uint32_t> ids;
+	std::vector<uint32_t> ids;
 	for (const auto &body : bodies) {
 		ids.push_back(body.first);
 	}
 	std::sort(ids.begin(), ids.end());
-	for (const std::uint32_t id : ids) {
+	for (const uint32_t id : ids) {
 		(void)encoder->add_body(id, double(window_begin), bodies[id]);
 	}
 	for (auto &peer : peers) {
@@ -182,13 +182,13 @@ double Sender::State::longest_window() const {
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.patience() + settings.tick : 0.0));
 		}
 	}
-	const double longest = std::max(settings.max_latency - network, settings.max_latency * LEAST_WINDOW);
+	const double longest = std::max(settings.max_latency - network, settings.max_latency * MIN_WINDOW);
 	return std::max(longest, settings.send_rate > 0.0 ? std::min(1.0 / settings.send_rate, settings.max_latency) : 0.0) / settings.tick;
 }
 
-bool Sender::State::is_window_due(std::int64_t now) const {
+bool Sender::State::is_window_due(int64_t now) const {
 	const double next = double(now) + step;
-	if (next - double(window_begin) > double(MOST_TICKS) + SAME_TICK) {
+	if (next - double(window_begin) > double(MAX_TICKS) + SAME_TICK) {
 		return true;
 	}
 	const bool is_awaited = std::any_of(peers.begin(), peers.end(), [](const auto &peer) { return peer.second.delivery.needs_state(); });
@@ -201,9 +201,9 @@ bool Sender::State::is_window_due(std::int64_t now) const {
 	return next - double(window_begin) > IDLE_WINDOW / settings.tick;
 }
 
-void Sender::State::close_window(std::int64_t end) {
+void Sender::State::close_window(int64_t end) {
 	while (window_begin < end) {
-		const int length = int(std::min<std::int64_t>(end - window_begin, MOST_TICKS));
+		const int length = int(std::min<int64_t>(end - window_begin, MAX_TICKS));
 		window.clear();
 		encoder->encode_window(double(window_begin), length, window);
 		ring.push_window(window, encoder->check());
@@ -228,7 +228,7 @@ void Sender::State::give_states() {
 			snapshot->next_chunk = ring.next();
 			StateHeader header;
 			header.settings = settings;
-			header.tick = std::uint32_t(window_begin);
+			header.tick = uint32_t(window_begin);
 			header.window = float(longest_window() * settings.tick);
 			put_state_header(snapshot->bytes, header);
 			encoder->encode_state(snapshot->bytes);
@@ -240,7 +240,7 @@ void Sender::State::give_states() {
 void Sender::State::send_all() {
 	for (auto &entry : peers) {
 		Peer &peer = entry.second;
-		peer.delivery.send(ring, time, bytes, [&](std::size_t begin, std::size_t size) {
+		peer.delivery.send(ring, time, bytes, [&](size_t begin, size_t size) {
 			packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
 			++peer.packets_sent;
@@ -249,17 +249,17 @@ void Sender::State::send_all() {
 }
 
 void Sender::flush(double time) {
-	State &s = *state_;
+	State &s = *_state;
 	s.bytes.clear();
 	s.packets.clear();
 	s.begin_at(time);
 	s.time = std::max(time, s.time);
-	const std::int64_t now = std::int64_t(std::floor(s.ticks(s.time) + SAME_TICK));
+	const int64_t now = int64_t(std::floor(s.ticks(s.time) + SAME_TICK));
 	if (now > s.last_flush) {
 		// The longest of the recent steps, gaps apart: a window must be over before it is too long.
-		s.step = std::clamp(double(now - s.last_flush), 0.9 * s.step, MOST_STEP);
+		s.step = std::clamp(double(now - s.last_flush), 0.9 * s.step, MAX_STEP);
 	}
-	const std::int64_t before = s.last_flush;
+	const int64_t before = s.last_flush;
 	s.last_flush = now;
 	if (s.peers.empty()) {
 		s.window_begin = now;
@@ -282,15 +282,15 @@ void Sender::flush(double time) {
 }
 
 const std::vector<OutgoingPacket> &Sender::packets() const {
-	return state_->packets;
+	return _state->packets;
 }
 
-const std::uint8_t *Sender::bytes() const {
-	return state_->bytes.data();
+const uint8_t *Sender::bytes() const {
+	return _state->bytes.data();
 }
 
-const char *Sender::accept(std::uint32_t receiver, const std::uint8_t *packet, std::size_t size, double time) {
-	State &s = *state_;
+const char *Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+	State &s = *_state;
 	const auto found = s.peers.find(receiver);
 	if (found == s.peers.end()) {
 		return "the answer comes from nobody that poses are sent to";
@@ -304,7 +304,7 @@ const char *Sender::accept(std::uint32_t receiver, const std::uint8_t *packet, s
 }
 
 void Sender::set_settings(const StreamSettings &settings) {
-	State &s = *state_;
+	State &s = *_state;
 	const StreamSettings &old = s.settings;
 	const bool restarts = !old.is_same_stream(settings);
 	if (old.tick != settings.tick) {
@@ -318,17 +318,17 @@ void Sender::set_settings(const StreamSettings &settings) {
 }
 
 const StreamSettings &Sender::settings() const {
-	return state_->settings;
+	return _state->settings;
 }
 
 double Sender::media_time(double time) const {
-	return state_->has_origin ? time - state_->origin : 0.0;
+	return _state->has_origin ? time - _state->origin : 0.0;
 }
 
-ReceiverStatistics Sender::statistics(std::uint32_t receiver) const {
+ReceiverStatistics Sender::statistics(uint32_t receiver) const {
 	ReceiverStatistics statistics;
-	const auto found = state_->peers.find(receiver);
-	if (found != state_->peers.end()) {
+	const auto found = _state->peers.find(receiver);
+	if (found != _state->peers.end()) {
 		const State::Peer &peer = found->second;
 		statistics.bytes_sent = peer.bytes_sent;
 		statistics.packets_sent = peer.packets_sent;
@@ -339,8 +339,8 @@ ReceiverStatistics Sender::statistics(std::uint32_t receiver) const {
 	return statistics;
 }
 
-std::size_t Sender::moving_count() const {
-	return state_->encoder != nullptr ? state_->encoder->moving_count() : 0;
+size_t Sender::moving_count() const {
+	return _state->encoder != nullptr ? _state->encoder->moving_count() : 0;
 }
 
 } // namespace net

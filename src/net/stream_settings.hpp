@@ -32,6 +32,6 @@ struct StreamSettings {
 inline constexpr double FRAME = 0.017;
 
 /// Datagrams are never longer than this: larger ones would be split on the way, and losing a part loses all.
-inline constexpr int MOST_PACKET_BYTES = 1350;
+inline constexpr int MAX_PACKET_BYTES = 1350;
 
 } // namespace net

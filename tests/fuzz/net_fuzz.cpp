@@ -22,7 +22,7 @@ namespace {
 
 using fuzz::Bytes;
 
-constexpr std::size_t MOST_BODIES = 64;
+constexpr size_t MAX_BODIES = 64;
 constexpr double TICK = 1.0 / 60.0;
 
 void demand(bool condition, const char *what) {
@@ -37,7 +37,7 @@ void demand_sound(const cga::Pose<double> &pose) {
 	demand(std::isfinite(sum) && pose.scale > 0.0, "a pose is not finite");
 }
 
-cga::Pose<double> pose_at(std::uint32_t id, double time) {
+cga::Pose<double> pose_at(uint32_t id, double time) {
 	cga::Pose<double> pose;
 	pose.translation = cga::Vector3<double>(double(id) + std::sin(time * (1.0 + id)), std::fabs(std::sin(3.0 * time)), 0.1 * time);
 	pose.rotation = glm::angleAxis(2.0 * time * id, cga::Vector3<double>(0.6, 0.0, 0.8));
@@ -54,15 +54,15 @@ struct Recording {
 
 	Recording() {
 		net::Sender sender{ net::StreamSettings() };
-		net::Receiver receiver(MOST_BODIES);
-		for (std::uint32_t id = 0; id < 12; ++id) {
+		net::Receiver receiver(MAX_BODIES);
+		for (uint32_t id = 0; id < 12; ++id) {
 			(void)sender.add_body(id, pose_at(id, 0.0));
 		}
 		sender.add_receiver(1, 0.0);
 		Bytes answer;
 		for (int tick = 1; tick < 240; ++tick) {
 			const double now = tick * TICK;
-			for (std::uint32_t id = 0; id < 12; ++id) {
+			for (uint32_t id = 0; id < 12; ++id) {
 				(void)sender.observe(id, now, pose_at(id, now));
 			}
 			sender.flush(now);
@@ -77,9 +77,9 @@ struct Recording {
 		}
 		net::StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 		for (int window = 0; window < 20; ++window) {
-			(void)encoder.add_body(std::uint32_t(window), window * 12.0, pose_at(0, 0.0));
+			(void)encoder.add_body(uint32_t(window), window * 12.0, pose_at(0, 0.0));
 			for (int tick = 1; tick <= 12; ++tick) {
-				for (std::uint32_t id = 0; id <= std::uint32_t(window); ++id) {
+				for (uint32_t id = 0; id <= uint32_t(window); ++id) {
 					(void)encoder.observe(id, window * 12.0 + tick, pose_at(id, (window * 12.0 + tick) * TICK));
 				}
 			}
@@ -93,7 +93,7 @@ struct Recording {
 			}
 		}
 		std::vector<net::BodyPose> bodies(10);
-		for (std::uint32_t id = 0; id < 10; ++id) {
+		for (uint32_t id = 0; id < 10; ++id) {
 			bodies[id] = { id * id, cga::pose_cast<float>(pose_at(id, 1.0)) };
 		}
 		(void)net::encode(bodies.data(), bodies.size(), net::Tolerance(), poses);
@@ -107,14 +107,14 @@ const Recording &recording() {
 
 /// Takes pieces of an input: a length in two bytes, then as many bytes as there are of it.
 struct Pieces {
-	const std::uint8_t *bytes;
-	std::size_t size;
+	const uint8_t *bytes;
+	size_t size;
 
 	bool next(Bytes &piece) {
 		if (size < 2) {
 			return false;
 		}
-		const std::size_t count = std::min<std::size_t>(bytes[0] | std::size_t(bytes[1]) << 8, size - 2);
+		const size_t count = std::min<size_t>(bytes[0] | size_t(bytes[1]) << 8, size - 2);
 		piece.assign(bytes + 2, bytes + 2 + count);
 		bytes += 2 + count;
 		size -= 2 + count;
@@ -123,7 +123,7 @@ struct Pieces {
 };
 
 void fuzz_receiver(Pieces pieces) {
-	net::Receiver receiver(MOST_BODIES);
+	net::Receiver receiver(MAX_BODIES);
 	Bytes piece;
 	Bytes answer;
 	std::vector<net::BodyEvent> events;
@@ -135,7 +135,7 @@ void fuzz_receiver(Pieces pieces) {
 		receiver.advance(now);
 		receiver.take_events(events);
 		demand(std::isfinite(receiver.media_time()), "the media time is not finite");
-		for (std::uint32_t id = 0; id < 12; ++id) {
+		for (uint32_t id = 0; id < 12; ++id) {
 			if (receiver.pose(id, pose)) {
 				demand_sound(pose);
 			}
@@ -145,19 +145,19 @@ void fuzz_receiver(Pieces pieces) {
 
 void fuzz_sender(Pieces pieces) {
 	net::Sender sender{ net::StreamSettings() };
-	for (std::uint32_t id = 0; id < 4; ++id) {
+	for (uint32_t id = 0; id < 4; ++id) {
 		(void)sender.add_body(id, pose_at(id, 0.0));
 	}
 	sender.add_receiver(1, 0.0);
 	Bytes piece;
 	for (double now = TICK; pieces.next(piece); now += TICK) {
-		for (std::uint32_t id = 0; id < 4; ++id) {
+		for (uint32_t id = 0; id < 4; ++id) {
 			(void)sender.observe(id, now, pose_at(id, now));
 		}
 		sender.flush(now);
-		std::size_t sum = 0;
+		size_t sum = 0;
 		for (const net::OutgoingPacket &packet : sender.packets()) {
-			demand(packet.size <= std::size_t(net::MOST_PACKET_BYTES), "a packet is too long");
+			demand(packet.size <= size_t(net::MAX_PACKET_BYTES), "a packet is too long");
 			sum += packet.size;
 		}
 		demand(sum < 400000, "a flood");
@@ -167,7 +167,7 @@ void fuzz_sender(Pieces pieces) {
 }
 
 void fuzz_decoder(Pieces pieces) {
-	net::StreamDecoder decoder(0.005f, 1.4f, MOST_BODIES);
+	net::StreamDecoder decoder(0.005f, 1.4f, MAX_BODIES);
 	Bytes piece;
 	std::vector<net::BodyMotion> motions;
 	if (!pieces.next(piece) || !decoder.read_state(piece.data(), piece.size())) {
@@ -180,7 +180,7 @@ void fuzz_decoder(Pieces pieces) {
 		if (decoder.decode_window(piece.data(), piece.size(), 0, 0, begin, cga::Mode(piece.size() % 3), motions, ticks)) {
 			begin += ticks;
 		}
-		demand(decoder.body_count() <= MOST_BODIES, "too many bodies");
+		demand(decoder.body_count() <= MAX_BODIES, "too many bodies");
 		for (const net::BodyMotion &motion : motions) {
 			demand_sound(motion.segment.pose_at(motion.segment.begin + 0.3 * motion.segment.length));
 		}
@@ -224,11 +224,11 @@ const Target TARGETS[] = {
 	{ "pose codec", fuzz_pose_codec, [] { return std::vector<Bytes>(4, recording().poses); } },
 	{ "envelope", fuzz_envelope, [] { return recording().packets; } },
 };
-constexpr std::size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
+constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 	if (size > 0) {
 		TARGETS[bytes[0] % TARGET_COUNT].run({ bytes + 1, size - 1 });
 	}
@@ -239,11 +239,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
 
 namespace {
 
-Bytes input_of(std::uint8_t target, const std::vector<Bytes> &pieces) {
+Bytes input_of(uint8_t target, const std::vector<Bytes> &pieces) {
 	Bytes input = { target };
 	for (const Bytes &piece : pieces) {
-		input.push_back(std::uint8_t(piece.size()));
-		input.push_back(std::uint8_t(piece.size() >> 8));
+		input.push_back(uint8_t(piece.size()));
+		input.push_back(uint8_t(piece.size() >> 8));
 		input.insert(input.end(), piece.begin(), piece.end());
 	}
 	return input;
@@ -254,17 +254,17 @@ Bytes input_of(std::uint8_t target, const std::vector<Bytes> &pieces) {
 int main(int count, char **arguments) {
 	const int rounds = count > 1 ? std::atoi(arguments[1]) : 2000;
 	std::mt19937 random(20240601);
-	for (std::size_t target = 0; target < TARGET_COUNT; ++target) {
+	for (size_t target = 0; target < TARGET_COUNT; ++target) {
 		const std::vector<Bytes> seed = TARGETS[target].seed();
 		for (int round = 0; round < rounds; ++round) {
 			std::vector<Bytes> pieces = seed;
-			for (std::size_t wrong = random() % 8; wrong > 0; --wrong) {
+			for (size_t wrong = random() % 8; wrong > 0; --wrong) {
 				fuzz::mutate(pieces[random() % pieces.size()], random);
 			}
 			if (random() % 4 == 0) {
 				std::swap(pieces[random() % pieces.size()], pieces[random() % pieces.size()]);
 			}
-			const Bytes input = input_of(std::uint8_t(target), pieces);
+			const Bytes input = input_of(uint8_t(target), pieces);
 			LLVMFuzzerTestOneInput(input.data(), input.size());
 		}
 		std::printf("%s: %d inputs\n", TARGETS[target].name, rounds);

@@ -20,7 +20,7 @@ namespace {
 
 using fuzz::Bytes;
 
-constexpr double LONGEST_SECONDS = 5.0;
+constexpr double MAX_SECONDS = 5.0;
 
 void demand(bool condition, const char *what, const std::string &text) {
 	if (!condition) {
@@ -30,7 +30,7 @@ void demand(bool condition, const char *what, const std::string &text) {
 }
 
 void demand_sound(const playground::Document &document, const std::string &text) {
-	for (std::size_t index = 0; index < document.size(); ++index) {
+	for (size_t index = 0; index < document.size(); ++index) {
 		const playground::Entry &entry = document.at(index);
 		demand(entry.outcome.value.has_value() == entry.outcome.error.empty(), "neither a value nor an error, or both", text);
 		demand(!entry.outcome.value || entry.outcome.value->is_finite(), "a value is not finite", text);
@@ -67,7 +67,7 @@ void fuzz_parameter(const std::string &text) {
 		const playground::Rewritten rewritten = playground::with_parameter(text, parameter.name, value);
 		demand(rewritten.error.empty() || rewritten.text.empty(), "both an error and a text", text);
 		if (rewritten.error.empty()) {
-			const std::size_t count = playground::parameters_of(rewritten.text).size();
+			const size_t count = playground::parameters_of(rewritten.text).size();
 			demand(count > 0, "a parameter was set, and is gone", text + "\n" + rewritten.text);
 		}
 	}
@@ -134,16 +134,16 @@ const Target TARGETS[] = {
 	{ "parameter", fuzz_parameter, { std::begin(EXPRESSIONS), std::end(EXPRESSIONS) } },
 	{ "document", fuzz_document, { DOCUMENT, "[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31]" } },
 };
-constexpr std::size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
+constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 	if (size > 0) {
 		const std::string text(reinterpret_cast<const char *>(bytes) + 1, size - 1);
 		const auto start = std::chrono::steady_clock::now();
 		TARGETS[bytes[0] % TARGET_COUNT].run(text);
-		demand(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < LONGEST_SECONDS, "it took long", text);
+		demand(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < MAX_SECONDS, "it took long", text);
 	}
 	return 0;
 }
@@ -156,7 +156,7 @@ namespace {
 const char *const PIECES[] = { "(", ")", "[", "]", "{", "}", "\"", "\\", ",", ":", "deg(", "e1", "1e+999", "-", "point(", "a", "x", "\\ud800", "null", "1e-400", "vector(", "^", "{\"name\": \"", "sphere(", "0", "   " };
 
 void mutate_text(std::string &text, std::mt19937 &random) {
-	const std::size_t at = random() % (text.size() + 1);
+	const size_t at = random() % (text.size() + 1);
 	switch (random() % 4) {
 		case 0:
 			text.insert(at, PIECES[random() % (sizeof(PIECES) / sizeof(PIECES[0]))]);
@@ -165,7 +165,7 @@ void mutate_text(std::string &text, std::mt19937 &random) {
 			text.erase(at, 1 + random() % 8);
 			break;
 		case 2: {
-			const std::size_t from = random() % (text.size() + 1);
+			const size_t from = random() % (text.size() + 1);
 			text.insert(at, std::string(text, from, random() % 40));
 			break;
 		}
@@ -182,14 +182,14 @@ void mutate_text(std::string &text, std::mt19937 &random) {
 int main(int count, char **arguments) {
 	const int rounds = count > 1 ? std::atoi(arguments[1]) : 10000;
 	std::mt19937 random(20240602);
-	for (std::size_t target = 0; target < TARGET_COUNT; ++target) {
+	for (size_t target = 0; target < TARGET_COUNT; ++target) {
 		for (int round = 0; round < rounds; ++round) {
 			std::string text = TARGETS[target].seeds[random() % TARGETS[target].seeds.size()];
-			for (std::size_t wrong = random() % 6; wrong > 0; --wrong) {
+			for (size_t wrong = random() % 6; wrong > 0; --wrong) {
 				mutate_text(text, random);
 			}
 			const std::string input = char(target) + text;
-			LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t *>(input.data()), input.size());
+			LLVMFuzzerTestOneInput(reinterpret_cast<const uint8_t *>(input.data()), input.size());
 		}
 		std::printf("%s: %d inputs\n", TARGETS[target].name, rounds);
 	}

@@ -7,24 +7,24 @@
 
 namespace {
 
-std::size_t count = 0;
-std::size_t live = 0;
+size_t count = 0;
+size_t live = 0;
 
 } // namespace
 
 namespace net_test {
 
-std::size_t allocation_count() {
+size_t allocation_count() {
 	return count;
 }
 
-std::size_t live_bytes() {
+size_t live_bytes() {
 	return live;
 }
 
 } // namespace net_test
 
-void *operator new(std::size_t size) {
+void *operator new(size_t size) {
 	void *memory = std::malloc(size == 0 ? 1 : size);
 	if (memory == nullptr) {
 		throw std::bad_alloc();
@@ -39,6 +39,6 @@ void operator delete(void *memory) noexcept {
 	std::free(memory);
 }
 
-void operator delete(void *memory, std::size_t) noexcept {
+void operator delete(void *memory, size_t) noexcept {
 	operator delete(memory);
 }

@@ -5,7 +5,7 @@
 namespace net_test {
 
 /// How often this program has asked for memory with operator new, and how many bytes of that it holds.
-std::size_t allocation_count();
-std::size_t live_bytes();
+size_t allocation_count();
+size_t live_bytes();
 
 } // namespace net_test

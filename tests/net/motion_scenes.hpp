@@ -46,8 +46,8 @@ inline double bounce(double time, double height) {
 }
 
 /// A number of either sign up to 1 that depends on nothing but its arguments.
-inline double noise(std::int64_t index, int axis) {
-	std::uint64_t x = std::uint64_t(index) * 0x9e3779b97f4a7c15u + std::uint64_t(axis) * 0xd1b54a32d192ed03u;
+inline double noise(int64_t index, int axis) {
+	uint64_t x = uint64_t(index) * 0x9e3779b97f4a7c15u + uint64_t(axis) * 0xd1b54a32d192ed03u;
 	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
 	x = (x ^ x >> 27) * 0x94d049bb133111ebu;
 	return double(x >> 11) / 4503599627370496.0 - 1.0;
@@ -68,7 +68,7 @@ inline std::vector<Motion> motions(const Vector3D &place) {
 		{ "wheel", [=](double t) { return turned_at(place + Vector3D(std::cos(3.0 * t), 0.0, std::sin(3.0 * t)) * 2.0, y, -3.0 * t); } },
 		{ "bounce", [=](double t) { return turned_at(place + Vector3D(0.5 * t, bounce(t, 2.0), 0.0), tilted, 2.0 * t); }, true },
 		{ "collision", [=](double t) { return turned_at(place + Vector3D(t < 0.77 ? 6.0 * t : 4.62 - 3.0 * (t - 0.77), 0.0, 0.0), y, t < 0.77 ? 0.0 : 11.0 * (t - 0.77)); }, true },
-		{ "noise", [=](double t) { const std::int64_t i = std::llround(t * 1000.0); return turned_at(place + Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.02, tilted, 0.05 * noise(i, 3)); }, true },
+		{ "noise", [=](double t) { const int64_t i = std::llround(t * 1000.0); return turned_at(place + Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.02, tilted, 0.05 * noise(i, 3)); }, true },
 		{ "growth", [=](double t) { return turned_at(place + y * t, y, t, std::exp2(std::sin(2.0 * t))); } },
 		{ "small", [=](double t) { return turned_at(place, tilted, 0.5 * t, 0.01); } },
 		{ "large", [=](double t) { return turned_at(place + y * t, tilted, 0.5 * t, 4.0); } },

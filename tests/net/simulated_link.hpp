@@ -26,24 +26,24 @@ struct Conditions {
 class SimulatedWire {
 public:
 	explicit SimulatedWire(unsigned seed) :
-			random_(seed) {}
+			_random(seed) {}
 
-	void send(const std::uint8_t *bytes, std::size_t size, double now) {
-		if ((now >= conditions.outage_from && now < conditions.outage_until) || random_.uniform(0.0, 1.0) < conditions.loss) {
+	void send(const uint8_t *bytes, size_t size, double now) {
+		if ((now >= conditions.outage_from && now < conditions.outage_until) || _random.uniform(0.0, 1.0) < conditions.loss) {
 			last_lost = now;
 			return;
 		}
-		const int copies = random_.uniform(0.0, 1.0) < conditions.duplicates ? 2 : 1;
+		const int copies = _random.uniform(0.0, 1.0) < conditions.duplicates ? 2 : 1;
 		for (int i = 0; i < copies; ++i) {
-			flying_.push({ now + conditions.delay + random_.uniform(0.0, conditions.jitter), number_++, std::vector<std::uint8_t>(bytes, bytes + size) });
+			_flying.push({ now + conditions.delay + _random.uniform(0.0, conditions.jitter), _number++, std::vector<uint8_t>(bytes, bytes + size) });
 		}
 	}
 
 	template <class Take>
 	void deliver(double now, Take &&take) {
-		while (!flying_.empty() && flying_.top().arrival <= now + 1e-9) {
-			const Packet packet = flying_.top();
-			flying_.pop();
+		while (!_flying.empty() && _flying.top().arrival <= now + 1e-9) {
+			const Packet packet = _flying.top();
+			_flying.pop();
 			take(packet.bytes);
 		}
 	}
@@ -54,27 +54,27 @@ public:
 private:
 	struct Packet {
 		double arrival;
-		std::uint64_t number;
-		std::vector<std::uint8_t> bytes;
+		uint64_t number;
+		std::vector<uint8_t> bytes;
 		bool operator<(const Packet &other) const { return arrival != other.arrival ? arrival > other.arrival : number > other.number; }
 	};
 
-	std::priority_queue<Packet> flying_;
-	std::uint64_t number_ = 0;
-	cga_test::Random random_;
+	std::priority_queue<Packet> _flying;
+	uint64_t _number = 0;
+	cga_test::Random _random;
 };
 
 /// A receiver at the other end of two wires, and what it has seen.
 struct RemoteEnd {
-	explicit RemoteEnd(unsigned seed, std::size_t most_bodies = 1000) :
+	explicit RemoteEnd(unsigned seed, size_t most_bodies = 1000) :
 			receiver(std::make_unique<net::Receiver>(most_bodies)), down(seed), up(seed + 1000) {}
 
 	std::unique_ptr<net::Receiver> receiver;
 	SimulatedWire down; // to the receiver
 	SimulatedWire up;
-	std::vector<std::uint8_t> bytes_sent; // all that went down
-	std::size_t largest_packet = 0;
-	std::set<std::uint8_t> kinds; // first bytes of all packets, without those of chunks
+	std::vector<uint8_t> bytes_sent; // all that went down
+	size_t largest_packet = 0;
+	std::set<uint8_t> kinds; // first bytes of all packets, without those of chunks
 	double ready_at = -1.0;
 	double media_time = -1e9;
 	int steps_back = 0;
@@ -92,12 +92,12 @@ public:
 		bool is_there = true;
 	};
 
-	void add_body(std::uint32_t id, const Path &path) {
+	void add_body(uint32_t id, const Path &path) {
 		bodies[id] = { path };
 		CHECK(sender->add_body(id, path(now)));
 	}
 
-	RemoteEnd &add_receiver(std::uint32_t id, const Conditions &conditions) {
+	RemoteEnd &add_receiver(uint32_t id, const Conditions &conditions) {
 		auto &end = ends[id];
 		end = std::make_unique<RemoteEnd>(id * 17 + 5);
 		end->down.conditions = end->up.conditions = conditions;
@@ -114,7 +114,7 @@ public:
 		sender->flush(now);
 		for (const net::OutgoingPacket &packet : sender->packets()) {
 			RemoteEnd &end = *ends.at(packet.receiver);
-			const std::uint8_t *bytes = sender->bytes() + packet.begin;
+			const uint8_t *bytes = sender->bytes() + packet.begin;
 			end.bytes_sent.insert(end.bytes_sent.end(), bytes, bytes + (keeps_bytes ? packet.size : 0));
 			end.largest_packet = std::max(end.largest_packet, packet.size);
 			if (bytes[0] >= 0xc0) {
@@ -153,8 +153,8 @@ public:
 
 	static constexpr double TICK = 1.0 / 60.0;
 	std::unique_ptr<net::Sender> sender;
-	std::map<std::uint32_t, Body> bodies;
-	std::map<std::uint32_t, std::unique_ptr<RemoteEnd>> ends;
+	std::map<uint32_t, Body> bodies;
+	std::map<uint32_t, std::unique_ptr<RemoteEnd>> ends;
 	double now = 100.0;
 	double origin = 100.0; // of the sender's media time: when it first heard of anything
 	bool keeps_bytes = false;
@@ -163,11 +163,11 @@ public:
 	int packets_rejected = 0;
 
 private:
-	void step_end(std::uint32_t id, RemoteEnd &end) {
+	void step_end(uint32_t id, RemoteEnd &end) {
 		// Its own clock shows another time.
 		const double there = now + 5000.0;
-		end.down.deliver(now, [&](const std::vector<std::uint8_t> &packet) { packets_rejected += end.receiver->accept(packet.data(), packet.size(), there) != nullptr; });
-		std::vector<std::uint8_t> answer;
+		end.down.deliver(now, [&](const std::vector<uint8_t> &packet) { packets_rejected += end.receiver->accept(packet.data(), packet.size(), there) != nullptr; });
+		std::vector<uint8_t> answer;
 		if (end.receiver->take_answer(answer, there)) {
 			end.up.send(answer.data(), answer.size(), now);
 		}
@@ -185,19 +185,19 @@ private:
 			PoseD pose;
 			end.not_finite += end.receiver->pose(body.first, pose) && !cga_test::is_finite(pose) ? 1 : 0;
 		}
-		end.up.deliver(now, [&](const std::vector<std::uint8_t> &packet) { answers_rejected += sender->accept(id, packet.data(), packet.size(), now) != nullptr; });
+		end.up.deliver(now, [&](const std::vector<uint8_t> &packet) { answers_rejected += sender->accept(id, packet.data(), packet.size(), now) != nullptr; });
 	}
 };
 
 /// Bodies that move smoothly, so that the error bound holds at all times, between ticks too.
-inline void add_smooth_bodies(Session &session, std::uint32_t count) {
+inline void add_smooth_bodies(Session &session, uint32_t count) {
 	std::vector<Motion> smooth;
 	for (const Motion &motion : motions(Vector3D(0.0))) {
 		if (!motion.has_kinks && motion.name != "rest" && motion.name != "line" && motion.name != "parabola" && motion.name != "large" && motion.name != "growth") {
 			smooth.push_back(motion);
 		}
 	}
-	for (std::uint32_t id = 0; id < count; ++id) {
+	for (uint32_t id = 0; id < count; ++id) {
 		const Path path = smooth[id % smooth.size()].path;
 		const Vector3D place(double(id), 0.0, double(id % 7));
 		session.add_body(id, [path, place, id](double t) {

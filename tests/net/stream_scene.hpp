@@ -23,49 +23,49 @@ public:
 	};
 
 	StreamScene(net::StreamEncoder &encoder, unsigned seed) :
-			encoder_(encoder), random_(seed), motions_(motions(Vector3D(0.0))) {}
+			_encoder(encoder), _random(seed), _motions(motions(Vector3D(0.0))) {}
 
 	/// Everything that happens at a tick; `turmoil` is the chance that a body comes, one goes, one jumps.
 	void step(double tick, double turmoil) {
-		if (random_.uniform(0.0, 1.0) < turmoil) {
-			add(std::uint32_t(random_.uniform(0.0, 40.0)), tick);
+		if (_random.uniform(0.0, 1.0) < turmoil) {
+			add(uint32_t(_random.uniform(0.0, 40.0)), tick);
 		}
-		if (!bodies.empty() && random_.uniform(0.0, 1.0) < 0.5 * turmoil) {
+		if (!bodies.empty() && _random.uniform(0.0, 1.0) < 0.5 * turmoil) {
 			remove(some_body(), tick);
 		}
-		if (!bodies.empty() && random_.uniform(0.0, 1.0) < turmoil) {
+		if (!bodies.empty() && _random.uniform(0.0, 1.0) < turmoil) {
 			jump(some_body(), tick);
 		}
 		for (auto &entry : bodies) {
 			const PoseD pose = pose_of(entry.second, tick);
-			CHECK(encoder_.observe(entry.first, tick, pose));
+			CHECK(_encoder.observe(entry.first, tick, pose));
 			entry.second.last = pose;
 		}
 	}
 
-	void add(std::uint32_t id, double tick) {
+	void add(uint32_t id, double tick) {
 		Body body;
-		body.path = motions_[std::size_t(random_.uniform(0.0, double(motions_.size()) - 1e-9))].path;
+		body.path = _motions[size_t(_random.uniform(0.0, double(_motions.size()) - 1e-9))].path;
 		body.born = tick;
-		body.offset = random_.vector(20.0);
+		body.offset = _random.vector(20.0);
 		const PoseD pose = pose_of(body, tick);
 		const bool is_new = bodies.count(id) == 0;
-		CHECK(encoder_.add_body(id, tick, pose) == is_new);
+		CHECK(_encoder.add_body(id, tick, pose) == is_new);
 		if (is_new) {
 			bodies[id] = body;
 		}
 	}
 
-	void remove(std::uint32_t id, double tick) {
+	void remove(uint32_t id, double tick) {
 		bodies.erase(id);
-		CHECK(encoder_.remove_body(id, tick));
-		CHECK_FALSE(encoder_.remove_body(id, tick));
+		CHECK(_encoder.remove_body(id, tick));
+		CHECK_FALSE(_encoder.remove_body(id, tick));
 	}
 
-	void jump(std::uint32_t id, double tick) {
+	void jump(uint32_t id, double tick) {
 		Body &body = bodies[id];
-		CHECK(encoder_.jump(id));
-		body.offset = random_.vector(100.0);
+		CHECK(_encoder.jump(id));
+		body.offset = _random.vector(100.0);
 		body.jumped = body.jumped < 0.0 ? (body.is_new ? body.born : tick) : body.jumped;
 		body.settled_from = tick;
 	}
@@ -84,18 +84,18 @@ public:
 		return pose;
 	}
 
-	std::map<std::uint32_t, Body> bodies;
+	std::map<uint32_t, Body> bodies;
 
 private:
-	std::uint32_t some_body() {
+	uint32_t some_body() {
 		auto body = bodies.begin();
-		std::advance(body, std::ptrdiff_t(random_.uniform(0.0, double(bodies.size()) - 1e-9)));
+		std::advance(body, ptrdiff_t(_random.uniform(0.0, double(bodies.size()) - 1e-9)));
 		return body->first;
 	}
 
-	net::StreamEncoder &encoder_;
-	cga_test::Random random_;
-	std::vector<Motion> motions_;
+	net::StreamEncoder &_encoder;
+	cga_test::Random _random;
+	std::vector<Motion> _motions;
 };
 
 } // namespace net_test

@@ -11,15 +11,15 @@ using namespace net;
 
 namespace {
 
-using Packet = std::vector<std::uint8_t>;
+using Packet = std::vector<uint8_t>;
 
-std::vector<BodyPose> random_bodies(std::size_t count, float extent, std::uint32_t seed) {
+std::vector<BodyPose> random_bodies(size_t count, float extent, uint32_t seed) {
 	std::mt19937 random(seed);
 	std::uniform_real_distribution<float> place(-extent, extent);
 	std::normal_distribution<float> normal;
 	std::vector<BodyPose> bodies(count);
-	for (std::size_t i = 0; i < count; ++i) {
-		bodies[i].id = std::uint32_t(i);
+	for (size_t i = 0; i < count; ++i) {
+		bodies[i].id = uint32_t(i);
 		bodies[i].pose.translation = glm::vec3(place(random), place(random), place(random));
 		bodies[i].pose.rotation = glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
 	}
@@ -57,7 +57,7 @@ TEST_CASE("pose codec: poses arrive within the tolerance, ids exactly") {
 		std::vector<BodyPose> received;
 		REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
 		REQUIRE(received.size() == sent.size());
-		for (std::size_t i = 0; i < sent.size(); ++i) {
+		for (size_t i = 0; i < sent.size(); ++i) {
 			CHECK(received[i].id == sent[i].id);
 			CHECK(distance(received[i].pose.translation, sent[i].pose.translation) <= double(position) + 4e-6);
 			CHECK(std::abs(glm::dot(received[i].pose.rotation, sent[i].pose.rotation)) > std::cos(0.125 * 3.1415927 / 180) - 1e-6);
@@ -77,7 +77,7 @@ TEST_CASE("pose codec: about nine bytes a pose at the default tolerance, as the 
 
 TEST_CASE("pose codec: ids in any order, with gaps, at the limit") {
 	std::vector<BodyPose> bodies(6);
-	const std::uint32_t ids[6] = { 7, 8, 0, 2147483647u, 5, 5 };
+	const uint32_t ids[6] = { 7, 8, 0, 2147483647u, 5, 5 };
 	for (int i = 0; i < 6; ++i) {
 		bodies[i].id = ids[i];
 	}
@@ -95,7 +95,7 @@ TEST_CASE("pose codec: scale travels, and costs one bit where it is 1") {
 	std::vector<BodyPose> bodies = random_bodies(64, 5, 9);
 	Packet plain;
 	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, plain).error == nullptr);
-	for (std::size_t i = 0; i < bodies.size(); ++i) {
+	for (size_t i = 0; i < bodies.size(); ++i) {
 		bodies[i].pose.scale = 0.01f * std::pow(1.15f, float(i));
 	}
 	Packet scaled;
@@ -103,7 +103,7 @@ TEST_CASE("pose codec: scale travels, and costs one bit where it is 1") {
 	CHECK(scaled.size() == plain.size() + 64 * SCALE_BITS / 8);
 	std::vector<BodyPose> received;
 	REQUIRE(decode(scaled.data(), scaled.size(), received).error == nullptr);
-	for (std::size_t i = 0; i < bodies.size(); ++i) {
+	for (size_t i = 0; i < bodies.size(); ++i) {
 		CHECK(received[i].pose.scale == doctest::Approx(bodies[i].pose.scale).epsilon(1e-4));
 	}
 }
@@ -118,7 +118,7 @@ TEST_CASE("pose codec: 10 km away only float32 itself limits the position") {
 	CHECK(packet.size() < 50 * 9 + 40); // the offsets are as short as near the origin
 	std::vector<BodyPose> received;
 	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
-	for (std::size_t i = 0; i < bodies.size(); ++i) {
+	for (size_t i = 0; i < bodies.size(); ++i) {
 		CHECK(distance(received[i].pose.translation, bodies[i].pose.translation) < 0.002 + 0.001);
 	}
 }
@@ -137,7 +137,7 @@ TEST_CASE("pose codec: no memory is taken once buffers have grown") {
 	std::vector<BodyPose> received;
 	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
 	REQUIRE(decode(packet.data(), packet.size(), received).error == nullptr);
-	const std::uint8_t *const bytes = packet.data();
+	const uint8_t *const bytes = packet.data();
 	const BodyPose *const poses = received.data();
 	for (int i = 0; i < 10; ++i) {
 		REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
@@ -181,9 +181,9 @@ TEST_CASE("pose codec: every truncation and every longer packet is refused") {
 	const std::vector<BodyPose> bodies = random_bodies(12, 4, 23);
 	Packet packet;
 	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet).error == nullptr);
-	for (std::size_t size = 0; size < packet.size(); ++size) {
+	for (size_t size = 0; size < packet.size(); ++size) {
 		CAPTURE(size);
-		CHECK(decode_error(Packet(packet.begin(), packet.begin() + std::ptrdiff_t(size))) != "");
+		CHECK(decode_error(Packet(packet.begin(), packet.begin() + ptrdiff_t(size))) != "");
 	}
 	packet.push_back(0);
 	CHECK(decode_error(packet) == "packet has bytes after its last body");
@@ -202,15 +202,15 @@ TEST_CASE("pose codec: random and mutated packets never give a pose that is not 
 		Packet hostile = packet;
 		if (i % 2 == 0) {
 			hostile.resize(random() % 200);
-			for (std::uint8_t &byte : hostile) {
-				byte = std::uint8_t(random());
+			for (uint8_t &byte : hostile) {
+				byte = uint8_t(random());
 			}
 			if (!hostile.empty()) {
 				hostile[0] = FORMAT_VERSION;
 			}
 		} else {
 			for (int flips = 0; flips < 3; ++flips) {
-				hostile[random() % hostile.size()] ^= std::uint8_t(1u << (random() % 8));
+				hostile[random() % hostile.size()] ^= uint8_t(1u << (random() % 8));
 			}
 		}
 		const CodecStatus status = decode(hostile.data(), hostile.size(), received);

@@ -65,7 +65,7 @@ TEST_CASE("receiver: whatever the network does, nothing runs backwards, and the 
 		CHECK(session.error(other) <= 1.02);
 		CHECK(session.packets_rejected == 0);
 		CHECK(session.answers_rejected == 0);
-		CHECK(one.largest_packet <= std::size_t(MOST_PACKET_BYTES));
+		CHECK(one.largest_packet <= size_t(MAX_PACKET_BYTES));
 	}
 }
 
@@ -145,9 +145,9 @@ TEST_CASE("receiver: bodies appear and vanish, with events in order") {
 	CHECK(events[0].id == 2);
 	CHECK(events[1].kind == BodyEvent::REMOVED);
 	CHECK(events[1].id == 1);
-	std::vector<std::uint32_t> ids;
+	std::vector<uint32_t> ids;
 	end.receiver->bodies(ids);
-	CHECK(ids == std::vector<std::uint32_t>{ 2 });
+	CHECK(ids == std::vector<uint32_t>{ 2 });
 	PoseD pose;
 	CHECK_FALSE(end.receiver->pose(1, pose));
 	CHECK(end.receiver->pose(2, pose));
@@ -156,14 +156,14 @@ TEST_CASE("receiver: bodies appear and vanish, with events in order") {
 }
 
 TEST_CASE("receiver: memory stays flat for a minute at 30 % loss, and is given back") {
-	const std::size_t at_first = live_bytes();
+	const size_t at_first = live_bytes();
 	{
 		Session session;
 		add_smooth_bodies(session, 10);
 		session.add_receiver(1, { 0.05, 0.1, 0.3, 0.1 });
 		session.run(30.0);
-		const std::size_t before = live_bytes();
-		std::size_t most = 0;
+		const size_t before = live_bytes();
+		size_t most = 0;
 		session.run(60.0, [&] { most = std::max(most, live_bytes()); });
 		CHECK(most < before + 200000);
 		CHECK(session.error(*session.ends[1]) < 1e6);
@@ -177,15 +177,15 @@ TEST_CASE("receiver: random packets are refused or change nothing that matters, 
 	RemoteEnd &end = session.add_receiver(1, Conditions());
 	session.run(2.0);
 	cga_test::Random random(81);
-	const std::size_t before = live_bytes();
+	const size_t before = live_bytes();
 	int refused = 0;
 	for (int i = 0; i < 20000; ++i) {
-		std::vector<std::uint8_t> packet(std::size_t(random.uniform(0.0, i % 10 == 0 ? 1400.0 : 60.0)));
-		for (std::uint8_t &byte : packet) {
-			byte = std::uint8_t(random.uniform(0.0, 256.0));
+		std::vector<uint8_t> packet(size_t(random.uniform(0.0, i % 10 == 0 ? 1400.0 : 60.0)));
+		for (uint8_t &byte : packet) {
+			byte = uint8_t(random.uniform(0.0, 256.0));
 		}
 		if (!packet.empty() && i % 2 == 0) {
-			const std::uint8_t kinds[] = { 0x80, 0x90, 0x60, 0x6f, 0xc0, 0xc2 };
+			const uint8_t kinds[] = { 0x80, 0x90, 0x60, 0x6f, 0xc0, 0xc2 };
 			packet[0] = kinds[i / 2 % 6];
 		}
 		refused += end.receiver->accept(packet.data(), packet.size(), session.now + 5000.0) != nullptr;
@@ -194,7 +194,7 @@ TEST_CASE("receiver: random packets are refused or change nothing that matters, 
 	}
 	CHECK(refused > 5000);
 	CHECK(refused < 20000);
-	CHECK(end.receiver->statistics().packets_rejected == std::uint64_t(refused));
+	CHECK(end.receiver->statistics().packets_rejected == uint64_t(refused));
 	CHECK(live_bytes() < before + 4000000);
 	// It finds back to the stream.
 	session.run(8.0);

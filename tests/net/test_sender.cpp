@@ -26,7 +26,7 @@ TEST_CASE("sender: bodies, poses and receivers that cannot be are refused") {
 			sender.add_receiver(4, 0.0);
 			sender.flush(0.1);
 		}
-		const std::uint32_t id = with_receiver ? 2 : 1;
+		const uint32_t id = with_receiver ? 2 : 1;
 		CHECK(sender.add_body(id, at(1.0)));
 		CHECK_FALSE(sender.add_body(id, at(2.0)));
 		CHECK_FALSE(sender.add_body(0x80000000u, at(2.0)));
@@ -53,19 +53,19 @@ TEST_CASE("sender: answers from strangers and random answers change nothing for 
 	RemoteEnd &end = session.add_receiver(1, Conditions());
 	session.add_receiver(2, Conditions());
 	session.run(2.0);
-	const std::uint8_t wish = 0xc2;
+	const uint8_t wish = 0xc2;
 	CHECK(std::string(session.sender->accept(99, &wish, 1, session.now)) == "the answer comes from nobody that poses are sent to");
 	cga_test::Random random(91);
 	end.kinds.clear();
 	double worst = 0.0;
 	session.run(4.0, [&] {
 		for (int i = 0; i < 10; ++i) {
-			std::vector<std::uint8_t> answer(std::size_t(random.uniform(0.0, 20.0)));
-			for (std::uint8_t &byte : answer) {
-				byte = std::uint8_t(random.uniform(0.0, 256.0));
+			std::vector<uint8_t> answer(size_t(random.uniform(0.0, 20.0)));
+			for (uint8_t &byte : answer) {
+				byte = uint8_t(random.uniform(0.0, 256.0));
 			}
 			if (!answer.empty()) {
-				const std::uint8_t kinds[] = { 0xc0, 0xc1, 0xc2, 0xd0, answer[0] };
+				const uint8_t kinds[] = { 0xc0, 0xc1, 0xc2, 0xd0, answer[0] };
 				answer[0] = kinds[i % 5];
 			}
 			(void)session.sender->accept(2, answer.data(), answer.size(), session.now);
@@ -80,7 +80,7 @@ TEST_CASE("sender: answers from strangers and random answers change nothing for 
 }
 
 TEST_CASE("sender: a late receiver sees everything within two round trips and a tick, at no cost to others") {
-	std::size_t bytes[2] = { 0, 0 };
+	size_t bytes[2] = { 0, 0 };
 	for (const bool with_late : { false, true }) {
 		Session session;
 		session.keeps_bytes = true;
@@ -88,7 +88,7 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 		RemoteEnd &first = session.add_receiver(1, { 0.05 });
 		session.run(3.0);
 		first.kinds.clear();
-		const std::size_t before = first.bytes_sent.size();
+		const size_t before = first.bytes_sent.size();
 		double worst = 0.0;
 		if (with_late) {
 			const double joined = session.now;
@@ -96,7 +96,7 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 			session.run(0.2 + Session::TICK, [&] { worst = std::max(worst, session.error(first)); });
 			CHECK(late.receiver->is_ready());
 			CHECK(late.ready_at - joined <= 0.2 + Session::TICK + 1e-6);
-			std::vector<std::uint32_t> ids;
+			std::vector<uint32_t> ids;
 			late.receiver->bodies(ids);
 			CHECK(ids.size() == 40);
 			CHECK(session.error(late) < 1e9);
@@ -125,14 +125,14 @@ TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to
 	quiet.down.conditions.outage_from = quiet.up.conditions.outage_from = session.now;
 	quiet.down.conditions.outage_until = quiet.up.conditions.outage_until = session.now + 9.0;
 	session.run(4.0);
-	const std::uint64_t before = session.sender->statistics(1).bytes_sent;
+	const uint64_t before = session.sender->statistics(1).bytes_sent;
 	double worst = 0.0;
 	session.run(5.0, [&] { worst = std::max(worst, session.error(other)); });
 	CHECK(session.sender->statistics(1).bytes_sent - before <= 30);
 	CHECK(worst <= 1.3);
 	const int steps_back = quiet.steps_back;
-	std::uint64_t most_in_tick = 0;
-	std::uint64_t sent = session.sender->statistics(1).bytes_sent;
+	uint64_t most_in_tick = 0;
+	uint64_t sent = session.sender->statistics(1).bytes_sent;
 	session.run(2.0, [&] {
 		most_in_tick = std::max(most_in_tick, session.sender->statistics(1).bytes_sent - sent);
 		sent = session.sender->statistics(1).bytes_sent;
@@ -243,7 +243,7 @@ TEST_CASE("sender: settings may change while it runs") {
 
 TEST_CASE("sender: a still scene costs a few bytes a second") {
 	Session session;
-	for (std::uint32_t id = 0; id < 200; ++id) {
+	for (uint32_t id = 0; id < 200; ++id) {
 		session.add_body(id, [id](double) { return at(double(id)); });
 	}
 	session.add_receiver(1, Conditions());
@@ -263,7 +263,7 @@ TEST_CASE("sender: an hour of sleep is no flood") {
 	RemoteEnd &end = session.add_receiver(1, Conditions());
 	session.run(2.0);
 	session.now += 3600.0;
-	const std::uint64_t before = session.sender->statistics(1).bytes_sent;
+	const uint64_t before = session.sender->statistics(1).bytes_sent;
 	session.run(0.1);
 	CHECK(session.sender->statistics(1).bytes_sent - before < 20000);
 	session.run(4.0);

@@ -11,7 +11,7 @@ MOVING_BOUND = 0.006
 MOVING_SHARE = 0.96
 # On a good network nearly all of the rest is not far outside.
 MOVING_P99 = 0.010
-MOVING_MOST = 0.3
+MAX_MOVING = 0.3
 AT_REST = 0.006
 
 
@@ -32,7 +32,7 @@ def server_record(run, cubes):
     return record, moving_bodies(record), run.server.report()
 
 
-def expect_errors_within(run, client, cubes, share=MOVING_SHARE, bound=MOVING_BOUND, most=MOVING_MOST, after=0):
+def expect_errors_within(run, client, cubes, share=MOVING_SHARE, bound=MOVING_BOUND, most=MAX_MOVING, after=0):
     """That share of what the client showed of moving cubes is within the bound, and all of it within `most`.
 
     Its first `after` seconds do not count: it has to find its delay. Returns how many samples that were.

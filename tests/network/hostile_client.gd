@@ -14,8 +14,8 @@ const BYE := 1
 const MOTION := 2
 const ANSWER := 3
 const ENVELOPE := 4
-const MOST_CAPTURED := 200
-const MOST_A_FRAME := 2000
+const MAX_CAPTURED := 200
+const MAX_A_FRAME := 2000
 ## One of so many is oversized: it goes as dozens of datagrams.
 const OVERSIZED_EVERY := 2000
 const OVERSIZED := 20000
@@ -52,7 +52,7 @@ func _process(delta: float) -> bool:
 	# It begins once it has seen what to imitate.
 	if _captured.size() < 20 or not _api.get_peers().has(1):
 		return false
-	_due = minf(_due + delta * _rate, MOST_A_FRAME)
+	_due = minf(_due + delta * _rate, MAX_A_FRAME)
 	while _due >= 1.0:
 		_due -= 1.0
 		_sent += 1
@@ -65,7 +65,7 @@ func _finalize() -> void:
 
 
 func _on_peer_packet(_peer: int, packet: PackedByteArray) -> void:
-	if packet.size() > ENVELOPE and _captured.size() < MOST_CAPTURED:
+	if packet.size() > ENVELOPE and _captured.size() < MAX_CAPTURED:
 		_captured.append(packet)
 
 

@@ -12,7 +12,7 @@ MESSAGE = re.compile(r"^WARNING: GA-Godot: .*$", re.MULTILINE)
 EDITOR_SECONDS = 120
 IMPORT_SECONDS = 120
 # Fewer bytes than this are a picture of nothing.
-LEAST_PICTURE = 20_000
+MIN_PICTURE = 20_000
 
 
 def tests(engine, project, output):
@@ -81,7 +81,7 @@ def check_editor(engine, copy, picture):
         problems.append(f"the probe said {said}, expected {expected}")
     if MESSAGE.search(run.text):
         problems.append(f"a message without need: {MESSAGE.search(run.text).group(0)}")
-    if not os.path.exists(picture) or os.path.getsize(picture) < LEAST_PICTURE:
+    if not os.path.exists(picture) or os.path.getsize(picture) < MIN_PICTURE:
         problems.append(f"{picture} shows nothing")
     return problems
 

@@ -43,10 +43,10 @@ DOCS_PICTURES = ("interpolation.png", "interpolation_lab_frames.png")
 # A picture for each document of the gallery, and a sheet with all of them.
 GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
 GALLERY_SECONDS = 300
-LARGEST_IMAGE = 150_000
+MAX_IMAGE = 150_000
 # Pictures of windows, which go beside the gallery's folder.
 WINDOW_IMAGES = ("playground.png", "playground_light.png", "playground_editor.png")
-LARGEST_SHEET_OR_WINDOW = 250_000
+MAX_SHEET_OR_WINDOW = 250_000
 
 
 def main():
@@ -160,7 +160,7 @@ def write_gallery(engine):
         shutil.copyfile(os.path.join(folder, name), path)
         indexed_png.shrink(path)
         size = os.path.getsize(path)
-        fits = size <= (LARGEST_SHEET_OR_WINDOW if name in (*WINDOW_IMAGES, "all.png") else LARGEST_IMAGE)
+        fits = size <= (MAX_SHEET_OR_WINDOW if name in (*WINDOW_IMAGES, "all.png") else MAX_IMAGE)
         too_large += not fits
         print(f"wrote {os.path.relpath(path, ROOT)}, {size // 1000} kB{'' if fits else ', which is too large'}")
     return 1 if too_large else 0

@@ -20,7 +20,7 @@ KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c
          ("paper_motor_float32_", "fixed rate: GA-Unity's float32 motors", "#7d8a97", "^"),
          ("ga_godot", "GA-Godot, for tolerances", "#0b7285", "o"))
 # Errors below this are rounding: the method sent every sample.
-LEAST_ERROR = 0.3
+MIN_ERROR = 0.3
 # Points with a label: enough to read the others. The paper's rates are those beside it.
 LABELLED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
 COLUMNS = 2
@@ -36,7 +36,7 @@ def curves(rows, trace):
     for (subject, tolerance), values in points.items():
         prefix = next(prefix for prefix, *_ in KINDS if subject.startswith(prefix))
         label = f"{tolerance:g} mm" if tolerance else subject[len(prefix):].replace("hz", " Hz") if prefix.startswith("pqs") else ""
-        if values["error_p99"] is not None and values["error_p99"] >= LEAST_ERROR:
+        if values["error_p99"] is not None and values["error_p99"] >= MIN_ERROR:
             found[prefix].append((values["error_p99"], values["bytes_per_second_per_body"], label))
     return {prefix: sorted(line, key=lambda point: point[1]) for prefix, line in found.items()}
 

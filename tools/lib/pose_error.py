@@ -4,7 +4,7 @@ import bisect
 from pose_record import ROW_FLOATS, lever_distance
 
 # Of a client that shows what arrives as it arrives, in seconds, besides what the network delays.
-LONGEST_DELAY = 0.25
+MAX_DELAY = 0.25
 # How far from a tick a picture may be, in ticks.
 NEAR_A_TICK = 0.1
 
@@ -71,7 +71,7 @@ def compare_by_tick(server, moving, client):
 
 def compare_by_wall_clock(server, moving, client, network_delay=0.0):
     """For a client that knows no time: the one delay that makes the mean error smallest is removed."""
-    delay = best_delay(server, moving, client, LONGEST_DELAY + network_delay)
+    delay = best_delay(server, moving, client, MAX_DELAY + network_delay)
     summary = ErrorSummary()
     for wall, rows in zip(client.walls, client.rows):
         truth, index = rows_at(server, server.walls, wall - delay)
@@ -81,7 +81,7 @@ def compare_by_wall_clock(server, moving, client, network_delay=0.0):
     return summary
 
 
-def best_delay(server, moving, client, longest=LONGEST_DELAY):
+def best_delay(server, moving, client, longest=MAX_DELAY):
     """Searches the delay in steps of 8 ms, then of 2 ms around the best, on a part of the pictures."""
     step = max(1, len(client) // 40)
     pictures = list(zip(client.walls, client.rows))[::step]

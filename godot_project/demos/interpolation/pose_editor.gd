@@ -9,8 +9,8 @@ const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 const NAME_WIDTH := 66
 const VALUE_WIDTH := 52
 const REACH := 4.0
-const SMALLEST_SCALE := 0.5
-const LARGEST_SCALE := 2.5
+const MIN_SCALE := 0.5
+const MAX_SCALE := 2.5
 const ROW_NAMES: Array[String] = ["Position x", "y", "z", "Rotation x", "y", "z", "Scale"]
 
 var _pose := DemoPose.new()
@@ -24,7 +24,7 @@ func _init() -> void:
 		_add_row(ROW_NAMES[i], -REACH, REACH, 0.01)
 	for i in range(3, 6):
 		_add_row(ROW_NAMES[i], -180.0, 180.0, 1.0)
-	_add_row(ROW_NAMES[6], SMALLEST_SCALE, LARGEST_SCALE, 0.01)
+	_add_row(ROW_NAMES[6], MIN_SCALE, MAX_SCALE, 0.01)
 
 
 func get_pose() -> DemoPose:

@@ -159,7 +159,7 @@ func _process(_delta: float) -> void:
 	if meter.arrived != _heard_bytes:
 		_heard_bytes = meter.arrived
 		_heard_at = local
-	elif local - _heard_at > Connection.LONGEST_SILENCE:
+	elif local - _heard_at > Connection.MAX_SILENCE:
 		_close(LOST)
 		return
 	if not link.is_ready():

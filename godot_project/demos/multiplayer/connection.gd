@@ -6,17 +6,17 @@ extends RefCounted
 ## sides look at when they last heard anything at all.
 
 ## Seconds of silence after which the other is gone.
-const LONGEST_SILENCE := 8.0
+const MAX_SILENCE := 8.0
 ## Milliseconds for which ENet itself is patient with a peer.
-const PATIENCE_LEAST := 20000
-const PATIENCE_MOST := 60000
+const MIN_PATIENCE := 20000
+const MAX_PATIENCE := 60000
 ## How often ENet sends a message again before it may lose patience: two to the power of the attempts.
 const PATIENCE_LIMIT := 4096
 
 
 ## Prepares a connection that has just been made.
 static func prepare(peer: ENetPacketPeer) -> void:
-	peer.set_timeout(PATIENCE_LIMIT, PATIENCE_LEAST, PATIENCE_MOST)
+	peer.set_timeout(PATIENCE_LIMIT, MIN_PATIENCE, MAX_PATIENCE)
 	# ENet throws unreliable packets away when it thinks the line is slow; a late frame is enough for that.
 	peer.throttle_configure(5000, 32, 0)
 

@@ -9,7 +9,7 @@ const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
 const TruthProbe := preload("measure/truth_probe.gd")
 
-const MOST_CLIENTS := 6
+const MAX_CLIENTS := 6
 ## Seconds between two looks at who is still there.
 const LOOK_PAUSE := 0.5
 ## Frames a second of the main loop without a window: often enough for punctual ticks.
@@ -56,7 +56,7 @@ func _ready() -> void:
 ## Opens the port. Returns what is wrong, or an empty text.
 func open() -> String:
 	# Without a number of channels: Godot 4.6 tells clients that number as the bytes a second that the server can take.
-	if _peer.create_server(_options.port, MOST_CLIENTS) != OK:
+	if _peer.create_server(_options.port, MAX_CLIENTS) != OK:
 		return "Cannot listen on UDP port %d: it is in use, or not allowed." % _options.port
 	Engine.max_fps = FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
@@ -124,7 +124,7 @@ func _look_after_players() -> void:
 	for peer: int in _slots:
 		if _last_tick >= 0:
 			_session.finish.rpc_id(peer, _last_sent_tick)
-		if now - _heard_at[peer] > (Connection.LONGEST_SILENCE if _last_tick < 0 else OVER_SILENCE):
+		if now - _heard_at[peer] > (Connection.MAX_SILENCE if _last_tick < 0 else OVER_SILENCE):
 			Connection.give_up(_peer.get_peer(peer))
 
 

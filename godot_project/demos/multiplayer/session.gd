@@ -32,10 +32,10 @@ signal truth_wanted(peer: int, wanted: bool)
 ## At the server: a player kicks a cube.
 signal kicked(peer: int, cube: int, direction: Vector3)
 
-const LONGEST_NAME := 24
+const MAX_NAME := 24
 ## Limits of the bound, in metres.
-const LEAST_TOLERANCE := 0.0005
-const MOST_TOLERANCE := 0.1
+const MIN_TOLERANCE := 0.0005
+const MAX_TOLERANCE := 0.1
 
 @rpc("authority", "call_remote", "reliable")
 func welcome(scene: String, cubes: int, method: String) -> void:
@@ -91,7 +91,7 @@ func want_tuning(tolerance: float, mode: int) -> void:
 		and mode >= 0
 		and mode <= MultivectorLerp.SEPARATE
 	):
-		var bound := clampf(tolerance, LEAST_TOLERANCE, MOST_TOLERANCE)
+		var bound := clampf(tolerance, MIN_TOLERANCE, MAX_TOLERANCE)
 		tuning_wanted.emit(multiplayer.get_remote_sender_id(), bound, mode)
 
 
@@ -104,7 +104,7 @@ func want_truth(wanted: bool) -> void:
 @rpc("any_peer", "call_remote", "reliable")
 func enter(player_name: String) -> void:
 	if multiplayer.is_server():
-		entered.emit(multiplayer.get_remote_sender_id(), player_name.left(LONGEST_NAME))
+		entered.emit(multiplayer.get_remote_sender_id(), player_name.left(MAX_NAME))
 
 
 @rpc("any_peer", "call_remote", "unreliable_ordered", 2)

@@ -24,7 +24,7 @@ const PANEL_WIDTH := 340
 const LIGHT := "light"
 const WIDTH := "width"
 ## Of what has no size, such as a point, when it is framed.
-const LEAST_FRAME := 1.2
+const MIN_FRAME := 1.2
 const FRAME_MARGIN := 1.05
 ## A document to begin with, for who was never here.
 const FIRST_ENTRIES: Dictionary[String, String] = {
@@ -133,7 +133,7 @@ func frame_selection() -> void:
 func _frame(entries: PackedStringArray) -> void:
 	var box := Extent.of(panel.document.scene, entries)
 	if box.has_volume():
-		_camera.frame(box.get_center(), maxf(box.size.length() / 2.0 * FRAME_MARGIN, LEAST_FRAME))
+		_camera.frame(box.get_center(), maxf(box.size.length() / 2.0 * FRAME_MARGIN, MIN_FRAME))
 
 
 func _make_view() -> void:

@@ -8,7 +8,7 @@ const PAIRS := 10000
 const SEED := 2024
 const MODE_NAMES: Array[String] = ["LINEAR", "SCREW", "SEPARATE"]
 ## Closer to half a turn than this (in the cosine of half the angle), both ways round are right.
-const LEAST_COSINE := 1e-3
+const MIN_COSINE := 1e-3
 const FILE_ERROR := "--dump-poses: %s cannot be written (%s)."
 
 ## The file to write.
@@ -57,7 +57,7 @@ func _make_pairs() -> void:
 
 func _add_pair(from: Transform3D, to: Transform3D, weight: float) -> void:
 	var cosine := from.basis.get_rotation_quaternion().dot(to.basis.get_rotation_quaternion())
-	if absf(cosine) > LEAST_COSINE:
+	if absf(cosine) > MIN_COSINE:
 		_from.append(from)
 		_to.append(to)
 		_weights.append(weight)

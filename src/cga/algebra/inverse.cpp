@@ -12,7 +12,7 @@ namespace {
 constexpr Failure SINGULAR = { "The element has no inverse: it is null or a divisor of zero, or too near to one for the precision of double" };
 
 // Of |X| |X^-1|.
-constexpr double LARGEST_CONDITION = 1e13;
+constexpr double MAX_CONDITION = 1e13;
 
 double euclidean_norm(const Multivector &x) {
 	double sum = 0.0;
@@ -29,7 +29,7 @@ std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 		return std::nullopt;
 	}
 	const Multivector inverse = from_matrix(*matrix);
-	if (!(euclidean_norm(x) * euclidean_norm(inverse) <= LARGEST_CONDITION)) {
+	if (!(euclidean_norm(x) * euclidean_norm(inverse) <= MAX_CONDITION)) {
 		return std::nullopt;
 	}
 	// One of Newton's steps, Y (2 - X Y), takes away what the elimination left.

@@ -40,18 +40,18 @@ double farthest(double along, double across, double flat, double round) {
 
 // The largest of a function over 0..1, and where.
 template <class Function>
-void find_largest(Function function, double &r_value, double &r_weight) {
+void find_largest(Function function, double &largest, double &largest_at) {
 	for (int step = 1; step < STEPS; ++step) {
 		const double weight = double(step) / STEPS;
 		const double value = function(weight);
-		if (value > r_value * LARGER) {
-			r_value = value;
-			r_weight = weight;
+		if (value > largest * LARGER) {
+			largest = value;
+			largest_at = weight;
 		}
 	}
-	double low = r_weight - 1.0 / STEPS;
-	double high = r_weight + 1.0 / STEPS;
-	if (!(r_value > 0.0)) {
+	double low = largest_at - 1.0 / STEPS;
+	double high = largest_at + 1.0 / STEPS;
+	if (!(largest > 0.0)) {
 		return;
 	}
 	double left = high - GOLDEN * (high - low);
@@ -74,9 +74,9 @@ void find_largest(Function function, double &r_value, double &r_weight) {
 		}
 	}
 	const double best = std::max(at_left, at_right);
-	if (best > r_value) {
-		r_value = best;
-		r_weight = at_left >= at_right ? left : right;
+	if (best > largest) {
+		largest = best;
+		largest_at = at_left >= at_right ? left : right;
 	}
 }
 

@@ -12,12 +12,12 @@ namespace cga {
 namespace {
 
 // Outside of this range numbers are written with an exponent.
-constexpr double SMALLEST_PLAIN = 1e-4;
-constexpr double LARGEST_PLAIN = 1e15;
+constexpr double MIN_PLAIN = 1e-4;
+constexpr double MAX_PLAIN = 1e15;
 
 bool is_plain(double value) {
 	const double size = std::abs(value);
-	return size == 0.0 || (size >= SMALLEST_PLAIN && size < LARGEST_PLAIN);
+	return size == 0.0 || (size >= MIN_PLAIN && size < MAX_PLAIN);
 }
 
 #ifdef __cpp_lib_to_chars

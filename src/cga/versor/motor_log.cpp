@@ -48,10 +48,10 @@ std::optional<WeightedMotorLog> motor_log(const Multivector &x, double tolerance
 		return std::nullopt;
 	}
 	const Quaternion<double> p(x[0], -x[E23], x[E13], -x[E12]);
-	const double p_dot_d = x[0] * x[E45] + x[E12] * x[E1245] + x[E13] * x[E1345] + x[E23] * x[E2345];
+	const double dot_d = x[0] * x[E45] + x[E12] * x[E1245] + x[E13] * x[E1345] + x[E23] * x[E2345];
 	const double lengths = std::sqrt(glm::dot(motor->a, motor->a)) * std::sqrt(glm::dot(motor->b, motor->b));
 	const Quaternion<double> rotation = p / std::sqrt(glm::dot(p, p));
-	return WeightedMotorLog{ log_of_similarity(pose->translation, rotation, std::asinh(-2.0 * p_dot_d / lengths)), std::sqrt(motor->norm_squared()) };
+	return WeightedMotorLog{ log_of_similarity(pose->translation, rotation, std::asinh(-2.0 * dot_d / lengths)), std::sqrt(motor->norm_squared()) };
 }
 
 } // namespace cga

@@ -13,7 +13,7 @@ namespace cga {
 namespace {
 
 // Whole exponents beyond are all even, and no product of so many factors has digits left.
-constexpr double LARGEST_WHOLE_EXPONENT = 1e9;
+constexpr double MAX_WHOLE_EXPONENT = 1e9;
 
 // V^n by repeated squaring, n >= 0.
 Multivector whole_power(const Multivector &versor, long exponent) {
@@ -32,7 +32,7 @@ Multivector whole_power(const Multivector &versor, long exponent) {
 
 // Of a versor that has no logarithm, as its unit and its weight.
 Result<Multivector> power_by_products(const Multivector &versor, double exponent) {
-	if (std::abs(exponent) > LARGEST_WHOLE_EXPONENT) {
+	if (std::abs(exponent) > MAX_WHOLE_EXPONENT) {
 		return Failure{ "A versor without logarithm has whole powers up to 1e9 only" };
 	}
 	const Result<Multivector> unit = normalized(versor);

@@ -12,23 +12,23 @@ namespace net {
 struct LatticeRotation {
 	static constexpr int BITS = 18; ///< of a level, with its sign
 	static constexpr double STEPS = 131072.0;
-	static constexpr std::int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
+	static constexpr int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
 
-	std::uint8_t dropped = 3; ///< index of the largest component in (x, y, z, w), which is positive
-	std::int32_t level[3] = { 0, 0, 0 };
+	uint8_t dropped = 3; ///< index of the largest component in (x, y, z, w), which is positive
+	int32_t level[3] = { 0, 0, 0 };
 
 	[[nodiscard]] static LatticeRotation nearest(const cga::Quaternion<double> &q) {
 		const double c[4] = { q.x, q.y, q.z, q.w };
 		LatticeRotation result;
 		for (int i = 2; i >= 0; --i) {
 			if (std::fabs(c[i]) > std::fabs(c[result.dropped])) {
-				result.dropped = std::uint8_t(i);
+				result.dropped = uint8_t(i);
 			}
 		}
 		const double sign = c[result.dropped] < 0.0 ? -STEPS : STEPS;
 		for (int i = 0, slot = 0; i < 4; ++i) {
 			if (i != result.dropped) {
-				result.level[slot++] = std::int32_t(std::floor(sign * c[i] + 0.5));
+				result.level[slot++] = int32_t(std::floor(sign * c[i] + 0.5));
 			}
 		}
 		return result;
@@ -36,7 +36,7 @@ struct LatticeRotation {
 
 	/// False where no unit quaternion has these components.
 	[[nodiscard]] bool is_valid() const {
-		for (const std::int32_t value : level) {
+		for (const int32_t value : level) {
 			if (value < -MAX_LEVEL || value > MAX_LEVEL) {
 				return false;
 			}
@@ -55,7 +55,7 @@ struct LatticeRotation {
 private:
 	[[nodiscard]] double rest() const {
 		double sum = 1.0;
-		for (const std::int32_t value : level) {
+		for (const int32_t value : level) {
 			const double component = double(value) / STEPS;
 			sum -= component * component;
 		}

@@ -7,8 +7,8 @@ namespace {
 constexpr double SQRT_HALF = 0.70710678118654752440;
 
 /// Levels -n .. n are stored as 0 .. 2n.
-std::uint32_t half_range(int bits) {
-	return (std::uint32_t(1) << (bits - 1)) - 1;
+uint32_t half_range(int bits) {
+	return (uint32_t(1) << (bits - 1)) - 1;
 }
 
 } // namespace
@@ -16,7 +16,7 @@ std::uint32_t half_range(int bits) {
 SmallestThree quantise_rotor(const glm::quat &q, int bits) {
 	const double c[4] = { q.x, q.y, q.z, q.w };
 	SmallestThree code;
-	for (std::uint32_t i = 1; i < 4; ++i) {
+	for (uint32_t i = 1; i < 4; ++i) {
 		if (std::abs(c[i]) > std::abs(c[code.dropped])) {
 			code.dropped = i;
 		}
@@ -24,10 +24,10 @@ SmallestThree quantise_rotor(const glm::quat &q, int bits) {
 	const double sign = c[code.dropped] < 0 ? -1.0 : 1.0;
 	const double n = half_range(bits);
 	int slot = 0;
-	for (std::uint32_t i = 0; i < 4; ++i) {
+	for (uint32_t i = 0; i < 4; ++i) {
 		if (i != code.dropped) {
 			const double level = std::round(sign * c[i] / SQRT_HALF * n);
-			code.level[slot++] = std::uint32_t(std::fmin(std::fmax(level, -n), n) + n);
+			code.level[slot++] = uint32_t(std::fmin(std::fmax(level, -n), n) + n);
 		}
 	}
 	return code;
@@ -38,7 +38,7 @@ std::optional<glm::quat> dequantise_rotor(const SmallestThree &code, int bits) {
 	double c[4] = { 0, 0, 0, 0 };
 	double rest = 1.0;
 	int slot = 0;
-	for (std::uint32_t i = 0; i < 4; ++i) {
+	for (uint32_t i = 0; i < 4; ++i) {
 		if (i != code.dropped) {
 			if (code.level[slot] > 2 * half_range(bits)) {
 				return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<glm::quat> dequantise_rotor(const SmallestThree &code, int bits) {
 	return glm::quat(float(c[3]), float(c[0]), float(c[1]), float(c[2]));
 }
 
-std::optional<std::int32_t> quantise_scale(float scale) {
+std::optional<int32_t> quantise_scale(float scale) {
 	if (!(scale > 0) || !std::isfinite(scale)) {
 		return std::nullopt;
 	}
@@ -62,10 +62,10 @@ std::optional<std::int32_t> quantise_scale(float scale) {
 	if (std::abs(level) > MAX_SCALE_LEVEL) {
 		return std::nullopt;
 	}
-	return std::int32_t(level);
+	return int32_t(level);
 }
 
-float dequantise_scale(std::int32_t level) {
+float dequantise_scale(int32_t level) {
 	return float(std::exp2(level / SCALE_LEVELS_PER_OCTAVE));
 }
 

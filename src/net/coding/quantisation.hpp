@@ -28,8 +28,8 @@ struct Tolerance {
 /// With |error| <= h/2 in each, the dropped one is off by at most 3 h/2 and the
 /// rotation by at most 2 sqrt(3) h: `rotor_bits` inverts that.
 struct SmallestThree {
-	std::uint32_t dropped = 0; ///< index of the largest component in (x, y, z, w)
-	std::uint32_t level[3] = { 0, 0, 0 };
+	uint32_t dropped = 0; ///< index of the largest component in (x, y, z, w)
+	uint32_t level[3] = { 0, 0, 0 };
 };
 
 inline constexpr int MIN_ROTOR_BITS = 4;
@@ -53,10 +53,10 @@ inline constexpr float MIN_ROTATION_TOLERANCE = 1.7e-5f; ///< degrees
 /// Scale as log2 in steps of 1/4096: relative error at most 8.5e-5 over 2^-16 .. 2^16.
 inline constexpr int SCALE_BITS = 17;
 inline constexpr double SCALE_LEVELS_PER_OCTAVE = 4096.0;
-inline constexpr std::int32_t MAX_SCALE_LEVEL = (1 << (SCALE_BITS - 1)) - 1;
+inline constexpr int32_t MAX_SCALE_LEVEL = (1 << (SCALE_BITS - 1)) - 1;
 
 /// Empty where the scale is not positive or out of range.
-[[nodiscard]] std::optional<std::int32_t> quantise_scale(float scale);
-[[nodiscard]] float dequantise_scale(std::int32_t level);
+[[nodiscard]] std::optional<int32_t> quantise_scale(float scale);
+[[nodiscard]] float dequantise_scale(int32_t level);
 
 } // namespace net

@@ -5,11 +5,11 @@
 
 namespace net {
 
-const std::uint16_t *CostMeter::table() {
-	static const std::array<std::uint16_t, 257> costs = [] {
-		std::array<std::uint16_t, 257> made{};
+const uint16_t *CostMeter::table() {
+	static const std::array<uint16_t, 257> costs = [] {
+		std::array<uint16_t, 257> made{};
 		for (int i = 1; i <= 256; ++i) {
-			made[std::size_t(i)] = std::uint16_t(std::lround(-256.0 * std::log2(i / 256.0)));
+			made[size_t(i)] = uint16_t(std::lround(-256.0 * std::log2(i / 256.0)));
 		}
 		made[0] = made[1];
 		return made;

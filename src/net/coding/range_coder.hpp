@@ -13,63 +13,63 @@ namespace net {
 class AdaptiveBit {
 public:
 	constexpr AdaptiveBit() = default;
-	constexpr explicit AdaptiveBit(std::uint16_t zero) :
-			fast_(zero), slow_(zero) {}
+	constexpr explicit AdaptiveBit(uint16_t zero) :
+			_fast(zero), _slow(zero) {}
 
 	/// In 1/4096, never 0 or 1.
-	[[nodiscard]] std::uint32_t zero() const {
-		const std::uint32_t mean = (std::uint32_t(fast_) + slow_) >> 5;
+	[[nodiscard]] uint32_t zero() const {
+		const uint32_t mean = (uint32_t(_fast) + _slow) >> 5;
 		return mean < 16 ? 16 : (mean > 4080 ? 4080 : mean);
 	}
 
 	void update(bool bit) {
 		if (bit) {
-			fast_ = std::uint16_t(fast_ - (fast_ >> FAST));
-			slow_ = std::uint16_t(slow_ - (slow_ >> SLOW));
+			_fast = uint16_t(_fast - (_fast >> FAST));
+			_slow = uint16_t(_slow - (_slow >> SLOW));
 		} else {
-			fast_ = std::uint16_t(fast_ + ((65535 - fast_) >> FAST));
-			slow_ = std::uint16_t(slow_ + ((65535 - slow_) >> SLOW));
+			_fast = uint16_t(_fast + ((65535 - _fast) >> FAST));
+			_slow = uint16_t(_slow + ((65535 - _slow) >> SLOW));
 		}
 	}
 
 	/// Both averages as one number, and back.
-	[[nodiscard]] std::uint32_t state() const { return std::uint32_t(fast_) << 16 | slow_; }
-	void set_state(std::uint32_t state) {
-		fast_ = std::uint16_t(state >> 16);
-		slow_ = std::uint16_t(state);
+	[[nodiscard]] uint32_t state() const { return uint32_t(_fast) << 16 | _slow; }
+	void set_state(uint32_t state) {
+		_fast = uint16_t(state >> 16);
+		_slow = uint16_t(state);
 	}
 
 private:
 	static constexpr int FAST = 4;
 	static constexpr int SLOW = 7;
-	std::uint16_t fast_ = 32768;
-	std::uint16_t slow_ = 32768;
+	uint16_t _fast = 32768;
+	uint16_t _slow = 32768;
 };
 
 /// Appends coded bits to a byte vector of the caller's. `finish()` writes no byte that the reader's zeros stand for.
 class RangeEncoder {
 public:
-	explicit RangeEncoder(std::vector<std::uint8_t> &bytes) :
-			bytes_(bytes), begin_(bytes.size()) {}
+	explicit RangeEncoder(std::vector<uint8_t> &bytes) :
+			_bytes(bytes), _begin(bytes.size()) {}
 
 	void bit(AdaptiveBit &model, bool &value) {
-		const std::uint32_t bound = (range_ >> 12) * model.zero();
+		const uint32_t bound = (_range >> 12) * model.zero();
 		if (value) {
-			low_ += bound;
-			range_ -= bound;
+			_low += bound;
+			_range -= bound;
 		} else {
-			range_ = bound;
+			_range = bound;
 		}
 		model.update(value);
 		normalise();
 	}
 
 	/// The low `count` bits of `value`, all values equally likely; 0 <= count <= 32.
-	void bits(std::uint32_t &value, int count) {
+	void bits(uint32_t &value, int count) {
 		for (int i = count - 1; i >= 0; --i) {
-			range_ >>= 1;
+			_range >>= 1;
 			if (((value >> i) & 1) != 0) {
-				low_ += range_;
+				_low += _range;
 			}
 			normalise();
 		}
@@ -78,132 +78,132 @@ public:
 	void finish() {
 		// Of the numbers that decode to what was coded, the one with the most zero bits at its end.
 		for (int k = 32; k >= 0; --k) {
-			const std::uint64_t mask = (std::uint64_t(1) << k) - 1;
-			const std::uint64_t candidate = (low_ + mask) & ~mask;
-			if (candidate < low_ + range_) {
-				low_ = candidate;
+			const uint64_t mask = (uint64_t(1) << k) - 1;
+			const uint64_t candidate = (_low + mask) & ~mask;
+			if (candidate < _low + _range) {
+				_low = candidate;
 				break;
 			}
 		}
 		for (int i = 0; i < 5; ++i) {
 			shift_low();
 		}
-		while (bytes_.size() > begin_ && bytes_.back() == 0) {
-			bytes_.pop_back();
+		while (_bytes.size() > _begin && _bytes.back() == 0) {
+			_bytes.pop_back();
 		}
 	}
 
 private:
 	void normalise() {
-		while (range_ < (1u << 24)) {
-			range_ <<= 8;
+		while (_range < (1u << 24)) {
+			_range <<= 8;
 			shift_low();
 		}
 	}
 
 	void shift_low() {
-		if (low_ < 0xff000000u || low_ >= (std::uint64_t(1) << 32)) {
-			const std::uint8_t carry = std::uint8_t(low_ >> 32);
-			if (!first_) {
-				bytes_.push_back(std::uint8_t(cache_ + carry));
+		if (_low < 0xff000000u || _low >= (uint64_t(1) << 32)) {
+			const uint8_t carry = uint8_t(_low >> 32);
+			if (!_first) {
+				_bytes.push_back(uint8_t(_cache + carry));
 			}
-			first_ = false;
-			for (; pending_ > 0; --pending_) {
-				bytes_.push_back(std::uint8_t(0xff + carry));
+			_first = false;
+			for (; _pending > 0; --_pending) {
+				_bytes.push_back(uint8_t(0xff + carry));
 			}
-			cache_ = std::uint8_t(low_ >> 24);
+			_cache = uint8_t(_low >> 24);
 		} else {
-			++pending_;
+			++_pending;
 		}
-		low_ = (low_ & 0x00ffffffu) << 8;
+		_low = (_low & 0x00ffffffu) << 8;
 	}
 
-	std::vector<std::uint8_t> &bytes_;
-	std::size_t begin_;
-	std::uint64_t low_ = 0;
-	std::uint32_t range_ = 0xffffffffu;
-	std::size_t pending_ = 0;
-	std::uint8_t cache_ = 0;
-	bool first_ = true; // the byte before the first is always 0 and not written
+	std::vector<uint8_t> &_bytes;
+	size_t _begin;
+	uint64_t _low = 0;
+	uint32_t _range = 0xffffffffu;
+	size_t _pending = 0;
+	uint8_t _cache = 0;
+	bool _first = true; // the byte before the first is always 0 and not written
 };
 
 /// Reads what RangeEncoder wrote; past the end it reads zeros. Any bytes are safe input.
 class RangeDecoder {
 public:
-	RangeDecoder(const std::uint8_t *bytes, std::size_t size) :
-			bytes_(bytes), size_(size) {
+	RangeDecoder(const uint8_t *bytes, size_t size) :
+			_bytes(bytes), _size(size) {
 		for (int i = 0; i < 4; ++i) {
-			code_ = code_ << 8 | next();
+			_code = _code << 8 | next();
 		}
 	}
 
 	void bit(AdaptiveBit &model, bool &value) {
-		const std::uint32_t bound = (range_ >> 12) * model.zero();
-		value = code_ >= bound;
+		const uint32_t bound = (_range >> 12) * model.zero();
+		value = _code >= bound;
 		if (value) {
-			code_ -= bound;
-			range_ -= bound;
+			_code -= bound;
+			_range -= bound;
 		} else {
-			range_ = bound;
+			_range = bound;
 		}
 		model.update(value);
 		normalise();
 	}
 
-	void bits(std::uint32_t &value, int count) {
+	void bits(uint32_t &value, int count) {
 		value = 0;
 		for (int i = 0; i < count; ++i) {
-			range_ >>= 1;
-			const bool one = code_ >= range_;
+			_range >>= 1;
+			const bool one = _code >= _range;
 			if (one) {
-				code_ -= range_;
+				_code -= _range;
 			}
-			value = value << 1 | std::uint32_t(one);
+			value = value << 1 | uint32_t(one);
 			normalise();
 		}
 	}
 
 	/// How many bytes beyond the end were read; more than 4 only for what RangeEncoder did not write.
-	[[nodiscard]] std::size_t overrun() const { return overrun_; }
+	[[nodiscard]] size_t overrun() const { return _overrun; }
 
 private:
-	std::uint8_t next() {
-		if (at_ < size_) {
-			return bytes_[at_++];
+	uint8_t next() {
+		if (_at < _size) {
+			return _bytes[_at++];
 		}
-		++overrun_;
+		++_overrun;
 		return 0;
 	}
 
 	void normalise() {
-		while (range_ < (1u << 24)) {
-			range_ <<= 8;
-			code_ = code_ << 8 | next();
+		while (_range < (1u << 24)) {
+			_range <<= 8;
+			_code = _code << 8 | next();
 		}
 	}
 
-	const std::uint8_t *bytes_;
-	std::size_t size_;
-	std::size_t at_ = 0;
-	std::size_t overrun_ = 0;
-	std::uint32_t range_ = 0xffffffffu;
-	std::uint32_t code_ = 0;
+	const uint8_t *_bytes;
+	size_t _size;
+	size_t _at = 0;
+	size_t _overrun = 0;
+	uint32_t _range = 0xffffffffu;
+	uint32_t _code = 0;
 };
 
 /// Counts what coding would cost, in 1/256 bit, and leaves the models as they are.
 class CostMeter {
 public:
 	void bit(const AdaptiveBit &model, bool value) {
-		const std::uint32_t zero = model.zero();
-		cost_ += table()[(value ? 4096 - zero : zero) >> 4];
+		const uint32_t zero = model.zero();
+		_cost += table()[(value ? 4096 - zero : zero) >> 4];
 	}
-	void bits(std::uint32_t, int count) { cost_ += std::uint32_t(count) << 8; }
-	[[nodiscard]] std::uint32_t cost() const { return cost_; }
+	void bits(uint32_t, int count) { _cost += uint32_t(count) << 8; }
+	[[nodiscard]] uint32_t cost() const { return _cost; }
 
 private:
 	/// -256 log2(p / 256) for p = 1 .. 256.
-	static const std::uint16_t *table();
-	std::uint32_t cost_ = 0;
+	static const uint16_t *table();
+	uint32_t _cost = 0;
 };
 
 } // namespace net

@@ -10,20 +10,20 @@ namespace net {
 /// The recent mean of the magnitude of integers, in 1/256; what is expected of the next one.
 class MeanMagnitude {
 public:
-	constexpr explicit MeanMagnitude(std::int32_t start) :
-			mean_(start) {}
+	constexpr explicit MeanMagnitude(int32_t start) :
+			_mean(start) {}
 
-	void add(std::int32_t value) {
-		const std::int32_t magnitude = value < 0 ? -value : value;
-		mean_ += ((magnitude < MOST ? magnitude : MOST) * 256 - mean_) / 8;
+	void add(int32_t value) {
+		const int32_t magnitude = value < 0 ? -value : value;
+		_mean += ((magnitude < MOST ? magnitude : MOST) * 256 - _mean) / 8;
 	}
-	[[nodiscard]] std::int32_t value() const { return mean_; }
-	void set_value(std::int32_t mean) { mean_ = mean; }
+	[[nodiscard]] int32_t value() const { return _mean; }
+	void set_value(int32_t mean) { _mean = mean; }
 
-	static constexpr std::int32_t MOST = 1024;
+	static constexpr int32_t MOST = 1024;
 
 private:
-	std::int32_t mean_;
+	int32_t _mean;
 };
 
 /// Codes integers around zero as bits of their own probabilities: is it zero, its sign, then "is it larger" up to
@@ -34,70 +34,70 @@ public:
 	static constexpr int LEVELS = 14;
 	static constexpr int UNARY = 11;
 	static constexpr int GOLOMB = 22;
-	static constexpr std::int32_t LIMIT = 1 << 21; ///< of what decodes, whatever the bytes
+	static constexpr int32_t LIMIT = 1 << 21; ///< of what decodes, whatever the bytes
 
 	ResidualModel();
 
 	/// `Coder` is a RangeEncoder, a RangeDecoder, which sets `value`, or a CostMeter. `expected` in 1/256.
 	template <class Coder>
-	void code(Coder &coder, std::int32_t &value, std::int32_t expected) {
+	void code(Coder &coder, int32_t &value, int32_t expected) {
 		const int level = level_of(expected);
 		bool zero = value == 0;
-		coder.bit(zero_[level], zero);
+		coder.bit(_zero[level], zero);
 		if (zero) {
 			value = 0;
 			return;
 		}
-		std::uint32_t negative = value < 0 ? 1 : 0;
+		uint32_t negative = value < 0 ? 1 : 0;
 		coder.bits(negative, 1);
-		const std::uint32_t magnitude = std::uint32_t(value < 0 ? -value : value);
-		std::uint32_t coded = 1;
+		const uint32_t magnitude = uint32_t(value < 0 ? -value : value);
+		uint32_t coded = 1;
 		bool more = true;
 		for (; coded <= UNARY; ++coded) {
 			more = magnitude > coded;
-			coder.bit(more_[level][coded - 1], more);
+			coder.bit(_more[level][coded - 1], more);
 			if (!more) {
 				break;
 			}
 		}
 		if (more) {
-			const std::uint32_t rest = magnitude - UNARY; // 1 or more
+			const uint32_t rest = magnitude - UNARY; // 1 or more
 			int exponent = 0;
 			for (; exponent < GOLOMB - 1; ++exponent) {
 				bool longer = (rest >> (exponent + 1)) != 0;
-				coder.bit(golomb_[exponent], longer);
+				coder.bit(_golomb[exponent], longer);
 				if (!longer) {
 					break;
 				}
 			}
-			std::uint32_t low = rest & ((1u << exponent) - 1);
+			uint32_t low = rest & ((1u << exponent) - 1);
 			coder.bits(low, exponent);
 			coded = UNARY + (1u << exponent) + low;
 		}
 		coded = coded < LIMIT ? coded : LIMIT;
-		value = negative != 0 ? -std::int32_t(coded) : std::int32_t(coded);
+		value = negative != 0 ? -int32_t(coded) : int32_t(coded);
 	}
 
 	/// All probabilities, for sending a model.
 	template <class Visit>
 	void visit(Visit &&visit) {
 		for (int level = 0; level < LEVELS; ++level) {
-			visit(zero_[level]);
-			for (AdaptiveBit &bit : more_[level]) {
+			visit(_zero[level]);
+			for (AdaptiveBit &bit : _more[level]) {
 				visit(bit);
 			}
 		}
-		for (AdaptiveBit &bit : golomb_) {
+		for (AdaptiveBit &bit : _golomb) {
 			visit(bit);
 		}
 	}
 
 private:
-	static int level_of(std::int32_t expected);
+	static int level_of(int32_t expected);
 
-	AdaptiveBit zero_[LEVELS];
-	AdaptiveBit more_[LEVELS][UNARY];
-	AdaptiveBit golomb_[GOLOMB];
+	AdaptiveBit _zero[LEVELS];
+	AdaptiveBit _more[LEVELS][UNARY];
+	AdaptiveBit _golomb[GOLOMB];
 };
 
 } // namespace net

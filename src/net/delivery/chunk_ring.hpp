@@ -13,28 +13,28 @@ namespace net {
 /// The windows of a stream in pieces, the last RING of them.
 class ChunkRing {
 public:
-	static constexpr std::uint32_t RING = 256;
+	static constexpr uint32_t RING = 256;
 
 	struct Chunk {
-		std::array<std::uint8_t, std::size_t(MOST_PACKET_BYTES)> bytes;
-		std::size_t size = 0;
+		std::array<uint8_t, size_t(MAX_PACKET_BYTES)> bytes;
+		size_t size = 0;
 		bool first = false;
 		bool last = false;
-		std::uint8_t check = 0;
+		uint8_t check = 0;
 	};
 
 	ChunkRing() :
-			chunks_(RING) {}
+			_chunks(RING) {}
 
 	/// Cuts a window up.
-	void push_window(const std::vector<std::uint8_t> &window, std::uint8_t check);
-	[[nodiscard]] const Chunk &chunk(std::uint32_t number) const { return chunks_[number % RING]; }
+	void push_window(const std::vector<uint8_t> &window, uint8_t check);
+	[[nodiscard]] const Chunk &chunk(uint32_t number) const { return _chunks[number % RING]; }
 	/// The number that the next chunk will get.
-	[[nodiscard]] std::uint32_t next() const { return next_; }
+	[[nodiscard]] uint32_t next() const { return _next; }
 
 private:
-	std::vector<Chunk> chunks_;
-	std::uint32_t next_ = 0;
+	std::vector<Chunk> _chunks;
+	uint32_t _next = 0;
 };
 
 } // namespace net

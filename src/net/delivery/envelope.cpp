@@ -2,42 +2,42 @@
 
 namespace net {
 
-static constexpr std::uint8_t MARK = 0x40;
-static constexpr std::uint8_t MARK_BITS = 0xf0;
+static constexpr uint8_t MARK = 0x40;
+static constexpr uint8_t MARK_BITS = 0xf0;
 
-void write_envelope(const Envelope &envelope, std::uint8_t *bytes) {
-	bytes[0] = std::uint8_t(MARK | ENVELOPE_VERSION << 2 | std::uint8_t(envelope.kind));
-	bytes[1] = std::uint8_t(envelope.key);
-	bytes[2] = std::uint8_t(envelope.key >> 8);
+void write_envelope(const Envelope &envelope, uint8_t *bytes) {
+	bytes[0] = uint8_t(MARK | ENVELOPE_VERSION << 2 | uint8_t(envelope.kind));
+	bytes[1] = uint8_t(envelope.key);
+	bytes[2] = uint8_t(envelope.key >> 8);
 	bytes[3] = envelope.link;
 }
 
-bool read_envelope(const std::uint8_t *bytes, std::size_t size, Envelope &envelope) {
+bool read_envelope(const uint8_t *bytes, size_t size, Envelope &envelope) {
 	if (size < ENVELOPE_BYTES || (bytes[0] & MARK_BITS) != MARK) {
 		return false;
 	}
 	envelope.kind = PacketKind(bytes[0] & 3);
 	envelope.version = (bytes[0] >> 2) & 3;
-	envelope.key = std::uint16_t(bytes[1] | bytes[2] << 8);
+	envelope.key = uint16_t(bytes[1] | bytes[2] << 8);
 	envelope.link = bytes[3];
 	return true;
 }
 
-std::uint32_t path_hash(std::string_view utf8) {
-	std::uint32_t hash = 2166136261u;
+uint32_t path_hash(std::string_view utf8) {
+	uint32_t hash = 2166136261u;
 	for (const char byte : utf8) {
-		hash = (hash ^ std::uint8_t(byte)) * 16777619u;
+		hash = (hash ^ uint8_t(byte)) * 16777619u;
 	}
 	return hash;
 }
 
-std::uint16_t path_key(std::string_view utf8) {
-	const std::uint32_t hash = path_hash(utf8);
-	return std::uint16_t(hash ^ hash >> 16);
+uint16_t path_key(std::string_view utf8) {
+	const uint32_t hash = path_hash(utf8);
+	return uint16_t(hash ^ hash >> 16);
 }
 
-std::uint32_t path_body(std::string_view utf8) {
-	const std::uint32_t hash = path_hash(utf8);
+uint32_t path_body(std::string_view utf8) {
+	const uint32_t hash = path_hash(utf8);
 	return (hash ^ hash >> 31) & 0x7fffffffu;
 }
 

@@ -14,7 +14,7 @@
 
 namespace net {
 
-enum class PacketKind : std::uint8_t {
+enum class PacketKind : uint8_t {
 	HELLO, ///< a receiver asks the authority for its stream
 	BYE, ///< a stream has ended
 	MOTION,
@@ -23,24 +23,24 @@ enum class PacketKind : std::uint8_t {
 
 struct Envelope {
 	PacketKind kind = PacketKind::HELLO;
-	std::uint16_t key = 0;
-	std::uint8_t link = 0;
-	std::uint8_t version = 0; ///< of the peer that sent it
+	uint16_t key = 0;
+	uint8_t link = 0;
+	uint8_t version = 0; ///< of the peer that sent it
 };
 
-inline constexpr std::size_t ENVELOPE_BYTES = 4;
-inline constexpr std::uint8_t ENVELOPE_VERSION = 1; ///< 0 to 3
+inline constexpr size_t ENVELOPE_BYTES = 4;
+inline constexpr uint8_t ENVELOPE_VERSION = 1; ///< 0 to 3
 
 /// Writes ENVELOPE_BYTES bytes, of this version.
-void write_envelope(const Envelope &envelope, std::uint8_t *bytes);
+void write_envelope(const Envelope &envelope, uint8_t *bytes);
 /// False if the packet does not begin with an envelope; then it is somebody else's.
-[[nodiscard]] bool read_envelope(const std::uint8_t *bytes, std::size_t size, Envelope &envelope);
+[[nodiscard]] bool read_envelope(const uint8_t *bytes, size_t size, Envelope &envelope);
 
 /// 32-bit FNV-1a of a node's path: names that are the same on all peers as numbers.
-[[nodiscard]] std::uint32_t path_hash(std::string_view utf8);
+[[nodiscard]] uint32_t path_hash(std::string_view utf8);
 /// The key of a node that sends packets.
-[[nodiscard]] std::uint16_t path_key(std::string_view utf8);
+[[nodiscard]] uint16_t path_key(std::string_view utf8);
 /// The id of a body, 31 bits.
-[[nodiscard]] std::uint32_t path_body(std::string_view utf8);
+[[nodiscard]] uint32_t path_body(std::string_view utf8);
 
 } // namespace net

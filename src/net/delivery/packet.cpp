@@ -10,63 +10,63 @@ namespace net {
 namespace {
 
 // First bytes. A short chunk is 0 check(3) number(4), a chunk 10 first last length-follows 000, everything else 11.
-constexpr std::uint8_t SHORT_CHUNK_BELOW = 0x80;
-constexpr std::uint8_t CHUNK = 0x80;
-constexpr std::uint8_t CHUNK_FIRST = 0x20;
-constexpr std::uint8_t CHUNK_LAST = 0x10;
-constexpr std::uint8_t CHUNK_LENGTH = 0x08;
-constexpr std::uint8_t CHUNK_BELOW = 0xc0;
-constexpr std::uint8_t STATE_PART = 0xe0;
-constexpr std::uint8_t ROUND_TRIP = 0xe1;
-constexpr std::uint8_t ACK = 0xc0;
-constexpr std::uint8_t ACK_WITH_LATER = 0xc1;
-constexpr std::uint8_t STATE_WISH = 0xc2;
-constexpr std::uint8_t STATE_ACK = 0xc3;
+constexpr uint8_t SHORT_CHUNK_BELOW = 0x80;
+constexpr uint8_t CHUNK = 0x80;
+constexpr uint8_t CHUNK_FIRST = 0x20;
+constexpr uint8_t CHUNK_LAST = 0x10;
+constexpr uint8_t CHUNK_LENGTH = 0x08;
+constexpr uint8_t CHUNK_BELOW = 0xc0;
+constexpr uint8_t STATE_PART = 0xe0;
+constexpr uint8_t ROUND_TRIP = 0xe1;
+constexpr uint8_t ACK = 0xc0;
+constexpr uint8_t ACK_WITH_LATER = 0xc1;
+constexpr uint8_t STATE_WISH = 0xc2;
+constexpr uint8_t STATE_ACK = 0xc3;
 
 constexpr double ROUND_TRIP_STEPS = 10000.0; // a second
 
-void put(std::vector<std::uint8_t> &packet, std::uint64_t value, int bytes) {
+void put(std::vector<uint8_t> &packet, uint64_t value, int bytes) {
 	for (int i = 0; i < bytes; ++i) {
-		packet.push_back(std::uint8_t(value >> (8 * i)));
+		packet.push_back(uint8_t(value >> (8 * i)));
 	}
 }
 
 /// Reads little endian numbers; past the end zeros, and it stays failed.
 class ByteReader {
 public:
-	ByteReader(const std::uint8_t *bytes, std::size_t size) :
-			bytes_(bytes), size_(size) {}
+	ByteReader(const uint8_t *bytes, size_t size) :
+			_bytes(bytes), _size(size) {}
 
-	std::uint64_t number(int bytes) {
-		std::uint64_t value = 0;
-		const std::uint8_t *from = take(std::size_t(bytes));
+	uint64_t number(int bytes) {
+		uint64_t value = 0;
+		const uint8_t *from = take(size_t(bytes));
 		for (int i = 0; from != nullptr && i < bytes; ++i) {
-			value |= std::uint64_t(from[i]) << (8 * i);
+			value |= uint64_t(from[i]) << (8 * i);
 		}
 		return value;
 	}
 
-	const std::uint8_t *take(std::size_t count) {
-		if (count > size_ - at_) {
-			failed_ = true;
-			at_ = size_;
+	const uint8_t *take(size_t count) {
+		if (count > _size - _at) {
+			_failed = true;
+			_at = _size;
 			return nullptr;
 		}
-		at_ += count;
-		return bytes_ + at_ - count;
+		_at += count;
+		return _bytes + _at - count;
 	}
 
-	[[nodiscard]] std::size_t left() const { return size_ - at_; }
-	[[nodiscard]] bool failed() const { return failed_; }
+	[[nodiscard]] size_t left() const { return _size - _at; }
+	[[nodiscard]] bool failed() const { return _failed; }
 
 private:
-	const std::uint8_t *bytes_;
-	std::size_t size_;
-	std::size_t at_ = 0;
-	bool failed_ = false;
+	const uint8_t *_bytes;
+	size_t _size;
+	size_t _at = 0;
+	bool _failed = false;
 };
 
-void read_chunk(ByteReader &reader, std::uint8_t kind, PacketContent &content) {
+void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	ChunkItem chunk;
 	if (kind < SHORT_CHUNK_BELOW) {
 		chunk.is_short = chunk.first = chunk.last = true;
@@ -76,9 +76,9 @@ void read_chunk(ByteReader &reader, std::uint8_t kind, PacketContent &content) {
 	} else {
 		chunk.first = (kind & CHUNK_FIRST) != 0;
 		chunk.last = (kind & CHUNK_LAST) != 0;
-		chunk.number = std::uint8_t(reader.number(1));
-		chunk.check = chunk.last ? std::uint8_t(reader.number(1)) : 0;
-		chunk.size = (kind & CHUNK_LENGTH) != 0 ? std::size_t(reader.number(2)) : reader.left();
+		chunk.number = uint8_t(reader.number(1));
+		chunk.check = chunk.last ? uint8_t(reader.number(1)) : 0;
+		chunk.size = (kind & CHUNK_LENGTH) != 0 ? size_t(reader.number(2)) : reader.left();
 	}
 	chunk.bytes = reader.take(chunk.size);
 	content.chunks.push_back(chunk);
@@ -86,30 +86,30 @@ void read_chunk(ByteReader &reader, std::uint8_t kind, PacketContent &content) {
 
 void read_state_part(ByteReader &reader, PacketContent &content) {
 	StatePartItem part;
-	part.state = std::uint8_t(reader.number(1));
-	part.next_chunk = std::uint8_t(reader.number(1));
-	part.part = std::uint16_t(reader.number(2));
-	part.parts = std::uint16_t(reader.number(2));
-	part.size = std::size_t(reader.number(2));
+	part.state = uint8_t(reader.number(1));
+	part.next_chunk = uint8_t(reader.number(1));
+	part.part = uint16_t(reader.number(2));
+	part.parts = uint16_t(reader.number(2));
+	part.size = size_t(reader.number(2));
 	part.bytes = reader.take(part.size);
 	content.parts.push_back(part);
 }
 
 void read_state_ack(ByteReader &reader, PacketContent &content) {
 	StateAckItem ack;
-	ack.state = std::uint8_t(reader.number(1));
-	ack.next = std::uint16_t(reader.number(2));
-	ack.later = std::uint32_t(reader.number(4));
+	ack.state = uint8_t(reader.number(1));
+	ack.next = uint16_t(reader.number(2));
+	ack.later = uint32_t(reader.number(4));
 	content.state_acks.push_back(ack);
 }
 
 } // namespace
 
-void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool is_last_item) {
+void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_last_item) {
 	if (chunk.is_short && is_last_item) {
-		packet.push_back(std::uint8_t((chunk.check & 7) << 4 | (chunk.number & 15)));
+		packet.push_back(uint8_t((chunk.check & 7) << 4 | (chunk.number & 15)));
 	} else {
-		packet.push_back(std::uint8_t(CHUNK | (chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH)));
+		packet.push_back(uint8_t(CHUNK | (chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH)));
 		packet.push_back(chunk.number);
 		if (chunk.last) {
 			packet.push_back(chunk.check);
@@ -121,7 +121,7 @@ void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool i
 	packet.insert(packet.end(), chunk.bytes, chunk.bytes + chunk.size);
 }
 
-void put_state_part(std::vector<std::uint8_t> &packet, const StatePartItem &part) {
+void put_state_part(std::vector<uint8_t> &packet, const StatePartItem &part) {
 	packet.push_back(STATE_PART);
 	packet.push_back(part.state);
 	packet.push_back(part.next_chunk);
@@ -131,7 +131,7 @@ void put_state_part(std::vector<std::uint8_t> &packet, const StatePartItem &part
 	packet.insert(packet.end(), part.bytes, part.bytes + part.size);
 }
 
-void put_ack(std::vector<std::uint8_t> &packet, const AckItem &ack) {
+void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
 	packet.push_back(ack.later != 0 ? ACK_WITH_LATER : ACK);
 	packet.push_back(ack.next);
 	if (ack.later != 0) {
@@ -140,28 +140,28 @@ void put_ack(std::vector<std::uint8_t> &packet, const AckItem &ack) {
 		while (bytes < 8 && (ack.later >> (8 * bytes)) != 0) {
 			++bytes;
 		}
-		packet.push_back(std::uint8_t(bytes));
+		packet.push_back(uint8_t(bytes));
 		put(packet, ack.later, bytes);
 	}
 }
 
-void put_state_ack(std::vector<std::uint8_t> &packet, const StateAckItem &ack) {
+void put_state_ack(std::vector<uint8_t> &packet, const StateAckItem &ack) {
 	packet.push_back(STATE_ACK);
 	packet.push_back(ack.state);
 	put(packet, ack.next, 2);
 	put(packet, ack.later, 4);
 }
 
-void put_state_wish(std::vector<std::uint8_t> &packet) {
+void put_state_wish(std::vector<uint8_t> &packet) {
 	packet.push_back(STATE_WISH);
 }
 
-void put_round_trip(std::vector<std::uint8_t> &packet, double seconds) {
+void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
 	packet.push_back(ROUND_TRIP);
-	put(packet, std::uint64_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))), 2);
+	put(packet, uint64_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))), 2);
 }
 
-const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketContent &content) {
+const char *read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
 	content.chunks.clear();
 	content.parts.clear();
 	content.acks.clear();
@@ -171,12 +171,12 @@ const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketCont
 	if (size == 0) {
 		return "the packet is empty";
 	}
-	if (size > std::size_t(MOST_PACKET_BYTES)) {
+	if (size > size_t(MAX_PACKET_BYTES)) {
 		return "the packet is longer than any that is sent";
 	}
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
-		const std::uint8_t kind = std::uint8_t(reader.number(1));
+		const uint8_t kind = uint8_t(reader.number(1));
 		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & 7) == 0)) {
 			read_chunk(reader, kind, content);
 		} else if (kind == STATE_PART) {
@@ -185,9 +185,9 @@ const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketCont
 			content.round_trip = double(reader.number(2)) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
 			AckItem ack;
-			ack.next = std::uint8_t(reader.number(1));
+			ack.next = uint8_t(reader.number(1));
 			if (kind == ACK_WITH_LATER) {
-				const std::uint64_t bytes = reader.number(1);
+				const uint64_t bytes = reader.number(1);
 				if (bytes < 1 || bytes > 8) {
 					return "the packet's list of what arrived is of a wrong length";
 				}

@@ -9,43 +9,43 @@
 namespace net {
 
 /// Of the format of streams; a receiver of another one says so.
-inline constexpr std::uint8_t STREAM_VERSION = 1;
+inline constexpr uint8_t STREAM_VERSION = 1;
 
 /// A piece of a window, numbered in the order of the stream.
 struct ChunkItem {
 	/// A short chunk is less than this behind or ahead of the first one that its receiver lacks.
-	static constexpr std::uint8_t SHORT_REACH = 8;
+	static constexpr uint8_t SHORT_REACH = 8;
 
-	std::uint8_t number = 0; ///< the low 8 bits; of a short one the low 4
+	uint8_t number = 0; ///< the low 8 bits; of a short one the low 4
 	bool first = false; ///< of its window
 	bool last = false; ///< of its window
-	std::uint8_t check = 0; ///< of the state after the window, 8 bits; of a short one the low 3; 0 but in the last chunk
-	const std::uint8_t *bytes = nullptr;
-	std::size_t size = 0;
+	uint8_t check = 0; ///< of the state after the window, 8 bits; of a short one the low 3; 0 but in the last chunk
+	const uint8_t *bytes = nullptr;
+	size_t size = 0;
 	bool is_short = false; ///< a whole window, in the form with a header of one byte and 3 bits of the check
 };
 
 /// A piece of a whole state.
 struct StatePartItem {
-	std::uint8_t state = 0; ///< number of the state
-	std::uint8_t next_chunk = 0; ///< the first chunk after it
-	std::uint16_t part = 0;
-	std::uint16_t parts = 0;
-	const std::uint8_t *bytes = nullptr;
-	std::size_t size = 0;
+	uint8_t state = 0; ///< number of the state
+	uint8_t next_chunk = 0; ///< the first chunk after it
+	uint16_t part = 0;
+	uint16_t parts = 0;
+	const uint8_t *bytes = nullptr;
+	size_t size = 0;
 };
 
 /// Which chunks have arrived: all before `next`, not `next`, and of those after it the ones whose bits are set.
 struct AckItem {
-	std::uint8_t next = 0;
-	std::uint64_t later = 0;
+	uint8_t next = 0;
+	uint64_t later = 0;
 };
 
 /// Which parts of a state have arrived, likewise.
 struct StateAckItem {
-	std::uint8_t state = 0;
-	std::uint16_t next = 0;
-	std::uint32_t later = 0;
+	uint8_t state = 0;
+	uint16_t next = 0;
+	uint32_t later = 0;
 };
 
 /// What a packet holds. Pointers lead into the packet.
@@ -59,20 +59,20 @@ struct PacketContent {
 };
 
 /// Largest number of bytes that the header of a chunk, of a state's part takes.
-inline constexpr std::size_t CHUNK_HEADER = 5;
-inline constexpr std::size_t STATE_PART_HEADER = 9;
+inline constexpr size_t CHUNK_HEADER = 5;
+inline constexpr size_t STATE_PART_HEADER = 9;
 /// What the item of a round trip takes.
-inline constexpr std::size_t ROUND_TRIP_BYTES = 3;
+inline constexpr size_t ROUND_TRIP_BYTES = 3;
 
 /// Appends an item. A chunk that is the packet's last item leaves its length out, and may be short.
-void put_chunk(std::vector<std::uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
-void put_state_part(std::vector<std::uint8_t> &packet, const StatePartItem &part);
-void put_ack(std::vector<std::uint8_t> &packet, const AckItem &ack);
-void put_state_ack(std::vector<std::uint8_t> &packet, const StateAckItem &ack);
-void put_state_wish(std::vector<std::uint8_t> &packet);
-void put_round_trip(std::vector<std::uint8_t> &packet, double seconds);
+void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
+void put_state_part(std::vector<uint8_t> &packet, const StatePartItem &part);
+void put_ack(std::vector<uint8_t> &packet, const AckItem &ack);
+void put_state_ack(std::vector<uint8_t> &packet, const StateAckItem &ack);
+void put_state_wish(std::vector<uint8_t> &packet);
+void put_round_trip(std::vector<uint8_t> &packet, double seconds);
 
 /// Reads all of a packet. Null, or what is wrong with it (a literal).
-const char *read_packet(const std::uint8_t *packet, std::size_t size, PacketContent &content);
+const char *read_packet(const uint8_t *packet, size_t size, PacketContent &content);
 
 } // namespace net

@@ -17,68 +17,68 @@ constexpr double JUMP = 0.75;
 } // namespace
 
 void RecentExtreme::add(double value, double now) {
-	if (empty_) {
-		this_ = before_ = value;
-		begin_ = now;
-		empty_ = false;
+	if (_empty) {
+		_this = _before = value;
+		_begin = now;
+		_empty = false;
 		return;
 	}
-	if (now - begin_ > span_) {
-		before_ = this_;
-		this_ = value;
-		begin_ = now;
+	if (now - _begin > _span) {
+		_before = _this;
+		_this = value;
+		_begin = now;
 	}
-	this_ = sign_ * std::max(sign_ * this_, sign_ * value);
+	_this = _sign * std::max(_sign * _this, _sign * value);
 }
 
 double RecentExtreme::value() const {
-	return sign_ * std::max(sign_ * this_, sign_ * before_);
+	return _sign * std::max(_sign * _this, _sign * _before);
 }
 
 void PlaybackClock::start(double end, double delay, double now) {
 	*this = PlaybackClock();
-	running_ = true;
-	position_ = end - delay;
-	last_ = now;
+	_running = true;
+	_position = end - delay;
+	_last = now;
 	observe(end, now);
-	need_.add(delay, now);
+	_need.add(delay, now);
 }
 
 void PlaybackClock::observe(double end, double now) {
-	offset_.add(now - end, now);
-	lateness_.add(now - end - offset_.value(), now);
+	_offset.add(now - end, now);
+	_lateness.add(now - end - _offset.value(), now);
 }
 
 double PlaybackClock::wanted_delay() const {
-	return std::clamp(need_.value(), std::min(least_, most_), most_);
+	return std::clamp(_need.value(), std::min(_least, _most), _most);
 }
 
 double PlaybackClock::rate(double now, double step) const {
-	const double behind = now - offset_.value() - wanted_delay() - (position_ + step);
+	const double behind = now - _offset.value() - wanted_delay() - (_position + step);
 	// In a long step no more than what it is off.
 	return 1.0 + std::clamp(behind / std::max(SETTLING, step), -SLOWER, FASTER);
 }
 
 double PlaybackClock::media_time_at(double now) const {
-	const double step = std::max(now - last_, 0.0);
-	return running_ ? position_ + step * rate(now, step) : 0.0;
+	const double step = std::max(now - _last, 0.0);
+	return _running ? _position + step * rate(now, step) : 0.0;
 }
 
 void PlaybackClock::advance(double now) {
-	if (!running_) {
+	if (!_running) {
 		return;
 	}
-	const double target = now - offset_.value() - wanted_delay();
-	position_ = target - media_time_at(now) > JUMP ? target : media_time_at(now);
-	last_ = std::max(now, last_);
+	const double target = now - _offset.value() - wanted_delay();
+	_position = target - media_time_at(now) > JUMP ? target : media_time_at(now);
+	_last = std::max(now, _last);
 }
 
 double PlaybackClock::delay_at(double now) const {
-	return running_ ? now - offset_.value() - media_time_at(now) : 0.0;
+	return _running ? now - _offset.value() - media_time_at(now) : 0.0;
 }
 
 double PlaybackClock::jitter() const {
-	return lateness_.is_empty() ? 0.0 : lateness_.value();
+	return _lateness.is_empty() ? 0.0 : _lateness.value();
 }
 
 } // namespace net

@@ -7,19 +7,19 @@ class RecentExtreme {
 public:
 	/// `sign` 1 for the largest, -1 for the smallest; `span` in seconds.
 	RecentExtreme(double sign, double span) :
-			sign_(sign), span_(span) {}
+			_sign(sign), _span(span) {}
 
 	void add(double value, double now);
 	[[nodiscard]] double value() const;
-	[[nodiscard]] bool is_empty() const { return empty_; }
+	[[nodiscard]] bool is_empty() const { return _empty; }
 
 private:
-	double sign_;
-	double span_;
-	double this_ = 0.0;
-	double before_ = 0.0;
-	double begin_ = 0.0;
-	bool empty_ = true;
+	double _sign;
+	double _span;
+	double _this = 0.0;
+	double _before = 0.0;
+	double _begin = 0.0;
+	bool _empty = true;
 };
 
 /// Which media time a receiver shows. The sender's clock is seen through the earliest of the recent arrivals, the delay
@@ -32,12 +32,12 @@ public:
 	/// Something arrived at `now` that says what happened up to media time `end`.
 	void observe(double end, double now);
 	/// It tells of motion from `begin` on, so that playback must not have passed `begin` by then.
-	void observe_motion(double begin, double now) { need_.add(now - begin - offset_.value(), now); }
+	void observe_motion(double begin, double now) { _need.add(now - begin - _offset.value(), now); }
 	/// Moves playback on to `now`.
 	void advance(double now);
 
-	[[nodiscard]] bool is_running() const { return running_; }
-	[[nodiscard]] double media_time() const { return position_; }
+	[[nodiscard]] bool is_running() const { return _running; }
+	[[nodiscard]] double media_time() const { return _position; }
 	[[nodiscard]] double media_time_at(double now) const;
 	/// The delay that playback aims at, behind the newest media time that could have arrived.
 	[[nodiscard]] double wanted_delay() const;
@@ -48,21 +48,21 @@ public:
 
 	/// Between these the delay adapts.
 	void set_limits(double least, double most) {
-		least_ = least;
-		most_ = most;
+		_least = least;
+		_most = most;
 	}
 
 private:
 	[[nodiscard]] double rate(double now, double step) const;
 
-	bool running_ = false;
-	double position_ = 0.0;
-	double last_ = 0.0;
-	double least_ = 0.0;
-	double most_ = 0.2;
-	RecentExtreme offset_{ -1.0, 4.0 }; // of local minus media time at arrival
-	RecentExtreme need_{ 1.0, 6.0 }; // from the begin of what arrived to its arrival, in local time
-	RecentExtreme lateness_{ 1.0, 2.0 };
+	bool _running = false;
+	double _position = 0.0;
+	double _last = 0.0;
+	double _least = 0.0;
+	double _most = 0.2;
+	RecentExtreme _offset{ -1.0, 4.0 }; // of local minus media time at arrival
+	RecentExtreme _need{ 1.0, 6.0 }; // from the begin of what arrived to its arrival, in local time
+	RecentExtreme _lateness{ 1.0, 2.0 };
 };
 
 } // namespace net

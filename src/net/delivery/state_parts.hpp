@@ -10,12 +10,12 @@ namespace net {
 
 /// A whole state, cut up, as it was before chunk `next_chunk`.
 struct StateSnapshot {
-	static constexpr std::size_t PART_BYTES = 1280;
-	std::uint8_t number = 0;
-	std::uint32_t next_chunk = 0;
-	std::vector<std::uint8_t> bytes;
+	static constexpr size_t PART_BYTES = 1280;
+	uint8_t number = 0;
+	uint32_t next_chunk = 0;
+	std::vector<uint8_t> bytes;
 
-	[[nodiscard]] std::size_t parts() const { return (bytes.size() + PART_BYTES - 1) / PART_BYTES; }
+	[[nodiscard]] size_t parts() const { return (bytes.size() + PART_BYTES - 1) / PART_BYTES; }
 };
 
 /// A state at its receiver: its parts, in any order, until all of them are there.
@@ -27,28 +27,28 @@ public:
 	bool add(const StatePartItem &part);
 
 	/// True from the start until `close`.
-	[[nodiscard]] bool is_open() const { return open_; }
-	[[nodiscard]] bool is_complete() const { return open_ && missing_ == 0; }
+	[[nodiscard]] bool is_open() const { return _open; }
+	[[nodiscard]] bool is_complete() const { return _open && _missing == 0; }
 	/// True if the part is one of the state that is open.
-	[[nodiscard]] bool belongs(const StatePartItem &part) const { return open_ && part.state == number_ && part.parts == parts_.size(); }
-	[[nodiscard]] std::uint8_t number() const { return number_; }
-	[[nodiscard]] std::uint8_t next_chunk() const { return next_chunk_; }
+	[[nodiscard]] bool belongs(const StatePartItem &part) const { return _open && part.state == _number && part.parts == _parts.size(); }
+	[[nodiscard]] uint8_t number() const { return _number; }
+	[[nodiscard]] uint8_t next_chunk() const { return _next_chunk; }
 	/// Replaces `bytes` by all parts in order; nothing is waited for any more.
-	void close(std::vector<std::uint8_t> &bytes);
+	void close(std::vector<uint8_t> &bytes);
 	/// Which parts have arrived; all of them, if `is_done` says that the state is known.
 	[[nodiscard]] StateAckItem ack(bool is_done) const;
 
 private:
 	struct Part {
 		bool arrived = false;
-		std::vector<std::uint8_t> bytes;
+		std::vector<uint8_t> bytes;
 	};
 
-	bool open_ = false;
-	std::uint8_t number_ = 0;
-	std::uint8_t next_chunk_ = 0;
-	std::vector<Part> parts_;
-	std::size_t missing_ = 0;
+	bool _open = false;
+	uint8_t _number = 0;
+	uint8_t _next_chunk = 0;
+	std::vector<Part> _parts;
+	size_t _missing = 0;
 };
 
 } // namespace net

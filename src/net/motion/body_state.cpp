@@ -9,11 +9,11 @@ namespace net {
 
 namespace {
 
-constexpr std::int64_t MOST_SPEED = std::int64_t(1) << 30;
-constexpr std::int64_t MOST_BEND = std::int64_t(1) << 28;
-constexpr std::int32_t MOST_SCORE = 4000;
+constexpr int64_t MAX_SPEED = int64_t(1) << 30;
+constexpr int64_t MAX_CURVATURE = int64_t(1) << 28;
+constexpr int32_t MAX_SCORE = 4000;
 
-double scale_of(std::int32_t level) {
+double scale_of(int32_t level) {
 	return level == 0 ? 1.0 : std::exp2(double(level) / BodyState::SCALE_LEVELS);
 }
 
@@ -21,10 +21,10 @@ double scale_of(std::int32_t level) {
 
 bool BodyState::can_hold(const cga::Pose<double> &pose, const StreamGrid &grid) {
 	const double norm = glm::dot(pose.rotation, pose.rotation);
-	const double reach = double(MOST_STEPS) * grid.position;
+	const double reach = double(MAX_STEPS) * grid.position;
 	const cga::Vector3<double> &at = pose.translation;
 	// A comparison with what is not a number fails.
-	return std::fabs(at.x) < reach && std::fabs(at.y) < reach && std::fabs(at.z) < reach && norm > 1e-12 && norm < 1e12 && pose.scale >= LEAST_SCALE && pose.scale <= 1.0 / LEAST_SCALE;
+	return std::fabs(at.x) < reach && std::fabs(at.y) < reach && std::fabs(at.z) < reach && norm > 1e-12 && norm < 1e12 && pose.scale >= MIN_SCALE && pose.scale <= 1.0 / MIN_SCALE;
 }
 
 bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) {
@@ -33,38 +33,38 @@ bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) 
 	}
 	*this = BodyState();
 	for (int i = 0; i < 3; ++i) {
-		position_[i] = std::int64_t(std::floor(pose.translation[i] / grid.position + 0.5));
+		_position[i] = int64_t(std::floor(pose.translation[i] / grid.position + 0.5));
 	}
-	rotation_ = LatticeRotation::nearest(glm::normalize(pose.rotation));
-	scale_ = pose.scale == 1.0 ? 0 : std::int32_t(std::round(std::log2(pose.scale) * SCALE_LEVELS));
+	_rotation = LatticeRotation::nearest(glm::normalize(pose.rotation));
+	_scale = pose.scale == 1.0 ? 0 : int32_t(std::round(std::log2(pose.scale) * SCALE_LEVELS));
 	return true;
 }
 
 cga::Pose<double> BodyState::pose(const StreamGrid &grid) const {
-	return { cga::Vector3<double>(double(position_[0]), double(position_[1]), double(position_[2])) * grid.position, rotation_.value(), scale_of(scale_) };
+	return { cga::Vector3<double>(double(_position[0]), double(_position[1]), double(_position[2])) * grid.position, _rotation.value(), scale_of(_scale) };
 }
 
 void BodyState::rest() {
-	std::fill(velocity_, velocity_ + 6, 0);
-	std::fill(bend_, bend_ + 6, 0);
-	ticks_ = 1;
+	std::fill(_velocity, _velocity + 6, 0);
+	std::fill(_bend, _bend + 6, 0);
+	_ticks = 1;
 	for (int group = 0; group < 2; ++group) {
-		std::fill(score_[group], score_[group] + PREDICTORS, 0);
-		bent_[group] = false;
-		end_mean_[group] = MeanMagnitude(512);
-		bend_mean_[group] = MeanMagnitude(256);
+		std::fill(_score[group], _score[group] + PREDICTORS, 0);
+		_bent[group] = false;
+		_end_mean[group] = MeanMagnitude(512);
+		_bend_mean[group] = MeanMagnitude(256);
 	}
-	scaled_ = false;
+	_scaled = false;
 	active = false;
 }
 
-std::int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const {
-	const std::int64_t steady = (std::int64_t(velocity_[coordinate]) * ticks + 128) >> 8;
+int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const {
+	const int64_t steady = (int64_t(_velocity[coordinate]) * ticks + 128) >> 8;
 	switch (predictor) {
 		case HOLD:
 			return 0;
 		case ACCELERATED:
-			return steady - std::int64_t(bend_[coordinate]) * (ticks * ticks) / (ticks_ * ticks_);
+			return steady - int64_t(_bend[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
 		case DAMPED:
 			return steady / 2;
 		default:
@@ -75,19 +75,19 @@ std::int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) c
 int BodyState::best_predictor(int group) const {
 	int best = STEADY;
 	for (const int other : { HOLD, ACCELERATED, DAMPED }) {
-		if (score_[group][other] < score_[group][best]) {
+		if (_score[group][other] < _score[group][best]) {
 			best = other;
 		}
 	}
 	return best;
 }
 
-std::int64_t BodyState::predicted(int coordinate, int ticks) const {
+int64_t BodyState::predicted(int coordinate, int ticks) const {
 	return predicted_by(best_predictor(coordinate / 3), coordinate, ticks);
 }
 
 SegmentSteps BodyState::steps(const SegmentCode &code) const {
-	std::int64_t ends[6];
+	int64_t ends[6];
 	for (int i = 0; i < 6; ++i) {
 		ends[i] = predicted(i, code.ticks);
 	}
@@ -107,19 +107,19 @@ MotionSegment BodyState::segment(const SegmentCode &code, const SegmentSteps &st
 		segment.turn_bend[i] = double(steps.bend[3 + i]) * grid.rotation;
 	}
 	if (code.scaled) {
-		segment.scale_ratio = scale_of(scale_ + code.scale) / segment.from.scale;
+		segment.scale_ratio = scale_of(_scale + code.scale) / segment.from.scale;
 	}
 	return segment;
 }
 
 bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid) {
-	const std::int32_t scale = scale_ + (code.scaled ? code.scale : 0);
-	if (scale < -MOST_SCALE || scale > MOST_SCALE) {
+	const int32_t scale = _scale + (code.scaled ? code.scale : 0);
+	if (scale < -MAX_SCALE || scale > MAX_SCALE) {
 		return false;
 	}
 	double turn = 0.0;
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(position_[i] + steps.way[i]) > MOST_STEPS) {
+		if (std::abs(_position[i] + steps.way[i]) > MAX_STEPS) {
 			return false;
 		}
 		turn += std::fabs(double(steps.way[3 + i]) * grid.rotation);
@@ -128,85 +128,85 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 		return false;
 	}
 	for (int group = 0; group < 2; ++group) {
-		std::int64_t error[PREDICTORS] = { 0, 0, 0, 0 };
+		int64_t error[PREDICTORS] = { 0, 0, 0, 0 };
 		for (int i = 3 * group; i < 3 * group + 3; ++i) {
-			const std::int64_t steady = predicted_by(STEADY, i, code.ticks);
+			const int64_t steady = predicted_by(STEADY, i, code.ticks);
 			error[HOLD] += std::abs(steps.way[i]);
 			error[STEADY] += std::abs(steps.way[i] - steady);
 			error[DAMPED] += std::abs(steps.way[i] - steady / 2);
 			error[ACCELERATED] += std::abs(steps.way[i] - predicted_by(ACCELERATED, i, code.ticks));
 		}
 		for (int predictor = 0; predictor < PREDICTORS; ++predictor) {
-			score_[group][predictor] += (std::int32_t(std::min<std::int64_t>(error[predictor], MOST_SCORE)) * 16 - score_[group][predictor]) / 4;
+			_score[group][predictor] += (int32_t(std::min<int64_t>(error[predictor], MAX_SCORE)) * 16 - _score[group][predictor]) / 4;
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
 		const int group = i / 3;
-		end_mean_[group].add(code.fine ? code.end[i] / 2 : code.end[i]);
+		_end_mean[group].add(code.fine ? code.end[i] / 2 : code.end[i]);
 		if (code.bent[group]) {
-			bend_mean_[group].add(code.bend[i]);
+			_bend_mean[group].add(code.bend[i]);
 		}
-		bent_[group] = code.bent[group];
+		_bent[group] = code.bent[group];
 		// Half of the bend's turn of the direction at the end: what it says of the next segment is half noise.
-		velocity_[i] = std::int32_t(std::clamp((256 * steps.way[i] - 128 * steps.bend[i]) / code.ticks, -MOST_SPEED, MOST_SPEED));
-		bend_[i] = std::int32_t(std::clamp(steps.bend[i], -MOST_BEND, MOST_BEND));
+		_velocity[i] = int32_t(std::clamp((256 * steps.way[i] - 128 * steps.bend[i]) / code.ticks, -MAX_SPEED, MAX_SPEED));
+		_bend[i] = int32_t(std::clamp(steps.bend[i], -MAX_CURVATURE, MAX_CURVATURE));
 	}
 	for (int i = 0; i < 3; ++i) {
-		position_[i] += steps.way[i];
+		_position[i] += steps.way[i];
 	}
 	const cga::Vector3<double> vector(double(steps.way[3]), double(steps.way[4]), double(steps.way[5]));
-	rotation_ = LatticeRotation::nearest(rotation_.value() * exp_rotation(vector * grid.rotation));
-	ticks_ = code.ticks;
-	scale_ = scale;
-	scaled_ = code.scaled;
+	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation));
+	_ticks = code.ticks;
+	_scale = scale;
+	_scaled = code.scaled;
 	active = true;
 	settled = false;
 	return true;
 }
 
-bool BodyState::settle(const std::int32_t offset[6], const StreamGrid &grid) {
+bool BodyState::settle(const int32_t offset[6], const StreamGrid &grid) {
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(position_[i] + offset[i]) > MOST_STEPS || std::abs(offset[3 + i]) > MeanMagnitude::MOST) {
+		if (std::abs(_position[i] + offset[i]) > MAX_STEPS || std::abs(offset[3 + i]) > MeanMagnitude::MOST) {
 			return false;
 		}
 	}
 	for (int i = 0; i < 3; ++i) {
-		position_[i] += offset[i];
+		_position[i] += offset[i];
 	}
 	const cga::Vector3<double> vector(offset[3], offset[4], offset[5]);
-	rotation_ = LatticeRotation::nearest(rotation_.value() * exp_rotation(vector * grid.rotation));
+	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation));
 	settled = true;
 	return true;
 }
 
 bool BodyState::is_valid() const {
-	for (const std::int64_t value : position_) {
-		if (std::abs(value) > MOST_STEPS) {
+	for (const int64_t value : _position) {
+		if (std::abs(value) > MAX_STEPS) {
 			return false;
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
-		if (std::abs(std::int64_t(velocity_[i])) > MOST_SPEED || std::abs(std::int64_t(bend_[i])) > MOST_BEND) {
+		if (std::abs(int64_t(_velocity[i])) > MAX_SPEED || std::abs(int64_t(_bend[i])) > MAX_CURVATURE) {
 			return false;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
-		for (const MeanMagnitude &mean : { end_mean_[group], bend_mean_[group] }) {
+		for (const MeanMagnitude &mean : { _end_mean[group], _bend_mean[group] }) {
 			if (mean.value() < 0 || mean.value() > MeanMagnitude::MOST * 256) {
 				return false;
 			}
 		}
 	}
-	return rotation_.is_valid() && std::abs(scale_) <= MOST_SCALE && ticks_ >= 1 && ticks_ <= 64;
+	return _rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && _ticks >= 1 && _ticks <= 64;
 }
 
-std::uint32_t BodyState::hash() const {
-	std::uint64_t mixed = std::uint64_t(scale_) + 0x9e3779b97f4a7c15u;
+uint32_t BodyState::hash() const {
+	uint64_t mixed = uint64_t(_scale) + 0x9e3779b97f4a7c15u;
 	for (int i = 0; i < 3; ++i) {
-		mixed = (mixed ^ std::uint64_t(position_[i])) * 0xff51afd7ed558ccdu;
-		mixed = (mixed ^ std::uint64_t(std::uint32_t(rotation_.level[i])) ^ (mixed >> 29)) * 0xc4ceb9fe1a85ec53u;
+		mixed = (mixed ^ uint64_t(_position[i])) * 0xff51afd7ed558ccdu;
+		mixed = (mixed ^ uint64_t(uint32_t(_rotation.level[i])) ^ (mixed >> 29)) * 0xc4ceb9fe1a85ec53u;
 	}
-	return std::uint32_t(mixed >> 32);
+	return uint32_t(mixed >> 32);
 }
 
 } // namespace net

@@ -15,31 +15,31 @@ namespace net {
 struct SegmentCode {
 	int ticks = 1;
 	bool fine = false; ///< `end` counts half steps
-	std::int32_t end[6] = { 0, 0, 0, 0, 0, 0 }; ///< what the prediction of the end is off by
+	int32_t end[6] = { 0, 0, 0, 0, 0, 0 }; ///< what the prediction of the end is off by
 	bool bent[2] = { false, false }; ///< whether `bend` has anything for translation, rotation
-	std::int32_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+	int32_t bend[6] = { 0, 0, 0, 0, 0, 0 };
 	bool scaled = false;
-	std::int32_t scale = 0; ///< change of the scale's level
+	int32_t scale = 0; ///< change of the scale's level
 };
 
 /// A segment in steps: where it ends from where it begins, and how it bends.
 struct SegmentSteps {
-	std::int64_t way[6] = { 0, 0, 0, 0, 0, 0 };
-	std::int64_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+	int64_t way[6] = { 0, 0, 0, 0, 0, 0 };
+	int64_t bend[6] = { 0, 0, 0, 0, 0, 0 };
 
 	SegmentSteps() = default;
 	/// What a code stands for where these ends are predicted.
-	SegmentSteps(const std::int64_t predicted[6], const SegmentCode &code) {
+	SegmentSteps(const int64_t predicted[6], const SegmentCode &code) {
 		for (int i = 0; i < 6; ++i) {
-			way[i] = predicted[i] + std::int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-			bend[i] = code.bent[i / 3] ? std::int64_t(code.bend[i]) * StreamGrid::BEND : 0;
+			way[i] = predicted[i] + int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+			bend[i] = code.bent[i / 3] ? int64_t(code.bend[i]) * StreamGrid::BEND : 0;
 		}
 	}
 };
 
 /// The probabilities of everything in a stream of motion.
 struct MotionModels {
-	static constexpr int MOST_BITS = 1024; ///< that `visit` visits
+	static constexpr int MAX_BITS = 1024; ///< that `visit` visits
 
 	ResidualModel end[2];
 	ResidualModel bend[2];
@@ -78,9 +78,9 @@ struct MotionModels {
 /// What sender and receiver both know of a body at the end of a window, in integers, so that both predict the same.
 class BodyState {
 public:
-	static constexpr std::int64_t MOST_STEPS = std::int64_t(1) << 46; ///< of a position on an axis
-	static constexpr std::int32_t MOST_SCALE = MAX_SCALE_LEVEL + 1;
-	static constexpr double LEAST_SCALE = 1.0 / 65536.0;
+	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< of a position on an axis
+	static constexpr int32_t MAX_SCALE = MAX_SCALE_LEVEL + 1;
+	static constexpr double MIN_SCALE = 1.0 / 65536.0;
 	static constexpr double SCALE_LEVELS = SCALE_LEVELS_PER_OCTAVE;
 
 	/// True for finite poses within 2^46 steps of the origin, of a rotation that is not zero and a scale of 2^-16 to 2^16.
@@ -92,14 +92,14 @@ public:
 	void rest();
 
 	/// Where the end of a segment is expected, in steps from its start.
-	[[nodiscard]] std::int64_t predicted(int coordinate, int ticks) const;
+	[[nodiscard]] int64_t predicted(int coordinate, int ticks) const;
 	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
 	/// The motion of a segment that begins here; the state is not changed.
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
 	/// Moves on to the end of a segment. False if that is out of range.
 	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
 	/// Goes to a nearby pose without any motion, `offset` in steps: what is left of an error when a body has come to rest.
-	[[nodiscard]] bool settle(const std::int32_t offset[6], const StreamGrid &grid);
+	[[nodiscard]] bool settle(const int32_t offset[6], const StreamGrid &grid);
 
 	/// Codes a segment that begins here.
 	template <class Coder>
@@ -109,7 +109,7 @@ public:
 	template <class Visit>
 	void visit(Visit &&visit);
 	[[nodiscard]] bool is_valid() const;
-	[[nodiscard]] std::uint32_t hash() const;
+	[[nodiscard]] uint32_t hash() const;
 
 	bool active = false; ///< moved in the last window
 	bool settled = true; ///< rests where it was last seen, as near as the grid allows
@@ -123,41 +123,41 @@ private:
 		PREDICTORS
 	};
 
-	[[nodiscard]] std::int64_t predicted_by(int predictor, int coordinate, int ticks) const;
+	[[nodiscard]] int64_t predicted_by(int predictor, int coordinate, int ticks) const;
 	[[nodiscard]] int best_predictor(int group) const;
 
-	std::int64_t position_[3] = { 0, 0, 0 };
-	LatticeRotation rotation_;
-	std::int32_t scale_ = 0; // log2 in 1 / SCALE_LEVELS
-	std::int32_t velocity_[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step a tick
-	std::int32_t bend_[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
-	std::int32_t ticks_ = 1; // of the last segment
-	std::int32_t score_[2][PREDICTORS] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // recent error, 1/16 steps
-	MeanMagnitude end_mean_[2] = { MeanMagnitude(512), MeanMagnitude(512) };
-	MeanMagnitude bend_mean_[2] = { MeanMagnitude(256), MeanMagnitude(256) };
-	bool bent_[2] = { false, false };
-	bool scaled_ = false;
+	int64_t _position[3] = { 0, 0, 0 };
+	LatticeRotation _rotation;
+	int32_t _scale = 0; // log2 in 1 / SCALE_LEVELS
+	int32_t _velocity[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step a tick
+	int32_t _bend[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
+	int32_t _ticks = 1; // of the last segment
+	int32_t _score[2][PREDICTORS] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // recent error, 1/16 steps
+	MeanMagnitude _end_mean[2] = { MeanMagnitude(512), MeanMagnitude(512) };
+	MeanMagnitude _bend_mean[2] = { MeanMagnitude(256), MeanMagnitude(256) };
+	bool _bent[2] = { false, false };
+	bool _scaled = false;
 };
 
 template <class Coder>
 void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) const {
 	coder.bit(models.fine, code.fine);
 	for (int group = 0; group < 2; ++group) {
-		const std::int32_t mean = end_mean_[group].value() * (code.fine ? 2 : 1);
-		std::int32_t before = 0;
+		const int32_t mean = _end_mean[group].value() * (code.fine ? 2 : 1);
+		int32_t before = 0;
 		for (int i = 0; i < 3; ++i) {
-			std::int32_t &value = code.end[3 * group + i];
+			int32_t &value = code.end[3 * group + i];
 			models.end[group].code(coder, value, i == 0 ? mean : (3 * mean + before * 256 / i) / 4);
 			before += std::abs(value) < MeanMagnitude::MOST ? std::abs(value) : MeanMagnitude::MOST;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
-		coder.bit(models.bent[group][bent_[group] ? 1 : 0], code.bent[group]);
+		coder.bit(models.bent[group][_bent[group] ? 1 : 0], code.bent[group]);
 		for (int i = 3 * group; code.bent[group] && i < 3 * group + 3; ++i) {
-			models.bend[group].code(coder, code.bend[i], bend_mean_[group].value());
+			models.bend[group].code(coder, code.bend[i], _bend_mean[group].value());
 		}
 	}
-	coder.bit(models.scaled[scaled_ ? 1 : 0], code.scaled);
+	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
 	if (code.scaled) {
 		models.scale.code(coder, code.scale, 4096);
 	}
@@ -165,36 +165,36 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 
 template <class Visit>
 void BodyState::visit(Visit &&visit) {
-	for (std::int64_t &value : position_) {
+	for (int64_t &value : _position) {
 		visit(value, 48);
 	}
-	visit(rotation_.dropped, 3);
-	for (std::int32_t &value : rotation_.level) {
+	visit(_rotation.dropped, 3);
+	for (int32_t &value : _rotation.level) {
 		visit(value, LatticeRotation::BITS);
 	}
-	visit(scale_, 20);
+	visit(_scale, 20);
 	visit(active, 2);
 	visit(settled, 2);
 	if (!active) {
 		return;
 	}
 	for (int i = 0; i < 6; ++i) {
-		visit(velocity_[i], 32);
-		visit(bend_[i], 32);
+		visit(_velocity[i], 32);
+		visit(_bend[i], 32);
 	}
-	visit(ticks_, 8);
-	visit(scaled_, 2);
+	visit(_ticks, 8);
+	visit(_scaled, 2);
 	for (int group = 0; group < 2; ++group) {
-		for (std::int32_t &value : score_[group]) {
+		for (int32_t &value : _score[group]) {
 			visit(value, 20);
 		}
-		std::int32_t mean = end_mean_[group].value();
+		int32_t mean = _end_mean[group].value();
 		visit(mean, 20);
-		end_mean_[group].set_value(mean);
-		mean = bend_mean_[group].value();
+		_end_mean[group].set_value(mean);
+		mean = _bend_mean[group].value();
 		visit(mean, 20);
-		bend_mean_[group].set_value(mean);
-		visit(bent_[group], 2);
+		_bend_mean[group].set_value(mean);
+		visit(_bent[group], 2);
 	}
 }
 

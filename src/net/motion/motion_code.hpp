@@ -9,15 +9,15 @@
 namespace net {
 
 /// The longest window, in ticks.
-inline constexpr int MOST_TICKS = 64;
+inline constexpr int MAX_TICKS = 64;
 
 /// What is sent of one body's motion over some ticks.
 struct MotionCode {
 	bool active = false;
 	bool settles = false; ///< only where not active
-	std::int32_t offset[6] = { 0, 0, 0, 0, 0, 0 }; ///< of settling, from -16 to 15
+	int32_t offset[6] = { 0, 0, 0, 0, 0, 0 }; ///< of settling, from -16 to 15
 	int count = 0; ///< of segments
-	std::array<SegmentCode, MOST_TICKS> segments;
+	std::array<SegmentCode, MAX_TICKS> segments;
 };
 
 /// Codes a body's motion over `ticks` from tick `begin`, and moves its state on. `Coder` is a RangeEncoder or a
@@ -37,9 +37,9 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		}
 		SegmentSteps steps;
 		for (int i = 0; i < 6; ++i) {
-			std::uint32_t value = std::uint32_t(motion.offset[i] + 16);
+			uint32_t value = uint32_t(motion.offset[i] + 16);
 			coder.bits(value, 5);
-			motion.offset[i] = std::int32_t(value) - 16;
+			motion.offset[i] = int32_t(value) - 16;
 			steps.way[i] = motion.offset[i];
 		}
 		SegmentCode code;
@@ -49,7 +49,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 	}
 	int index = 0;
 	for (int left = ticks; left > 0; ++index) {
-		SegmentCode &code = motion.segments[std::size_t(index)];
+		SegmentCode &code = motion.segments[size_t(index)];
 		bool split = index + 1 < motion.count;
 		if (left > 1) {
 			coder.bit(models.split[std::min(index, 2)], split);
@@ -57,8 +57,8 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 			split = false;
 		}
 		if (split) {
-			std::uint32_t less_one = std::uint32_t(code.ticks - 1);
-			coder.bits(less_one, bit_width(std::uint64_t(left - 2)));
+			uint32_t less_one = uint32_t(code.ticks - 1);
+			coder.bits(less_one, bit_width(uint64_t(left - 2)));
 			code.ticks = int(less_one) + 1;
 			if (code.ticks >= left) {
 				return false;

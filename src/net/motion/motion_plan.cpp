@@ -20,8 +20,8 @@ constexpr double STOPPED = 1.01;
 /// Ticks within which times are the same.
 constexpr double SAME_TIME = 1e-6;
 
-std::size_t count_until(const MotionSample *samples, std::size_t count, double end) {
-	std::size_t n = 0;
+size_t count_until(const MotionSample *samples, size_t count, double end) {
+	size_t n = 0;
 	while (n < count && samples[n].time <= end + SAME_TIME) {
 		++n;
 	}
@@ -30,20 +30,20 @@ std::size_t count_until(const MotionSample *samples, std::size_t count, double e
 
 } // namespace
 
-bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, MotionCode &motion) {
+bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	motion.active = false;
 	motion.settles = false;
 	motion.count = 0;
 	if (count == 0) {
 		return true;
 	}
-	const double most = StreamGrid::TOLERANCE * grid_.position;
+	const double most = StreamGrid::TOLERANCE * _grid.position;
 	const cga::Pose<double> &last = samples[count - 1].pose;
-	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, grid_.lever) <= STILL * most; });
+	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever) <= STILL * most; });
 	const double tolerance = most * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
-	const cga::Pose<double> held = state.pose(grid_);
-	for (std::size_t i = count; i > 0; --i) {
-		if (pose_distance(held, samples[i - 1].pose, grid_.lever) > tolerance) {
+	const cga::Pose<double> held = state.pose(_grid);
+	for (size_t i = count; i > 0; --i) {
+		if (pose_distance(held, samples[i - 1].pose, _grid.lever) > tolerance) {
 			motion.active = true;
 			return plan_moving(state, begin, ticks, samples, count, available, models, motion);
 		}
@@ -56,31 +56,31 @@ void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &las
 	if (state.active || state.settled) {
 		return;
 	}
-	const cga::Pose<double> held = state.pose(grid_);
-	const cga::Vector3<double> way = (last.pose.translation - held.translation) / grid_.position;
-	const cga::Vector3<double> turn = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / grid_.rotation;
+	const cga::Pose<double> held = state.pose(_grid);
+	const cga::Vector3<double> way = (last.pose.translation - held.translation) / _grid.position;
+	const cga::Vector3<double> turn = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / _grid.rotation;
 	for (int i = 0; i < 3; ++i) {
-		motion.offset[i] = std::int32_t(std::clamp(std::nearbyint(way[i]), -16.0, 15.0));
-		motion.offset[3 + i] = std::int32_t(std::clamp(std::nearbyint(turn[i]), -16.0, 15.0));
+		motion.offset[i] = int32_t(std::clamp(std::nearbyint(way[i]), -16.0, 15.0));
+		motion.offset[3 + i] = int32_t(std::clamp(std::nearbyint(turn[i]), -16.0, 15.0));
 	}
 	motion.settles = true;
 }
 
-bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, MotionCode &motion) {
+bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	BodyState moving = state;
 	while (ticks > 0) {
 		SegmentFit::Result result;
-		fit_.begin(moving, begin, samples, count, available);
-		if (!fit_.fit(moving, ticks, count, true, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
+		_fit.begin(moving, begin, samples, count, available);
+		if (!_fit.fit(moving, ticks, count, true, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
 			return false;
 		}
-		if (!moving.apply(result.code, moving.steps(result.code), grid_)) {
+		if (!moving.apply(result.code, moving.steps(result.code), _grid)) {
 			return false;
 		}
-		motion.segments[std::size_t(motion.count++)] = result.code;
+		motion.segments[size_t(motion.count++)] = result.code;
 		begin += result.code.ticks;
 		ticks -= result.code.ticks;
-		const std::size_t passed = count_until(samples, count, begin);
+		const size_t passed = count_until(samples, count, begin);
 		samples += passed;
 		count -= passed;
 		available -= passed;
@@ -88,14 +88,14 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	return true;
 }
 
-bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, MotionModels &models, SegmentFit::Result &result) {
+bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models, SegmentFit::Result &result) {
 	// At least up to the first sample; then halving: what fits over some ticks mostly fits over fewer.
 	const int least = std::max(1, int(std::ceil(samples[0].time - begin - SAME_TIME)));
 	int fits = least - 1;
 	for (int most = ticks; most - fits > 1;) {
 		const int length = (fits + most) / 2;
 		SegmentFit::Result other;
-		if (fit_.fit(state, length, count_until(samples, count, begin + length), false, models, other)) {
+		if (_fit.fit(state, length, count_until(samples, count, begin + length), false, models, other)) {
 			fits = length;
 			result = other;
 		} else {
@@ -104,13 +104,13 @@ bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ti
 	}
 	if (fits >= least) {
 		SegmentFit::Result better;
-		if (fit_.fit(state, fits, count_until(samples, count, begin + fits), true, models, better)) {
+		if (_fit.fit(state, fits, count_until(samples, count, begin + fits), true, models, better)) {
 			result = better;
 		}
 		return true;
 	}
-	const std::size_t first = count_until(samples, count, begin + least);
-	return fit_.reach(state, least, first - 1, result);
+	const size_t first = count_until(samples, count, begin + least);
+	return _fit.reach(state, least, first - 1, result);
 }
 
 } // namespace net

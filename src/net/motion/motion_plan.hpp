@@ -10,18 +10,18 @@ namespace net {
 class MotionPlanner {
 public:
 	MotionPlanner(const StreamGrid &grid, cga::Mode mode) :
-			grid_(grid), fit_(grid, mode) {}
+			_grid(grid), _fit(grid, mode) {}
 
 	/// The first `count` samples have times in (begin, begin + ticks]; up to `available` are known. False if the motion is out of range: the body has to jump.
-	bool plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, MotionCode &motion);
+	bool plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion);
 
 private:
-	bool plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, std::size_t available, MotionModels &models, MotionCode &motion);
-	bool longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, std::size_t count, MotionModels &models, SegmentFit::Result &result);
+	bool plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion);
+	bool longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models, SegmentFit::Result &result);
 	void plan_resting(const BodyState &state, const MotionSample &last, MotionCode &motion) const;
 
-	StreamGrid grid_;
-	SegmentFit fit_;
+	StreamGrid _grid;
+	SegmentFit _fit;
 };
 
 } // namespace net

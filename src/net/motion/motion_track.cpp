@@ -7,47 +7,47 @@ namespace net {
 namespace {
 
 /// Segments that are mostly enough: of two windows, with some bends.
-constexpr std::size_t USUAL = 8;
+constexpr size_t USUAL = 8;
 
 } // namespace
 
 void MotionTrack::add(const BodyMotion &motion) {
-	while (motions_.size() > first_ && motions_.back().segment.begin >= motion.segment.begin && (motion.appears || motion.vanishes || !motions_.back().appears)) {
-		motions_.pop_back();
+	while (_motions.size() > _first && _motions.back().segment.begin >= motion.segment.begin && (motion.appears || motion.vanishes || !_motions.back().appears)) {
+		_motions.pop_back();
 	}
-	if (motions_.size() - first_ >= MOST) {
-		++first_;
+	if (_motions.size() - _first >= MOST) {
+		++_first;
 	}
-	if (motions_.capacity() == 0) {
-		motions_.reserve(USUAL);
+	if (_motions.capacity() == 0) {
+		_motions.reserve(USUAL);
 	}
-	if (motions_.size() == motions_.capacity() && first_ > 0) {
+	if (_motions.size() == _motions.capacity() && _first > 0) {
 		// Room for the new one is where forgotten ones are.
-		motions_.erase(motions_.begin(), motions_.begin() + std::ptrdiff_t(first_));
-		first_ = 0;
+		_motions.erase(_motions.begin(), _motions.begin() + ptrdiff_t(_first));
+		_first = 0;
 	}
-	motions_.push_back(motion);
+	_motions.push_back(motion);
 }
 
 void MotionTrack::forget_before(double tick) {
-	while (first_ + 1 < motions_.size() && motions_[first_ + 1].segment.begin <= tick) {
-		++first_;
+	while (_first + 1 < _motions.size() && _motions[_first + 1].segment.begin <= tick) {
+		++_first;
 	}
 }
 
 bool MotionTrack::pose_at(double tick, cga::Pose<double> &pose) const {
-	std::size_t at = motions_.size();
-	while (at > first_ && motions_[at - 1].segment.begin > tick) {
+	size_t at = _motions.size();
+	while (at > _first && _motions[at - 1].segment.begin > tick) {
 		--at;
 	}
-	if (at == first_) {
+	if (at == _first) {
 		// Before all that is known: a body that does not appear later was there.
-		if (is_empty() || motions_[first_].appears || motions_[first_].vanishes) {
+		if (is_empty() || _motions[_first].appears || _motions[_first].vanishes) {
 			return false;
 		}
-		at = first_ + 1;
+		at = _first + 1;
 	}
-	const BodyMotion &motion = motions_[at - 1];
+	const BodyMotion &motion = _motions[at - 1];
 	if (motion.vanishes) {
 		return false;
 	}
@@ -56,7 +56,7 @@ bool MotionTrack::pose_at(double tick, cga::Pose<double> &pose) const {
 }
 
 bool MotionTrack::is_over(double tick) const {
-	return is_empty() || (motions_.back().vanishes && motions_.back().segment.begin <= tick);
+	return is_empty() || (_motions.back().vanishes && _motions.back().segment.begin <= tick);
 }
 
 } // namespace net

@@ -11,7 +11,7 @@ namespace net {
 class MotionTrack {
 public:
 	/// Segments kept at most; what is shown is moved on if more arrive.
-	static constexpr std::size_t MOST = 4 * MOST_TICKS;
+	static constexpr size_t MOST = 4 * MAX_TICKS;
 
 	/// Appends what is new; what was known from its begin on is replaced.
 	void add(const BodyMotion &motion);
@@ -21,11 +21,11 @@ public:
 	bool pose_at(double tick, cga::Pose<double> &pose) const;
 	/// True if the body is not there at `tick`, nor later.
 	[[nodiscard]] bool is_over(double tick) const;
-	[[nodiscard]] bool is_empty() const { return motions_.size() == first_; }
+	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
 
 private:
-	std::vector<BodyMotion> motions_; // those before first_ are forgotten
-	std::size_t first_ = 0;
+	std::vector<BodyMotion> _motions; // those before _first are forgotten
+	size_t _first = 0;
 };
 
 } // namespace net

@@ -21,11 +21,11 @@ namespace {
 /// sample, or, more weakly, to where it was last.
 constexpr double PINNED_BEYOND = 0.25;
 constexpr double LAST_SEEN_WEIGHT = 0.2;
-constexpr double LONGEST_TURN = 6.0; // radians in a segment
+constexpr double MAX_TURN = 6.0; // radians in a segment
 /// Codes whose error is at most so many times the tolerance are worth single steps towards it.
 constexpr float NEARLY = 1.15f;
 constexpr float NO_LIMIT = 1e18f;
-constexpr std::int32_t MOST_END = ResidualModel::LIMIT / 2;
+constexpr int32_t MAX_END = ResidualModel::LIMIT / 2;
 
 /// Rows of the rotation matrix of the inverse of q.
 void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
@@ -39,110 +39,110 @@ void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
 
 } // namespace
 
-void SegmentFit::begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available) {
-	samples_ = samples;
-	loaded_ = std::min(count, MOST_SAMPLES);
-	known_ = available;
-	begin_ = begin;
-	start_ = state.pose(grid_);
-	const cga::Quaternion<double> back = glm::conjugate(start_.rotation);
+void SegmentFit::begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available) {
+	_samples = samples;
+	_loaded = std::min(count, MAX_SAMPLES);
+	_known = available;
+	_begin = begin;
+	_start = state.pose(_grid);
+	const cga::Quaternion<double> back = glm::conjugate(_start.rotation);
 	cga::Vector3<double> before(0.0);
-	if (loaded_ > 0) {
+	if (_loaded > 0) {
 		const int ticks = std::max(1, int(std::ceil(samples[0].time - begin)));
 		for (int i = 0; i < 3; ++i) {
-			before[i] = double(state.predicted(3 + i, ticks)) * grid_.rotation;
+			before[i] = double(state.predicted(3 + i, ticks)) * _grid.rotation;
 		}
 	}
-	for (std::size_t k = 0; k < loaded_; ++k) {
+	for (size_t k = 0; k < _loaded; ++k) {
 		const cga::Pose<double> &pose = samples[k].pose;
-		const cga::Vector3<double> way = (pose.translation - start_.translation) / grid_.position;
+		const cga::Vector3<double> way = (pose.translation - _start.translation) / _grid.position;
 		const cga::Vector3<double> turn = unwrapped(log_rotation(back * pose.rotation), before);
 		before = turn;
 		double jacobian[9];
 		double to_body[9];
 		right_jacobian(turn, jacobian);
 		inverse_matrix(pose.rotation, to_body);
-		for (std::size_t i = 0; i < 3; ++i) {
-			target_[i][k] = float(way[int(i)]);
-			target_[3 + i][k] = float(turn[int(i)] / grid_.rotation);
+		for (size_t i = 0; i < 3; ++i) {
+			_target[i][k] = float(way[int(i)]);
+			_target[3 + i][k] = float(turn[int(i)] / _grid.rotation);
 		}
-		for (std::size_t i = 0; i < 9; ++i) {
-			to_body_[i][k] = float(to_body[i]);
-			jacobian_[i][k] = float(jacobian[i]);
+		for (size_t i = 0; i < 9; ++i) {
+			_to_body[i][k] = float(to_body[i]);
+			_jacobian[i][k] = float(jacobian[i]);
 		}
 	}
 	// Blocks of 8 are computed whole: what is behind the last sample must be a number.
-	for (std::size_t k = loaded_; k < (loaded_ + 7) / 8 * 8; ++k) {
-		for (Row &row : target_) {
+	for (size_t k = _loaded; k < (_loaded + 7) / 8 * 8; ++k) {
+		for (Row &row : _target) {
 			row[k] = 0.0f;
 		}
-		for (std::size_t i = 0; i < 9; ++i) {
-			to_body_[i][k] = 0.0f;
-			jacobian_[i][k] = 0.0f;
+		for (size_t i = 0; i < 9; ++i) {
+			_to_body[i][k] = 0.0f;
+			_jacobian[i][k] = 0.0f;
 		}
 	}
 }
 
 void SegmentFit::pin_end(int ticks) {
-	const double end = begin_ + ticks;
-	const std::size_t k = std::size_t(count_ - 1);
-	const MotionSample &last = samples_[k];
-	for (std::size_t i = 0; i < 6; ++i) {
-		pin_[i] = double(target_[i][k]);
+	const double end = _begin + ticks;
+	const size_t k = size_t(_count - 1);
+	const MotionSample &last = _samples[k];
+	for (size_t i = 0; i < 6; ++i) {
+		_pin[i] = double(_target[i][k]);
 	}
-	pin_weight_ = end - last.time > PINNED_BEYOND ? LAST_SEEN_WEIGHT : 0.0;
-	if (pin_weight_ > 0.0 && k + 1 < known_) {
-		const MotionSample &next = samples_[k + 1];
+	_pin_weight = end - last.time > PINNED_BEYOND ? LAST_SEEN_WEIGHT : 0.0;
+	if (_pin_weight > 0.0 && k + 1 < _known) {
+		const MotionSample &next = _samples[k + 1];
 		const double share = (end - last.time) / (next.time - last.time);
-		const cga::Vector3<double> way = (next.pose.translation - start_.translation) / grid_.position;
-		const cga::Vector3<double> before = cga::Vector3<double>(pin_[3], pin_[4], pin_[5]) * grid_.rotation;
-		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(start_.rotation) * next.pose.rotation), before) / grid_.rotation;
+		const cga::Vector3<double> way = (next.pose.translation - _start.translation) / _grid.position;
+		const cga::Vector3<double> before = cga::Vector3<double>(_pin[3], _pin[4], _pin[5]) * _grid.rotation;
+		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(_start.rotation) * next.pose.rotation), before) / _grid.rotation;
 		for (int i = 0; i < 3; ++i) {
-			pin_[i] += share * (way[i] - pin_[i]);
-			pin_[3 + i] += share * (turn[i] - pin_[3 + i]);
+			_pin[i] += share * (way[i] - _pin[i]);
+			_pin[3 + i] += share * (turn[i] - _pin[3 + i]);
 		}
-		pin_weight_ = 1.0;
+		_pin_weight = 1.0;
 	}
 }
 
-bool SegmentFit::set_length(const BodyState &state, int ticks, std::size_t count) {
-	count_ = int(std::min(count, loaded_));
-	padded_ = (count_ + 7) / 8 * 8;
-	const double ratio = samples_[count_ - 1].pose.scale / start_.scale;
+bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
+	_count = int(std::min(count, _loaded));
+	_padded = (_count + 7) / 8 * 8;
+	const double ratio = _samples[_count - 1].pose.scale / _start.scale;
 	const double level = ratio == 1.0 ? 0.0 : std::log2(ratio) * BodyState::SCALE_LEVELS;
-	scale_change_ = std::fabs(level) < 1.0 ? 0 : std::int32_t(std::round(std::clamp(level, -1e6, 1e6)));
+	_scale_change = std::fabs(level) < 1.0 ? 0 : int32_t(std::round(std::clamp(level, -1e6, 1e6)));
 	double scale_error = 0.0;
-	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
-		const double u = (samples_[k].time - begin_) / ticks;
-		u_[k] = float(u);
-		w_[k] = float(u * (1.0 - u));
-		const double scale = start_.scale * (scale_change_ == 0 ? 1.0 : std::exp2(u * scale_change_ / BodyState::SCALE_LEVELS));
-		scale_error = std::max(scale_error, std::fabs(scale - samples_[k].pose.scale));
+	for (size_t k = 0; k < size_t(_count); ++k) {
+		const double u = (_samples[k].time - _begin) / ticks;
+		_u[k] = float(u);
+		_w[k] = float(u * (1.0 - u));
+		const double scale = _start.scale * (_scale_change == 0 ? 1.0 : std::exp2(u * _scale_change / BodyState::SCALE_LEVELS));
+		scale_error = std::max(scale_error, std::fabs(scale - _samples[k].pose.scale));
 	}
-	std::fill(u_.begin() + count_, u_.begin() + padded_, 0.0f);
-	std::fill(w_.begin() + count_, w_.begin() + padded_, 0.0f);
+	std::fill(_u.begin() + _count, _u.begin() + _padded, 0.0f);
+	std::fill(_w.begin() + _count, _w.begin() + _padded, 0.0f);
 	for (int i = 0; i < 6; ++i) {
-		predicted_[i] = state.predicted(i, ticks);
+		_predicted[i] = state.predicted(i, ticks);
 	}
 	pin_end(ticks);
-	tolerance_ = float(StreamGrid::TOLERANCE - scale_error * grid_.lever / grid_.position);
-	const std::size_t last = std::size_t(count_ - 1);
-	const double turn = double(std::max({ std::fabs(target_[3][last]), std::fabs(target_[4][last]), std::fabs(target_[5][last]) })) * grid_.rotation;
-	return turn < LONGEST_TURN;
+	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever / _grid.position);
+	const size_t last = size_t(_count - 1);
+	const double turn = double(std::max({ std::fabs(_target[3][last]), std::fabs(_target[4][last]), std::fabs(_target[5][last]) })) * _grid.rotation;
+	return turn < MAX_TURN;
 }
 
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
 	// What the mode's path does besides u times its end; an estimate, as it is taken at an estimated end.
 	SegmentCode code;
 	code.ticks = ticks;
-	const MotionSegment path = state.segment(code, steps, grid_, 0.0, mode_);
-	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
-		const cga::Pose<double> pose = path.pose_at(double(u_[k]) * ticks);
-		const cga::Vector3<double> way = (pose.translation - path.from.translation - path.way * double(u_[k])) / grid_.position;
-		const cga::Vector3<double> turn = log_rotation(glm::conjugate(path.from.rotation * exp_rotation(path.turn * double(u_[k]))) * pose.rotation) / grid_.rotation;
-		for (std::size_t i = 0; i < 3; ++i) {
-			target_[i][k] -= float(way[int(i)]);
-			target_[3 + i][k] -= float(turn[int(i)]);
+	const MotionSegment path = state.segment(code, steps, _grid, 0.0, _mode);
+	for (size_t k = 0; k < size_t(_count); ++k) {
+		const cga::Pose<double> pose = path.pose_at(double(_u[k]) * ticks);
+		const cga::Vector3<double> way = (pose.translation - path.from.translation - path.way * double(_u[k])) / _grid.position;
+		const cga::Vector3<double> turn = log_rotation(glm::conjugate(path.from.rotation * exp_rotation(path.turn * double(_u[k]))) * pose.rotation) / _grid.rotation;
+		for (size_t i = 0; i < 3; ++i) {
+			_target[i][k] -= float(way[int(i)]);
+			_target[3 + i][k] -= float(turn[int(i)]);
 		}
 	}
 }
@@ -155,23 +155,23 @@ NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) cons
 		bend[i] = float(steps.bend[i]);
 	}
 	float worst[8] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-	for (std::size_t block = 0; block < std::size_t(padded_); block += 8) {
-		for (std::size_t lane = 0; lane < 8; ++lane) {
-			const std::size_t k = block + lane;
-			const float u = u_[k];
-			const float w = w_[k];
-			const float x = target_[0][k] - way[0] * u - bend[0] * w;
-			const float y = target_[1][k] - way[1] * u - bend[1] * w;
-			const float z = target_[2][k] - way[2] * u - bend[2] * w;
-			const float a = target_[3][k] - way[3] * u - bend[3] * w;
-			const float b = target_[4][k] - way[4] * u - bend[4] * w;
-			const float c = target_[5][k] - way[5] * u - bend[5] * w;
-			const float bx = to_body_[0][k] * x + to_body_[1][k] * y + to_body_[2][k] * z;
-			const float by = to_body_[3][k] * x + to_body_[4][k] * y + to_body_[5][k] * z;
-			const float bz = to_body_[6][k] * x + to_body_[7][k] * y + to_body_[8][k] * z;
-			const float ra = jacobian_[0][k] * a + jacobian_[1][k] * b + jacobian_[2][k] * c;
-			const float rb = jacobian_[3][k] * a + jacobian_[4][k] * b + jacobian_[5][k] * c;
-			const float rc = jacobian_[6][k] * a + jacobian_[7][k] * b + jacobian_[8][k] * c;
+	for (size_t block = 0; block < size_t(_padded); block += 8) {
+		for (size_t lane = 0; lane < 8; ++lane) {
+			const size_t k = block + lane;
+			const float u = _u[k];
+			const float w = _w[k];
+			const float x = _target[0][k] - way[0] * u - bend[0] * w;
+			const float y = _target[1][k] - way[1] * u - bend[1] * w;
+			const float z = _target[2][k] - way[2] * u - bend[2] * w;
+			const float a = _target[3][k] - way[3] * u - bend[3] * w;
+			const float b = _target[4][k] - way[4] * u - bend[4] * w;
+			const float c = _target[5][k] - way[5] * u - bend[5] * w;
+			const float bx = _to_body[0][k] * x + _to_body[1][k] * y + _to_body[2][k] * z;
+			const float by = _to_body[3][k] * x + _to_body[4][k] * y + _to_body[5][k] * z;
+			const float bz = _to_body[6][k] * x + _to_body[7][k] * y + _to_body[8][k] * z;
+			const float ra = _jacobian[0][k] * a + _jacobian[1][k] * b + _jacobian[2][k] * c;
+			const float rb = _jacobian[3][k] * a + _jacobian[4][k] * b + _jacobian[5][k] * c;
+			const float rc = _jacobian[6][k] * a + _jacobian[7][k] * b + _jacobian[8][k] * c;
 			// The centre, and the centre plus r x e_i: a lever turns a step of rotation into one of position.
 			const float xx = bx * bx;
 			const float yy = by * by;
@@ -187,7 +187,7 @@ NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) cons
 			worst[lane] = worst[lane] > counted ? worst[lane] : counted;
 		}
 		const float most = *std::max_element(worst, worst + 8);
-		if (most > limit * limit || block + 8 >= std::size_t(padded_)) {
+		if (most > limit * limit || block + 8 >= size_t(_padded)) {
 			return std::sqrt(most);
 		}
 	}
@@ -197,22 +197,22 @@ NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) cons
 void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
 	const double step = code.fine ? StreamGrid::HALF : StreamGrid::COARSE;
 	for (int i = 0; i < 6; ++i) {
-		const double value = (way[i] - double(predicted_[i])) / step;
-		code.end[i] = std::int32_t(std::clamp(std::nearbyint(value), double(-MOST_END - 1), double(MOST_END + 1)));
+		const double value = (way[i] - double(_predicted[i])) / step;
+		code.end[i] = int32_t(std::clamp(std::nearbyint(value), double(-MAX_END - 1), double(MAX_END + 1)));
 	}
 }
 
 bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
-		const std::int32_t *bend = code.bend + 3 * group;
+		const int32_t *bend = code.bend + 3 * group;
 		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
 	}
-	result.error = error_of(SegmentSteps(predicted_, result.code), limit);
-	return result.error <= tolerance_;
+	result.error = error_of(SegmentSteps(_predicted, result.code), limit);
+	return result.error <= _tolerance;
 }
 
-std::uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code) {
+uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code) {
 	CostMeter meter;
 	SegmentCode counted = code;
 	state.code(meter, models, counted);
@@ -224,7 +224,7 @@ bool SegmentFit::improve_error(Result &result) const {
 		if (i >= 6 && !result.code.bent[(i - 6) / 3]) {
 			continue;
 		}
-		for (const std::int32_t step : { -1, 1 }) {
+		for (const int32_t step : { -1, 1 }) {
 			SegmentCode code = result.code;
 			(i < 6 ? code.end[i] : code.bend[i - 6]) += step;
 			Result other;
@@ -244,14 +244,14 @@ bool SegmentFit::improve_error(Result &result) const {
 void SegmentFit::improve_cost(Result &result) const {
 	// A number nearer to zero is cheaper: what the models say would not change the choice often enough to ask them.
 	for (int i = 0; i < 12; ++i) {
-		const std::int32_t value = i < 6 ? result.code.end[i] : result.code.bend[i - 6];
+		const int32_t value = i < 6 ? result.code.end[i] : result.code.bend[i - 6];
 		if (value == 0) {
 			continue;
 		}
 		SegmentCode code = result.code;
 		(i < 6 ? code.end[i] : code.bend[i - 6]) += value > 0 ? -1 : 1;
 		Result other;
-		if (try_code(code, tolerance_, other)) {
+		if (try_code(code, _tolerance, other)) {
 			result = other;
 		}
 	}
@@ -260,27 +260,27 @@ void SegmentFit::improve_cost(Result &result) const {
 bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result) {
 	SegmentCode straight;
 	straight.ticks = ticks;
-	straight.scaled = scale_change_ != 0;
-	straight.scale = scale_change_;
+	straight.scaled = _scale_change != 0;
+	straight.scale = _scale_change;
 	double uu = 0.0;
 	double uw = 0.0;
 	double ww = 0.0;
 	double uy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 	double wy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	for (std::size_t k = 0; k < std::size_t(count_); ++k) {
-		const double u = u_[k];
-		const double w = w_[k];
+	for (size_t k = 0; k < size_t(_count); ++k) {
+		const double u = _u[k];
+		const double w = _w[k];
 		uu += u * u;
 		uw += u * w;
 		ww += w * w;
 		for (int i = 0; i < 6; ++i) {
-			uy[i] += u * double(target_[i][k]);
-			wy[i] += w * double(target_[i][k]);
+			uy[i] += u * double(_target[i][k]);
+			wy[i] += w * double(_target[i][k]);
 		}
 	}
-	uu += pin_weight_;
+	uu += _pin_weight;
 	for (int i = 0; i < 6; ++i) {
-		uy[i] += pin_weight_ * pin_[i];
+		uy[i] += _pin_weight * _pin[i];
 	}
 	double straight_way[6];
 	for (int i = 0; i < 6; ++i) {
@@ -288,24 +288,24 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	}
 	round_end(straight_way, straight);
 	bool found = try_code(straight, NO_LIMIT, result);
-	if (!found && thoroughly && result.error < NEARLY * tolerance_) {
+	if (!found && thoroughly && result.error < NEARLY * _tolerance) {
 		found = improve_error(result);
 	}
 	// With bends: of the translation, the rotation, both.
 	const double determinant = uu * ww - uw * uw;
-	if (!found && count_ >= 3 && determinant > 1e-3 * uu * ww) {
+	if (!found && _count >= 3 && determinant > 1e-3 * uu * ww) {
 		SegmentCode bent = straight;
 		double way[6];
 		for (int i = 0; i < 6; ++i) {
 			way[i] = (uy[i] * ww - wy[i] * uw) / determinant;
 		}
 		round_end(way, bent);
-		const SegmentSteps steps(predicted_, bent);
+		const SegmentSteps steps(_predicted, bent);
 		for (int i = 0; i < 6; ++i) {
 			const double bend = (wy[i] - double(steps.way[i]) * uw) / ww;
-			bent.bend[i] = std::int32_t(std::clamp(std::nearbyint(bend / StreamGrid::BEND), double(-MOST_END), double(MOST_END)));
+			bent.bend[i] = int32_t(std::clamp(std::nearbyint(bend / StreamGrid::BEND), double(-MAX_END), double(MAX_END)));
 		}
-		std::uint32_t least_cost = 0;
+		uint32_t least_cost = 0;
 		for (int groups = thoroughly ? 1 : 3; groups <= 3; ++groups) {
 			SegmentCode code = straight;
 			for (int i = 0; i < 6; ++i) {
@@ -316,11 +316,11 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 			}
 			Result other;
 			bool within = try_code(code, NO_LIMIT, other);
-			if (!within && thoroughly && groups == 3 && !found && other.error < NEARLY * tolerance_) {
+			if (!within && thoroughly && groups == 3 && !found && other.error < NEARLY * _tolerance) {
 				within = improve_error(other);
 			}
 			if (within) {
-				const std::uint32_t cost = cost_of(state, models, other.code);
+				const uint32_t cost = cost_of(state, models, other.code);
 				if (!found || cost < least_cost) {
 					result = other;
 					least_cost = cost;
@@ -329,7 +329,7 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 			}
 		}
 	}
-	if (!found && count_ <= 2) {
+	if (!found && _count <= 2) {
 		SegmentCode fine = straight;
 		fine.fine = true;
 		round_end(straight_way, fine);
@@ -341,53 +341,53 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	return found;
 }
 
-bool SegmentFit::fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result) {
+bool SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thoroughly, MotionModels &models, Result &result) {
 	if (count == 0) {
 		// Nothing was seen: the motion goes on as predicted.
 		result = Result();
 		result.code.ticks = ticks;
 		return true;
 	}
-	if (count > loaded_ || !set_length(state, ticks, count) || !(tolerance_ > 0.0f)) {
+	if (count > _loaded || !set_length(state, ticks, count) || !(_tolerance > 0.0f)) {
 		return false;
 	}
-	if (mode_ == cga::Mode::SEPARATE) {
+	if (_mode == cga::Mode::SEPARATE) {
 		return search(state, ticks, thoroughly, models, result);
 	}
 	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
 	SegmentSteps straight;
-	for (std::size_t i = 0; i < 6; ++i) {
-		straight.way[i] = std::int64_t(target_[i][std::size_t(count_ - 1)] / u_[std::size_t(count_ - 1)]);
+	for (size_t i = 0; i < 6; ++i) {
+		straight.way[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
 	}
-	std::copy(target_, target_ + 6, base_target_);
+	std::copy(_target, _target + 6, _base_target);
 	subtract_base_path(state, ticks, straight);
 	const bool found = search(state, ticks, thoroughly, models, result);
-	std::copy(base_target_, base_target_ + 6, target_);
+	std::copy(_base_target, _base_target + 6, _target);
 	if (!found) {
 		return false;
 	}
-	const MotionSegment segment = state.segment(result.code, state.steps(result.code), grid_, begin_, mode_);
-	const double most = StreamGrid::TOLERANCE * grid_.position * 1.02;
-	return std::all_of(samples_, samples_ + count_, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, grid_.lever) <= most; });
+	const MotionSegment segment = state.segment(result.code, state.steps(result.code), _grid, _begin, _mode);
+	const double most = StreamGrid::TOLERANCE * _grid.position * 1.02;
+	return std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever) <= most; });
 }
 
-bool SegmentFit::reach(const BodyState &state, int ticks, std::size_t index, Result &result) {
-	if (index >= loaded_ || !set_length(state, ticks, index + 1)) {
+bool SegmentFit::reach(const BodyState &state, int ticks, size_t index, Result &result) {
+	if (index >= _loaded || !set_length(state, ticks, index + 1)) {
 		return false;
 	}
 	result = Result();
 	SegmentCode &code = result.code;
 	code.ticks = ticks;
 	code.fine = true;
-	code.scaled = scale_change_ != 0;
-	code.scale = scale_change_;
+	code.scaled = _scale_change != 0;
+	code.scale = _scale_change;
 	double way[6];
-	for (std::size_t i = 0; i < 6; ++i) {
+	for (size_t i = 0; i < 6; ++i) {
 		// Where the next sample is known, the end lies on the way to it.
-		way[i] = pin_weight_ == 1.0 ? pin_[i] : double(target_[i][index]);
+		way[i] = _pin_weight == 1.0 ? _pin[i] : double(_target[i][index]);
 	}
 	round_end(way, code);
-	return std::all_of(code.end, code.end + 6, [](std::int32_t value) { return std::abs(value) <= MOST_END; });
+	return std::all_of(code.end, code.end + 6, [](int32_t value) { return std::abs(value) <= MAX_END; });
 }
 
 } // namespace net

@@ -16,7 +16,7 @@ namespace net {
 /// cheap. Errors of all samples are computed side by side.
 class SegmentFit {
 public:
-	static constexpr std::size_t MOST_SAMPLES = 256;
+	static constexpr size_t MAX_SAMPLES = 256;
 
 	struct Result {
 		SegmentCode code;
@@ -24,55 +24,55 @@ public:
 	};
 
 	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
-			grid_(grid), mode_(mode) {}
+			_grid(grid), _mode(mode) {}
 
 	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
-	void begin(const BodyState &state, double begin, const MotionSample *samples, std::size_t count, std::size_t available);
+	void begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available);
 	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
 	/// tolerance; `thoroughly`: and is as cheap as can be found.
-	bool fit(const BodyState &state, int ticks, std::size_t count, bool thoroughly, MotionModels &models, Result &result);
+	bool fit(const BodyState &state, int ticks, size_t count, bool thoroughly, MotionModels &models, Result &result);
 	/// A code that ends where sample `index` is as nearly as possible, whatever is between. False if none reaches it.
-	bool reach(const BodyState &state, int ticks, std::size_t index, Result &result);
+	bool reach(const BodyState &state, int ticks, size_t index, Result &result);
 
 private:
 	void pin_end(int ticks);
-	bool set_length(const BodyState &state, int ticks, std::size_t count);
+	bool set_length(const BodyState &state, int ticks, size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
 	void round_end(const double way[6], SegmentCode &code) const;
 	bool try_code(const SegmentCode &code, float limit, Result &result) const;
 	/// In 1/256 bit.
-	static std::uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
+	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
 	bool improve_error(Result &result) const;
 	void improve_cost(Result &result) const;
 	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
 	bool search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result);
 
-	using Row = std::array<float, MOST_SAMPLES>;
+	using Row = std::array<float, MAX_SAMPLES>;
 
-	StreamGrid grid_;
-	cga::Mode mode_;
+	StreamGrid _grid;
+	cga::Mode _mode;
 
 	// Of all samples that were loaded.
-	const MotionSample *samples_ = nullptr;
-	std::size_t loaded_ = 0;
-	std::size_t known_ = 0;
-	double begin_ = 0.0;
-	cga::Pose<double> start_;
-	Row target_[6]; // steps from the start
-	Row to_body_[9]; // world's axes to the body's at the sample
-	Row jacobian_[9]; // change of the rotation vector to the body's rotation at the sample
-	Row base_target_[6]; // target_ before the mode's path was subtracted
+	const MotionSample *_samples = nullptr;
+	size_t _loaded = 0;
+	size_t _known = 0;
+	double _begin = 0.0;
+	cga::Pose<double> _start;
+	Row _target[6]; // steps from the start
+	Row _to_body[9]; // world's axes to the body's at the sample
+	Row _jacobian[9]; // change of the rotation vector to the body's rotation at the sample
+	Row _base_target[6]; // _target before the mode's path was subtracted
 
 	// Of a segment of some length.
-	int count_ = 0;
-	int padded_ = 0;
-	Row u_;
-	Row w_;
-	std::int64_t predicted_[6];
-	double pin_weight_ = 0.0; // of a guess of where the end is, for segments that end after their last sample
-	double pin_[6];
-	float tolerance_ = 0.0f; // in steps, less what the scale takes of it
-	std::int32_t scale_change_ = 0;
+	int _count = 0;
+	int _padded = 0;
+	Row _u;
+	Row _w;
+	int64_t _predicted[6];
+	double _pin_weight = 0.0; // of a guess of where the end is, for segments that end after their last sample
+	double _pin[6];
+	float _tolerance = 0.0f; // in steps, less what the scale takes of it
+	int32_t _scale_change = 0;
 };
 
 } // namespace net

@@ -10,19 +10,19 @@ namespace net {
 namespace {
 
 template <class Number>
-void put_number(std::vector<std::uint8_t> &bytes, Number number) {
-	std::uint64_t bits = 0;
+void put_number(std::vector<uint8_t> &bytes, Number number) {
+	uint64_t bits = 0;
 	std::memcpy(&bits, &number, sizeof(number));
-	for (std::size_t i = 0; i < sizeof(number); ++i) {
-		bytes.push_back(std::uint8_t(bits >> (8 * i)));
+	for (size_t i = 0; i < sizeof(number); ++i) {
+		bytes.push_back(uint8_t(bits >> (8 * i)));
 	}
 }
 
 template <class Number>
-Number take_number(const std::uint8_t *&bytes) {
-	std::uint64_t bits = 0;
-	for (std::size_t i = 0; i < sizeof(Number); ++i) {
-		bits |= std::uint64_t(*bytes++) << (8 * i);
+Number take_number(const uint8_t *&bytes) {
+	uint64_t bits = 0;
+	for (size_t i = 0; i < sizeof(Number); ++i) {
+		bits |= uint64_t(*bytes++) << (8 * i);
 	}
 	Number number;
 	std::memcpy(&number, &bits, sizeof(number));
@@ -35,9 +35,9 @@ bool is_between(double value, double least, double most) {
 
 } // namespace
 
-void put_state_header(std::vector<std::uint8_t> &bytes, const StateHeader &header) {
+void put_state_header(std::vector<uint8_t> &bytes, const StateHeader &header) {
 	bytes.push_back(STREAM_VERSION);
-	bytes.push_back(std::uint8_t(header.settings.mode));
+	bytes.push_back(uint8_t(header.settings.mode));
 	put_number(bytes, float(header.settings.position_tolerance));
 	put_number(bytes, float(header.settings.rotation_tolerance));
 	put_number(bytes, float(header.settings.max_latency));
@@ -46,15 +46,15 @@ void put_state_header(std::vector<std::uint8_t> &bytes, const StateHeader &heade
 	put_number(bytes, header.tick);
 }
 
-const char *read_state_header(const std::uint8_t *bytes, std::size_t size, StateHeader &header) {
-	static_assert(sizeof(std::uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "Numbers as on the wire.");
+const char *read_state_header(const uint8_t *bytes, size_t size, StateHeader &header) {
+	static_assert(sizeof(uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "Numbers as on the wire.");
 	if (size < StateHeader::BYTES) {
 		return "the state is cut off";
 	}
 	if (bytes[0] != STREAM_VERSION) {
 		return "the stream is of another version of the addon: update the older side";
 	}
-	if (bytes[1] > std::uint8_t(cga::Mode::SEPARATE)) {
+	if (bytes[1] > uint8_t(cga::Mode::SEPARATE)) {
 		return "the state's mode is unknown";
 	}
 	header.settings.mode = cga::Mode(bytes[1]);
@@ -64,7 +64,7 @@ const char *read_state_header(const std::uint8_t *bytes, std::size_t size, State
 	header.settings.max_latency = double(take_number<float>(bytes));
 	header.window = take_number<float>(bytes);
 	header.settings.tick = take_number<double>(bytes);
-	header.tick = take_number<std::uint32_t>(bytes);
+	header.tick = take_number<uint32_t>(bytes);
 	const bool is_sound = is_between(header.settings.position_tolerance, 1e-6, 1e6) && is_between(header.settings.rotation_tolerance, 1e-4, 180.0) &&
 			is_between(header.settings.max_latency, 0.0, 60.0) && is_between(double(header.window), 0.0, 60.0) && is_between(header.settings.tick, 1e-4, 10.0);
 	return is_sound ? nullptr : "the state's settings are out of range";

@@ -10,15 +10,15 @@ namespace net {
 
 /// What a state begins with.
 struct StateHeader {
-	static constexpr std::size_t BYTES = 30;
+	static constexpr size_t BYTES = 30;
 
 	StreamSettings settings; ///< send_rate is not told
-	std::uint32_t tick = 0; ///< the media time of the state
+	uint32_t tick = 0; ///< the media time of the state
 	float window = 0.0f; ///< seconds: the usual length of a window
 };
 
-void put_state_header(std::vector<std::uint8_t> &bytes, const StateHeader &header);
+void put_state_header(std::vector<uint8_t> &bytes, const StateHeader &header);
 /// Null, or what is wrong (a literal).
-const char *read_state_header(const std::uint8_t *bytes, std::size_t size, StateHeader &header);
+const char *read_state_header(const uint8_t *bytes, size_t size, StateHeader &header);
 
 } // namespace net

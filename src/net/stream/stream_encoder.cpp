@@ -9,17 +9,17 @@ namespace {
 
 /// A body that nobody saw for more windows than this, and longer than this in ticks, is not taken to have moved steadily
 /// until it was seen again: it stays where it was, and jumps.
-constexpr double LONGEST_GAP_WINDOWS = 1.5;
-constexpr double LONGEST_GAP_TICKS = 6.0;
+constexpr double MAX_GAP_WINDOWS = 1.5;
+constexpr double MAX_GAP_TICKS = 6.0;
 /// The share of the tolerance within which a resting body is still no news.
 constexpr double NEWS = 0.9;
 /// Poses that come sooner than this after another, in ticks, are left out.
-constexpr double LEAST_STEP = 0.12;
+constexpr double MIN_STEP = 0.12;
 /// Times nearer than this to a whole tick are that tick: clocks round.
 constexpr double SAME_TICK = 0.01;
 
 double longest_gap(int ticks) {
-	return std::max(LONGEST_GAP_WINDOWS * ticks, LONGEST_GAP_TICKS);
+	return std::max(MAX_GAP_WINDOWS * ticks, MAX_GAP_TICKS);
 }
 
 int tick_in_window(double time, double begin, int ticks) {
@@ -29,75 +29,75 @@ int tick_in_window(double time, double begin, int ticks) {
 } // namespace
 
 StreamEncoder::StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
-		grid_(position_tolerance, rotation_tolerance), planner_(grid_, mode) {}
+		_grid(position_tolerance, rotation_tolerance), _planner(_grid, mode) {}
 
-bool StreamEncoder::add_body(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose) {
 	Body body;
-	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, grid_)) {
+	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, _grid)) {
 		return false;
 	}
 	body.id = id;
 	body.added = true;
 	body.change_time = time;
 	body.seen_time = time;
-	index_[id] = bodies_.size();
-	bodies_.push_back(std::move(body));
-	news_ = true;
+	_index[id] = _bodies.size();
+	_bodies.push_back(std::move(body));
+	_news = true;
 	return true;
 }
 
-bool StreamEncoder::remove_body(std::uint32_t id, double time) {
-	const auto found = index_.find(id);
-	if (found == index_.end()) {
+bool StreamEncoder::remove_body(uint32_t id, double time) {
+	const auto found = _index.find(id);
+	if (found == _index.end()) {
 		return false;
 	}
-	Body &body = bodies_[found->second];
+	Body &body = _bodies[found->second];
 	body.removed = true;
 	body.removal_time = time;
-	index_.erase(found);
-	news_ = true;
+	_index.erase(found);
+	_news = true;
 	return true;
 }
 
-bool StreamEncoder::jump(std::uint32_t id) {
-	const auto found = index_.find(id);
-	if (found == index_.end()) {
+bool StreamEncoder::jump(uint32_t id) {
+	const auto found = _index.find(id);
+	if (found == _index.end()) {
 		return false;
 	}
-	bodies_[found->second].jump_next = true;
+	_bodies[found->second].jump_next = true;
 	return true;
 }
 
-bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<double> &pose) {
+bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 	const double whole = std::floor(time + 0.5);
 	if (std::fabs(time - whole) < SAME_TICK) {
 		time = whole;
 	}
-	const auto found = index_.find(id);
-	if (found == index_.end() || !BodyState::can_hold(pose, grid_)) {
+	const auto found = _index.find(id);
+	if (found == _index.end() || !BodyState::can_hold(pose, _grid)) {
 		return false;
 	}
-	Body &body = bodies_[found->second];
+	Body &body = _bodies[found->second];
 	cga::Pose<double> unit = pose;
 	unit.rotation = glm::normalize(pose.rotation);
 	if (body.added && (body.jump_next || time <= body.change_time + 1e-6)) {
 		// Nobody has been told of it yet: it is simply there.
 		body.jump_next = false;
 		body.samples.clear();
-		if (time > body.change_time + LEAST_STEP) {
+		if (time > body.change_time + MIN_STEP) {
 			body.samples.push_back({ time, unit });
 		}
-		return body.state.set_pose(pose, grid_);
+		return body.state.set_pose(pose, _grid);
 	}
 	if (body.jump_next) {
 		body.jump_next = false;
-		news_ = true;
+		_news = true;
 		if (body.jumped) {
 			// Of several jumps in a window one is shown, at the time of the first, to where the last one led.
 			const double first = body.change_time;
 			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
 			body.samples.push_back({ first, unit });
-			if (time > first + LEAST_STEP) {
+			if (time > first + MIN_STEP) {
 				body.samples.push_back({ time, unit });
 			}
 			return true;
@@ -110,8 +110,8 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 		body.samples.push_back({ time, unit });
 		return true;
 	}
-	news_ = news_ || is_news(body, unit);
-	if (!body.samples.empty() && time - body.samples.back().time < LEAST_STEP) {
+	_news = _news || is_news(body, unit);
+	if (!body.samples.empty() && time - body.samples.back().time < MIN_STEP) {
 		return true;
 	}
 	body.samples.push_back({ time, unit });
@@ -119,47 +119,47 @@ bool StreamEncoder::observe(std::uint32_t id, double time, const cga::Pose<doubl
 }
 
 bool StreamEncoder::is_news(const Body &body, const cga::Pose<double> &pose) const {
-	return body.state.active || !body.state.settled || pose_distance(body.state.pose(grid_), pose, grid_.lever) > NEWS * StreamGrid::TOLERANCE * grid_.position;
+	return body.state.active || !body.state.settled || pose_distance(body.state.pose(_grid), pose, _grid.lever) > NEWS * StreamGrid::TOLERANCE * _grid.position;
 }
 
-void StreamEncoder::encode_window(double begin, int ticks, std::vector<std::uint8_t> &bytes) {
+void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
-	bool same_length = ticks == last_ticks_;
-	coder.bit(models_.same_length, same_length);
+	bool same_length = ticks == _last_ticks;
+	coder.bit(_models.same_length, same_length);
 	if (!same_length) {
-		std::uint32_t less_one = std::uint32_t(ticks - 1);
+		uint32_t less_one = uint32_t(ticks - 1);
 		coder.bits(less_one, 6);
 	}
-	last_ticks_ = ticks;
+	_last_ticks = ticks;
 	find_gaps(begin, ticks);
 	encode_changes(coder, begin, ticks);
 	bool neighbour_active = false;
-	moving_ = 0;
-	for (Body &body : bodies_) {
+	_moving = 0;
+	for (Body &body : _bodies) {
 		encode_motion(coder, body, begin, ticks, neighbour_active);
 		if (!body.added) {
-			moving_ += body.state.active ? 1 : 0;
-			check_ = (check_ ^ body.state.hash()) * 0x01000193u;
+			_moving += body.state.active ? 1 : 0;
+			_check = (_check ^ body.state.hash()) * 0x01000193u;
 		}
 	}
 	coder.finish();
 	const auto gone = [](const Body &body) { return body.removed; };
-	const auto kept = std::remove_if(bodies_.begin(), bodies_.end(), gone);
-	if (kept != bodies_.end()) {
-		bodies_.erase(kept, bodies_.end());
-		for (std::size_t i = 0; i < bodies_.size(); ++i) {
-			index_[bodies_[i].id] = i;
+	const auto kept = std::remove_if(_bodies.begin(), _bodies.end(), gone);
+	if (kept != _bodies.end()) {
+		_bodies.erase(kept, _bodies.end());
+		for (size_t i = 0; i < _bodies.size(); ++i) {
+			_index[_bodies[i].id] = i;
 		}
 	}
-	news_ = false;
-	for (const Body &body : bodies_) {
-		news_ = news_ || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_news(body, body.samples.back().pose));
+	_news = false;
+	for (const Body &body : _bodies) {
+		_news = _news || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_news(body, body.samples.back().pose));
 	}
 }
 
 void StreamEncoder::find_gaps(double begin, int ticks) {
 	const double most = longest_gap(ticks);
-	for (Body &body : bodies_) {
+	for (Body &body : _bodies) {
 		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.seen_time <= most) {
 			continue;
 		}
@@ -178,33 +178,33 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 	// One that was added after the end and has gone again was never there.
 	const auto is_told = [end](const Body &body) { return !body.added || body.change_time <= end; };
 	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_told(body)); };
-	bool has_events = std::any_of(bodies_.begin(), bodies_.end(), has_change);
-	coder.bit(models_.has_events, has_events);
+	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_change);
+	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
 		return;
 	}
 	StateCoder<RangeEncoder> state_coder(coder);
-	const auto put = [&coder](std::uint32_t value, int bits) { coder.bits(value, bits); };
-	std::int32_t index = -1;
-	for (Body &body : bodies_) {
+	const auto put = [&coder](uint32_t value, int bits) { coder.bits(value, bits); };
+	int32_t index = -1;
+	for (Body &body : _bodies) {
 		if (!is_told(body)) {
 			continue;
 		}
 		++index;
 		if (is_added(body)) {
 			put(1, 1);
-			put(std::uint32_t(BodyChange::ADDED), 2);
-			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(uint32_t(BodyChange::ADDED), 2);
+			put(uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
 			put(body.id, 31);
 			body.state.visit(state_coder);
 		} else if (is_jumped(body)) {
 			put(1, 1);
-			put(std::uint32_t(BodyChange::JUMPED), 2);
-			put(std::uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(uint32_t(BodyChange::JUMPED), 2);
+			put(uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
 			state_coder(index, INDEX_BITS);
 			BodyState reached;
 			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.change_time; });
-			if (first == body.samples.end() || !reached.set_pose(first->pose, grid_)) {
+			if (first == body.samples.end() || !reached.set_pose(first->pose, _grid)) {
 				reached = body.state;
 				reached.rest();
 			}
@@ -212,8 +212,8 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 		}
 		if (body.removed) {
 			put(1, 1);
-			put(std::uint32_t(BodyChange::REMOVED), 2);
-			put(std::uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
+			put(uint32_t(BodyChange::REMOVED), 2);
+			put(uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
 			state_coder(index, INDEX_BITS);
 		}
 	}
@@ -222,10 +222,10 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 
 void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active) {
 	const double end = begin + ticks + 1e-6;
-	const std::size_t count = std::size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
+	const size_t count = size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
 	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
-	std::size_t first = 0;
+	size_t first = 0;
 	if (body.added || body.jumped) {
 		if (body.change_time > end) {
 			if (body.added) {
@@ -238,7 +238,7 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 			}
 			if (body.jumped) {
 				encode_span(coder, body, begin, at, 0, first, first, neighbour_active);
-				const bool seen = first < count && body.state.set_pose(body.samples[first].pose, grid_);
+				const bool seen = first < count && body.state.set_pose(body.samples[first].pose, _grid);
 				if (!seen) {
 					body.state.rest();
 				}
@@ -249,10 +249,10 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 		}
 	}
 	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first, neighbour_active);
-	body.samples.erase(body.samples.begin(), body.samples.begin() + std::ptrdiff_t(count));
+	body.samples.erase(body.samples.begin(), body.samples.begin() + ptrdiff_t(count));
 }
 
-void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, std::size_t first, std::size_t count, std::size_t available, bool &neighbour_active) {
+void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available, bool &neighbour_active) {
 	if (ticks <= 0) {
 		return;
 	}
@@ -267,34 +267,34 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 		--count;
 	}
 	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= longest_gap(ticks)) {
-		motion_.active = true;
-		motion_.count = 1;
-		motion_.segments[0] = SegmentCode();
-		motion_.segments[0].ticks = ticks;
+		_motion.active = true;
+		_motion.count = 1;
+		_motion.segments[0] = SegmentCode();
+		_motion.segments[0].ticks = ticks;
 	} else {
 		body.seen_time = count == 0 ? body.seen_time : samples[count - 1].time;
-		if (!planner_.plan(body.state, begin, ticks, samples, count, available, models_, motion_)) {
+		if (!_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion)) {
 			// Out of the reach of a motion: stays, and is there at the next jump.
-			motion_.active = false;
-			motion_.settles = false;
+			_motion.active = false;
+			_motion.settles = false;
 			body.jump_next = true;
 		}
 	}
-	(void)code_motion(coder, models_, body.state, grid_, begin, ticks, neighbour_active, motion_, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
-	neighbour_active = motion_.active;
+	(void)code_motion(coder, _models, body.state, _grid, begin, ticks, neighbour_active, _motion, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
+	neighbour_active = _motion.active;
 }
 
-void StreamEncoder::encode_state(std::vector<std::uint8_t> &bytes) {
+void StreamEncoder::encode_state(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
-	std::uint32_t ticks = std::uint32_t(last_ticks_);
+	uint32_t ticks = uint32_t(_last_ticks);
 	coder.bits(ticks, 7);
-	coder.bits(check_, 32);
-	code_models(coder, models_);
+	coder.bits(_check, 32);
+	code_models(coder, _models);
 	const auto is_known = [](const Body &body) { return !body.added; };
-	std::uint32_t count = std::uint32_t(std::count_if(bodies_.begin(), bodies_.end(), is_known));
+	uint32_t count = uint32_t(std::count_if(_bodies.begin(), _bodies.end(), is_known));
 	coder.bits(count, INDEX_BITS);
-	for (Body &body : bodies_) {
+	for (Body &body : _bodies) {
 		if (is_known(body)) {
 			coder.bits(body.id, 31);
 			body.state.visit(state_coder);

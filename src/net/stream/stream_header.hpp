@@ -13,12 +13,12 @@ namespace net {
 inline constexpr int INDEX_BITS = 24;
 
 /// The bits of a hash of the state that go with a window.
-[[nodiscard]] inline std::uint8_t check_bits(std::uint32_t hash) {
-	return std::uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
+[[nodiscard]] inline uint8_t check_bits(uint32_t hash) {
+	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
 }
 
 /// What happens to a body in a window besides motion. Ticks count from the window's begin.
-enum class BodyChange : std::uint8_t {
+enum class BodyChange : uint8_t {
 	ADDED, ///< is there from the tick on
 	REMOVED, ///< is gone from the tick on
 	JUMPED, ///< is elsewhere from the tick on
@@ -29,38 +29,38 @@ template <class Coder>
 class StateCoder {
 public:
 	explicit StateCoder(Coder &coder) :
-			coder_(coder) {}
+			_coder(coder) {}
 
 	template <class Number>
 	void operator()(Number &number, int bits) {
-		std::uint64_t code = zigzag(std::int64_t(number));
-		std::uint32_t width = std::uint32_t(bit_width(code));
-		const int width_bits = bit_width(std::uint64_t(bits));
-		coder_.bits(width, width_bits);
-		std::uint32_t high = std::uint32_t(code >> 32);
-		std::uint32_t low = std::uint32_t(code);
+		uint64_t code = zigzag(int64_t(number));
+		uint32_t width = uint32_t(bit_width(code));
+		const int width_bits = bit_width(uint64_t(bits));
+		_coder.bits(width, width_bits);
+		uint32_t high = uint32_t(code >> 32);
+		uint32_t low = uint32_t(code);
 		const int count = int(width) < bits ? int(width) : bits;
-		coder_.bits(high, count > 32 ? count - 32 : 0);
-		coder_.bits(low, count > 32 ? 32 : count);
-		code = std::uint64_t(count > 32 ? high : 0) << 32 | (count > 0 ? low : 0);
+		_coder.bits(high, count > 32 ? count - 32 : 0);
+		_coder.bits(low, count > 32 ? 32 : count);
+		code = uint64_t(count > 32 ? high : 0) << 32 | (count > 0 ? low : 0);
 		number = Number(unzigzag(code));
 	}
 
 private:
-	Coder &coder_;
+	Coder &_coder;
 };
 
 /// Writes or reads the models: those that are not as they began, each with a flag.
 template <class Coder>
 void code_models(Coder &coder, MotionModels &models) {
 	MotionModels fresh;
-	AdaptiveBit *others[MotionModels::MOST_BITS];
+	AdaptiveBit *others[MotionModels::MAX_BITS];
 	int count = 0;
 	fresh.visit([&](AdaptiveBit &bit) { others[count++] = &bit; });
 	AdaptiveBit is_changed;
 	count = 0;
 	models.visit([&](AdaptiveBit &bit) {
-		std::uint32_t state = bit.state();
+		uint32_t state = bit.state();
 		bool changed = state != others[count++]->state();
 		coder.bit(is_changed, changed);
 		if (changed) {

@@ -104,7 +104,7 @@ Change Document::add(std::string_view name, std::string_view text, size_t index)
 	auto added = std::make_unique<Entry>();
 	Entry &entry = *added;
 	entry.name = name;
-	_entries.insert(_entries.begin() + std::ptrdiff_t(std::min(index, _entries.size())), std::move(added));
+	_entries.insert(_entries.begin() + ptrdiff_t(std::min(index, _entries.size())), std::move(added));
 	_index.emplace(entry.name, &entry);
 	// Those that waited for the name, and those that might have meant it.
 	std::vector<Entry *> stale = entries_that_lack_others();
@@ -179,7 +179,7 @@ Change Document::remove(std::string_view name) {
 	for (Entry *dependent : entry->dependents) {
 		std::replace(dependent->dependencies.begin(), dependent->dependencies.end(), entry, static_cast<Entry *>(nullptr));
 	}
-	_entries.erase(_entries.begin() + std::ptrdiff_t(index_of(old_name)));
+	_entries.erase(_entries.begin() + ptrdiff_t(index_of(old_name)));
 	_index.erase(old_name);
 	return change(entries_that_lack_others(), { old_name });
 }
@@ -192,7 +192,7 @@ Change Document::move(std::string_view name, size_t index) {
 	if (index >= size()) {
 		return refused("the index " + std::to_string(index) + " is not in 0.." + std::to_string(size() - 1));
 	}
-	const auto place = [this](size_t at) { return _entries.begin() + std::ptrdiff_t(at); };
+	const auto place = [this](size_t at) { return _entries.begin() + ptrdiff_t(at); };
 	if (from < index) {
 		std::rotate(place(from), place(from + 1), place(index + 1));
 	} else {

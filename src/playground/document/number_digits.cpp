@@ -13,7 +13,7 @@ namespace {
 constexpr int DRAGGED_DIGITS = 7;
 constexpr size_t TYPED_DIGITS = 10;
 // Powers of ten up to this one are exact in a double, so that dividing by them gives the nearest decimal.
-constexpr int LARGEST_EXACT_POWER = 22;
+constexpr int MAX_EXACT_POWER = 22;
 
 std::string shortest(double value) {
 	std::string text;
@@ -38,7 +38,7 @@ size_t digit_count(std::string_view text) {
 
 double rounded(double value, double size) {
 	const int decimals = DRAGGED_DIGITS - 1 - int(std::floor(std::log10(size)));
-	if (decimals > LARGEST_EXACT_POWER || decimals < -LARGEST_EXACT_POWER) {
+	if (decimals > MAX_EXACT_POWER || decimals < -MAX_EXACT_POWER) {
 		return value;
 	}
 	const double power = std::pow(10.0, std::abs(decimals));

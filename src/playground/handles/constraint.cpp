@@ -15,7 +15,7 @@ using Place = std::optional<Vector>;
 
 constexpr double TURN = 6.283185307179586;
 // Of the sine or cosine of an angle between directions: below it they count as along or across each other.
-constexpr double LEAST_SINE = 1e-6;
+constexpr double MIN_SINE = 1e-6;
 
 Place on_plane(const ViewRay &ray, const Constraint &constraint) {
 	const double size = cga::detail::length(ray.view);
@@ -24,7 +24,7 @@ Place on_plane(const ViewRay &ray, const Constraint &constraint) {
 	}
 	const Vector normal = ray.view / size;
 	const double cosine = glm::dot(ray.direction, normal);
-	if (!(std::abs(cosine) > LEAST_SINE)) {
+	if (!(std::abs(cosine) > MIN_SINE)) {
 		return std::nullopt;
 	}
 	const double depth = glm::dot(constraint.place - ray.origin, normal) / cosine;
@@ -35,7 +35,7 @@ Place on_line(const ViewRay &ray, const Constraint &constraint) {
 	const Vector &axis = constraint.axis;
 	const double cosine = glm::dot(ray.direction, axis);
 	const double across = 1.0 - cosine * cosine;
-	if (!(across > LEAST_SINE * LEAST_SINE)) {
+	if (!(across > MIN_SINE * MIN_SINE)) {
 		return std::nullopt;
 	}
 	const Vector between = ray.origin - constraint.place;

@@ -65,18 +65,18 @@ double longest_interval(const Trace &trace, const std::vector<SampleIndex> &chos
 }
 
 struct Cost {
-	std::size_t poses = 0;
-	std::size_t datagrams = 0;
+	size_t poses = 0;
+	size_t datagrams = 0;
 };
 
 // What a fixed rate costs: a pose of every body that is there, each time.
-Cost fixed_rate_cost(const Trace &trace, double rate, std::size_t bodies_per_datagram) {
+Cost fixed_rate_cost(const Trace &trace, double rate, size_t bodies_per_datagram) {
 	Cost cost;
 	const double early = EARLY / rate;
-	for (std::size_t turn = 0; double(turn) / rate <= trace.duration() + early; ++turn) {
+	for (size_t turn = 0; double(turn) / rate <= trace.duration() + early; ++turn) {
 		const double time = trace.begin() + double(turn) / rate;
 		const auto is_there = [&](const TraceBody &body) { return body.samples.front().time - early <= time && time <= body.samples.back().time + early; };
-		const std::size_t poses = std::size_t(std::count_if(trace.bodies.begin(), trace.bodies.end(), is_there));
+		const size_t poses = size_t(std::count_if(trace.bodies.begin(), trace.bodies.end(), is_there));
 		cost.poses += poses;
 		cost.datagrams += (poses + bodies_per_datagram - 1) / bodies_per_datagram;
 	}
@@ -87,13 +87,13 @@ Cost fixed_rate_cost(const Trace &trace, double rate, std::size_t bodies_per_dat
 class ReceivedSamples {
 public:
 	explicit ReceivedSamples(const Trace &trace) :
-			samples_(trace.bodies.size()) {}
+			_samples(trace.bodies.size()) {}
 
-	void add(std::uint32_t body, const TraceSample &sample) { samples_[body].push_back(sample); }
+	void add(uint32_t body, const TraceSample &sample) { _samples[body].push_back(sample); }
 
 	// What is shown of the body at a time; null before its first sample.
-	const cga::Pose<double> *show(std::uint32_t body, double time, cga::Mode path) {
-		const std::vector<TraceSample> &samples = samples_[body];
+	const cga::Pose<double> *show(uint32_t body, double time, cga::Mode path) {
+		const std::vector<TraceSample> &samples = _samples[body];
 		const auto after = std::upper_bound(samples.begin(), samples.end(), time, [](double t, const TraceSample &sample) { return t < sample.time; });
 		if (after == samples.begin()) {
 			return nullptr;
@@ -102,13 +102,13 @@ public:
 		if (after == samples.end()) {
 			return &from.pose;
 		}
-		shown_ = cga::interpolate(from.pose, after->pose, (time - from.time) / (after->time - from.time), path);
-		return &shown_;
+		_shown = cga::interpolate(from.pose, after->pose, (time - from.time) / (after->time - from.time), path);
+		return &_shown;
 	}
 
 private:
-	std::vector<std::vector<TraceSample>> samples_; // by body
-	cga::Pose<double> shown_;
+	std::vector<std::vector<TraceSample>> _samples; // by body
+	cga::Pose<double> _shown;
 };
 
 } // namespace
@@ -124,13 +124,13 @@ std::vector<Baseline> baselines() {
 	return all;
 }
 
-MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, std::uint64_t seed) {
+MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed) {
 	const std::vector<SampleIndex> chosen = choose_samples(trace, baseline.rate);
 	const double delay = longest_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
-	const std::size_t bodies_per_datagram = std::size_t(net::MOST_PACKET_BYTES) / baseline.pose_bytes;
+	const size_t bodies_per_datagram = size_t(net::MAX_PACKET_BYTES) / baseline.pose_bytes;
 	ReceivedSamples received(trace);
 	LinkModel model(link, seed);
-	for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {
+	for (size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {
 		const double time = trace.sample(chosen[begin]).time;
 		while (end < chosen.size() && end - begin < bodies_per_datagram && trace.sample(chosen[end]).time == time) {
 			++end;
@@ -140,7 +140,7 @@ MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const Li
 		if (std::none_of(fate.arrivals.begin(), fate.arrivals.begin() + fate.copies, in_time)) {
 			continue;
 		}
-		for (std::size_t i = begin; i < end; ++i) {
+		for (size_t i = begin; i < end; ++i) {
 			received.add(chosen[i].body, { time, baseline.as_received(trace.sample(chosen[i]).pose) });
 		}
 	}
@@ -151,10 +151,10 @@ MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const Li
 	result.bytes_per_second = double(cost.poses * baseline.pose_bytes) / trace.duration();
 	result.packets_per_second = double(cost.datagrams) / trace.duration();
 	result.delay_median = result.delay_max = delay;
-	for (std::uint32_t body = 0; body < trace.bodies.size(); ++body) {
+	for (uint32_t body = 0; body < trace.bodies.size(); ++body) {
 		const std::vector<TraceSample> &samples = trace.bodies[body].samples;
 		const std::vector<Motion> motion = find_motion(trace.bodies[body]);
-		for (std::size_t i = 0; i < samples.size(); ++i) {
+		for (size_t i = 0; i < samples.size(); ++i) {
 			if (const cga::Pose<double> *shown = received.show(body, samples[i].time, baseline.path)) {
 				result.errors.add(lever_distance(*shown, samples[i].pose), motion[i]);
 			} else {

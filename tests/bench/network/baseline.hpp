@@ -12,7 +12,7 @@ namespace bench {
 struct Baseline {
 	std::string subject;
 	double rate = 0.0; ///< poses a second of each body
-	std::size_t pose_bytes = 0;
+	size_t pose_bytes = 0;
 	cga::Mode path = cga::Mode::SEPARATE;
 	cga::Pose<double> (*as_received)(const cga::Pose<double> &pose) = nullptr; ///< a pose after rounding to what is sent
 };
@@ -32,6 +32,6 @@ struct Baseline {
 /// The receiver plays the shortest delay behind at which, without loss, the sample after the time shown is always there:
 /// one send interval, the delay and the jitter. A sample that is lost, or comes later than the playback delay after its
 /// time, is missing; the receiver then interpolates between the samples around it, as if it had known that.
-[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, std::uint64_t seed);
+[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed);
 
 } // namespace bench

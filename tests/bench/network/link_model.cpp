@@ -4,38 +4,38 @@
 
 namespace bench {
 
-LinkModel::LinkModel(const LinkSettings &settings, std::uint64_t seed) :
-		settings_(settings), random_(seed) {}
+LinkModel::LinkModel(const LinkSettings &settings, uint64_t seed) :
+		_settings(settings), _random(seed) {}
 
 bool LinkModel::is_lost() {
 	// Bursts that are shorter than chance makes them do not exist; so short ones count as chance.
-	if (settings_.burst * (1.0 - settings_.loss) <= 1.0) {
-		return random_.chance(settings_.loss);
+	if (_settings.burst * (1.0 - _settings.loss) <= 1.0) {
+		return _random.chance(_settings.loss);
 	}
-	const double begins = settings_.loss / (settings_.burst * (1.0 - settings_.loss));
-	bad_ = bad_ ? !random_.chance(1.0 / settings_.burst) : random_.chance(begins);
-	return bad_;
+	const double begins = _settings.loss / (_settings.burst * (1.0 - _settings.loss));
+	_bad = _bad ? !_random.chance(1.0 / _settings.burst) : _random.chance(begins);
+	return _bad;
 }
 
-DatagramFate LinkModel::fate(double now, std::size_t size) {
+DatagramFate LinkModel::fate(double now, size_t size) {
 	DatagramFate fate;
-	++sent_;
+	++_sent;
 	double departure = now;
-	if (settings_.bytes_per_second > 0.0) {
-		departure = std::max(now, line_free_) + double(size) / settings_.bytes_per_second;
-		if (departure - now > settings_.longest_queue) {
-			++lost_;
+	if (_settings.bytes_per_second > 0.0) {
+		departure = std::max(now, _line_free) + double(size) / _settings.bytes_per_second;
+		if (departure - now > _settings.longest_queue) {
+			++_lost;
 			return fate;
 		}
-		line_free_ = departure;
+		_line_free = departure;
 	}
 	if (is_lost()) {
-		++lost_;
+		++_lost;
 		return fate;
 	}
-	fate.copies = random_.chance(settings_.duplication) ? 2 : 1;
+	fate.copies = _random.chance(_settings.duplication) ? 2 : 1;
 	for (int copy = 0; copy < fate.copies; ++copy) {
-		fate.arrivals[std::size_t(copy)] = departure + settings_.delay + random_.between(0.0, settings_.jitter);
+		fate.arrivals[size_t(copy)] = departure + _settings.delay + _random.between(0.0, _settings.jitter);
 	}
 	return fate;
 }

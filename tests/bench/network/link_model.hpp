@@ -31,23 +31,23 @@ struct DatagramFate {
 /// and the mean burst length B, the bad state ends with probability 1/B and begins with p / (B (1 - p)).
 class LinkModel {
 public:
-	LinkModel(const LinkSettings &settings, std::uint64_t seed);
+	LinkModel(const LinkSettings &settings, uint64_t seed);
 
 	/// The fate of a datagram of `size` bytes that is sent `now`; calls are in order of time.
-	DatagramFate fate(double now, std::size_t size);
+	DatagramFate fate(double now, size_t size);
 
-	[[nodiscard]] std::uint64_t sent_count() const { return sent_; }
-	[[nodiscard]] std::uint64_t lost_count() const { return lost_; }
+	[[nodiscard]] uint64_t sent_count() const { return _sent; }
+	[[nodiscard]] uint64_t lost_count() const { return _lost; }
 
 private:
 	bool is_lost();
 
-	LinkSettings settings_;
-	RandomBits random_;
-	bool bad_ = false;
-	double line_free_ = 0.0; // when the line has sent what waits
-	std::uint64_t sent_ = 0;
-	std::uint64_t lost_ = 0;
+	LinkSettings _settings;
+	RandomBits _random;
+	bool _bad = false;
+	double _line_free = 0.0; // when the line has sent what waits
+	uint64_t _sent = 0;
+	uint64_t _lost = 0;
 };
 
 } // namespace bench

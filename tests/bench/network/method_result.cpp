@@ -7,7 +7,7 @@ namespace bench {
 MethodResult pool_runs(const std::vector<MethodResult> &runs) {
 	MethodResult pooled;
 	pooled.subject = runs.front().subject;
-	std::size_t unseen = 0;
+	size_t unseen = 0;
 	for (const MethodResult &run : runs) {
 		pooled.errors.add(run.errors);
 		pooled.bytes_per_second += run.bytes_per_second / double(runs.size());

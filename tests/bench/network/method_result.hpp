@@ -14,7 +14,7 @@ struct MethodResult {
 	double packets_per_second = 0.0;
 	double delay_median = 0.0; ///< seconds that what is shown lies behind the source
 	double delay_max = 0.0; ///< the same, the largest after the first second
-	std::size_t unseen = 0; ///< samples of bodies before the receiver had anything to show of them
+	size_t unseen = 0; ///< samples of bodies before the receiver had anything to show of them
 };
 
 /// Several runs of one method with different chances as one: all their errors together, the longest delay, means of the

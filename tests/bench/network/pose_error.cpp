@@ -19,7 +19,7 @@ double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b) {
 
 std::vector<Motion> find_motion(const TraceBody &body) {
 	std::vector<Motion> motion(body.samples.size(), Motion::UNKNOWN);
-	for (std::size_t i = 1; i < motion.size(); ++i) {
+	for (size_t i = 1; i < motion.size(); ++i) {
 		const TraceSample &before = body.samples[i - 1];
 		const TraceSample &sample = body.samples[i];
 		const bool moves = lever_distance(before.pose, sample.pose) > MOVING_SPEED * (sample.time - before.time);
@@ -30,7 +30,7 @@ std::vector<Motion> find_motion(const TraceBody &body) {
 
 void ErrorSummary::add(double error, Motion motion) {
 	if (motion != Motion::UNKNOWN) {
-		(motion == Motion::MOVING ? moving_ : resting_).push_back(std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+		(motion == Motion::MOVING ? _moving : _resting).push_back(std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
 	}
 }
 
@@ -40,21 +40,21 @@ double percentile(std::vector<double> &values, double share) {
 	}
 	std::sort(values.begin(), values.end());
 	const double place = share * double(values.size() - 1);
-	const std::size_t below = std::size_t(place);
-	const std::size_t above = std::min(below + 1, values.size() - 1);
+	const size_t below = size_t(place);
+	const size_t above = std::min(below + 1, values.size() - 1);
 	const double weight = place - double(below);
 	// Not across infinities, whose difference is no number.
 	return weight == 0.0 || values[above] == values[below] ? values[below] : values[below] + (values[above] - values[below]) * weight;
 }
 
 void ErrorSummary::add(const ErrorSummary &other) {
-	moving_.insert(moving_.end(), other.moving_.begin(), other.moving_.end());
-	resting_.insert(resting_.end(), other.resting_.begin(), other.resting_.end());
+	_moving.insert(_moving.end(), other._moving.begin(), other._moving.end());
+	_resting.insert(_resting.end(), other._resting.begin(), other._resting.end());
 }
 
 ErrorFigures ErrorSummary::figures() const {
-	std::vector<double> moving = moving_;
-	std::vector<double> resting = resting_;
+	std::vector<double> moving = _moving;
+	std::vector<double> resting = _resting;
 	ErrorFigures figures;
 	figures.moving_count = moving.size();
 	figures.resting_count = resting.size();

@@ -17,7 +17,7 @@ inline constexpr double MOVING_SPEED = 0.001;
 /// The largest distance, in metres, between the places of a body's centre and of the points at LEVER on its three axes.
 [[nodiscard]] double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b);
 
-enum class Motion : std::uint8_t {
+enum class Motion : uint8_t {
 	UNKNOWN, ///< the first sample of a body
 	RESTING,
 	MOVING,
@@ -36,8 +36,8 @@ struct ErrorFigures {
 	double max = std::numeric_limits<double>::quiet_NaN();
 	double rest_p99 = std::numeric_limits<double>::quiet_NaN();
 	double rest_max = std::numeric_limits<double>::quiet_NaN();
-	std::size_t moving_count = 0;
-	std::size_t resting_count = 0;
+	size_t moving_count = 0;
+	size_t resting_count = 0;
 };
 
 /// Errors of moving and of resting samples.
@@ -50,8 +50,8 @@ public:
 	[[nodiscard]] ErrorFigures figures() const;
 
 private:
-	std::vector<double> moving_;
-	std::vector<double> resting_;
+	std::vector<double> _moving;
+	std::vector<double> _resting;
 };
 
 } // namespace bench

@@ -8,18 +8,18 @@ namespace bench {
 /// Random numbers that are the same with every standard library: its distributions are not.
 class RandomBits {
 public:
-	explicit RandomBits(std::uint64_t seed) :
-			engine_(seed) {}
+	explicit RandomBits(uint64_t seed) :
+			_engine(seed) {}
 
 	/// Uniform in [0, 1).
-	double unit() { return double(engine_() >> 11) * 0x1p-53; }
+	double unit() { return double(_engine() >> 11) * 0x1p-53; }
 	/// Uniform in [least, most).
 	double between(double least, double most) { return least + (most - least) * unit(); }
 	/// True with this probability.
 	bool chance(double probability) { return unit() < probability; }
 
 private:
-	std::mt19937_64 engine_;
+	std::mt19937_64 _engine;
 };
 
 } // namespace bench

@@ -4,21 +4,21 @@
 
 namespace bench {
 
-void SimulatedLink::send(double now, const std::uint8_t *bytes, std::size_t size) {
-	const DatagramFate fate = model_.fate(now, size);
+void SimulatedLink::send(double now, const uint8_t *bytes, size_t size) {
+	const DatagramFate fate = _model.fate(now, size);
 	for (int copy = 0; copy < fate.copies; ++copy) {
-		under_way_.push_back({ fate.arrivals[std::size_t(copy)], number_++, Bytes(bytes, bytes + size) });
-		std::push_heap(under_way_.begin(), under_way_.end());
+		_under_way.push_back({ fate.arrivals[size_t(copy)], _number++, Bytes(bytes, bytes + size) });
+		std::push_heap(_under_way.begin(), _under_way.end());
 	}
 }
 
 bool SimulatedLink::receive(double now, Bytes &bytes) {
-	if (under_way_.empty() || under_way_.front().arrival > now) {
+	if (_under_way.empty() || _under_way.front().arrival > now) {
 		return false;
 	}
-	std::pop_heap(under_way_.begin(), under_way_.end());
-	bytes = std::move(under_way_.back().bytes);
-	under_way_.pop_back();
+	std::pop_heap(_under_way.begin(), _under_way.end());
+	bytes = std::move(_under_way.back().bytes);
+	_under_way.pop_back();
 	return true;
 }
 

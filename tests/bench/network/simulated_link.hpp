@@ -9,22 +9,22 @@ namespace bench {
 /// Carries datagrams in one direction as a LinkModel decides.
 class SimulatedLink {
 public:
-	using Bytes = std::vector<std::uint8_t>;
+	using Bytes = std::vector<uint8_t>;
 
-	SimulatedLink(const LinkSettings &settings, std::uint64_t seed) :
-			model_(settings, seed) {}
+	SimulatedLink(const LinkSettings &settings, uint64_t seed) :
+			_model(settings, seed) {}
 
 	/// Sends `size` bytes `now`, in seconds; calls are in order of time.
-	void send(double now, const std::uint8_t *bytes, std::size_t size);
+	void send(double now, const uint8_t *bytes, size_t size);
 	/// Takes the datagram that arrived first, no later than `now`. False if there is none.
 	bool receive(double now, Bytes &bytes);
 
-	[[nodiscard]] const LinkModel &model() const { return model_; }
+	[[nodiscard]] const LinkModel &model() const { return _model; }
 
 private:
 	struct Datagram {
 		double arrival = 0.0;
-		std::uint64_t number = 0; // of those that arrive at once, the one sent first comes first
+		uint64_t number = 0; // of those that arrive at once, the one sent first comes first
 		Bytes bytes;
 
 		// For a heap with the first arrival on top.
@@ -33,9 +33,9 @@ private:
 		}
 	};
 
-	LinkModel model_;
-	std::vector<Datagram> under_way_; // a heap
-	std::uint64_t number_ = 0;
+	LinkModel _model;
+	std::vector<Datagram> _under_way; // a heap
+	uint64_t _number = 0;
 };
 
 } // namespace bench

@@ -15,52 +15,52 @@ constexpr double EMPTY_STEP = 1.0 / 60.0;
 } // namespace
 
 SourceFeed::SourceFeed(const Trace &trace, double tick, double drain) :
-		trace_(trace) {
+		_trace(trace) {
 	const double gap = std::max(GAP, 3.0 * tick);
 	const double empty_step = std::max(EMPTY_STEP, tick);
 	const auto fill_until = [&](double end) {
-		if (end - steps_.back().time <= gap) {
+		if (end - _steps.back().time <= gap) {
 			return;
 		}
-		for (double time = steps_.back().time + empty_step; time < end - tick / 2.0; time += empty_step) {
-			steps_.push_back({ time, 0, 0, 0, 0 });
+		for (double time = _steps.back().time + empty_step; time < end - tick / 2.0; time += empty_step) {
+			_steps.push_back({ time, 0, 0, 0, 0 });
 		}
 	};
 	for (const TraceFrame &frame : trace.frames) {
-		if (!steps_.empty()) {
+		if (!_steps.empty()) {
 			fill_until(frame.time);
 		}
-		steps_.push_back({ frame.time, frame.begin, frame.end, 0, 0 });
+		_steps.push_back({ frame.time, frame.begin, frame.end, 0, 0 });
 	}
 	fill_until(trace.end() + drain);
 
 	const double patience = std::max(GONE, 3.0 * trace.usual_interval());
-	std::vector<std::pair<double, std::uint32_t>> ends;
-	for (std::uint32_t body = 0; body < trace.bodies.size(); ++body) {
+	std::vector<std::pair<double, uint32_t>> ends;
+	for (uint32_t body = 0; body < trace.bodies.size(); ++body) {
 		const double found = trace.bodies[body].samples.back().time + patience;
 		if (found < trace.end()) {
 			ends.emplace_back(found, body);
 		}
 	}
 	std::sort(ends.begin(), ends.end());
-	for (SourceStep &step : steps_) {
-		step.gone_begin = gone_.size();
-		while (gone_.size() < ends.size() && ends[gone_.size()].first <= step.time) {
-			gone_.push_back(ends[gone_.size()].second);
+	for (SourceStep &step : _steps) {
+		step.gone_begin = _gone.size();
+		while (_gone.size() < ends.size() && ends[_gone.size()].first <= step.time) {
+			_gone.push_back(ends[_gone.size()].second);
 		}
-		step.gone_end = gone_.size();
+		step.gone_end = _gone.size();
 	}
 }
 
-std::size_t SourceFeed::feed(net::Sender &sender, const SourceStep &step) const {
-	std::size_t refused = 0;
-	for (std::size_t i = step.gone_begin; i < step.gone_end; ++i) {
-		sender.remove_body(trace_.bodies[gone_[i]].id);
+size_t SourceFeed::feed(net::Sender &sender, const SourceStep &step) const {
+	size_t refused = 0;
+	for (size_t i = step.gone_begin; i < step.gone_end; ++i) {
+		sender.remove_body(_trace.bodies[_gone[i]].id);
 	}
-	for (std::size_t i = step.begin; i < step.end; ++i) {
-		const SampleIndex &index = trace_.order[i];
-		const std::uint32_t id = trace_.bodies[index.body].id;
-		const cga::Pose<double> &pose = trace_.sample(index).pose;
+	for (size_t i = step.begin; i < step.end; ++i) {
+		const SampleIndex &index = _trace.order[i];
+		const uint32_t id = _trace.bodies[index.body].id;
+		const cga::Pose<double> &pose = _trace.sample(index).pose;
 		if (index.sample == 0) {
 			sender.add_body(id, pose);
 		}

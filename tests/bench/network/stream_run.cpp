@@ -11,8 +11,8 @@ namespace bench {
 
 namespace {
 
-constexpr double SHORTEST_TICK = 1.0 / 240.0;
-constexpr std::uint32_t RECEIVER = 1;
+constexpr double MIN_TICK = 1.0 / 240.0;
+constexpr uint32_t RECEIVER = 1;
 // The receiver's clock is ahead of the sender's by this, in seconds: they have nothing to do with each other.
 constexpr double RECEIVER_EPOCH = 4321.0;
 // Seconds at the begin of which the playback delay is not looked at.
@@ -22,70 +22,70 @@ constexpr double SETTLING = 1.0;
 class ErrorProbe {
 public:
 	explicit ErrorProbe(const Trace &trace) :
-			trace_(trace) {
+			_trace(trace) {
 		for (const TraceBody &body : trace.bodies) {
-			motion_.push_back(find_motion(body));
+			_motion.push_back(find_motion(body));
 		}
 	}
 
 	// Playback begins; what lies before was never shown.
 	void begin(double media_time) {
-		while (next_ < trace_.order.size() && next_time() < media_time) {
-			++next_;
-			++unseen_;
+		while (_next < _trace.order.size() && next_time() < media_time) {
+			++_next;
+			++_unseen;
 		}
 	}
 
 	// Looks at the samples up to a media time, before the receiver goes there.
 	void look(const net::Receiver &receiver, double media_time) {
-		for (; next_ < trace_.order.size() && next_time() <= media_time; ++next_) {
-			const SampleIndex &index = trace_.order[next_];
-			const std::uint32_t id = trace_.bodies[index.body].id;
+		for (; _next < _trace.order.size() && next_time() <= media_time; ++_next) {
+			const SampleIndex &index = _trace.order[_next];
+			const uint32_t id = _trace.bodies[index.body].id;
 			cga::Pose<double> pose;
 			if (receiver.pose_at(id, next_time(), pose) || receiver.pose(id, pose)) {
-				errors_.add(lever_distance(pose, trace_.sample(index).pose), motion_[index.body][index.sample]);
+				_errors.add(lever_distance(pose, _trace.sample(index).pose), _motion[index.body][index.sample]);
 			} else {
-				++unseen_;
+				++_unseen;
 			}
 		}
 	}
 
-	[[nodiscard]] bool is_done() const { return next_ == trace_.order.size(); }
-	[[nodiscard]] const ErrorSummary &errors() const { return errors_; }
+	[[nodiscard]] bool is_done() const { return _next == _trace.order.size(); }
+	[[nodiscard]] const ErrorSummary &errors() const { return _errors; }
 	// Those that playback has not reached are unseen too.
-	[[nodiscard]] std::size_t unseen() const { return unseen_ + trace_.order.size() - next_; }
+	[[nodiscard]] size_t unseen() const { return _unseen + _trace.order.size() - _next; }
 
 private:
 	// Media time begins at the trace's first sample.
-	[[nodiscard]] double next_time() const { return trace_.sample(trace_.order[next_]).time - trace_.begin(); }
+	[[nodiscard]] double next_time() const { return _trace.sample(_trace.order[_next]).time - _trace.begin(); }
 
-	const Trace &trace_;
-	std::vector<std::vector<Motion>> motion_; // by body and sample
-	ErrorSummary errors_;
-	std::size_t next_ = 0; // in the trace's order
-	std::size_t unseen_ = 0;
+	const Trace &_trace;
+	std::vector<std::vector<Motion>> _motion; // by body and sample
+	ErrorSummary _errors;
+	size_t _next = 0; // in the trace's order
+	size_t _unseen = 0;
 };
 
 // A sender, a receiver and the two links between them. Times are the sender's.
 class StreamRun {
 public:
-	StreamRun(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, std::uint64_t seed) :
-			trace_(trace), feed_(feed), sender_(settings), there_(link, seed), back_(link, ~seed), probe_(trace) {
-		sender_.add_receiver(RECEIVER, trace.begin());
+	StreamRun(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed) :
+			_trace(trace), _feed(feed), _sender(settings), _there(link, seed), _back(link, ~seed), _probe(trace) {
+		_sender.add_receiver(RECEIVER, trace.begin());
 	}
 
 	void step_source(const SourceStep &step) {
-		result_.answers.begin(step.time);
-		while (back_.receive(step.time, datagram_)) {
-			result_.answers.add(datagram_);
-			note(sender_.accept(RECEIVER, datagram_.data(), datagram_.size(), step.time), "an answer was refused");
+		_result.answers.begin(step.time);
+		while (_back.receive(step.time, _datagram)) {
+			_result.answers.add(_datagram);
+			note(_sender.accept(RECEIVER, _datagram.data(), _datagram.size(), step.time), "an answer was refused");
 		}
-		result_.refused += feed_.feed(sender_, step);
-		for (const net::OutgoingPacket &packet : sender_.packets()) {
-			there_.send(step.time, sender_.bytes() + packet.begin, packet.size);
-			result_.bytes_sent += packet.size;
-			++result_.packets_sent;
-			if (packet.size > std::size_t(net::MOST_PACKET_BYTES)) {
+		_result.refused += _feed.feed(_sender, step);
+		for (const net::OutgoingPacket &packet : _sender.packets()) {
+			_there.send(step.time, _sender.bytes() + packet.begin, packet.size);
+			_result.bytes_sent += packet.size;
+			++_result.packets_sent;
+			if (packet.size > size_t(net::MAX_PACKET_BYTES)) {
 				note("too large", "a packet");
 			}
 		}
@@ -93,63 +93,63 @@ public:
 
 	void show_picture(double time) {
 		const double now = time + RECEIVER_EPOCH;
-		result_.packets.begin(now);
-		while (there_.receive(time, datagram_)) {
-			result_.packets.add(datagram_);
-			note(receiver_.accept(datagram_.data(), datagram_.size(), now), "a packet was refused");
+		_result.packets.begin(now);
+		while (_there.receive(time, _datagram)) {
+			_result.packets.add(_datagram);
+			note(_receiver.accept(_datagram.data(), _datagram.size(), now), "a packet was refused");
 		}
-		if (!playing_ && receiver_.is_ready()) {
-			playing_ = true;
-			receiver_.advance(now);
-			probe_.begin(receiver_.media_time());
+		if (!_playing && _receiver.is_ready()) {
+			_playing = true;
+			_receiver.advance(now);
+			_probe.begin(_receiver.media_time());
 		}
-		if (playing_) {
-			probe_.look(receiver_, receiver_.media_time_at(now));
-			receiver_.advance(now);
-			const double media_time = receiver_.media_time() + trace_.begin();
-			if (time > trace_.begin() + SETTLING && media_time <= trace_.end()) {
-				delays_.push_back(time - media_time);
+		if (_playing) {
+			_probe.look(_receiver, _receiver.media_time_at(now));
+			_receiver.advance(now);
+			const double media_time = _receiver.media_time() + _trace.begin();
+			if (time > _trace.begin() + SETTLING && media_time <= _trace.end()) {
+				_delays.push_back(time - media_time);
 			}
 		}
-		if (receiver_.take_answer(datagram_, now)) {
-			answer_bytes_ += datagram_.size();
-			back_.send(time, datagram_.data(), datagram_.size());
+		if (_receiver.take_answer(_datagram, now)) {
+			_answer_bytes += _datagram.size();
+			_back.send(time, _datagram.data(), _datagram.size());
 		}
 	}
 
-	[[nodiscard]] bool is_done() const { return probe_.is_done(); }
+	[[nodiscard]] bool is_done() const { return _probe.is_done(); }
 
 	StreamResult finish() {
-		result_.method.subject = "ga_godot";
-		result_.method.errors = probe_.errors();
-		result_.method.unseen = probe_.unseen();
-		result_.method.bytes_per_second = double(result_.bytes_sent) / trace_.duration();
-		result_.method.packets_per_second = double(result_.packets_sent) / trace_.duration();
-		result_.method.delay_median = percentile(delays_, 0.5);
-		result_.method.delay_max = percentile(delays_, 1.0);
-		result_.answer_bytes_per_second = double(answer_bytes_) / trace_.duration();
-		return std::move(result_);
+		_result.method.subject = "ga_godot";
+		_result.method.errors = _probe.errors();
+		_result.method.unseen = _probe.unseen();
+		_result.method.bytes_per_second = double(_result.bytes_sent) / _trace.duration();
+		_result.method.packets_per_second = double(_result.packets_sent) / _trace.duration();
+		_result.method.delay_median = percentile(_delays, 0.5);
+		_result.method.delay_max = percentile(_delays, 1.0);
+		_result.answer_bytes_per_second = double(_answer_bytes) / _trace.duration();
+		return std::move(_result);
 	}
 
 private:
 	void note(const char *error, const char *what) {
-		if (error != nullptr && result_.problem.empty()) {
-			result_.problem = std::string(what) + ": " + error;
+		if (error != nullptr && _result.problem.empty()) {
+			_result.problem = std::string(what) + ": " + error;
 		}
 	}
 
-	const Trace &trace_;
-	const SourceFeed &feed_;
-	net::Sender sender_;
-	net::Receiver receiver_;
-	SimulatedLink there_;
-	SimulatedLink back_;
-	ErrorProbe probe_;
-	StreamResult result_;
-	std::vector<double> delays_;
-	std::vector<std::uint8_t> datagram_;
-	std::uint64_t answer_bytes_ = 0;
-	bool playing_ = false;
+	const Trace &_trace;
+	const SourceFeed &_feed;
+	net::Sender _sender;
+	net::Receiver _receiver;
+	SimulatedLink _there;
+	SimulatedLink _back;
+	ErrorProbe _probe;
+	StreamResult _result;
+	std::vector<double> _delays;
+	std::vector<uint8_t> _datagram;
+	uint64_t _answer_bytes = 0;
+	bool _playing = false;
 };
 
 } // namespace
@@ -159,21 +159,21 @@ net::StreamSettings stream_settings(const Trace &trace, double tolerance) {
 	settings.position_tolerance = tolerance;
 	// The angle that counts as much as the distance at LEVER: see net::StreamGrid.
 	settings.rotation_tolerance = glm::degrees(std::sqrt(1.5) * tolerance / LEVER);
-	settings.tick = std::max(trace.usual_interval(), SHORTEST_TICK);
+	settings.tick = std::max(trace.usual_interval(), MIN_TICK);
 	return settings;
 }
 
-void StreamRecording::add(const std::vector<std::uint8_t> &datagram) {
-	bytes_.insert(bytes_.end(), datagram.begin(), datagram.end());
-	begins_.push_back(bytes_.size());
-	steps_.back().end = count();
+void StreamRecording::add(const std::vector<uint8_t> &datagram) {
+	_bytes.insert(_bytes.end(), datagram.begin(), datagram.end());
+	_begins.push_back(_bytes.size());
+	_steps.back().end = count();
 }
 
-StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, std::uint64_t seed) {
+StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed) {
 	StreamRun run(trace, feed, settings, link, seed);
 	// Half a picture off, so that a source of the same rate is neither lucky nor unlucky.
-	const auto picture_time = [&](std::uint64_t number) { return trace.begin() + (double(number) + 0.5) / PICTURE_RATE; };
-	std::uint64_t picture = 0;
+	const auto picture_time = [&](uint64_t number) { return trace.begin() + (double(number) + 0.5) / PICTURE_RATE; };
+	uint64_t picture = 0;
 	for (const SourceStep &step : feed.steps()) {
 		for (; picture_time(picture) < step.time; ++picture) {
 			run.show_picture(picture_time(picture));

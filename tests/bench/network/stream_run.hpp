@@ -17,33 +17,33 @@ class StreamRecording {
 public:
 	struct Datagrams {
 		double time = 0.0; ///< when they were taken, on the taker's clock
-		std::size_t begin = 0; ///< among datagrams
-		std::size_t end = 0;
+		size_t begin = 0; ///< among datagrams
+		size_t end = 0;
 	};
 
 	/// Begins what is taken at a time.
-	void begin(double time) { steps_.push_back({ time, count(), count() }); }
-	void add(const std::vector<std::uint8_t> &datagram);
+	void begin(double time) { _steps.push_back({ time, count(), count() }); }
+	void add(const std::vector<uint8_t> &datagram);
 
 	/// One for each step of the sender, or picture of the receiver.
-	[[nodiscard]] const std::vector<Datagrams> &steps() const { return steps_; }
-	[[nodiscard]] const std::uint8_t *bytes(std::size_t datagram) const { return bytes_.data() + begins_[datagram]; }
-	[[nodiscard]] std::size_t size(std::size_t datagram) const { return begins_[datagram + 1] - begins_[datagram]; }
+	[[nodiscard]] const std::vector<Datagrams> &steps() const { return _steps; }
+	[[nodiscard]] const uint8_t *bytes(size_t datagram) const { return _bytes.data() + _begins[datagram]; }
+	[[nodiscard]] size_t size(size_t datagram) const { return _begins[datagram + 1] - _begins[datagram]; }
 
 private:
-	[[nodiscard]] std::size_t count() const { return begins_.size() - 1; }
+	[[nodiscard]] size_t count() const { return _begins.size() - 1; }
 
-	std::vector<Datagrams> steps_;
-	std::vector<std::size_t> begins_{ 0 };
-	std::vector<std::uint8_t> bytes_;
+	std::vector<Datagrams> _steps;
+	std::vector<size_t> _begins{ 0 };
+	std::vector<uint8_t> _bytes;
 };
 
 struct StreamResult {
 	MethodResult method;
 	double answer_bytes_per_second = 0.0; ///< from the receiver to the sender
-	std::uint64_t bytes_sent = 0;
-	std::uint64_t packets_sent = 0;
-	std::size_t refused = 0; ///< poses that the sender did not take
+	uint64_t bytes_sent = 0;
+	uint64_t packets_sent = 0;
+	size_t refused = 0; ///< poses that the sender did not take
 	std::string problem; ///< empty, or what went wrong
 	StreamRecording answers; ///< as the sender took them, by source step
 	StreamRecording packets; ///< as the receiver took them, by picture
@@ -57,6 +57,6 @@ inline constexpr double PICTURE_RATE = 60.0;
 /// The receiver takes packets and shows a picture 60 times a second. Nothing is drawn between pictures, so a sample
 /// counts as the first picture that has reached its time would show it; if the body's motion is not known up to there,
 /// as the body is shown. Samples of bodies, or of times, that the receiver never had anything to show of are unseen.
-[[nodiscard]] StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, std::uint64_t seed);
+[[nodiscard]] StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed);
 
 } // namespace bench

@@ -16,20 +16,20 @@ namespace {
 
 constexpr std::array<const char *, 9> FIELDS = { "t", "id", "x", "y", "z", "qw", "qx", "qy", "qz" };
 // Quaternions are written with four digits or more.
-constexpr double LONGEST_NORM_ERROR = 0.01;
+constexpr double MAX_NORM_ERROR = 0.01;
 // Share by which an interval differs at most from the median to count as usual.
 constexpr double NEAR = 0.1;
-constexpr std::uint32_t LARGEST_ID = 0x7fffffffu;
+constexpr uint32_t MAX_ID = 0x7fffffffu;
 
 struct Line {
 	double time = 0.0;
-	std::uint32_t id = 0;
+	uint32_t id = 0;
 	cga::Pose<double> pose;
 };
 
 std::string_view without_blanks(std::string_view text) {
 	constexpr const char *BLANKS = " \t\r";
-	const std::size_t first = text.find_first_not_of(BLANKS);
+	const size_t first = text.find_first_not_of(BLANKS);
 	return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(BLANKS) - first + 1);
 }
 
@@ -51,15 +51,15 @@ bool parse_number(std::string_view text, Number &number) {
 // Empty, or what is wrong with the line.
 std::string parse_line(std::string_view text, Line &line) {
 	std::array<double, 9> values{};
-	for (std::size_t i = 0; i < FIELDS.size(); ++i) {
-		const std::size_t comma = text.find(',');
+	for (size_t i = 0; i < FIELDS.size(); ++i) {
+		const size_t comma = text.find(',');
 		if ((comma == std::string_view::npos) != (i + 1 == FIELDS.size())) {
 			return comma == std::string_view::npos ? "ends before the field " + std::string(FIELDS[i + 1]) : "has more than 9 fields";
 		}
 		const std::string_view field = without_blanks(text.substr(0, comma));
 		text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
 		const bool is_id = i == 1;
-		if (is_id ? !parse_number(field, line.id) || line.id > LARGEST_ID : !parse_number(field, values[i]) || !std::isfinite(values[i])) {
+		if (is_id ? !parse_number(field, line.id) || line.id > MAX_ID : !parse_number(field, values[i]) || !std::isfinite(values[i])) {
 			return std::string(FIELDS[i]) + " is " + quoted(field) + ", not a " + (is_id ? "whole number from 0 to 2147483647" : "finite number");
 		}
 	}
@@ -67,7 +67,7 @@ std::string parse_line(std::string_view text, Line &line) {
 	line.pose.translation = { values[2], values[3], values[4] };
 	line.pose.rotation = glm::dquat(values[5], values[6], values[7], values[8]);
 	const double norm = glm::length(line.pose.rotation);
-	if (!(std::abs(norm - 1.0) <= LONGEST_NORM_ERROR)) {
+	if (!(std::abs(norm - 1.0) <= MAX_NORM_ERROR)) {
 		return "the quaternion's length is " + std::to_string(norm) + ", not 1";
 	}
 	line.pose.rotation /= norm;
@@ -78,56 +78,56 @@ std::string parse_line(std::string_view text, Line &line) {
 class TraceBuilder {
 public:
 	explicit TraceBuilder(Trace &trace) :
-			trace_(trace) {}
+			_trace(trace) {}
 
 	std::string add(const Line &line) {
-		std::vector<TraceFrame> &frames = trace_.frames;
+		std::vector<TraceFrame> &frames = _trace.frames;
 		if (!frames.empty() && line.time < frames.back().time) {
 			return "time goes back from " + std::to_string(frames.back().time) + " to " + std::to_string(line.time);
 		}
-		const auto [place, is_new] = index_.try_emplace(line.id, std::uint32_t(trace_.bodies.size()));
+		const auto [place, is_new] = _index.try_emplace(line.id, uint32_t(_trace.bodies.size()));
 		if (is_new) {
-			trace_.bodies.push_back({ line.id, {} });
+			_trace.bodies.push_back({ line.id, {} });
 		}
-		std::vector<TraceSample> &samples = trace_.bodies[place->second].samples;
+		std::vector<TraceSample> &samples = _trace.bodies[place->second].samples;
 		if (!samples.empty() && samples.back().time == line.time) {
 			samples.back().pose = line.pose;
 			return {};
 		}
 		if (frames.empty() || frames.back().time != line.time) {
-			frames.push_back({ line.time, trace_.order.size(), trace_.order.size() });
+			frames.push_back({ line.time, _trace.order.size(), _trace.order.size() });
 		}
-		trace_.order.push_back({ place->second, std::uint32_t(samples.size()) });
-		frames.back().end = trace_.order.size();
+		_trace.order.push_back({ place->second, uint32_t(samples.size()) });
+		frames.back().end = _trace.order.size();
 		samples.push_back({ line.time, line.pose });
 		return {};
 	}
 
 	void sort_bodies() {
-		std::vector<std::uint32_t> by_id(trace_.bodies.size());
-		for (std::size_t i = 0; i < by_id.size(); ++i) {
-			by_id[i] = std::uint32_t(i);
+		std::vector<uint32_t> by_id(_trace.bodies.size());
+		for (size_t i = 0; i < by_id.size(); ++i) {
+			by_id[i] = uint32_t(i);
 		}
-		std::sort(by_id.begin(), by_id.end(), [this](std::uint32_t a, std::uint32_t b) { return trace_.bodies[a].id < trace_.bodies[b].id; });
+		std::sort(by_id.begin(), by_id.end(), [this](uint32_t a, uint32_t b) { return _trace.bodies[a].id < _trace.bodies[b].id; });
 		std::vector<TraceBody> sorted(by_id.size());
-		std::vector<std::uint32_t> place(by_id.size());
-		for (std::size_t i = 0; i < by_id.size(); ++i) {
-			sorted[i] = std::move(trace_.bodies[by_id[i]]);
-			place[by_id[i]] = std::uint32_t(i);
+		std::vector<uint32_t> place(by_id.size());
+		for (size_t i = 0; i < by_id.size(); ++i) {
+			sorted[i] = std::move(_trace.bodies[by_id[i]]);
+			place[by_id[i]] = uint32_t(i);
 		}
-		trace_.bodies = std::move(sorted);
-		for (SampleIndex &index : trace_.order) {
+		_trace.bodies = std::move(sorted);
+		for (SampleIndex &index : _trace.order) {
 			index.body = place[index.body];
 		}
 	}
 
 private:
-	Trace &trace_;
-	std::unordered_map<std::uint32_t, std::uint32_t> index_;
+	Trace &_trace;
+	std::unordered_map<uint32_t, uint32_t> _index;
 };
 
 double median(std::vector<double> &values) {
-	const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+	const auto middle = values.begin() + ptrdiff_t(values.size() / 2);
 	std::nth_element(values.begin(), middle, values.end());
 	return *middle;
 }
@@ -137,17 +137,17 @@ double median(std::vector<double> &values) {
 double Trace::usual_interval() const {
 	std::vector<double> intervals;
 	for (const TraceBody &body : bodies) {
-		for (std::size_t i = 1; i < body.samples.size(); ++i) {
+		for (size_t i = 1; i < body.samples.size(); ++i) {
 			intervals.push_back(body.samples[i].time - body.samples[i - 1].time);
 		}
 	}
-	for (std::size_t i = 1; intervals.empty() && i < frames.size(); ++i) {
+	for (size_t i = 1; intervals.empty() && i < frames.size(); ++i) {
 		intervals.push_back(frames[i].time - frames[i - 1].time);
 	}
 	// Recorded times are rounded: the mean of what is near the median is nearer to the truth.
 	const double middle = median(intervals);
 	double sum = 0.0;
-	std::size_t count = 0;
+	size_t count = 0;
 	for (const double interval : intervals) {
 		if (std::abs(interval - middle) <= NEAR * middle) {
 			sum += interval;
@@ -160,14 +160,14 @@ double Trace::usual_interval() const {
 std::string parse_trace(std::string_view text, const std::string &name, Trace &trace) {
 	trace = Trace();
 	TraceBuilder builder(trace);
-	std::size_t number = 0;
+	size_t number = 0;
 	bool maybe_names = true;
 	constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
 	if (text.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK) {
 		text.remove_prefix(BYTE_ORDER_MARK.size());
 	}
 	while (!text.empty()) {
-		const std::size_t end = text.find('\n');
+		const size_t end = text.find('\n');
 		const std::string_view content = without_blanks(text.substr(0, end));
 		text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
 		++number;
@@ -201,7 +201,7 @@ std::string read_trace(const std::string &path, Trace &trace) {
 	if (file) {
 		std::array<char, 65536> block;
 		errno = 0;
-		while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+		while (const size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
 			text.append(block.data(), count);
 		}
 	}

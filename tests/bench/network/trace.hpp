@@ -16,21 +16,21 @@ struct TraceSample {
 };
 
 struct TraceBody {
-	std::uint32_t id = 0;
+	uint32_t id = 0;
 	std::vector<TraceSample> samples; ///< at strictly ascending times
 };
 
 /// One sample of one body, by place: Trace::bodies[body].samples[sample].
 struct SampleIndex {
-	std::uint32_t body = 0;
-	std::uint32_t sample = 0;
+	uint32_t body = 0;
+	uint32_t sample = 0;
 };
 
 /// What was recorded at one time: Trace::order[begin] up to, not including, Trace::order[end].
 struct TraceFrame {
 	double time = 0.0; ///< seconds
-	std::size_t begin = 0;
-	std::size_t end = 0;
+	size_t begin = 0;
+	size_t end = 0;
 };
 
 /// Recorded motion of many bodies. They may begin late, end early, have gaps and be sampled at different times.

@@ -7,7 +7,7 @@
 using namespace net;
 
 TEST_CASE("bit stream: fields of every width come back, in the bytes they need") {
-	std::vector<std::uint8_t> bytes;
+	std::vector<uint8_t> bytes;
 	BitWriter writer(bytes);
 	int bits = 0;
 	for (int width = 0; width <= 56; ++width) {
@@ -15,7 +15,7 @@ TEST_CASE("bit stream: fields of every width come back, in the bytes they need")
 		bits += width;
 	}
 	writer.flush();
-	CHECK(bytes.size() == std::size_t((bits + 7) / 8));
+	CHECK(bytes.size() == size_t((bits + 7) / 8));
 
 	BitReader reader(bytes.data(), bytes.size());
 	for (int width = 0; width <= 56; ++width) {
@@ -26,7 +26,7 @@ TEST_CASE("bit stream: fields of every width come back, in the bytes they need")
 }
 
 TEST_CASE("bit stream: reading past the end fails and stays failed") {
-	const std::uint8_t byte = 0xff;
+	const uint8_t byte = 0xff;
 	BitReader reader(&byte, 1);
 	CHECK(reader.read(5) == 31);
 	CHECK(reader.bits_left() == 3);
@@ -38,11 +38,11 @@ TEST_CASE("bit stream: reading past the end fails and stays failed") {
 
 TEST_CASE("bit stream: varints take 7 bits a byte") {
 	struct Row {
-		std::uint64_t value;
-		std::size_t size;
+		uint64_t value;
+		size_t size;
 	};
 	for (const Row &row : { Row{ 0, 1 }, Row{ 127, 1 }, Row{ 128, 2 }, Row{ 16383, 2 }, Row{ 16384, 3 }, Row{ (1ull << 63) - 1, 9 } }) {
-		std::vector<std::uint8_t> bytes;
+		std::vector<uint8_t> bytes;
 		BitWriter writer(bytes);
 		writer.write_varint(row.value);
 		writer.flush();
@@ -51,7 +51,7 @@ TEST_CASE("bit stream: varints take 7 bits a byte") {
 		CHECK(reader.read_varint() == row.value);
 		CHECK_FALSE(reader.failed());
 	}
-	const std::vector<std::uint8_t> endless(12, 0xff);
+	const std::vector<uint8_t> endless(12, 0xff);
 	BitReader reader(endless.data(), endless.size());
 	reader.read_varint();
 	CHECK(reader.failed());
@@ -62,14 +62,14 @@ TEST_CASE("bit stream: zigzag puts small magnitudes first and inverts at the lim
 	CHECK(zigzag(-1) == 1);
 	CHECK(zigzag(1) == 2);
 	CHECK(zigzag(-2) == 3);
-	for (const std::int64_t value : { std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(), std::int64_t(-12345), std::int64_t(0) }) {
+	for (const int64_t value : { std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max(), int64_t(-12345), int64_t(0) }) {
 		CHECK(unzigzag(zigzag(value)) == value);
 	}
 }
 
 TEST_CASE("bit stream: at_end rejects padding that is not zero") {
-	const std::uint8_t clean = 0x05;
-	const std::uint8_t dirty = 0x85;
+	const uint8_t clean = 0x05;
+	const uint8_t dirty = 0x85;
 	BitReader first(&clean, 1);
 	first.read(3);
 	CHECK(first.at_end());

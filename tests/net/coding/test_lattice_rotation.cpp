@@ -63,7 +63,7 @@ TEST_CASE("lattice rotation: components of no unit quaternion are refused") {
 		LatticeRotation lattice;
 		bool valid;
 	};
-	const std::int32_t most = LatticeRotation::MAX_LEVEL;
+	const int32_t most = LatticeRotation::MAX_LEVEL;
 	for (const Row &row : {
 				 Row{ { 3, { 0, 0, 0 } }, true },
 				 Row{ { 0, { most, 0, 0 } }, true },

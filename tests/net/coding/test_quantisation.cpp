@@ -76,7 +76,7 @@ TEST_CASE("positions: half the cell's diagonal is the tolerance") {
 
 TEST_CASE("scales: relative error at most 8.5e-5, one exact, the rest refused") {
 	for (double scale = 1.0 / 60000; scale < 60000; scale *= 1.0137) {
-		const std::optional<std::int32_t> level = quantise_scale(float(scale));
+		const std::optional<int32_t> level = quantise_scale(float(scale));
 		REQUIRE(level);
 		CHECK(std::abs(double(dequantise_scale(*level)) / scale - 1) < 8.5e-5);
 	}

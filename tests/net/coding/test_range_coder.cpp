@@ -9,14 +9,14 @@ using namespace net;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 double entropy(double p) {
 	return -p * std::log2(p) - (1.0 - p) * std::log2(1.0 - p);
 }
 
 /// Codes the bits with one adaptive model and reads them back; the coded size.
-std::size_t round_trip(const std::vector<bool> &bits) {
+size_t round_trip(const std::vector<bool> &bits) {
 	Bytes bytes;
 	RangeEncoder encoder(bytes);
 	AdaptiveBit model;
@@ -26,7 +26,7 @@ std::size_t round_trip(const std::vector<bool> &bits) {
 	encoder.finish();
 	RangeDecoder decoder(bytes.data(), bytes.size());
 	AdaptiveBit read_model;
-	std::size_t wrong = 0;
+	size_t wrong = 0;
 	for (const bool bit : bits) {
 		bool read = !bit;
 		decoder.bit(read_model, read);
@@ -38,11 +38,11 @@ std::size_t round_trip(const std::vector<bool> &bits) {
 	return bytes.size();
 }
 
-std::vector<bool> random_bits(std::size_t count, double p_one, unsigned seed) {
+std::vector<bool> random_bits(size_t count, double probability, unsigned seed) {
 	std::mt19937 random(seed);
-	std::bernoulli_distribution one(p_one);
+	std::bernoulli_distribution one(probability);
 	std::vector<bool> bits(count);
-	for (std::size_t i = 0; i < count; ++i) {
+	for (size_t i = 0; i < count; ++i) {
 		bits[i] = one(random);
 	}
 	return bits;
@@ -51,7 +51,7 @@ std::vector<bool> random_bits(std::size_t count, double p_one, unsigned seed) {
 } // namespace
 
 TEST_CASE("range coder: bits of a probability take their entropy and little more") {
-	constexpr std::size_t COUNT = 20000;
+	constexpr size_t COUNT = 20000;
 	unsigned seed = 1;
 	for (const double p : { 0.5, 0.3, 0.1, 0.03, 0.01, 0.97 }) {
 		const double bits = 8.0 * double(round_trip(random_bits(COUNT, p, ++seed)));
@@ -64,7 +64,7 @@ TEST_CASE("range coder: bits of a probability take their entropy and little more
 
 TEST_CASE("range coder: long runs of either bit cost 1/170 bit each") {
 	for (const bool value : { false, true }) {
-		const std::size_t size = round_trip(std::vector<bool>(100000, value));
+		const size_t size = round_trip(std::vector<bool>(100000, value));
 		CAPTURE(value);
 		CHECK(size >= (value ? 60 : 0));
 		CHECK(size <= 100);
@@ -79,19 +79,19 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 	for (int run = 1; run < 400; ++run) {
 		std::vector<bool> bits;
 		for (int i = 0; i < 6; ++i) {
-			bits.insert(bits.end(), std::size_t(run), true);
+			bits.insert(bits.end(), size_t(run), true);
 			bits.push_back(false);
 			bits.push_back(true);
 		}
 		round_trip(bits);
 	}
 	// All ones in equal halves: the low end is 0xffff...; then a carry, or none.
-	for (std::uint32_t last : { 0u, 1u, 0xffffffffu }) {
+	for (uint32_t last : { 0u, 1u, 0xffffffffu }) {
 		for (int words = 1; words < 40; ++words) {
 			Bytes bytes;
 			RangeEncoder encoder(bytes);
 			for (int i = 0; i < words; ++i) {
-				std::uint32_t ones = 0xffffffffu;
+				uint32_t ones = 0xffffffffu;
 				encoder.bits(ones, 32);
 			}
 			encoder.bits(last, 32);
@@ -103,11 +103,11 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 			encoder.finish();
 			RangeDecoder decoder(bytes.data(), bytes.size());
 			for (int i = 0; i < words; ++i) {
-				std::uint32_t value = 0;
+				uint32_t value = 0;
 				decoder.bits(value, 32);
 				CHECK(value == 0xffffffffu);
 			}
-			std::uint32_t value = 0;
+			uint32_t value = 0;
 			decoder.bits(value, 32);
 			CHECK(value == last);
 			AdaptiveBit read(100);
@@ -126,13 +126,13 @@ TEST_CASE("range coder: fields of every width and bits of many models come back,
 		struct Symbol {
 			int model; // -1: a field
 			int width;
-			std::uint32_t value;
+			uint32_t value;
 		};
 		std::vector<Symbol> symbols(1 + random() % 200);
 		for (Symbol &symbol : symbols) {
 			symbol.model = int(random() % 6) - 1;
 			symbol.width = symbol.model < 0 ? int(random() % 33) : 1;
-			symbol.value = symbol.width == 0 ? 0 : std::uint32_t(random()) >> (32 - symbol.width);
+			symbol.value = symbol.width == 0 ? 0 : uint32_t(random()) >> (32 - symbol.width);
 			if (symbol.model >= 2) {
 				symbol.value = random() % 50 == 0;
 			}
@@ -163,7 +163,7 @@ TEST_CASE("range coder: fields of every width and bits of many models come back,
 		AdaptiveBit read_models[5];
 		int wrong = 0;
 		for (const Symbol &symbol : symbols) {
-			std::uint32_t value = 0;
+			uint32_t value = 0;
 			if (symbol.model < 0) {
 				decoder.bits(value, symbol.width);
 			} else {
@@ -203,17 +203,17 @@ TEST_CASE("range coder: any bytes decode to something, and what was read beyond 
 	std::mt19937 random(5);
 	for (int round = 0; round < 200; ++round) {
 		Bytes bytes(random() % 40);
-		for (std::uint8_t &byte : bytes) {
-			byte = std::uint8_t(random() % 3 == 0 ? 0xff : random());
+		for (uint8_t &byte : bytes) {
+			byte = uint8_t(random() % 3 == 0 ? 0xff : random());
 		}
 		RangeDecoder decoder(bytes.data(), bytes.size());
 		AdaptiveBit model;
-		std::uint32_t value = 0;
+		uint32_t value = 0;
 		for (int i = 0; i < 100; ++i) {
 			bool bit = false;
 			decoder.bit(model, bit);
 			decoder.bits(value, i % 33);
-			CHECK(std::uint64_t(value) < (std::uint64_t(1) << (i % 33)) + (i % 33 == 0));
+			CHECK(uint64_t(value) < (uint64_t(1) << (i % 33)) + (i % 33 == 0));
 		}
 		CHECK(decoder.overrun() > 4);
 	}

@@ -9,13 +9,13 @@ using namespace net;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 } // namespace
 
 TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
-	std::vector<std::int32_t> values;
-	for (std::int32_t i = 0; i <= 3000; ++i) {
+	std::vector<int32_t> values;
+	for (int32_t i = 0; i <= 3000; ++i) {
 		values.push_back(i);
 	}
 	for (int bit = 11; bit <= 21; ++bit) {
@@ -24,13 +24,13 @@ TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
 			values.push_back(std::min((1 << bit) + off + ResidualModel::UNARY, ResidualModel::LIMIT));
 		}
 	}
-	for (const std::int32_t expected : { 0, 1, 256, 5000, 1 << 18, 1 << 20 }) {
+	for (const int32_t expected : { 0, 1, 256, 5000, 1 << 18, 1 << 20 }) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
 		ResidualModel model;
-		for (const std::int32_t value : values) {
-			for (std::int32_t sign : { 1, -1 }) {
-				std::int32_t coded = sign * value;
+		for (const int32_t value : values) {
+			for (int32_t sign : { 1, -1 }) {
+				int32_t coded = sign * value;
 				model.code(encoder, coded, expected);
 				CHECK(coded == sign * value); // an encoder changes nothing
 			}
@@ -39,9 +39,9 @@ TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
 		RangeDecoder decoder(bytes.data(), bytes.size());
 		ResidualModel read_model;
 		int wrong = 0;
-		for (const std::int32_t value : values) {
-			for (const std::int32_t sign : { 1, -1 }) {
-				std::int32_t read = 12345;
+		for (const int32_t value : values) {
+			for (const int32_t sign : { 1, -1 }) {
+				int32_t read = 12345;
 				read_model.code(decoder, read, expected);
 				wrong += read != sign * value;
 			}
@@ -53,28 +53,28 @@ TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
 
 TEST_CASE("residual model: bytes that nobody wrote decode to numbers within the limit") {
 	std::mt19937 random(3);
-	std::int32_t most = 0;
+	int32_t most = 0;
 	for (int round = 0; round < 3000; ++round) {
 		Bytes bytes(random() % 64);
 		const int kind = int(random() % 3);
-		for (std::uint8_t &byte : bytes) {
-			byte = std::uint8_t(kind == 0 ? 0 : (kind == 1 ? random() : 0xff - random() % 4));
+		for (uint8_t &byte : bytes) {
+			byte = uint8_t(kind == 0 ? 0 : (kind == 1 ? random() : 0xff - random() % 4));
 		}
 		RangeDecoder decoder(bytes.data(), bytes.size());
 		ResidualModel model;
 		for (int i = 0; i < 30; ++i) {
-			std::int32_t value = 0;
-			model.code(decoder, value, std::int32_t(random() % 100000));
+			int32_t value = 0;
+			model.code(decoder, value, int32_t(random() % 100000));
 			most = std::max(most, std::abs(value));
 		}
 	}
 	CHECK(most <= ResidualModel::LIMIT);
 	// What an encoder of another mind writes, beyond the limit.
-	for (const std::int32_t beyond : { ResidualModel::LIMIT + 1, 2 * ResidualModel::LIMIT, -2 * ResidualModel::LIMIT }) {
+	for (const int32_t beyond : { ResidualModel::LIMIT + 1, 2 * ResidualModel::LIMIT, -2 * ResidualModel::LIMIT }) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
 		ResidualModel model;
-		std::int32_t value = beyond;
+		int32_t value = beyond;
 		model.code(encoder, value, 256);
 		encoder.finish();
 		RangeDecoder decoder(bytes.data(), bytes.size());
@@ -99,9 +99,9 @@ TEST_CASE("residual model: two-sided geometric numbers take little more than the
 				RangeEncoder encoder(bytes);
 				ResidualModel model;
 				for (int i = 0; i < count; ++i) {
-					std::int32_t value = geometric(random) - geometric(random);
+					int32_t value = geometric(random) - geometric(random);
 					own += -std::log2((1.0 - r) / (1.0 + r)) - std::abs(value) * std::log2(r);
-					model.code(encoder, value, std::int32_t(mean * 256));
+					model.code(encoder, value, int32_t(mean * 256));
 				}
 				encoder.finish();
 				bits += 8.0 * double(bytes.size()) - 4.0; // half a byte of the last one is padding
@@ -115,12 +115,12 @@ TEST_CASE("residual model: two-sided geometric numbers take little more than the
 }
 
 TEST_CASE("residual model: wrong expectations cost bits, and are learnt") {
-	const auto size = [](std::int32_t expected, int count) {
+	const auto size = [](int32_t expected, int count) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
 		ResidualModel model;
 		for (int i = 0; i < count; ++i) {
-			std::int32_t value = i % 2 == 0 ? 40 : -37;
+			int32_t value = i % 2 == 0 ? 40 : -37;
 			model.code(encoder, value, expected);
 		}
 		encoder.finish();

@@ -8,10 +8,10 @@ using namespace net;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
-bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, std::uint8_t check = 0) {
-	const std::uint8_t byte = std::uint8_t(number);
+bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, uint8_t check = 0) {
+	const uint8_t byte = uint8_t(number);
 	ChunkItem chunk;
 	chunk.number = byte;
 	chunk.first = first;
@@ -19,7 +19,7 @@ bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, s
 	chunk.check = check;
 	chunk.bytes = &byte;
 	chunk.size = 1;
-	std::uint8_t found = 0;
+	uint8_t found = 0;
 	const bool added = buffer.add(chunk, found);
 	CHECK(found == byte);
 	return added;
@@ -29,8 +29,8 @@ bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, s
 Bytes taken(ChunkBuffer &buffer) {
 	Bytes all;
 	Bytes window;
-	std::uint8_t check = 0;
-	std::uint8_t mask = 0;
+	uint8_t check = 0;
+	uint8_t mask = 0;
 	while (buffer.take_window(window, check, mask)) {
 		all.insert(all.end(), window.begin(), window.end());
 		all.push_back(255);
@@ -38,7 +38,7 @@ Bytes taken(ChunkBuffer &buffer) {
 	return all;
 }
 
-std::unique_ptr<ChunkBuffer> started(std::uint8_t next) {
+std::unique_ptr<ChunkBuffer> started(uint8_t next) {
 	auto buffer = std::make_unique<ChunkBuffer>();
 	buffer->restart(next);
 	return buffer;
@@ -58,8 +58,8 @@ TEST_CASE("chunk buffer: windows come out in order, whatever the order of their 
 	CHECK(taken(*buffer) == Bytes{ 11, 255, 12, 255 });
 	CHECK(add(*buffer, 13));
 	Bytes window;
-	std::uint8_t check = 0;
-	std::uint8_t mask = 0;
+	uint8_t check = 0;
+	uint8_t mask = 0;
 	REQUIRE(buffer->take_window(window, check, mask));
 	REQUIRE(buffer->take_window(window, check, mask));
 	CHECK(window == Bytes{ 14, 15 });
@@ -83,26 +83,26 @@ TEST_CASE("chunk buffer: repeats and what is too far ahead or behind are dropped
 
 TEST_CASE("chunk buffer: a short chunk's number is the one near the first that is missing") {
 	const auto buffer = started(250);
-	const auto add_short = [&](int number, std::uint8_t &found) {
-		const std::uint8_t byte = std::uint8_t(number);
+	const auto add_short = [&](int number, uint8_t &found) {
+		const uint8_t byte = uint8_t(number);
 		ChunkItem chunk;
-		chunk.number = std::uint8_t(number & 15);
+		chunk.number = uint8_t(number & 15);
 		chunk.is_short = chunk.first = chunk.last = true;
 		chunk.check = 5;
 		chunk.bytes = &byte;
 		chunk.size = 1;
 		return buffer->add(chunk, found);
 	};
-	std::uint8_t found = 0;
+	uint8_t found = 0;
 	for (const int number : { 250, 252, 251, 257, 256, 255, 254, 253, 258 }) {
 		CHECK(add_short(number, found));
-		CHECK(found == std::uint8_t(number));
+		CHECK(found == uint8_t(number));
 	}
 	CHECK_FALSE(add_short(254, found)); // again, behind what is missing
 	CHECK(found == 254);
 	Bytes window;
-	std::uint8_t check = 0;
-	std::uint8_t mask = 0;
+	uint8_t check = 0;
+	uint8_t mask = 0;
 	REQUIRE(buffer->take_window(window, check, mask));
 	CHECK(check == 5);
 	CHECK(mask == 7);
@@ -119,7 +119,7 @@ TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
 	add(*buffer, 0);
 	add(*buffer, 3);
 	CHECK(buffer->ack().next == 254);
-	CHECK(buffer->ack().later == (std::uint64_t(1) << 1 | std::uint64_t(1) << 4)); // 255 is bit 0
+	CHECK(buffer->ack().later == (uint64_t(1) << 1 | uint64_t(1) << 4)); // 255 is bit 0
 	add(*buffer, 254, true, false); // a window's begin alone counts as arrived
 	CHECK(buffer->ack().next == 255);
 	CHECK(buffer->ack().later == (1 | 1 << 3));
@@ -130,7 +130,7 @@ TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
 	for (int i = 1; i <= ChunkBuffer::AHEAD; ++i) {
 		add(*buffer, i, false, false); // never a window
 	}
-	CHECK(buffer->ack().next == std::uint8_t(1 + ChunkBuffer::AHEAD));
+	CHECK(buffer->ack().next == uint8_t(1 + ChunkBuffer::AHEAD));
 	CHECK(buffer->ack().later == 0);
 	CHECK(taken(*buffer) == Bytes{});
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 TEST_CASE("an envelope comes back, and nothing else is taken for one") {
-	std::uint8_t bytes[net::ENVELOPE_BYTES + 1] = {};
+	uint8_t bytes[net::ENVELOPE_BYTES + 1] = {};
 	for (const net::PacketKind kind : { net::PacketKind::HELLO, net::PacketKind::BYE, net::PacketKind::MOTION, net::PacketKind::ANSWER }) {
 		net::write_envelope({ kind, 0xbeef, 200 }, bytes);
 		net::Envelope read;
@@ -15,7 +15,7 @@ TEST_CASE("an envelope comes back, and nothing else is taken for one") {
 		CHECK(read.key == 0xbeef);
 		CHECK(read.link == 200);
 		CHECK(read.version == net::ENVELOPE_VERSION);
-		for (std::size_t size = 0; size < net::ENVELOPE_BYTES; ++size) {
+		for (size_t size = 0; size < net::ENVELOPE_BYTES; ++size) {
 			CHECK_FALSE(net::read_envelope(bytes, size, read));
 		}
 		bytes[0] ^= 0x80;
@@ -24,7 +24,7 @@ TEST_CASE("an envelope comes back, and nothing else is taken for one") {
 }
 
 TEST_CASE("another version is told from something foreign") {
-	std::uint8_t bytes[net::ENVELOPE_BYTES];
+	uint8_t bytes[net::ENVELOPE_BYTES];
 	net::write_envelope({ net::PacketKind::MOTION, 1, 2 }, bytes);
 	bytes[0] ^= 1 << 3;
 	net::Envelope read;
@@ -37,9 +37,9 @@ TEST_CASE("paths as numbers: FNV-1a's published values, and few collisions among
 	CHECK(net::path_hash("") == 0x811c9dc5u);
 	CHECK(net::path_hash("a") == 0xe40c292cu);
 	CHECK(net::path_hash("foobar") == 0xbf9cf968u);
-	std::set<std::uint32_t> bodies;
+	std::set<uint32_t> bodies;
 	for (int i = 0; i < 10000; ++i) {
-		const std::uint32_t body = net::path_body("World/Cubes/Cube" + std::to_string(i));
+		const uint32_t body = net::path_body("World/Cubes/Cube" + std::to_string(i));
 		CHECK(body < 0x80000000u);
 		bodies.insert(body);
 	}

@@ -12,7 +12,7 @@ using namespace net;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 std::string problem(const Bytes &packet) {
 	PacketContent content;
@@ -27,10 +27,10 @@ PacketContent read(const Bytes &packet) {
 	return content;
 }
 
-Bytes counted(std::size_t size) {
+Bytes counted(size_t size) {
 	Bytes bytes(size);
-	for (std::size_t i = 0; i < size; ++i) {
-		bytes[i] = std::uint8_t(i * 7 + 1);
+	for (size_t i = 0; i < size; ++i) {
+		bytes[i] = uint8_t(i * 7 + 1);
 	}
 	return bytes;
 }
@@ -54,11 +54,11 @@ Bytes everything() {
 
 TEST_CASE("packet: items take so many bytes and come back") {
 	const Bytes bytes = counted(300);
-	for (const std::size_t size : { std::size_t(0), std::size_t(1), std::size_t(300) }) {
+	for (const size_t size : { size_t(0), size_t(1), size_t(300) }) {
 		for (int flags = 0; flags < 4; ++flags) {
 			for (const bool last_item : { true, false }) {
 				Bytes packet;
-				const ChunkItem chunk{ std::uint8_t(250 + flags), (flags & 1) != 0, (flags & 2) != 0, std::uint8_t((flags & 2) != 0 ? 0xa7 : 0), bytes.data(), size };
+				const ChunkItem chunk{ uint8_t(250 + flags), (flags & 1) != 0, (flags & 2) != 0, uint8_t((flags & 2) != 0 ? 0xa7 : 0), bytes.data(), size };
 				put_chunk(packet, chunk, last_item);
 				CHECK(packet.size() == size + 2 + (chunk.last ? 1 : 0) + (last_item ? 0 : 2));
 				const PacketContent content = read(packet);
@@ -107,10 +107,10 @@ TEST_CASE("packet: items take so many bytes and come back") {
 
 TEST_CASE("packet: an acknowledgement takes the bytes that its last bit needs") {
 	struct Row {
-		std::uint64_t later;
-		std::size_t size;
+		uint64_t later;
+		size_t size;
 	};
-	for (const Row &row : { Row{ 0, 2 }, Row{ 1, 4 }, Row{ 0x80, 4 }, Row{ 0x100, 5 }, Row{ std::uint64_t(1) << 56, 11 }, Row{ ~std::uint64_t(0), 11 } }) {
+	for (const Row &row : { Row{ 0, 2 }, Row{ 1, 4 }, Row{ 0x80, 4 }, Row{ 0x100, 5 }, Row{ uint64_t(1) << 56, 11 }, Row{ ~uint64_t(0), 11 } }) {
 		Bytes packet;
 		put_ack(packet, { 200, row.later });
 		CHECK(packet.size() == row.size);
@@ -119,7 +119,7 @@ TEST_CASE("packet: an acknowledgement takes the bytes that its last bit needs") 
 		CHECK(content.acks[0].next == 200);
 		CHECK(content.acks[0].later == row.later);
 	}
-	for (const std::uint8_t length : { 0, 9, 255 }) {
+	for (const uint8_t length : { 0, 9, 255 }) {
 		CHECK(problem({ 0xc1, 1, length, 1, 1, 1, 1, 1, 1, 1, 1, 1 }) == "the packet's list of what arrived is of a wrong length");
 	}
 }
@@ -158,10 +158,10 @@ TEST_CASE("packet: several items in one, in any order; nothing is left of the pa
 TEST_CASE("packet: cut off anywhere, it is refused, or all whole items of it are there") {
 	const Bytes packet = everything();
 	// Behind an item a cut leaves a packet; within the last chunk it shortens that.
-	const std::vector<std::size_t> whole = { 26, 29, 31, 36, 44, 45, 69 };
+	const std::vector<size_t> whole = { 26, 29, 31, 36, 44, 45, 69 };
 	CHECK(packet.size() == 77);
-	for (std::size_t size = 0; size < packet.size(); ++size) {
-		const std::string error = problem(Bytes(packet.begin(), packet.begin() + std::ptrdiff_t(size)));
+	for (size_t size = 0; size < packet.size(); ++size) {
+		const std::string error = problem(Bytes(packet.begin(), packet.begin() + ptrdiff_t(size)));
 		CAPTURE(size);
 		if (size == 0) {
 			CHECK(error == "the packet is empty");
@@ -177,12 +177,12 @@ TEST_CASE("packet: unknown kinds and too long ones are refused") {
 	for (int kind = 0x80; kind < 0x100; ++kind) {
 		const bool is_chunk = kind < 0xc0 && (kind & 7) == 0;
 		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc3) || kind == 0xe0 || kind == 0xe1;
-		const std::string error = problem({ std::uint8_t(kind), 1 });
+		const std::string error = problem({ uint8_t(kind), 1 });
 		CAPTURE(kind);
 		CHECK((error == "the packet holds something of an unknown kind") == !known);
-		CHECK(problem({ 0xc2, std::uint8_t(kind), 1 }) == (kind == 0xc0 || kind == 0xc2 ? problem({ std::uint8_t(kind), 1 }) : error));
+		CHECK(problem({ 0xc2, uint8_t(kind), 1 }) == (kind == 0xc0 || kind == 0xc2 ? problem({ uint8_t(kind), 1 }) : error));
 	}
-	Bytes longest(std::size_t(MOST_PACKET_BYTES), 0);
+	Bytes longest(size_t(MAX_PACKET_BYTES), 0);
 	longest[0] = 0xb0;
 	CHECK(problem(longest) == "");
 	longest.push_back(0);
@@ -194,15 +194,15 @@ TEST_CASE("packet: random bytes point nowhere outside the packet") {
 	std::mt19937 random(3);
 	for (int round = 0; round < 20000; ++round) {
 		Bytes packet(random() % 60);
-		for (std::uint8_t &byte : packet) {
-			const std::uint8_t kinds[] = { 0xe0, 0xe1, 0xc0, 0xc1, 0xc2, 0xc3, 0x88, 0x00 };
-			byte = random() % 3 == 0 ? kinds[random() % 8] : std::uint8_t(random() % 20);
+		for (uint8_t &byte : packet) {
+			const uint8_t kinds[] = { 0xe0, 0xe1, 0xc0, 0xc1, 0xc2, 0xc3, 0x88, 0x00 };
+			byte = random() % 3 == 0 ? kinds[random() % 8] : uint8_t(random() % 20);
 		}
 		PacketContent content;
 		if (read_packet(packet.data(), packet.size(), content) != nullptr) {
 			continue;
 		}
-		const auto is_inside = [&](const std::uint8_t *bytes, std::size_t size) { return bytes >= packet.data() && size <= std::size_t(packet.data() + packet.size() - bytes); };
+		const auto is_inside = [&](const uint8_t *bytes, size_t size) { return bytes >= packet.data() && size <= size_t(packet.data() + packet.size() - bytes); };
 		for (const ChunkItem &chunk : content.chunks) {
 			CHECK(is_inside(chunk.bytes, chunk.size));
 		}

@@ -25,17 +25,17 @@ void follow(BodyState &state, int ticks, int count, const Path &at) {
 		SegmentSteps steps{};
 		for (int c = 0; c < 3; ++c) {
 			steps.way[c] = at(i * ticks) - at((i - 1) * ticks);
-			code.end[c] = std::int32_t((steps.way[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
+			code.end[c] = int32_t((steps.way[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
 		}
 		REQUIRE(state.apply(code, steps, GRID));
 	}
 }
 
-std::vector<std::int64_t> numbers(BodyState state) {
-	std::vector<std::int64_t> all;
+std::vector<int64_t> numbers(BodyState state) {
+	std::vector<int64_t> all;
 	state.visit([&](auto &number, int bits) {
-		CHECK(bit_width(zigzag(std::int64_t(number))) <= bits);
-		all.push_back(std::int64_t(number));
+		CHECK(bit_width(zigzag(int64_t(number))) <= bits);
+		all.push_back(int64_t(number));
 	});
 	return all;
 }
@@ -72,11 +72,11 @@ TEST_CASE("body state: the nearest pose, near and at 10 km") {
 TEST_CASE("body state: poses that are not finite or out of range are refused and change nothing") {
 	BodyState state;
 	REQUIRE(state.set_pose(pose_of(3.0), GRID));
-	const std::vector<std::int64_t> before = numbers(state);
+	const std::vector<int64_t> before = numbers(state);
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	const double infinity = std::numeric_limits<double>::infinity();
 	std::vector<PoseD> refused;
-	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MOST_STEPS) }) {
+	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MAX_STEPS) }) {
 		refused.push_back(pose_of(bad));
 		PoseD pose;
 		pose.translation.z = -std::abs(bad);
@@ -96,7 +96,7 @@ TEST_CASE("body state: poses that are not finite or out of range are refused and
 		CHECK_FALSE(state.set_pose(pose, GRID));
 		CHECK(numbers(state) == before);
 	}
-	PoseD farthest = pose_of(GRID.position * double(BodyState::MOST_STEPS - 1));
+	PoseD farthest = pose_of(GRID.position * double(BodyState::MAX_STEPS - 1));
 	farthest.scale = 65536.0;
 	CHECK(state.set_pose(farthest, GRID));
 	CHECK(state.is_valid());
@@ -106,14 +106,14 @@ TEST_CASE("body state: poses that are not finite or out of range are refused and
 
 TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 	struct Row {
-		std::int64_t speed; // steps a tick
+		int64_t speed; // steps a tick
 		int ticks;
-		std::int64_t most_error;
+		int64_t most_error;
 	};
 	for (const Row &row : { Row{ 97, 6, 1 }, Row{ -100000, 3, 1 }, Row{ 0, 10, 0 } }) {
 		BodyState state;
 		REQUIRE(state.set_pose(PoseD(), GRID));
-		follow(state, row.ticks, 8, [&](std::int64_t tick) { return row.speed * tick; });
+		follow(state, row.ticks, 8, [&](int64_t tick) { return row.speed * tick; });
 		CAPTURE(row.speed);
 		for (int c = 0; c < 3; ++c) {
 			CHECK(std::abs(state.predicted(c, row.ticks) - row.speed * row.ticks) <= row.most_error);
@@ -125,17 +125,17 @@ TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	const double g = -0.5 * 9.81 / 3600.0 / GRID.position; // steps a tick^2
-	std::int64_t way = 0;
+	int64_t way = 0;
 	for (int i = 0; i < 10; ++i) {
 		SegmentCode code;
 		code.ticks = 12;
 		SegmentSteps steps{};
-		const auto at = [g](int tick) { return std::int64_t(std::llround(g * tick * tick)); };
+		const auto at = [g](int tick) { return int64_t(std::llround(g * tick * tick)); };
 		way = at(12 * (i + 1)) - at(12 * i);
 		steps.way[1] = way;
-		steps.bend[1] = std::int64_t(std::llround(-g * 144.0));
+		steps.bend[1] = int64_t(std::llround(-g * 144.0));
 		code.bent[0] = true;
-		code.bend[1] = std::int32_t(steps.bend[1] / StreamGrid::BEND);
+		code.bend[1] = int32_t(steps.bend[1] / StreamGrid::BEND);
 		REQUIRE(state.apply(code, steps, GRID));
 	}
 	const double next = g * (132.0 * 132.0 - 120.0 * 120.0);
@@ -146,7 +146,7 @@ TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 TEST_CASE("body state: after rest nothing is expected") {
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
-	follow(state, 5, 5, [](std::int64_t tick) { return 30 * tick; });
+	follow(state, 5, 5, [](int64_t tick) { return 30 * tick; });
 	CHECK(state.active);
 	CHECK_FALSE(state.settled);
 	const PoseD before = state.pose(GRID);
@@ -156,7 +156,7 @@ TEST_CASE("body state: after rest nothing is expected") {
 	for (int c = 0; c < 6; ++c) {
 		CHECK(state.predicted(c, 20) == 0);
 	}
-	const std::int32_t offset[6] = { 3, -4, 5, 6, 0, -7 };
+	const int32_t offset[6] = { 3, -4, 5, 6, 0, -7 };
 	REQUIRE(state.settle(offset, GRID));
 	CHECK(state.settled);
 	const PoseD after = state.pose(GRID);
@@ -166,27 +166,27 @@ TEST_CASE("body state: after rest nothing is expected") {
 
 TEST_CASE("body state: motions out of range are refused and change nothing") {
 	BodyState state;
-	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MOST_STEPS - 10)), GRID));
-	const std::vector<std::int64_t> before = numbers(state);
+	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MAX_STEPS - 10)), GRID));
+	const std::vector<int64_t> before = numbers(state);
 	SegmentCode code;
 	SegmentSteps steps{};
 	steps.way[0] = 11;
 	CHECK_FALSE(state.apply(code, steps, GRID));
 	steps.way[0] = 0;
-	steps.way[4] = std::int64_t(20.0 / GRID.rotation); // radians
+	steps.way[4] = int64_t(20.0 / GRID.rotation); // radians
 	CHECK_FALSE(state.apply(code, steps, GRID));
 	steps.way[4] = 0;
 	code.scaled = true;
-	code.scale = BodyState::MOST_SCALE + 1;
+	code.scale = BodyState::MAX_SCALE + 1;
 	CHECK_FALSE(state.apply(code, steps, GRID));
 	code.scale = -ResidualModel::LIMIT;
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	const std::int32_t far[6] = { 11, 0, 0, 0, 0, 0 };
+	const int32_t far[6] = { 11, 0, 0, 0, 0, 0 };
 	CHECK_FALSE(state.settle(far, GRID));
-	const std::int32_t turned[6] = { 0, 0, 0, 2000, 0, 0 };
+	const int32_t turned[6] = { 0, 0, 0, 2000, 0, 0 };
 	CHECK_FALSE(state.settle(turned, GRID));
 	CHECK(numbers(state) == before);
-	code.scale = BodyState::MOST_SCALE;
+	code.scale = BodyState::MAX_SCALE;
 	CHECK(state.apply(code, steps, GRID));
 	CHECK(state.is_valid());
 }
@@ -200,15 +200,15 @@ TEST_CASE("body state: all of it goes through visit, and the hash sees pose and 
 			SegmentCode code;
 			code.ticks = 1 + int(random.uniform(0.0, 63.9));
 			for (int c = 0; c < 6; ++c) {
-				code.end[c] = std::int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
-				code.bend[c] = std::int32_t(random.uniform(-200.0, 200.0));
+				code.end[c] = int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
+				code.bend[c] = int32_t(random.uniform(-200.0, 200.0));
 			}
 			code.bent[k % 2] = true;
 			code.scaled = k % 3 == 0;
 			code.scale = 17;
 			REQUIRE(state.apply(code, state.steps(code), GRID));
 		}
-		std::vector<std::uint8_t> bytes;
+		std::vector<uint8_t> bytes;
 		RangeEncoder encoder(bytes);
 		StateCoder<RangeEncoder> writer(encoder);
 		state.visit(writer);

@@ -32,7 +32,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	MotionPlanner planner(plan.grid, plan.mode);
 	MotionModels models;
 	MotionCode motion;
-	std::vector<std::uint8_t> bytes;
+	std::vector<uint8_t> bytes;
 	RangeEncoder coder(bytes);
 	// Up to the end of a window: what will be after it, nobody knows.
 	std::vector<MotionSample> samples;
@@ -43,9 +43,9 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	if (samples.back().time < end) {
 		samples.push_back({ end, path(end * TICK) });
 	}
-	std::size_t first = 0;
+	size_t first = 0;
 	for (double begin = 0.0; first < samples.size(); begin += plan.ticks) {
-		std::size_t count = 0;
+		size_t count = 0;
 		while (first + count < samples.size() && samples[first + count].time <= begin + plan.ticks + 1e-6) {
 			++count;
 		}
@@ -58,7 +58,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 		std::vector<MotionSegment> segments;
 		REQUIRE(code_motion(coder, models, outcome.state, plan.grid, begin, plan.ticks, false, motion, [&](const BodyState &from, const SegmentCode &code, const SegmentSteps &steps, double at) { segments.push_back(from.segment(code, steps, plan.grid, at, plan.mode)); }));
 		outcome.segments += motion.active ? motion.count : 0;
-		for (std::size_t k = first; k < first + count; ++k) {
+		for (size_t k = first; k < first + count; ++k) {
 			PoseD shown = held;
 			for (const MotionSegment &segment : segments) {
 				if (segment.begin <= samples[k].time) {
@@ -227,7 +227,7 @@ TEST_CASE("motion plan: a body that stops comes to rest and settles to within a 
 
 TEST_CASE("motion plan: trembling within the tolerance is no motion") {
 	const Path path = [](double t) {
-		const std::int64_t i = std::llround(t * 60.0);
+		const int64_t i = std::llround(t * 60.0);
 		return turned_at(Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.001, Vector3D(0, 1, 0), 0.002 * noise(i, 3));
 	};
 	const Outcome outcome = planned(path, regular_times(60.0, 10.0), Plan());

@@ -120,9 +120,9 @@ TEST_CASE("motion segment: the next one begins where one ends, but for the grid 
 			code.fine = i % 3 == 0;
 			for (int c = 0; c < 6; ++c) {
 				// Anywhere near where it is: what is predicted is taken back, or it would run away.
-				const std::int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-				code.end[c] = std::int32_t(back + std::int64_t(random.uniform(-9.0, 9.0)));
-				code.bend[c] = std::int32_t(random.uniform(-5.0, 5.0));
+				const int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+				code.end[c] = int32_t(back + int64_t(random.uniform(-9.0, 9.0)));
+				code.bend[c] = int32_t(random.uniform(-5.0, 5.0));
 			}
 			code.bent[0] = i % 2 == 0;
 			code.bent[1] = i % 5 < 3;

@@ -9,7 +9,7 @@ using namespace net;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 StateHeader sound() {
 	StateHeader header;
@@ -55,8 +55,8 @@ TEST_CASE("state header: settings come back in so many bytes") {
 TEST_CASE("state header: cut off, of another version, with what no sender says, it is refused") {
 	Bytes bytes;
 	put_state_header(bytes, sound());
-	for (std::size_t size = 0; size < bytes.size(); ++size) {
-		CHECK(problem(Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(size))) == "the state is cut off");
+	for (size_t size = 0; size < bytes.size(); ++size) {
+		CHECK(problem(Bytes(bytes.begin(), bytes.begin() + ptrdiff_t(size))) == "the state is cut off");
 	}
 	Bytes other = bytes;
 	++other[0];

@@ -12,11 +12,11 @@ using namespace net_test;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 struct Window {
 	Bytes bytes;
-	std::uint8_t check = 0;
+	uint8_t check = 0;
 	double begin = 0.0;
 	int ticks = 0;
 };
@@ -49,14 +49,14 @@ struct Recording {
 	}
 };
 
-bool decode(StreamDecoder &decoder, const Bytes &bytes, std::uint8_t check, double begin, std::vector<BodyMotion> &motions) {
+bool decode(StreamDecoder &decoder, const Bytes &bytes, uint8_t check, double begin, std::vector<BodyMotion> &motions) {
 	int ticks = 0;
 	return decoder.decode_window(bytes.data(), bytes.size(), check, 255, begin, cga::Mode::SEPARATE, motions, ticks);
 }
 
 std::vector<PoseD> poses(const StreamDecoder &decoder) {
 	std::vector<PoseD> all;
-	for (std::size_t i = 0; i < decoder.body_count(); ++i) {
+	for (size_t i = 0; i < decoder.body_count(); ++i) {
 		all.push_back(decoder.pose(i));
 	}
 	return all;
@@ -75,16 +75,16 @@ Bytes spoilt(const Bytes &bytes, std::mt19937 &random) {
 			break;
 		case 1:
 			other.resize(random() % 120);
-			for (std::uint8_t &byte : other) {
-				byte = std::uint8_t(random());
+			for (uint8_t &byte : other) {
+				byte = uint8_t(random());
 			}
 			break;
 		case 2:
-			other.insert(other.end(), 1 + random() % 30, std::uint8_t(random()));
+			other.insert(other.end(), 1 + random() % 30, uint8_t(random()));
 			break;
 		default:
-			for (std::size_t flips = 1 + random() % 4; flips > 0 && !other.empty(); --flips) {
-				other[random() % other.size()] ^= std::uint8_t(1u << (random() % 8));
+			for (size_t flips = 1 + random() % 4; flips > 0 && !other.empty(); --flips) {
+				other[random() % other.size()] ^= uint8_t(1u << (random() % 8));
 			}
 	}
 	return other;
@@ -130,11 +130,11 @@ TEST_CASE("stream decoder: a wrong check is refused, as is a window out of order
 	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
 	std::vector<BodyMotion> motions;
 	int wrong_order = 0;
-	for (std::size_t i = 0; i + 1 < recording.windows.size(); ++i) {
+	for (size_t i = 0; i + 1 < recording.windows.size(); ++i) {
 		const Window &window = recording.windows[i];
 		for (int check = 0; check < 16; ++check) {
 			StreamDecoder copy = decoder;
-			CHECK(decode(copy, window.bytes, std::uint8_t(check), window.begin, motions) == (check == window.check));
+			CHECK(decode(copy, window.bytes, uint8_t(check), window.begin, motions) == (check == window.check));
 		}
 		StreamDecoder copy = decoder;
 		wrong_order += decode(copy, recording.windows[i + 1].bytes, recording.windows[i + 1].check, window.begin, motions);
@@ -167,7 +167,7 @@ TEST_CASE("stream decoder: spoilt states are refused without a change, or hold b
 		}
 		for (const Window &window : recording.windows) {
 			for (int check = 0; check < 16; ++check) {
-				if (decode(decoder, window.bytes, std::uint8_t(check), window.begin, motions)) {
+				if (decode(decoder, window.bytes, uint8_t(check), window.begin, motions)) {
 					for (const BodyMotion &motion : motions) {
 						CHECK(cga_test::is_finite(motion.segment.pose_at(motion.segment.begin + 0.5)));
 					}
@@ -181,7 +181,7 @@ TEST_CASE("stream decoder: spoilt states are refused without a change, or hold b
 
 TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or memory for them") {
 	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
-	for (std::uint32_t id = 0; id < 50; ++id) {
+	for (uint32_t id = 0; id < 50; ++id) {
 		REQUIRE(encoder.add_body(id, 0.0, PoseD()));
 	}
 	Bytes empty_state;
@@ -191,7 +191,7 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	Bytes state;
 	encoder.encode_state(state);
 	std::vector<BodyMotion> motions;
-	for (const std::size_t most : { std::size_t(49), std::size_t(50) }) {
+	for (const size_t most : { size_t(49), size_t(50) }) {
 		StreamDecoder decoder(0.005f, 1.4f, most);
 		CHECK(decoder.read_state(state.data(), state.size()) == (most == 50));
 		REQUIRE(decoder.read_state(empty_state.data(), empty_state.size()));
@@ -200,7 +200,7 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	// A count of bodies that the bytes cannot hold.
 	Bytes liar;
 	RangeEncoder coder(liar);
-	std::uint32_t number = 12;
+	uint32_t number = 12;
 	coder.bits(number, 7);
 	coder.bits(number, 32);
 	MotionModels models;
@@ -209,15 +209,15 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	coder.bits(number, INDEX_BITS);
 	coder.finish();
 	StreamDecoder decoder(0.005f, 1.4f, 2000000);
-	const std::size_t before = live_bytes();
+	const size_t before = live_bytes();
 	CHECK_FALSE(decoder.read_state(liar.data(), liar.size()));
 	std::mt19937 random(4);
 	for (int i = 0; i < 300; ++i) {
 		Bytes bytes(1300);
-		for (std::uint8_t &byte : bytes) {
-			byte = std::uint8_t(random());
+		for (uint8_t &byte : bytes) {
+			byte = uint8_t(random());
 		}
-		(void)decode(decoder, bytes, std::uint8_t(i % 16), 0.0, motions);
+		(void)decode(decoder, bytes, uint8_t(i % 16), 0.0, motions);
 	}
 	CHECK(live_bytes() < before + 3000000);
 }
@@ -226,21 +226,21 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 	StreamDecoder decoder(0.005f, 1.4f, 1000);
 	const std::vector<Motion> all = motions(Vector3D(0.0));
-	for (std::uint32_t id = 0; id < 130; ++id) {
+	for (uint32_t id = 0; id < 130; ++id) {
 		REQUIRE(encoder.add_body(id, 0.0, all[id % all.size()].path(0.0)));
 	}
 	Bytes bytes;
 	encoder.encode_state(bytes);
 	REQUIRE(decoder.read_state(bytes.data(), bytes.size()));
 	std::vector<BodyMotion> shown;
-	std::size_t before = 0;
+	size_t before = 0;
 	for (int window = 0; window < 60; ++window) {
 		if (window == 30) {
 			before = allocation_count();
 		}
 		for (int tick = 1; tick <= 12; ++tick) {
 			const double time = window * 12.0 + tick;
-			for (std::uint32_t id = 0; id < 130; ++id) {
+			for (uint32_t id = 0; id < 130; ++id) {
 				(void)encoder.observe(id, time, all[id % all.size()].path(time / 60.0));
 			}
 		}

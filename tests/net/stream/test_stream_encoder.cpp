@@ -14,12 +14,12 @@ using namespace net_test;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<uint8_t>;
 
 /// An encoder and a decoder that gets all of its windows, and what the decoder's motions look like.
 struct Link {
-	explicit Link(cga::Mode p_mode = cga::Mode::SEPARATE) :
-			mode(p_mode), encoder(0.005f, 1.4f, p_mode), decoder(0.005f, 1.4f, 1000) {
+	explicit Link(cga::Mode mode = cga::Mode::SEPARATE) :
+			mode(mode), encoder(0.005f, 1.4f, mode), decoder(0.005f, 1.4f, 1000) {
 		Bytes state;
 		encoder.encode_state(state);
 		REQUIRE(decoder.read_state(state.data(), state.size()));
@@ -38,14 +38,14 @@ struct Link {
 		return read;
 	}
 
-	[[nodiscard]] bool shows(std::uint32_t id, double tick) { return tracks[id].pose_at(tick, shown); }
+	[[nodiscard]] bool shows(uint32_t id, double tick) { return tracks[id].pose_at(tick, shown); }
 
 	cga::Mode mode;
 	StreamEncoder encoder;
 	StreamDecoder decoder;
 	Bytes bytes;
 	std::vector<BodyMotion> motions;
-	std::map<std::uint32_t, MotionTrack> tracks;
+	std::map<uint32_t, MotionTrack> tracks;
 	double end = 0.0;
 	PoseD shown;
 };
@@ -68,7 +68,7 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 			int checked = 0;
 			for (double tick = 0.0; tick < 900.0;) {
 				const int ticks = seed % 2 == 0 ? 12 : int(random.uniform(1.0, seed == 1 ? 64.9 : 20.0));
-				std::vector<std::map<std::uint32_t, StreamScene::Body>> truth;
+				std::vector<std::map<uint32_t, StreamScene::Body>> truth;
 				for (int i = 0; i < ticks; ++i) {
 					scene.step(++tick, seed < 3 ? 0.3 : 0.03);
 					truth.push_back(scene.bodies);
@@ -80,7 +80,7 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 				CHECK(link.encoder.body_count() == scene.bodies.size());
 				for (int i = 0; i < ticks; ++i) {
 					const double time = tick - ticks + i + 1;
-					for (const auto &entry : truth[std::size_t(i)]) {
+					for (const auto &entry : truth[size_t(i)]) {
 						const auto now = scene.bodies.find(entry.first);
 						const bool is_same_life = now != scene.bodies.end() && now->second.born == entry.second.born;
 						const bool between_jumps = is_same_life && time >= now->second.jumped && time < now->second.settled_from;
@@ -118,7 +118,7 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), link.encoder.check(), 255, begin, link.mode, motions, ticks));
 			REQUIRE(other->body_count() == link.decoder.body_count());
 			CHECK(motions.size() == link.motions.size());
-			for (std::size_t i = 0; i < other->body_count(); ++i) {
+			for (size_t i = 0; i < other->body_count(); ++i) {
 				CHECK(other->id(i) == link.decoder.id(i));
 				CHECK(cga_test::difference(other->pose(i), link.decoder.pose(i)) == 0.0);
 			}
@@ -135,14 +135,14 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 
 TEST_CASE("stream: resting bodies cost a byte or two a window together, moving ones what their news is") {
 	Link link;
-	for (std::uint32_t id = 0; id < 200; ++id) {
+	for (uint32_t id = 0; id < 200; ++id) {
 		REQUIRE(link.encoder.add_body(id, 0.0, at(double(id))));
 	}
 	CHECK(link.encoder.has_news());
-	std::size_t last = 0;
+	size_t last = 0;
 	for (int window = 0; window < 40; ++window) {
 		for (int i = 1; i <= 12; ++i) {
-			for (std::uint32_t id = 0; id < 200; ++id) {
+			for (uint32_t id = 0; id < 200; ++id) {
 				CHECK(link.encoder.observe(id, link.end + i, at(double(id))));
 			}
 		}

@@ -38,7 +38,7 @@ TEST_CASE("slots stay dense and tell owners apart, whatever comes and goes") {
 			const size_t slot = slots.remove(owners[index]);
 			row[slot] = row.back();
 			row.pop_back();
-			owners.erase(owners.begin() + std::ptrdiff_t(index));
+			owners.erase(owners.begin() + ptrdiff_t(index));
 		}
 		REQUIRE(slots.size() == owners.size());
 		REQUIRE(slots.size() == row.size());

@@ -11,7 +11,7 @@ const Truth := preload("truth.gd")
 
 const LEVER := 0.25
 ## Truths that wait for their tick to be shown, at most.
-const MOST_WAITING := 16
+const MAX_WAITING := 16
 ## Errors that the figures are over: those of about two seconds.
 const WINDOW := 64
 ## Share of the past in the mean by which the synchronizer's tick is chosen.
@@ -34,7 +34,7 @@ func take(truth: Truth, link: PoseLink) -> void:
 		return
 	if link.get_shown_tick() >= 0.0:
 		_waiting.append(truth)
-		if _waiting.size() > MOST_WAITING:
+		if _waiting.size() > MAX_WAITING:
 			_waiting.remove_at(0)
 	else:
 		_compare_untimed(truth, link)

@@ -7,7 +7,7 @@ extends RefCounted
 const Truth := preload("res://demos/multiplayer/measure/truth.gd")
 
 const TICKS := 3
-const MOST_BODIES := 8
+const MAX_BODIES := 8
 const HEADER := 9
 const POSE_BYTES := 28
 const BODY_BYTES := 2 + TICKS * POSE_BYTES

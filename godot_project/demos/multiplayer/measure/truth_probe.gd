@@ -7,7 +7,7 @@ const Truth := preload("truth.gd")
 ## Ticks between two truths.
 const PAUSE := 15
 ## A body that moved less than this since the tick before, in metres, is at rest: 1 mm/s.
-const LEAST_MOTION := 0.001 / 60.0
+const MIN_MOTION := 0.001 / 60.0
 
 ## Clients to tell.
 var watchers: Array[int] = []
@@ -45,7 +45,7 @@ func _begin(tick: float, poses: Dictionary[int, Transform3D]) -> void:
 		var id: int = ids[(start + i * 37) % ids.size()]
 		if _moved(id, poses) and not _truth.ids.has(id):
 			_truth.ids.append(id)
-			if _truth.ids.size() == Truth.MOST_BODIES:
+			if _truth.ids.size() == Truth.MAX_BODIES:
 				return
 	if _truth.ids.is_empty():
 		_truth = null
@@ -61,4 +61,4 @@ func _add_tick(poses: Dictionary[int, Transform3D]) -> bool:
 
 
 func _moved(id: int, poses: Dictionary[int, Transform3D]) -> bool:
-	return _before.has(id) and _before[id].origin.distance_to(poses[id].origin) > LEAST_MOTION
+	return _before.has(id) and _before[id].origin.distance_to(poses[id].origin) > MIN_MOTION

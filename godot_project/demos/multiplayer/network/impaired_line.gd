@@ -10,11 +10,11 @@ const LineConditions := preload("line_conditions.gd")
 ## Bytes of IP and UDP that a packet costs besides its content.
 const HEADER_BYTES := 28
 ## What waits longer than this for the line to be free is thrown away, in seconds.
-const LONGEST_QUEUE := 0.25
+const MAX_QUEUE := 0.25
 ## How much longer a reordered packet takes, in seconds.
 const OVERTAKING := 0.04
 ## More packets than this are never held.
-const MOST_HELD := 8192
+const MAX_HELD := 8192
 
 ## May be changed, or exchanged, at any time; packets on their way keep what they got.
 var conditions := LineConditions.new()
@@ -50,7 +50,7 @@ func put(packet: PackedByteArray, now: float) -> void:
 	var leaves := now
 	if conditions.rate > 0.0:
 		leaves = maxf(now, _free_at)
-		if leaves - now > LONGEST_QUEUE:
+		if leaves - now > MAX_QUEUE:
 			overflowed += 1
 			return
 		leaves += (packet.size() + HEADER_BYTES) / conditions.rate
@@ -89,7 +89,7 @@ func _loses(chance: float) -> bool:
 
 
 func _hold(packet: PackedByteArray, arrives: float) -> void:
-	if _due.size() >= MOST_HELD:
+	if _due.size() >= MAX_HELD:
 		overflowed += 1
 		return
 	var at := _due.bsearch(arrives, false)

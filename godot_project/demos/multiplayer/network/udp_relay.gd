@@ -9,9 +9,9 @@ const LOOPBACK := "127.0.0.1"
 ## Microseconds between two looks at the sockets.
 const PAUSE := 400
 ## Clients that it serves at once; others get no answer.
-const MOST_ROUTES := 32
+const MAX_ROUTES := 32
 ## Seconds without a packet from a client after which its place is free again.
-const LONGEST_SILENCE := 20.0
+const MAX_SILENCE := 20.0
 ## Distance of the seeds of two clients.
 const SEED_STEP := 7919
 
@@ -61,7 +61,7 @@ func open(server_address: String, server_port: int, seed_value: int) -> Error:
 	_seed = seed_value
 	if _server_address.is_empty():
 		return ERR_CANT_RESOLVE
-	_listener.max_pending_connections = MOST_ROUTES
+	_listener.max_pending_connections = MAX_ROUTES
 	return _listener.listen(0, LOOPBACK)
 
 
@@ -121,7 +121,7 @@ func _take_clients(now: float) -> void:
 	_listener.poll()
 	while _listener.is_connection_available():
 		var client := _listener.take_connection()
-		if _routes.size() < MOST_ROUTES:
+		if _routes.size() < MAX_ROUTES:
 			_add_client(client, now)
 
 
@@ -129,7 +129,7 @@ func _pass_on_all(now: float) -> void:
 	for at: int in range(_routes.size() - 1, -1, -1):
 		var route := _routes[at]
 		_pass_on(route, now)
-		if now - route.heard_at > LONGEST_SILENCE:
+		if now - route.heard_at > MAX_SILENCE:
 			_routes.remove_at(at)
 
 

@@ -18,7 +18,7 @@ const WARM_UP_FRAMES := 4
 ## Frames of a turn: so that a turn moves about this many cubes.
 const MOVES_PER_TURN := 20_000
 const FEWEST_FRAMES := 6
-const MOST_FRAMES := 60
+const MAX_FRAMES := 60
 
 var _rounds := 7
 var _chosen := PackedStringArray()
@@ -98,7 +98,7 @@ func _measure(size: int) -> Array[Dictionary]:
 func _take_turn(
 	world: World, size: int, frames: PackedFloat64Array, works: PackedFloat64Array
 ) -> void:
-	var count := clampi(MOVES_PER_TURN / size, FEWEST_FRAMES, MOST_FRAMES)
+	var count := clampi(MOVES_PER_TURN / size, FEWEST_FRAMES, MAX_FRAMES)
 	var before := 0
 	for frame in WARM_UP_FRAMES + count + 1:
 		await process_frame

@@ -5,9 +5,9 @@
 
 namespace {
 
-std::uint64_t count = 0; // the program has one thread
+uint64_t count = 0; // the program has one thread
 
-void *allocate(std::size_t size) {
+void *allocate(size_t size) {
 	++count;
 	if (void *memory = std::malloc(size > 0 ? size : 1)) {
 		return memory;
@@ -17,12 +17,12 @@ void *allocate(std::size_t size) {
 
 } // namespace
 
-std::uint64_t bench::allocation_count() {
+uint64_t bench::allocation_count() {
 	return count;
 }
 
 // The array forms and those that do not throw call these.
-void *operator new(std::size_t size) {
+void *operator new(size_t size) {
 	return allocate(size);
 }
 
@@ -30,6 +30,6 @@ void operator delete(void *memory) noexcept {
 	std::free(memory);
 }
 
-void operator delete(void *memory, std::size_t) noexcept {
+void operator delete(void *memory, size_t) noexcept {
 	std::free(memory);
 }

@@ -5,6 +5,6 @@
 namespace bench {
 
 /// How often this program has asked for memory with operator new.
-[[nodiscard]] std::uint64_t allocation_count();
+[[nodiscard]] uint64_t allocation_count();
 
 } // namespace bench

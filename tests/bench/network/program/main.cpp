@@ -25,7 +25,7 @@ int fail(const std::string &problem) {
 }
 
 void print_method(const MethodResult &method, const Trace &trace) {
-	const std::size_t bodies = trace.bodies.size();
+	const size_t bodies = trace.bodies.size();
 	const ErrorFigures errors = method.errors.figures();
 	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, method.subject, bodies, value, unit); };
 	row("bytes_per_second_per_body", method.bytes_per_second / double(bodies), "B/s");
@@ -50,7 +50,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 	StreamResult first;
 	std::vector<MethodResult> runs;
 	double answer_bytes = 0.0;
-	for (std::uint64_t run = 0; run < options.runs; ++run) {
+	for (uint64_t run = 0; run < options.runs; ++run) {
 		StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed + run);
 		if (!stream.problem.empty()) {
 			return stream.problem;
@@ -82,7 +82,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 
 void measure_baseline(const Options &options, const Trace &trace, const Baseline &baseline) {
 	std::vector<MethodResult> runs;
-	for (std::uint64_t run = 0; run < options.runs; ++run) {
+	for (uint64_t run = 0; run < options.runs; ++run) {
 		runs.push_back(run_baseline(trace, baseline, options.link, options.seed + run));
 	}
 	print_method(pool_runs(runs), trace);
@@ -117,7 +117,7 @@ int measure_server(const Options &options) {
 	if (!result.problem.empty()) {
 		return fail("load of a server: " + result.problem);
 	}
-	const std::size_t poses = load.bodies * load.receivers;
+	const size_t poses = load.bodies * load.receivers;
 	print_row("server_core_share", "ga_godot", poses, result.core_share, "cores");
 	print_row("server_bytes_per_second_per_body", "ga_godot", poses, result.bytes_per_second / double(poses), "B/s");
 	print_row("server_packets_per_second", "ga_godot", poses, result.packets_per_second, "1/s");

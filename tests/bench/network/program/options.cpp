@@ -62,7 +62,7 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 	} };
 	for (int i = 1; i < count; ++i) {
 		const std::string_view argument = arguments[i];
-		const std::size_t equals = argument.find('=');
+		const size_t equals = argument.find('=');
 		const std::string_view name = argument.substr(0, equals);
 		const std::string_view value = equals == std::string_view::npos ? std::string_view() : argument.substr(equals + 1);
 		bool good = name.substr(0, 2) == "--";
@@ -84,8 +84,8 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 			return "'" + std::string(argument) + "' is no option, or its value is out of range";
 		}
 	}
-	options.seed = std::uint64_t(seed);
-	options.runs = std::uint64_t(runs);
+	options.seed = uint64_t(seed);
+	options.runs = uint64_t(runs);
 	return {};
 }
 

@@ -16,8 +16,8 @@ struct Options {
 	double tolerance = 0.005; ///< metres
 	double max_latency = 0.2; ///< seconds
 	cga::Mode mode = cga::Mode::SEPARATE;
-	std::uint64_t seed = 1;
-	std::uint64_t runs = 1; ///< over the link, with seeds from `seed` on; their errors are taken together
+	uint64_t seed = 1;
+	uint64_t runs = 1; ///< over the link, with seeds from `seed` on; their errors are taken together
 };
 
 /// Reads arguments --name=value. Empty, or what is wrong with them.

@@ -23,32 +23,32 @@ class Lissajous {
 public:
 	explicit Lissajous(RandomBits &random) {
 		for (int axis = 0; axis < 3; ++axis) {
-			centre_[axis] = random.between(-50.0, 50.0);
-			size_[axis] = random.between(0.5, 3.0);
-			frequency_[axis] = random.between(0.6, 2.5);
-			phase_[axis] = random.between(0.0, 6.28);
-			axis_[axis] = random.between(-1.0, 1.0);
+			_centre[axis] = random.between(-50.0, 50.0);
+			_size[axis] = random.between(0.5, 3.0);
+			_frequency[axis] = random.between(0.6, 2.5);
+			_phase[axis] = random.between(0.0, 6.28);
+			_axis[axis] = random.between(-1.0, 1.0);
 		}
-		axis_ = glm::normalize(axis_ + glm::dvec3(0.0, 1e-3, 0.0));
-		turn_ = random.between(0.5, 3.0);
+		_axis = glm::normalize(_axis + glm::dvec3(0.0, 1e-3, 0.0));
+		_turn = random.between(0.5, 3.0);
 	}
 
 	[[nodiscard]] cga::Pose<double> at(double time, RandomBits &random) const {
 		cga::Pose<double> pose;
 		for (int axis = 0; axis < 3; ++axis) {
-			pose.translation[axis] = centre_[axis] + size_[axis] * std::sin(frequency_[axis] * time + phase_[axis]) + random.between(-NOISE, NOISE);
+			pose.translation[axis] = _centre[axis] + _size[axis] * std::sin(_frequency[axis] * time + _phase[axis]) + random.between(-NOISE, NOISE);
 		}
-		pose.rotation = glm::angleAxis(turn_ * time, axis_);
+		pose.rotation = glm::angleAxis(_turn * time, _axis);
 		return pose;
 	}
 
 private:
-	glm::dvec3 centre_{}, size_{}, frequency_{}, phase_{}, axis_{};
-	double turn_ = 0.0;
+	glm::dvec3 _centre{}, _size{}, _frequency{}, _phase{}, _axis{};
+	double _turn = 0.0;
 };
 
 struct Client {
-	Client(const LinkSettings &link, std::uint64_t seed) :
+	Client(const LinkSettings &link, uint64_t seed) :
 			there(link, seed), back(link, ~seed) {}
 
 	net::Receiver receiver;
@@ -58,108 +58,108 @@ struct Client {
 
 class ServerRun {
 public:
-	ServerRun(const ServerLoadSettings &load, const net::StreamSettings &stream, std::uint64_t seed) :
-			load_(load), random_(seed), sender_(stream) {
-		for (std::size_t i = 0; i < load.bodies; ++i) {
-			paths_.emplace_back(random_);
-			poses_.push_back(paths_.back().at(0.0, random_));
-			sender_.add_body(std::uint32_t(i), poses_.back());
+	ServerRun(const ServerLoadSettings &load, const net::StreamSettings &stream, uint64_t seed) :
+			_load(load), _random(seed), _sender(stream) {
+		for (size_t i = 0; i < load.bodies; ++i) {
+			_paths.emplace_back(_random);
+			_poses.push_back(_paths.back().at(0.0, _random));
+			_sender.add_body(uint32_t(i), _poses.back());
 		}
-		for (std::size_t i = 0; i < load.receivers; ++i) {
-			clients_.emplace_back(load.link, seed + 1 + i);
-			sender_.add_receiver(std::uint32_t(i), 0.0);
+		for (size_t i = 0; i < load.receivers; ++i) {
+			_clients.emplace_back(load.link, seed + 1 + i);
+			_sender.add_receiver(uint32_t(i), 0.0);
 		}
-		answers_.resize(load.receivers);
+		_answers.resize(load.receivers);
 	}
 
 	void step(double time, bool counts) {
-		for (std::size_t i = 0; i < paths_.size(); ++i) {
-			poses_[i] = paths_[i].at(time, random_);
+		for (size_t i = 0; i < _paths.size(); ++i) {
+			_poses[i] = _paths[i].at(time, _random);
 		}
-		for (std::size_t i = 0; i < clients_.size(); ++i) {
-			answers_[i].clear();
-			while (clients_[i].back.receive(time, datagram_)) {
-				answers_[i].push_back(datagram_);
+		for (size_t i = 0; i < _clients.size(); ++i) {
+			_answers[i].clear();
+			while (_clients[i].back.receive(time, _datagram)) {
+				_answers[i].push_back(_datagram);
 			}
 		}
 		const double begin = cpu_seconds();
 		serve(time);
 		if (counts) {
-			seconds_ += cpu_seconds() - begin;
-			packets_ += sender_.packets().size();
+			_seconds += cpu_seconds() - begin;
+			_packets += _sender.packets().size();
 		}
-		for (const net::OutgoingPacket &packet : sender_.packets()) {
-			bytes_ += counts ? packet.size : 0;
-			clients_[packet.receiver].there.send(time, sender_.bytes() + packet.begin, packet.size);
+		for (const net::OutgoingPacket &packet : _sender.packets()) {
+			_bytes += counts ? packet.size : 0;
+			_clients[packet.receiver].there.send(time, _sender.bytes() + packet.begin, packet.size);
 		}
-		for (Client &client : clients_) {
+		for (Client &client : _clients) {
 			receive(client, time);
 		}
 	}
 
 	[[nodiscard]] ServerLoad result() {
 		cga::Pose<double> pose;
-		for (const Client &client : clients_) {
-			for (std::size_t i = 0; i < load_.bodies && problem_.empty(); ++i) {
-				problem_ = client.receiver.pose(std::uint32_t(i), pose) ? "" : "a receiver does not show all bodies";
+		for (const Client &client : _clients) {
+			for (size_t i = 0; i < _load.bodies && _problem.empty(); ++i) {
+				_problem = client.receiver.pose(uint32_t(i), pose) ? "" : "a receiver does not show all bodies";
 			}
 		}
-		return { seconds_ / load_.seconds, double(bytes_) / load_.seconds, double(packets_) / load_.seconds, problem_ };
+		return { _seconds / _load.seconds, double(_bytes) / _load.seconds, double(_packets) / _load.seconds, _problem };
 	}
 
 private:
 	// What is timed.
 	void serve(double time) {
-		for (std::size_t i = 0; i < answers_.size(); ++i) {
-			for (const SimulatedLink::Bytes &answer : answers_[i]) {
-				note(sender_.accept(std::uint32_t(i), answer.data(), answer.size(), time));
+		for (size_t i = 0; i < _answers.size(); ++i) {
+			for (const SimulatedLink::Bytes &answer : _answers[i]) {
+				note(_sender.accept(uint32_t(i), answer.data(), answer.size(), time));
 			}
 		}
-		for (std::size_t i = 0; i < poses_.size(); ++i) {
-			if (!sender_.observe(std::uint32_t(i), time, poses_[i])) {
+		for (size_t i = 0; i < _poses.size(); ++i) {
+			if (!_sender.observe(uint32_t(i), time, _poses[i])) {
 				note("a pose was refused");
 			}
 		}
-		sender_.flush(time);
+		_sender.flush(time);
 	}
 
 	void receive(Client &client, double time) {
-		while (client.there.receive(time, datagram_)) {
-			note(client.receiver.accept(datagram_.data(), datagram_.size(), time));
+		while (client.there.receive(time, _datagram)) {
+			note(client.receiver.accept(_datagram.data(), _datagram.size(), time));
 		}
 		client.receiver.advance(time);
-		if (client.receiver.take_answer(datagram_, time)) {
-			client.back.send(time, datagram_.data(), datagram_.size());
+		if (client.receiver.take_answer(_datagram, time)) {
+			client.back.send(time, _datagram.data(), _datagram.size());
 		}
 	}
 
 	void note(const char *error) {
-		if (error != nullptr && problem_.empty()) {
-			problem_ = error;
+		if (error != nullptr && _problem.empty()) {
+			_problem = error;
 		}
 	}
 
-	ServerLoadSettings load_;
-	RandomBits random_;
-	net::Sender sender_;
-	std::vector<Lissajous> paths_;
-	std::vector<cga::Pose<double>> poses_;
-	std::deque<Client> clients_;
-	std::vector<std::vector<SimulatedLink::Bytes>> answers_; // that have arrived, by receiver
-	SimulatedLink::Bytes datagram_;
-	double seconds_ = 0.0;
-	std::uint64_t bytes_ = 0;
-	std::uint64_t packets_ = 0;
-	std::string problem_;
+	ServerLoadSettings _load;
+	RandomBits _random;
+	net::Sender _sender;
+	std::vector<Lissajous> _paths;
+	std::vector<cga::Pose<double>> _poses;
+	std::deque<Client> _clients;
+	std::vector<std::vector<SimulatedLink::Bytes>> _answers; // that have arrived, by receiver
+	SimulatedLink::Bytes _datagram;
+	double _seconds = 0.0;
+	uint64_t _bytes = 0;
+	uint64_t _packets = 0;
+	std::string _problem;
 };
 
 } // namespace
 
-ServerLoad measure_server_load(const ServerLoadSettings &load, const net::StreamSettings &stream, std::uint64_t seed) {
+ServerLoad measure_server_load(const ServerLoadSettings &load, const net::StreamSettings &stream, uint64_t seed) {
 	ServerRun run(load, stream, seed);
-	const std::uint64_t warm = std::uint64_t(WARM * load.observe_rate);
-	const std::uint64_t steps = warm + std::uint64_t(load.seconds * load.observe_rate);
-	for (std::uint64_t step = 0; step < steps; ++step) {
+	const uint64_t warm = uint64_t(WARM * load.observe_rate);
+	const uint64_t steps = warm + uint64_t(load.seconds * load.observe_rate);
+	for (uint64_t step = 0; step < steps; ++step) {
 		run.step(double(step) / load.observe_rate, step >= warm);
 	}
 	return run.result();

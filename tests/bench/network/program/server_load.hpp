@@ -10,8 +10,8 @@
 namespace bench {
 
 struct ServerLoadSettings {
-	std::size_t bodies = 1000;
-	std::size_t receivers = 64;
+	size_t bodies = 1000;
+	size_t receivers = 64;
 	double observe_rate = 60.0; ///< poses a second of each body
 	double seconds = 10.0; ///< measured, after two more
 	LinkSettings link; ///< to each receiver and back
@@ -26,6 +26,6 @@ struct ServerLoad {
 
 /// Bodies that all move all the time, on Lissajous paths with a millimetre of noise, sent to many receivers. Observing,
 /// making packets and taking answers are timed; links and receivers are not.
-[[nodiscard]] ServerLoad measure_server_load(const ServerLoadSettings &load, const net::StreamSettings &stream, std::uint64_t seed);
+[[nodiscard]] ServerLoad measure_server_load(const ServerLoadSettings &load, const net::StreamSettings &stream, uint64_t seed);
 
 } // namespace bench

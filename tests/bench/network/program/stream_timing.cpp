@@ -13,21 +13,21 @@ namespace bench {
 
 namespace {
 
-constexpr std::uint32_t RECEIVER = 1;
+constexpr uint32_t RECEIVER = 1;
 // Seconds after which memory has found its size.
 constexpr double WARM = 2.0;
 
 // Allocations, and what they are counted for, between two moments.
 struct Counts {
-	std::uint64_t allocations = 0;
-	std::uint64_t packets = 0;
+	uint64_t allocations = 0;
+	uint64_t packets = 0;
 };
 
 // One end's run.
 struct EndRun {
 	double seconds = 0.0;
-	std::uint64_t poses = 0;
-	std::uint64_t bytes = 0;
+	uint64_t poses = 0;
+	uint64_t bytes = 0;
 	Counts counts;
 };
 
@@ -36,10 +36,10 @@ EndRun run_sender(const Trace &trace, const SourceFeed &feed, const net::StreamS
 	net::Sender sender(settings);
 	sender.add_receiver(RECEIVER, trace.begin());
 	const double begin = cpu_seconds();
-	for (std::size_t i = 0; i < answers.steps().size(); ++i) {
+	for (size_t i = 0; i < answers.steps().size(); ++i) {
 		const StreamRecording::Datagrams &taken = answers.steps()[i];
-		const std::uint64_t before = allocation_count();
-		for (std::size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
+		const uint64_t before = allocation_count();
+		for (size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
 			(void)sender.accept(RECEIVER, answers.bytes(datagram), answers.size(datagram), taken.time);
 		}
 		const SourceStep &step = feed.steps()[i];
@@ -63,15 +63,15 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 		return run;
 	}
 	net::Receiver receiver;
-	std::vector<std::uint8_t> answer;
-	answer.reserve(net::MOST_PACKET_BYTES);
+	std::vector<uint8_t> answer;
+	answer.reserve(net::MAX_PACKET_BYTES);
 	cga::Pose<double> pose;
 	const double warm = packets.steps().front().time + WARM;
 	const double over = packets.steps().front().time + trace.duration();
 	const double begin = cpu_seconds();
 	for (const StreamRecording::Datagrams &taken : packets.steps()) {
-		const std::uint64_t before = allocation_count();
-		for (std::size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
+		const uint64_t before = allocation_count();
+		for (size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
 			(void)receiver.accept(packets.bytes(datagram), packets.size(datagram), taken.time);
 		}
 		receiver.advance(taken.time);
@@ -88,7 +88,7 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 	return run;
 }
 
-double per(double what, std::uint64_t count) {
+double per(double what, uint64_t count) {
 	return count > 0 ? what / double(count) : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -16,16 +16,16 @@ template <class Place>
 Trace line_trace(int count, int frames, Place place) {
 	Trace trace;
 	for (int i = 0; i < count; ++i) {
-		trace.bodies.push_back({ std::uint32_t(i), {} });
+		trace.bodies.push_back({ uint32_t(i), {} });
 	}
 	for (int frame = 0; frame < frames; ++frame) {
 		const double time = frame / RATE;
-		trace.frames.push_back({ time, trace.order.size(), trace.order.size() + std::size_t(count) });
+		trace.frames.push_back({ time, trace.order.size(), trace.order.size() + size_t(count) });
 		for (int i = 0; i < count; ++i) {
 			TraceSample sample{ time, {} };
 			sample.pose.translation.x = place(time);
-			trace.order.push_back({ std::uint32_t(i), std::uint32_t(frame) });
-			trace.bodies[std::size_t(i)].samples.push_back(sample);
+			trace.order.push_back({ uint32_t(i), uint32_t(frame) });
+			trace.bodies[size_t(i)].samples.push_back(sample);
 		}
 	}
 	return trace;
@@ -106,13 +106,13 @@ TEST_CASE("baseline: a body that begins late, ends early and has a gap") {
 	samples.resize(60);
 	trace.order.clear();
 	trace.frames.clear();
-	for (std::uint32_t body = 0; body < 2; ++body) {
-		for (std::uint32_t i = 0; i < trace.bodies[body].samples.size(); ++i) {
+	for (uint32_t body = 0; body < 2; ++body) {
+		for (uint32_t i = 0; i < trace.bodies[body].samples.size(); ++i) {
 			trace.order.push_back({ body, i });
 		}
 	}
 	std::stable_sort(trace.order.begin(), trace.order.end(), [&](const SampleIndex &a, const SampleIndex &b) { return trace.sample(a).time < trace.sample(b).time; });
-	for (std::size_t i = 0; i < trace.order.size(); ++i) {
+	for (size_t i = 0; i < trace.order.size(); ++i) {
 		const double time = trace.sample(trace.order[i]).time;
 		if (trace.frames.empty() || trace.frames.back().time != time) {
 			trace.frames.push_back({ time, i, i });

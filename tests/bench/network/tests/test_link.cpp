@@ -23,7 +23,7 @@ struct LossFigures {
 	double burst = 0.0; // mean number lost in a row
 };
 
-LossFigures measure_loss(const LinkSettings &settings, std::uint64_t seed) {
+LossFigures measure_loss(const LinkSettings &settings, uint64_t seed) {
 	LinkModel model(settings, seed);
 	int lost = 0;
 	int bursts = 0;
@@ -35,7 +35,7 @@ LossFigures measure_loss(const LinkSettings &settings, std::uint64_t seed) {
 		last = gone;
 	}
 	CHECK(model.sent_count() == MANY);
-	CHECK(model.lost_count() == std::uint64_t(lost));
+	CHECK(model.lost_count() == uint64_t(lost));
 	return { double(lost) / MANY, double(lost) / std::max(1, bursts) };
 }
 
@@ -43,12 +43,12 @@ LossFigures measure_loss(const LinkSettings &settings, std::uint64_t seed) {
 
 TEST_CASE("link: without impairment all arrives at once, in order") {
 	SimulatedLink link({}, 1);
-	for (std::uint8_t i = 0; i < 3; ++i) {
+	for (uint8_t i = 0; i < 3; ++i) {
 		link.send(2.0, &i, 1);
 	}
 	SimulatedLink::Bytes bytes;
 	CHECK_FALSE(link.receive(1.999, bytes));
-	for (std::uint8_t i = 0; i < 3; ++i) {
+	for (uint8_t i = 0; i < 3; ++i) {
 		REQUIRE(link.receive(2.0, bytes));
 		CHECK(bytes == SimulatedLink::Bytes{ i });
 	}

@@ -24,7 +24,7 @@ Pose turned(double degrees, const glm::dvec3 &axis) {
 
 TraceBody body_of(const std::vector<double> &times, const std::vector<Pose> &poses) {
 	TraceBody body;
-	for (std::size_t i = 0; i < times.size(); ++i) {
+	for (size_t i = 0; i < times.size(); ++i) {
 		body.samples.push_back({ times[i], poses[i] });
 	}
 	return body;

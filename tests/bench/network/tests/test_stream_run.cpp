@@ -26,7 +26,7 @@ std::string swinging(int bodies, double rate, double seconds, double hole = 0.0)
 	return text;
 }
 
-StreamResult run(const std::string &text, const LinkSettings &link = {}, std::uint64_t seed = 1) {
+StreamResult run(const std::string &text, const LinkSettings &link = {}, uint64_t seed = 1) {
 	Trace trace;
 	REQUIRE(parse_trace(text, "trace", trace) == "");
 	const net::StreamSettings settings = stream_settings(trace, 0.005);
@@ -86,7 +86,7 @@ TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
 	Trace trace;
 	std::string text = swinging(1, 60.0, 6.0);
 	std::string late;
-	for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+	for (size_t at = 0, end = 0; at < text.size(); at = end) {
 		end = text.find('\n', at) + 1;
 		const std::string line = text.substr(at, end - at);
 		late += line;

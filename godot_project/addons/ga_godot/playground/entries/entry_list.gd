@@ -12,7 +12,7 @@ signal menu_requested(row: Control)
 signal deletion_requested
 
 ## Of two rows.
-const LEAST_HEIGHT := 104.0
+const MIN_HEIGHT := 104.0
 ## The key of an entry's name in what is dragged.
 const DRAGGED := "ga_playground_entry"
 const HINT := "Nothing here yet.\n\nAdd an object with a button above, open an example, or type an expression below: point(1, 2, 3)"
@@ -34,7 +34,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	name = "Entries"
 	_document = document
 	_edits = edits
-	custom_minimum_size.y = LEAST_HEIGHT * PlaygroundStyle.scale()
+	custom_minimum_size.y = MIN_HEIGHT * PlaygroundStyle.scale()
 	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	size_flags_vertical = Control.SIZE_EXPAND_FILL
 	follow_focus = true

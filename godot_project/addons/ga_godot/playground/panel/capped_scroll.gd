@@ -4,7 +4,7 @@ extends ScrollContainer
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-const LEAST_HEIGHT := 60.0
+const MIN_HEIGHT := 60.0
 
 var content: Control
 
@@ -24,7 +24,7 @@ func get_wanted_height() -> float:
 
 
 func _fit() -> void:
-	custom_minimum_size.y = minf(get_wanted_height(), LEAST_HEIGHT * PlaygroundStyle.scale())
+	custom_minimum_size.y = minf(get_wanted_height(), MIN_HEIGHT * PlaygroundStyle.scale())
 	var column := get_parent() as Container
 	if column != null:
 		column.queue_sort()

@@ -11,7 +11,7 @@ const MARGIN := 8.0
 const TITLE_ENLARGEMENT := 1.15
 const TEXT_OPACITY := 0.85
 ## Of the text that is seen without scrolling.
-const MOST_LINES := 6
+const MAX_LINES := 6
 
 ## Null shows nothing.
 var scene: GAScene:
@@ -94,7 +94,7 @@ func _show_texts() -> void:
 
 func _fit_height() -> void:
 	_scroll.custom_minimum_size.y = minf(
-		_text.get_minimum_size().y, MOST_LINES * _text.get_line_height()
+		_text.get_minimum_size().y, MAX_LINES * _text.get_line_height()
 	)
 
 
