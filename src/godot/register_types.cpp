@@ -1,13 +1,13 @@
+#include "godot/algebra/multivector.hpp"
+#include "godot/drawing/ga_node_3d.hpp"
 #include "godot/editor_help.hpp"
-#include "godot/ga_node_3d.hpp"
-#include "godot/ga_scene.hpp"
-#include "godot/motor_codec.hpp"
-#include "godot/motor_pool.hpp"
-#include "godot/motor_receiver.hpp"
-#include "godot/motor_sender.hpp"
-#include "godot/motor_synchronizer.hpp"
-#include "godot/multivector.hpp"
-#include "godot/multivector_lerp.hpp"
+#include "godot/motion/motor_pool.hpp"
+#include "godot/motion/multivector_lerp.hpp"
+#include "godot/net/motor_codec.hpp"
+#include "godot/net/motor_receiver.hpp"
+#include "godot/net/motor_sender.hpp"
+#include "godot/net/motor_synchronizer.hpp"
+#include "godot/playground/ga_scene.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>

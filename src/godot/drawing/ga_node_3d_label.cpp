@@ -1,0 +1,70 @@
+#include "godot/drawing/ga_node_3d.hpp"
+
+#include "cga/object/classify.hpp"
+#include "godot/algebra/conversions.hpp"
+
+#include <godot_cpp/classes/base_material3d.hpp>
+#include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+// The text beside the object.
+
+namespace ga_godot {
+
+using godot::Color;
+using godot::Label3D;
+using godot::String;
+
+// Twice the size at which it is shown, so that it stays sharp; and how large a pixel of it is at one metre.
+static constexpr int FONT_SIZE = 36, OUTLINE_SIZE = 12;
+static constexpr float PIXEL_SIZE = 0.00085f;
+
+String GANode3D::label_text() const {
+	if (!_label.is_empty()) {
+		return _label;
+	}
+	if (draws_entry()) {
+		return String(_entry);
+	}
+	return String(get_name());
+}
+
+String GANode3D::describe() const {
+	const cga::Multivector *value = find_value();
+	return value ? to_godot(cga::describe(cga::classify(*value, get_look().ipns))) : String("no value");
+}
+
+void GANode3D::update_label() {
+	const bool wanted = _show_label && _figure.label_place.has_value();
+	if (!wanted) {
+		if (_label_node) {
+			_label_node->set_visible(false);
+		}
+		return;
+	}
+	if (!_label_node) {
+		_label_node = memnew(Label3D);
+		_label_node->set_billboard_mode(godot::BaseMaterial3D::BILLBOARD_ENABLED);
+		_label_node->set_draw_flag(Label3D::FLAG_FIXED_SIZE, true);
+		_label_node->set_draw_flag(Label3D::FLAG_DISABLE_DEPTH_TEST, true);
+		_label_node->set_draw_flag(Label3D::FLAG_SHADED, false);
+		_label_node->set_font_size(FONT_SIZE);
+		_label_node->set_outline_size(OUTLINE_SIZE);
+		_label_node->set_pixel_size(PIXEL_SIZE);
+		_label_node->set_horizontal_alignment(godot::HORIZONTAL_ALIGNMENT_LEFT);
+		_label_node->set_vertical_alignment(godot::VERTICAL_ALIGNMENT_BOTTOM);
+		_label_node->set_offset(godot::Vector2(18, 14));
+		_label_node->set_render_priority(3);
+		_label_node->set_outline_render_priority(2);
+		add_child(_label_node, false, INTERNAL_MODE_FRONT);
+	}
+	// Letters on an outline that is as different from them as it gets: readable before light and dark.
+	const float lightness = 0.3f * _drawn_look.color.r + 0.59f * _drawn_look.color.g + 0.11f * _drawn_look.color.b;
+	_label_node->set_modulate(Color(_drawn_look.color.r, _drawn_look.color.g, _drawn_look.color.b));
+	_label_node->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));
+	_label_node->set_text(label_text());
+	_label_node->set_position(to_godot(*_figure.label_place));
+	_label_node->set_visible(true);
+}
+
+} // namespace ga_godot

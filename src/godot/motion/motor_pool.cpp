@@ -1,0 +1,189 @@
+#include "godot/motion/motor_pool.hpp"
+
+#include "godot/algebra/conversions.hpp"
+#include "godot/motion/row_split.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ga_godot {
+
+using cga::PoseBlock;
+using godot::PackedFloat32Array;
+using godot::vformat;
+
+static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
+static constexpr int64_t MAX_COUNT = int64_t(1) << 24; // 4 GiB of blocks
+static constexpr uint32_t GENERATION_MASK = 0x7fffffffu; // so that an index is never negative
+
+static_assert(RowSplit::ROWS_PER_PIECE % PoseBlock::LANES == 0, "Threads share no block.");
+
+int64_t MotorPool::acquire() {
+	close_gaps();
+	const uint32_t row = uint32_t(_slot_of_row.size());
+	ERR_FAIL_COND_V_MSG(int64_t(row) >= MAX_COUNT, -1, vformat("MotorPool.acquire: a pool holds at most %d bodies.", MAX_COUNT));
+	uint32_t slot = uint32_t(_slots.size());
+	if (_free_slots.empty()) {
+		_slots.emplace_back();
+	} else {
+		slot = _free_slots.back();
+		_free_slots.pop_back();
+	}
+	_slots[slot].row = row;
+	_slot_of_row.push_back(slot);
+	_blocks.resize(cga::block_count(_slot_of_row.size()));
+	block_of(row).set(lane_of(row), cga::Pose<float>(), cga::Pose<float>());
+	_buffer.resize((int64_t(row) + 1) * ROW_FLOATS);
+	cga::pose_to_row(cga::Pose<float>(), _buffer.ptrw() + row * ROW_FLOATS);
+	return int64_t(_slots[slot].generation) << 32 | int64_t(slot);
+}
+
+void MotorPool::release(int64_t p_index) {
+	Slot *slot = find_slot(p_index);
+	if (slot == nullptr) {
+		report_index("release", p_index);
+		return;
+	}
+	_slot_of_row[slot->row] = NO_ROW;
+	_gaps++;
+	slot->row = NO_ROW;
+	slot->generation = (slot->generation + 1) & GENERATION_MASK;
+	_free_slots.push_back(uint32_t(slot - _slots.data()));
+}
+
+void MotorPool::reserve(int64_t p_count) {
+	ERR_FAIL_COND_MSG(p_count < 0 || p_count > MAX_COUNT, vformat("MotorPool.reserve: count %d is not in 0..%d.", p_count, MAX_COUNT));
+	_blocks.reserve(cga::block_count(size_t(p_count)));
+	_slots.reserve(size_t(p_count));
+	_slot_of_row.reserve(size_t(p_count));
+	_poses.reserve(size_t(p_count));
+	_nodes.reserve(size_t(p_count));
+}
+
+int64_t MotorPool::get_count() const {
+	return int64_t(_slot_of_row.size()) - int64_t(_gaps);
+}
+
+void MotorPool::clear() {
+	for (uint32_t slot : _slot_of_row) {
+		if (slot != NO_ROW) {
+			_slots[slot].row = NO_ROW;
+			_slots[slot].generation = (_slots[slot].generation + 1) & GENERATION_MASK;
+			_free_slots.push_back(slot);
+		}
+	}
+	_slot_of_row.clear();
+	_blocks.clear();
+	_buffer.resize(0);
+	_gaps = 0;
+}
+
+MotorPool::Slot *MotorPool::find_slot(int64_t p_index) {
+	const uint64_t slot = uint64_t(p_index) & 0xffffffffu;
+	if (p_index < 0 || slot >= _slots.size() || _slots[slot].row == NO_ROW || _slots[slot].generation != uint64_t(p_index) >> 32) {
+		return nullptr;
+	}
+	return &_slots[slot];
+}
+
+void MotorPool::report_index(const char *p_method, int64_t p_index) const {
+	ERR_PRINT(vformat("MotorPool.%s: index %d is none that acquire() gave out and that is not yet released.", p_method, p_index));
+}
+
+void MotorPool::close_gaps() {
+	if (_gaps == 0) {
+		return;
+	}
+	uint32_t destination = 0;
+	float *rows = _buffer.ptrw();
+	for (uint32_t source = 0; source < _slot_of_row.size(); source++) {
+		const uint32_t slot = _slot_of_row[source];
+		if (slot == NO_ROW) {
+			continue;
+		}
+		if (source != destination) {
+			const PoseBlock &block = block_of(source);
+			const cga::Pose<float> from = block.get_from(lane_of(source));
+			block_of(destination).set(lane_of(destination), from, block.get_to(lane_of(source)));
+			std::copy_n(rows + source * ROW_FLOATS, ROW_FLOATS, rows + destination * ROW_FLOATS);
+			_slot_of_row[destination] = slot;
+			_slots[slot].row = destination;
+		}
+		destination++;
+	}
+	_slot_of_row.resize(destination);
+	_blocks.resize(cga::block_count(destination));
+	_buffer.resize(int64_t(destination) * ROW_FLOATS);
+	_gaps = 0;
+}
+
+void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
+	// Measured: below this the other threads have not begun when the first one is done (docs/performance/engine.md).
+	constexpr uint32_t MIN_SHARED = 65536;
+	if (_slot_of_row.empty()) {
+		return;
+	}
+	// Writing to an array that the engine or a script shares would copy it, and allocate, in every frame.
+	if (_is_shared) {
+		std::swap(_buffer, _spare_buffer);
+		_buffer.resize(int64_t(_slot_of_row.size()) * ROW_FLOATS);
+		_is_shared = false;
+	}
+	const PoseBlock *blocks = _blocks.data();
+	float *rows = _buffer.ptrw();
+	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t p_first, uint32_t p_count) {
+		const float *weights = p_weights != nullptr ? p_weights + p_first : nullptr;
+		cga::interpolate_blocks(blocks + p_first / PoseBlock::LANES, p_count, weights, p_weight, cga::Mode(p_mode), rows + p_first * cga::ROW_FLOATS);
+	});
+}
+
+void MotorPool::interpolate(double p_weight, MultivectorLerp::Mode p_mode) {
+	ERR_FAIL_COND_MSG(!std::isfinite(float(p_weight)), "MotorPool.interpolate: the weight is not finite.");
+	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+	close_gaps();
+	run(nullptr, float(p_weight), p_mode);
+}
+
+void MotorPool::interpolate_each(const PackedFloat32Array &p_weights, MultivectorLerp::Mode p_mode) {
+	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate_each: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+	close_gaps();
+	const int64_t count = p_weights.size();
+	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.interpolate_each: %d weights for %d bodies; give one for each, in the order in which they were acquired.", count, get_count()));
+	const float *weights = count > 0 ? p_weights.ptr() : nullptr;
+	for (int64_t i = 0; i < count; i++) {
+		ERR_FAIL_COND_MSG(!std::isfinite(weights[i]), vformat("MotorPool.interpolate_each: the weight at index %d is not finite. No pose was changed.", i));
+	}
+	run(weights, 0.0f, p_mode);
+}
+
+void MotorPool::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+
+	ClassDB::bind_method(D_METHOD("acquire"), &MotorPool::acquire);
+	ClassDB::bind_method(D_METHOD("release", "index"), &MotorPool::release);
+	ClassDB::bind_method(D_METHOD("reserve", "count"), &MotorPool::reserve);
+	ClassDB::bind_method(D_METHOD("get_count"), &MotorPool::get_count);
+	ClassDB::bind_method(D_METHOD("clear"), &MotorPool::clear);
+	ClassDB::bind_method(D_METHOD("set_from", "index", "transform"), &MotorPool::set_from);
+	ClassDB::bind_method(D_METHOD("set_to", "index", "transform"), &MotorPool::set_to);
+	ClassDB::bind_method(D_METHOD("set_from_all", "transforms"), &MotorPool::set_from_all);
+	ClassDB::bind_method(D_METHOD("set_to_all", "transforms"), &MotorPool::set_to_all);
+	ClassDB::bind_method(D_METHOD("set_from_buffer", "buffer"), &MotorPool::set_from_buffer);
+	ClassDB::bind_method(D_METHOD("set_to_buffer", "buffer"), &MotorPool::set_to_buffer);
+	ClassDB::bind_method(D_METHOD("advance"), &MotorPool::advance);
+	ClassDB::bind_method(D_METHOD("interpolate", "weight", "mode"), &MotorPool::interpolate);
+	ClassDB::bind_method(D_METHOD("interpolate_each", "weights", "mode"), &MotorPool::interpolate_each);
+	ClassDB::bind_method(D_METHOD("get_transform", "index"), &MotorPool::get_transform);
+	ClassDB::bind_method(D_METHOD("get_motor", "index"), &MotorPool::get_motor);
+	ClassDB::bind_method(D_METHOD("get_buffer"), &MotorPool::get_buffer);
+	ClassDB::bind_method(D_METHOD("apply_to_nodes", "nodes"), &MotorPool::apply_to_nodes);
+	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh", "instance_data"), &MotorPool::apply_to_multimesh, DEFVAL(PackedFloat32Array()));
+}
+
+} // namespace ga_godot

@@ -1,0 +1,50 @@
+#include "godot/motion/row_split.hpp"
+
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+
+#include <algorithm>
+
+namespace ga_godot {
+
+using godot::OS;
+using godot::WorkerThreadPool;
+
+static uint32_t processor_count() {
+	static const uint32_t count = uint32_t(std::max(OS::get_singleton()->get_processor_count(), 1));
+	return count;
+}
+
+bool RowSplit::can_share() {
+	if (processor_count() < 2) {
+		return false;
+	}
+	const WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+	return pool->get_caller_task_id() == WorkerThreadPool::INVALID_TASK_ID && pool->get_caller_group_id() == WorkerThreadPool::INVALID_TASK_ID;
+}
+
+void RowSplit::share() {
+	const uint32_t pieces = (_rows + ROWS_PER_PIECE - 1) / ROWS_PER_PIECE;
+	const int others = int(std::min(processor_count(), pieces)) - 1;
+	if (others < 1) {
+		take_pieces();
+		return;
+	}
+	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+	const auto task = [](void *p_split, uint32_t) { static_cast<RowSplit *>(p_split)->take_pieces(); };
+	const WorkerThreadPool::GroupID group = pool->add_native_group_task(task, this, others, others, true);
+	take_pieces();
+	pool->wait_for_group_task_completion(group);
+}
+
+void RowSplit::take_pieces() {
+	for (;;) {
+		const uint32_t first = _next.fetch_add(ROWS_PER_PIECE, std::memory_order_relaxed);
+		if (first >= _rows) {
+			return;
+		}
+		_call(_job, first, std::min(ROWS_PER_PIECE, _rows - first));
+	}
+}
+
+} // namespace ga_godot

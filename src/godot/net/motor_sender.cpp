@@ -1,0 +1,159 @@
+#include "godot/net/motor_sender.hpp"
+
+#include "net/pose_codec.hpp"
+
+#include <cstring>
+
+namespace ga_godot {
+
+using godot::Dictionary;
+using godot::PackedByteArray;
+using godot::String;
+using godot::Transform3D;
+using godot::TypedArray;
+using godot::vformat;
+
+static constexpr int64_t RECEIVER_LIMIT = int64_t(1) << 32;
+
+static bool is_body(int64_t p_id) {
+	return p_id >= 0 && p_id < int64_t(net::ID_LIMIT);
+}
+
+static bool is_receiver(int64_t p_receiver) {
+	return p_receiver >= 0 && p_receiver < RECEIVER_LIMIT;
+}
+
+void MotorSender::set_ticks_per_second(double p_hertz) {
+	ERR_FAIL_COND_MSG(!is_positive(p_hertz), vformat("MotorSender: ticks_per_second is positive, not %f.", p_hertz));
+	_settings.tick = 1.0 / p_hertz;
+	settings_changed();
+}
+
+double MotorSender::get_ticks_per_second() const {
+	return 1.0 / _settings.tick;
+}
+
+void MotorSender::settings_changed() {
+	_sender.set_settings(_settings);
+}
+
+bool MotorSender::add_body(int64_t p_id, const Transform3D &p_transform) {
+	ERR_FAIL_COND_V_MSG(!is_body(p_id), false, vformat("MotorSender.add_body: id %d is not in 0 to 2147483647.", p_id));
+	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(p_id)), false, vformat("MotorSender.add_body: there is a body with id %d.", p_id));
+	cga::Pose<double> pose;
+	const char *fault = pose_from_transform(p_transform, pose);
+	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.add_body: the transform of body %d %s.", p_id, fault));
+	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(p_id), pose), false, vformat("MotorSender.add_body: the transform of body %d is farther out, or its scale is larger or smaller, than a stream can say.", p_id));
+	return true;
+}
+
+bool MotorSender::remove_body(int64_t p_id) {
+	return is_body(p_id) && _sender.remove_body(uint32_t(p_id));
+}
+
+bool MotorSender::has_body(int64_t p_id) const {
+	return is_body(p_id) && _sender.has_body(uint32_t(p_id));
+}
+
+int64_t MotorSender::get_body_count() const {
+	return int64_t(_sender.body_count());
+}
+
+bool MotorSender::observe(int64_t p_id, double p_time, const Transform3D &p_transform) {
+	ERR_FAIL_COND_V_MSG(!has_body(p_id), false, vformat("MotorSender.observe: there is no body with id %d; add it first.", p_id));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), false, "MotorSender.observe: the time is not finite.");
+	cga::Pose<double> pose;
+	const char *fault = pose_from_transform(p_transform, pose);
+	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.observe: the transform of body %d %s.", p_id, fault));
+	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(p_id), p_time, pose), false, vformat("MotorSender.observe: body %d was observed later than %f s already, or its transform is more than a stream can say.", p_id, p_time));
+	return true;
+}
+
+bool MotorSender::teleport(int64_t p_id) {
+	ERR_FAIL_COND_V_MSG(!has_body(p_id), false, vformat("MotorSender.teleport: there is no body with id %d.", p_id));
+	return _sender.teleport(uint32_t(p_id));
+}
+
+void MotorSender::add_receiver(int64_t p_receiver, double p_time) {
+	ERR_FAIL_COND_MSG(!is_receiver(p_receiver), vformat("MotorSender.add_receiver: receiver %d is not in 0 to 4294967295.", p_receiver));
+	ERR_FAIL_COND_MSG(!std::isfinite(p_time), "MotorSender.add_receiver: the time is not finite.");
+	_sender.add_receiver(uint32_t(p_receiver), p_time);
+}
+
+void MotorSender::remove_receiver(int64_t p_receiver) {
+	if (is_receiver(p_receiver)) {
+		_sender.remove_receiver(uint32_t(p_receiver));
+	}
+}
+
+bool MotorSender::has_receiver(int64_t p_receiver) const {
+	return is_receiver(p_receiver) && _sender.has_receiver(uint32_t(p_receiver));
+}
+
+TypedArray<Dictionary> MotorSender::flush(double p_time) {
+	TypedArray<Dictionary> packets;
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), packets, "MotorSender.flush: the time is not finite.");
+	_sender.flush(p_time);
+	for (const net::OutgoingPacket &outgoing : _sender.packets()) {
+		PackedByteArray bytes;
+		bytes.resize(int64_t(outgoing.size));
+		if (outgoing.size > 0) {
+			std::memcpy(bytes.ptrw(), _sender.bytes() + outgoing.begin, outgoing.size);
+		}
+		Dictionary packet;
+		packet["receiver"] = int64_t(outgoing.receiver);
+		packet["bytes"] = bytes;
+		packets.push_back(packet);
+	}
+	return packets;
+}
+
+String MotorSender::accept(int64_t p_receiver, const PackedByteArray &p_answer, double p_time) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), "the time is not finite", "MotorSender.accept: the time is not finite.");
+	if (!has_receiver(p_receiver)) {
+		return "comes from no receiver of this sender";
+	}
+	const char *fault = _sender.accept(uint32_t(p_receiver), p_answer.ptr(), size_t(p_answer.size()), p_time);
+	return fault != nullptr ? String(fault) : String();
+}
+
+Dictionary MotorSender::get_statistics(int64_t p_receiver) const {
+	ERR_FAIL_COND_V_MSG(!has_receiver(p_receiver), Dictionary(), vformat("MotorSender.get_statistics: there is no receiver %d.", p_receiver));
+	const net::ReceiverStatistics statistics = _sender.statistics(uint32_t(p_receiver));
+	Dictionary result;
+	result["bytes_sent"] = int64_t(statistics.bytes_sent);
+	result["packets_sent"] = int64_t(statistics.packets_sent);
+	result["chunks_repeated"] = int64_t(statistics.chunks_repeated);
+	result["loss"] = statistics.loss;
+	result["round_trip"] = statistics.round_trip;
+	return result;
+}
+
+int64_t MotorSender::get_moving_count() const {
+	return int64_t(_sender.moving_count());
+}
+
+void MotorSender::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+
+	bind_stream_properties();
+	ClassDB::bind_method(D_METHOD("set_ticks_per_second", "hertz"), &MotorSender::set_ticks_per_second);
+	ClassDB::bind_method(D_METHOD("get_ticks_per_second"), &MotorSender::get_ticks_per_second);
+	ADD_PROPERTY(godot::PropertyInfo(godot::Variant::FLOAT, "ticks_per_second", godot::PROPERTY_HINT_RANGE, "1,240,1,or_greater,suffix:Hz"), "set_ticks_per_second", "get_ticks_per_second");
+	ClassDB::bind_method(D_METHOD("add_body", "id", "transform"), &MotorSender::add_body);
+	ClassDB::bind_method(D_METHOD("remove_body", "id"), &MotorSender::remove_body);
+	ClassDB::bind_method(D_METHOD("has_body", "id"), &MotorSender::has_body);
+	ClassDB::bind_method(D_METHOD("get_body_count"), &MotorSender::get_body_count);
+	ClassDB::bind_method(D_METHOD("observe", "id", "time", "transform"), &MotorSender::observe);
+	ClassDB::bind_method(D_METHOD("teleport", "id"), &MotorSender::teleport);
+	ClassDB::bind_method(D_METHOD("add_receiver", "receiver", "time"), &MotorSender::add_receiver);
+	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), &MotorSender::remove_receiver);
+	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), &MotorSender::has_receiver);
+	ClassDB::bind_method(D_METHOD("flush", "time"), &MotorSender::flush);
+	ClassDB::bind_method(D_METHOD("accept", "receiver", "answer", "time"), &MotorSender::accept);
+	ClassDB::bind_method(D_METHOD("get_statistics", "receiver"), &MotorSender::get_statistics);
+	ClassDB::bind_method(D_METHOD("get_moving_count"), &MotorSender::get_moving_count);
+}
+
+} // namespace ga_godot

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "godot/net/stream_properties.hpp"
+#include "net/sender.hpp"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <cstdint>
+
+namespace ga_godot {
+
+/// The sending half of MotorSynchronizer, for any transport; doc_classes/MotorSender.xml documents it.
+class MotorSender : public godot::RefCounted, public StreamProperties<MotorSender> {
+	GDCLASS(MotorSender, godot::RefCounted)
+	friend class StreamProperties<MotorSender>;
+
+public:
+	void set_ticks_per_second(double p_hertz);
+	double get_ticks_per_second() const;
+
+	bool add_body(int64_t p_id, const godot::Transform3D &p_transform);
+	bool remove_body(int64_t p_id);
+	bool has_body(int64_t p_id) const;
+	int64_t get_body_count() const;
+	bool observe(int64_t p_id, double p_time, const godot::Transform3D &p_transform);
+	bool teleport(int64_t p_id);
+
+	void add_receiver(int64_t p_receiver, double p_time);
+	void remove_receiver(int64_t p_receiver);
+	bool has_receiver(int64_t p_receiver) const;
+
+	godot::TypedArray<godot::Dictionary> flush(double p_time);
+	godot::String accept(int64_t p_receiver, const godot::PackedByteArray &p_answer, double p_time);
+	godot::Dictionary get_statistics(int64_t p_receiver) const;
+	int64_t get_moving_count() const;
+
+protected:
+	static void _bind_methods();
+
+private:
+	void settings_changed();
+
+	net::Sender _sender{ _settings };
+};
+
+} // namespace ga_godot
