@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cga/motor/pose.hpp"
-#include "net/coding/quantisation.hpp"
-#include "net/stream/body_id.hpp"
+#include "net/coding/quantization.hpp"
+#include "net/coding/body_id.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,10 +4,10 @@
 
 #include "mutation.hpp"
 
-#include "net/delivery/envelope.hpp"
+#include "net/session/envelope.hpp"
 #include "net/pose_codec.hpp"
-#include "net/receiver.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 #include "net/stream/stream_decoder.hpp"
 #include "net/stream/stream_encoder.hpp"
 
@@ -70,7 +70,7 @@ struct Recording {
 				packets.emplace_back(sender.bytes() + packet.begin, sender.bytes() + packet.begin + packet.size);
 				(void)receiver.accept(packets.back().data(), packet.size, now);
 			}
-			if (receiver.take_answer(answer, now)) {
+			if (receiver.take_ack(answer, now)) {
 				answers.push_back(answer);
 				(void)sender.accept(1, answer.data(), answer.size(), now);
 			}
@@ -87,7 +87,7 @@ struct Recording {
 			encoder.encode_window(window * 12.0, 12, bytes);
 			if (window < 10) {
 				state.clear();
-				encoder.encode_state(state);
+				encoder.encode_snapshot(state);
 			} else {
 				windows.push_back(bytes);
 			}
@@ -130,7 +130,7 @@ void fuzz_receiver(Pieces pieces) {
 	cga::Pose<double> pose;
 	for (double now = 1.0; pieces.next(piece); now += TICK) {
 		(void)receiver.accept(piece.data(), piece.size(), now);
-		(void)receiver.take_answer(answer, now);
+		(void)receiver.take_ack(answer, now);
 		demand(answer.size() <= 64, "an answer is too long");
 		receiver.advance(now);
 		receiver.take_events(events);
@@ -170,7 +170,7 @@ void fuzz_decoder(Pieces pieces) {
 	net::StreamDecoder decoder(0.005f, 1.4f, MAX_BODIES);
 	Bytes piece;
 	std::vector<net::BodyMotion> motions;
-	if (!pieces.next(piece) || !decoder.read_state(piece.data(), piece.size())) {
+	if (!pieces.next(piece) || !decoder.read_snapshot(piece.data(), piece.size())) {
 		return;
 	}
 	double begin = 0.0;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "motion_scenes.hpp"
-#include "net/receiver.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <doctest/doctest.h>
 
@@ -66,8 +66,8 @@ private:
 
 /// A receiver at the other end of two wires, and what it has seen.
 struct RemoteEnd {
-	explicit RemoteEnd(unsigned seed, size_t most_bodies = 1000) :
-			receiver(std::make_unique<net::Receiver>(most_bodies)), down(seed), up(seed + 1000) {}
+	explicit RemoteEnd(unsigned seed, size_t max_bodies = 1000) :
+			receiver(std::make_unique<net::Receiver>(max_bodies)), down(seed), up(seed + 1000) {}
 
 	std::unique_ptr<net::Receiver> receiver;
 	SimulatedWire down; // to the receiver
@@ -168,7 +168,7 @@ private:
 		const double there = now + 5000.0;
 		end.down.deliver(now, [&](const std::vector<uint8_t> &packet) { packets_rejected += end.receiver->accept(packet.data(), packet.size(), there) != nullptr; });
 		std::vector<uint8_t> answer;
-		if (end.receiver->take_answer(answer, there)) {
+		if (end.receiver->take_ack(answer, there)) {
 			end.up.send(answer.data(), answer.size(), now);
 		}
 		end.receiver->advance(there);

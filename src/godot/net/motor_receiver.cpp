@@ -24,19 +24,19 @@ MotorReceiver::MotorReceiver() {
 }
 
 void MotorReceiver::clear() {
-	_receiver = std::make_unique<net::Receiver>(size_t(_most_bodies));
+	_receiver = std::make_unique<net::Receiver>(size_t(_max_bodies));
 	limits_changed();
 }
 
 void MotorReceiver::set_most_bodies(int64_t p_count) {
 	ERR_FAIL_COND_MSG(p_count < 1, vformat("MotorReceiver: most_bodies is at least 1, not %d.", p_count));
 	ERR_FAIL_COND_MSG(_receiver->statistics().packets_received > 0, "MotorReceiver: set most_bodies before the first packet, or call clear() first.");
-	_most_bodies = p_count;
+	_max_bodies = p_count;
 	clear();
 }
 
 int64_t MotorReceiver::get_most_bodies() const {
-	return _most_bodies;
+	return _max_bodies;
 }
 
 String MotorReceiver::accept(const PackedByteArray &p_packet, double p_now) {
@@ -45,10 +45,10 @@ String MotorReceiver::accept(const PackedByteArray &p_packet, double p_now) {
 	return fault != nullptr ? String(fault) : String();
 }
 
-PackedByteArray MotorReceiver::take_answer(double p_now) {
+PackedByteArray MotorReceiver::take_ack(double p_now) {
 	PackedByteArray answer;
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_now), answer, "MotorReceiver.take_answer: the time is not finite.");
-	if (_receiver->take_answer(_answer, p_now) && !_answer.empty()) {
+	if (_receiver->take_ack(_answer, p_now) && !_answer.empty()) {
 		answer.resize(int64_t(_answer.size()));
 		std::memcpy(answer.ptrw(), _answer.data(), _answer.size());
 	}
@@ -129,7 +129,7 @@ void MotorReceiver::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "most_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"), "set_most_bodies", "get_most_bodies");
 	bind_playback_properties();
 	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
-	ClassDB::bind_method(D_METHOD("take_answer", "now"), &MotorReceiver::take_answer);
+	ClassDB::bind_method(D_METHOD("take_answer", "now"), &MotorReceiver::take_ack);
 	ClassDB::bind_method(D_METHOD("is_ready"), &MotorReceiver::is_ready);
 	ClassDB::bind_method(D_METHOD("advance", "now"), &MotorReceiver::advance);
 	ClassDB::bind_method(D_METHOD("get_transform", "id"), &MotorReceiver::get_transform);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "godot/net/playback_properties.hpp"
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -28,7 +28,7 @@ public:
 	int64_t get_most_bodies() const;
 
 	godot::String accept(const godot::PackedByteArray &p_packet, double p_now);
-	godot::PackedByteArray take_answer(double p_now);
+	godot::PackedByteArray take_ack(double p_now);
 	bool is_ready() const;
 	void advance(double p_now);
 
@@ -47,7 +47,7 @@ private:
 	void limits_changed();
 
 	std::unique_ptr<net::Receiver> _receiver;
-	int64_t _most_bodies = 65536;
+	int64_t _max_bodies = 65536;
 	// Kept between calls, so that a steady stream allocates only what it returns.
 	std::vector<uint8_t> _answer;
 	std::vector<net::BodyEvent> _events;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "godot/net/stream_properties.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>

@@ -3,9 +3,9 @@
 #include "godot/net/playback_properties.hpp"
 #include "godot/net/stream_properties.hpp"
 #include "godot/net/traffic_meter.hpp"
-#include "net/delivery/envelope.hpp"
-#include "net/receiver.hpp"
-#include "net/sender.hpp"
+#include "net/session/envelope.hpp"
+#include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <godot_cpp/classes/multiplayer_peer.hpp>
 #include <godot_cpp/classes/node.hpp>
@@ -92,7 +92,7 @@ private:
 		// We get its stream.
 		std::unique_ptr<net::Receiver> stream;
 		uint8_t link = 0;
-		size_t most_bodies = 0;
+		size_t max_bodies = 0;
 		double hello_due = 0.0;
 		double ended_at = -1e9; // when a stream in either direction ended: packets may still be on their way
 		uint64_t foreign_bodies = 0;

@@ -148,7 +148,7 @@ void MotorSynchronizer::update_streams() {
 	std::sort(needed.begin(), needed.end());
 	for (auto &[id, peer] : _peers) {
 		const bool is_needed = std::binary_search(needed.begin(), needed.end(), id);
-		const bool is_too_small = peer.most_bodies < _targets.size() + SPARE_BODIES / 2;
+		const bool is_too_small = peer.max_bodies < _targets.size() + SPARE_BODIES / 2;
 		if (peer.stream && (!is_needed || is_too_small)) {
 			send_bye(id, peer, peer.link, false);
 			forget_stream(peer);
@@ -166,8 +166,8 @@ void MotorSynchronizer::open_stream(Peer &r_peer) {
 	// taken for a packet of this one.
 	static uint8_t last_link = uint8_t(int64_t(clock() * 1e3));
 	r_peer.link = ++last_link;
-	r_peer.most_bodies = 2 * _targets.size() + SPARE_BODIES;
-	r_peer.stream = std::make_unique<net::Receiver>(r_peer.most_bodies);
+	r_peer.max_bodies = 2 * _targets.size() + SPARE_BODIES;
+	r_peer.stream = std::make_unique<net::Receiver>(r_peer.max_bodies);
 	limit(*r_peer.stream);
 	r_peer.hello_due = 0.0;
 }
@@ -223,7 +223,7 @@ void MotorSynchronizer::send_hellos() {
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream && _now >= peer.hello_due) {
 			peer.hello_due = _now + HELLO_INTERVAL;
-			send(id, peer, net::PacketKind::HELLO, peer.link, nullptr, 0, MultiplayerPeer::TRANSFER_MODE_UNRELIABLE);
+			send(id, peer, net::PacketKind::OPEN, peer.link, nullptr, 0, MultiplayerPeer::TRANSFER_MODE_UNRELIABLE);
 		}
 	}
 }

@@ -35,7 +35,7 @@ void MotorSynchronizer::send(int32_t p_id, Peer &r_peer, net::PacketKind p_kind,
 
 void MotorSynchronizer::send_bye(int32_t p_id, Peer &r_peer, uint8_t p_link, bool p_from_sender) {
 	const uint8_t role = p_from_sender ? 1 : 0;
-	send(p_id, r_peer, net::PacketKind::BYE, p_link, &role, 1, MultiplayerPeer::TRANSFER_MODE_RELIABLE);
+	send(p_id, r_peer, net::PacketKind::CLOSE, p_link, &role, 1, MultiplayerPeer::TRANSFER_MODE_RELIABLE);
 }
 
 void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p_packet) {
@@ -66,10 +66,10 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 	const size_t length = size - net::ENVELOPE_BYTES;
 	const bool is_aftermath = peer != nullptr && now - peer->ended_at < AFTERMATH;
 	switch (envelope.kind) {
-		case net::PacketKind::HELLO:
+		case net::PacketKind::OPEN:
 			subscribe(id, envelope.link, now);
 			break;
-		case net::PacketKind::BYE:
+		case net::PacketKind::CLOSE:
 			if (length == 1 && bytes[0] <= 1) {
 				take_bye(id, peer, envelope.link, bytes[0] == 1);
 			} else {
@@ -87,7 +87,7 @@ void MotorSynchronizer::_on_peer_packet(int64_t p_peer, const PackedByteArray &p
 				reject(id, peer != nullptr && peer->stream ? "it belongs to a stream that was not asked for" : "its sender is the authority of no target here");
 			}
 			break;
-		case net::PacketKind::ANSWER:
+		case net::PacketKind::ACK:
 			if (peer != nullptr && peer->subscribed && peer->subscription == envelope.link) {
 				// Between two ticks the time goes on, so that round trips are not measured in whole ticks.
 				const double since_tick = std::min(std::max(now - _now, 0.0), _settings.tick);

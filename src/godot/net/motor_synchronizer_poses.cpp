@@ -110,8 +110,8 @@ void MotorSynchronizer::show_streams() {
 		for (const net::BodyEvent &event : _events) {
 			count_foreign(id, peer, event);
 		}
-		if (peer.stream->take_answer(_answer, _now)) {
-			send(id, peer, net::PacketKind::ANSWER, peer.link, _answer.data(), _answer.size(), MultiplayerPeer::TRANSFER_MODE_UNRELIABLE);
+		if (peer.stream->take_ack(_answer, _now)) {
+			send(id, peer, net::PacketKind::ACK, peer.link, _answer.data(), _answer.size(), MultiplayerPeer::TRANSFER_MODE_UNRELIABLE);
 		}
 	}
 	const bool is_interpolated = get_tree()->is_physics_interpolation_enabled();

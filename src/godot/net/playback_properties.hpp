@@ -1,6 +1,6 @@
 #pragma once
 
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>

@@ -2,7 +2,7 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "godot/motion/multivector_lerp.hpp"
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>

@@ -1,7 +1,7 @@
 #include "baseline.hpp"
 
 #include "cga/motor/motor.hpp"
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@ namespace bench {
 
 double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b) {
 	const glm::dvec3 centre = a.translation - b.translation;
-	const glm::dmat3 axes = glm::mat3_cast(a.rotation) * (LEVER * a.scale) - glm::mat3_cast(b.rotation) * (LEVER * b.scale);
+	const glm::dmat3 axes = glm::mat3_cast(a.rotation) * (LEVER_ARM * a.scale) - glm::mat3_cast(b.rotation) * (LEVER_ARM * b.scale);
 	double squared = glm::dot(centre, centre);
 	for (int axis = 0; axis < 3; ++axis) {
 		const glm::dvec3 point = centre + axes[axis];

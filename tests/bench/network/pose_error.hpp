@@ -10,7 +10,7 @@
 namespace bench {
 
 /// Of the points on a body's axes at which its error counts, in metres from its centre.
-inline constexpr double LEVER = 0.25;
+inline constexpr double LEVER_ARM = 0.25;
 /// A body that is faster than this at its centre or at a lever point moves, in metres per second.
 inline constexpr double MOVING_SPEED = 0.001;
 

@@ -34,10 +34,10 @@ SourceFeed::SourceFeed(const Trace &trace, double tick, double drain) :
 	}
 	fill_until(trace.end() + drain);
 
-	const double patience = std::max(GONE, 3.0 * trace.usual_interval());
+	const double rto = std::max(GONE, 3.0 * trace.usual_interval());
 	std::vector<std::pair<double, uint32_t>> ends;
 	for (uint32_t body = 0; body < trace.bodies.size(); ++body) {
-		const double found = trace.bodies[body].samples.back().time + patience;
+		const double found = trace.bodies[body].samples.back().time + rto;
 		if (found < trace.end()) {
 			ends.emplace_back(found, body);
 		}

@@ -2,7 +2,7 @@
 
 #include "trace.hpp"
 
-#include "net/sender.hpp"
+#include "net/endpoint/sender.hpp"
 
 namespace bench {
 

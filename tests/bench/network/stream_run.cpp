@@ -2,7 +2,7 @@
 
 #include "simulated_link.hpp"
 
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,7 @@ public:
 				_delays.push_back(time - media_time);
 			}
 		}
-		if (_receiver.take_answer(_datagram, now)) {
+		if (_receiver.take_ack(_datagram, now)) {
 			_answer_bytes += _datagram.size();
 			_back.send(time, _datagram.data(), _datagram.size());
 		}
@@ -158,7 +158,7 @@ net::StreamSettings stream_settings(const Trace &trace, double tolerance) {
 	net::StreamSettings settings;
 	settings.position_tolerance = tolerance;
 	// The angle that counts as much as the distance at LEVER: see net::StreamGrid.
-	settings.rotation_tolerance = glm::degrees(std::sqrt(1.5) * tolerance / LEVER);
+	settings.rotation_tolerance = glm::degrees(std::sqrt(1.5) * tolerance / LEVER_ARM);
 	settings.tick = std::max(trace.usual_interval(), MIN_TICK);
 	return settings;
 }

@@ -4,7 +4,7 @@
 #include "method_result.hpp"
 #include "source_feed.hpp"
 
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 namespace bench {
 

@@ -4,8 +4,8 @@
 #include "../simulated_link.hpp"
 #include "cpu_clock.hpp"
 
-#include "net/receiver.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <cmath>
 #include <deque>
@@ -128,7 +128,7 @@ private:
 			note(client.receiver.accept(_datagram.data(), _datagram.size(), time));
 		}
 		client.receiver.advance(time);
-		if (client.receiver.take_answer(_datagram, time)) {
+		if (client.receiver.take_ack(_datagram, time)) {
 			client.back.send(time, _datagram.data(), _datagram.size());
 		}
 	}

@@ -2,7 +2,7 @@
 
 #include "../link_model.hpp"
 
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <cstddef>
 #include <string>

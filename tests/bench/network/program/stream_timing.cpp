@@ -3,7 +3,7 @@
 #include "allocation_counter.hpp"
 #include "cpu_clock.hpp"
 
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +78,7 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 		for (const TraceBody &body : trace.bodies) {
 			run.poses += receiver.pose(body.id, pose);
 		}
-		(void)receiver.take_answer(answer, taken.time);
+		(void)receiver.take_ack(answer, taken.time);
 		if (taken.time > warm && taken.time <= over) {
 			run.counts.allocations += allocation_count() - before;
 			run.counts.packets += taken.end - taken.begin;

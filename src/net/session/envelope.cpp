@@ -1,4 +1,4 @@
-#include "net/delivery/envelope.hpp"
+#include "net/session/envelope.hpp"
 
 namespace net {
 

@@ -1,4 +1,4 @@
-#include "net/delivery/envelope.hpp"
+#include "net/session/envelope.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 
 TEST_CASE("an envelope comes back, and nothing else is taken for one") {
 	uint8_t bytes[net::ENVELOPE_BYTES + 1] = {};
-	for (const net::PacketKind kind : { net::PacketKind::HELLO, net::PacketKind::BYE, net::PacketKind::MOTION, net::PacketKind::ANSWER }) {
+	for (const net::PacketKind kind : { net::PacketKind::OPEN, net::PacketKind::CLOSE, net::PacketKind::MOTION, net::PacketKind::ACK }) {
 		net::write_envelope({ kind, 0xbeef, 200 }, bytes);
 		net::Envelope read;
 		REQUIRE(net::read_envelope(bytes, sizeof(bytes), read));

@@ -1,6 +1,6 @@
-#include "net/sender.hpp"
+#include "net/endpoint/sender.hpp"
 
-#include "simulated_link.hpp"
+#include "../simulated_link.hpp"
 
 #include <doctest/doctest.h>
 

@@ -15,14 +15,14 @@
 namespace net {
 
 enum class PacketKind : uint8_t {
-	HELLO, ///< a receiver asks the authority for its stream
-	BYE, ///< a stream has ended
+	OPEN, ///< a receiver asks the authority for its stream
+	CLOSE, ///< a stream has ended
 	MOTION,
-	ANSWER,
+	ACK,
 };
 
 struct Envelope {
-	PacketKind kind = PacketKind::HELLO;
+	PacketKind kind = PacketKind::OPEN;
 	uint16_t key = 0;
 	uint8_t link = 0;
 	uint8_t version = 0; ///< of the peer that sent it

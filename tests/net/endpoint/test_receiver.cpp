@@ -1,7 +1,7 @@
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
-#include "allocation_counter.hpp"
-#include "simulated_link.hpp"
+#include "../allocation_counter.hpp"
+#include "../simulated_link.hpp"
 
 #include <doctest/doctest.h>
 

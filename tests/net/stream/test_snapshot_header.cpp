@@ -1,4 +1,4 @@
-#include "net/stream/state_header.hpp"
+#include "net/stream/snapshot_header.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-StateHeader sound() {
-	StateHeader header;
+SnapshotHeader sound() {
+	SnapshotHeader header;
 	header.settings.position_tolerance = 0.0025;
 	header.settings.rotation_tolerance = 0.75;
 	header.settings.max_latency = 0.15;
@@ -24,14 +24,14 @@ StateHeader sound() {
 }
 
 std::string problem(const Bytes &bytes) {
-	StateHeader header;
-	const char *error = read_state_header(bytes.data(), bytes.size(), header);
+	SnapshotHeader header;
+	const char *error = read_snapshot_header(bytes.data(), bytes.size(), header);
 	return error != nullptr ? error : "";
 }
 
-std::string problem(const StateHeader &header) {
+std::string problem(const SnapshotHeader &header) {
 	Bytes bytes;
-	put_state_header(bytes, header);
+	put_snapshot_header(bytes, header);
 	return problem(bytes);
 }
 
@@ -39,10 +39,10 @@ std::string problem(const StateHeader &header) {
 
 TEST_CASE("state header: settings come back in so many bytes") {
 	Bytes bytes;
-	put_state_header(bytes, sound());
-	CHECK(bytes.size() == StateHeader::BYTES);
-	StateHeader header;
-	REQUIRE(read_state_header(bytes.data(), bytes.size(), header) == nullptr);
+	put_snapshot_header(bytes, sound());
+	CHECK(bytes.size() == SnapshotHeader::BYTES);
+	SnapshotHeader header;
+	REQUIRE(read_snapshot_header(bytes.data(), bytes.size(), header) == nullptr);
 	CHECK(float(header.settings.position_tolerance) == 0.0025f);
 	CHECK(float(header.settings.rotation_tolerance) == 0.75f);
 	CHECK(float(header.settings.max_latency) == 0.15f);
@@ -54,7 +54,7 @@ TEST_CASE("state header: settings come back in so many bytes") {
 
 TEST_CASE("state header: cut off, of another version, with what no sender says, it is refused") {
 	Bytes bytes;
-	put_state_header(bytes, sound());
+	put_snapshot_header(bytes, sound());
 	for (size_t size = 0; size < bytes.size(); ++size) {
 		CHECK(problem(Bytes(bytes.begin(), bytes.begin() + ptrdiff_t(size))) == "the state is cut off");
 	}
@@ -68,7 +68,7 @@ TEST_CASE("state header: cut off, of another version, with what no sender says, 
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	for (const double bad : { nan, -1.0, 1e30, std::numeric_limits<double>::infinity() }) {
 		const std::string refused = "the state's settings are out of range";
-		StateHeader header = sound();
+		SnapshotHeader header = sound();
 		header.settings.position_tolerance = bad;
 		CHECK(problem(header) == refused);
 		header = sound();
@@ -85,7 +85,7 @@ TEST_CASE("state header: cut off, of another version, with what no sender says, 
 		CHECK(problem(header) == refused);
 	}
 	for (double StreamSettings::*member : { &StreamSettings::position_tolerance, &StreamSettings::rotation_tolerance, &StreamSettings::tick }) {
-		StateHeader header = sound();
+		SnapshotHeader header = sound();
 		header.settings.*member = 0.0;
 		CHECK(problem(header) == "the state's settings are out of range");
 	}

@@ -1,6 +1,4 @@
-#include "net/stream/state_header.hpp"
-
-#include "net/delivery/packet.hpp"
+#include "net/stream/snapshot_header.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -29,13 +27,13 @@ Number take_number(const uint8_t *&bytes) {
 	return number;
 }
 
-bool is_between(double value, double least, double most) {
-	return value >= least && value <= most;
+bool is_between(double value, double min, double max) {
+	return value >= min && value <= max;
 }
 
 } // namespace
 
-void put_state_header(std::vector<uint8_t> &bytes, const StateHeader &header) {
+void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header) {
 	bytes.push_back(STREAM_VERSION);
 	bytes.push_back(uint8_t(header.settings.mode));
 	put_number(bytes, float(header.settings.position_tolerance));
@@ -46,16 +44,16 @@ void put_state_header(std::vector<uint8_t> &bytes, const StateHeader &header) {
 	put_number(bytes, header.tick);
 }
 
-const char *read_state_header(const uint8_t *bytes, size_t size, StateHeader &header) {
+std::optional<PacketError> read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header) {
 	static_assert(sizeof(uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "Numbers as on the wire.");
-	if (size < StateHeader::BYTES) {
-		return "the state is cut off";
+	if (size < SnapshotHeader::BYTES) {
+		return PacketError::TRUNCATED_SNAPSHOT;
 	}
 	if (bytes[0] != STREAM_VERSION) {
-		return "the stream is of another version of the addon: update the older side";
+		return PacketError::OTHER_STREAM_VERSION;
 	}
 	if (bytes[1] > uint8_t(cga::Mode::SEPARATE)) {
-		return "the state's mode is unknown";
+		return PacketError::UNKNOWN_MODE;
 	}
 	header.settings.mode = cga::Mode(bytes[1]);
 	bytes += 2;
@@ -65,9 +63,12 @@ const char *read_state_header(const uint8_t *bytes, size_t size, StateHeader &he
 	header.window = take_number<float>(bytes);
 	header.settings.tick = take_number<double>(bytes);
 	header.tick = take_number<uint32_t>(bytes);
-	const bool is_sound = is_between(header.settings.position_tolerance, 1e-6, 1e6) && is_between(header.settings.rotation_tolerance, 1e-4, 180.0) &&
+	const bool is_valid = is_between(header.settings.position_tolerance, 1e-6, 1e6) && is_between(header.settings.rotation_tolerance, 1e-4, 180.0) &&
 			is_between(header.settings.max_latency, 0.0, 60.0) && is_between(double(header.window), 0.0, 60.0) && is_between(header.settings.tick, 1e-4, 10.0);
-	return is_sound ? nullptr : "the state's settings are out of range";
+	if (!is_valid) {
+		return PacketError::SETTINGS_OUT_OF_RANGE;
+	}
+	return std::nullopt;
 }
 
 } // namespace net

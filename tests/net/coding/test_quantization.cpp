@@ -1,4 +1,4 @@
-#include "net/coding/quantisation.hpp"
+#include "net/coding/quantization.hpp"
 
 #include <doctest/doctest.h>
 
