@@ -13,7 +13,7 @@ uint32_t half_range(int bits) {
 
 } // namespace
 
-SmallestThree quantise_rotor(const glm::quat &q, int bits) {
+SmallestThree quantize_rotor(const glm::quat &q, int bits) {
 	const double c[4] = { q.x, q.y, q.z, q.w };
 	SmallestThree code;
 	for (uint32_t i = 1; i < 4; ++i) {
@@ -33,7 +33,7 @@ SmallestThree quantise_rotor(const glm::quat &q, int bits) {
 	return code;
 }
 
-std::optional<glm::quat> dequantise_rotor(const SmallestThree &code, int bits) {
+std::optional<glm::quat> dequantize_rotor(const SmallestThree &code, int bits) {
 	const double n = half_range(bits);
 	double c[4] = { 0, 0, 0, 0 };
 	double rest = 1.0;
@@ -54,7 +54,7 @@ std::optional<glm::quat> dequantise_rotor(const SmallestThree &code, int bits) {
 	return glm::quat(float(c[3]), float(c[0]), float(c[1]), float(c[2]));
 }
 
-std::optional<int32_t> quantise_scale(float scale) {
+std::optional<int32_t> quantize_scale(float scale) {
 	if (!(scale > 0) || !std::isfinite(scale)) {
 		return std::nullopt;
 	}
@@ -65,7 +65,7 @@ std::optional<int32_t> quantise_scale(float scale) {
 	return int32_t(level);
 }
 
-float dequantise_scale(int32_t level) {
+float dequantize_scale(int32_t level) {
 	return float(std::exp2(level / SCALE_LEVELS_PER_OCTAVE));
 }
 

@@ -46,9 +46,9 @@ inline constexpr float MIN_ROTATION_TOLERANCE = 1.7e-5f; ///< degrees
 }
 
 /// `q` of unit length.
-[[nodiscard]] SmallestThree quantise_rotor(const glm::quat &q, int bits);
+[[nodiscard]] SmallestThree quantize_rotor(const glm::quat &q, int bits);
 /// Empty where no unit quaternion has these three components.
-[[nodiscard]] std::optional<glm::quat> dequantise_rotor(const SmallestThree &code, int bits);
+[[nodiscard]] std::optional<glm::quat> dequantize_rotor(const SmallestThree &code, int bits);
 
 /// Scale as log2 in steps of 1/4096: relative error at most 8.5e-5 over 2^-16 .. 2^16.
 inline constexpr int SCALE_BITS = 17;
@@ -56,7 +56,7 @@ inline constexpr double SCALE_LEVELS_PER_OCTAVE = 4096.0;
 inline constexpr int32_t MAX_SCALE_LEVEL = (1 << (SCALE_BITS - 1)) - 1;
 
 /// Empty where the scale is not positive or out of range.
-[[nodiscard]] std::optional<int32_t> quantise_scale(float scale);
-[[nodiscard]] float dequantise_scale(int32_t level);
+[[nodiscard]] std::optional<int32_t> quantize_scale(float scale);
+[[nodiscard]] float dequantize_scale(int32_t level);
 
 } // namespace net

@@ -161,7 +161,7 @@ void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
 	put(packet, uint64_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))), 2);
 }
 
-std::optional<PacketError> read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
+PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
 	content.chunks.clear();
 	content.fragments.clear();
 	content.acks.clear();
@@ -205,7 +205,7 @@ std::optional<PacketError> read_packet(const uint8_t *packet, size_t size, Packe
 			return PacketError::TRUNCATED;
 		}
 	}
-	return std::nullopt;
+	return {};
 }
 
 } // namespace net

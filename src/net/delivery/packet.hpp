@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 // The items of a packet; docs/wire-format.md describes them byte by byte.
@@ -72,7 +71,7 @@ void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack);
 void put_snapshot_request(std::vector<uint8_t> &packet);
 void put_round_trip(std::vector<uint8_t> &packet, double seconds);
 
-/// Parses a whole packet into `content`, whose memory is reused. Returns why it failed, or nothing.
-[[nodiscard]] std::optional<PacketError> read_packet(const uint8_t *packet, size_t size, PacketContent &content);
+/// Parses a whole packet into `content`, whose memory is reused. Fails with the reason.
+PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &content);
 
 } // namespace net

@@ -25,14 +25,14 @@ constexpr size_t MODEL_BYTES = 8192;
 
 } // namespace
 
-std::optional<PacketError> Receiver::accept(const uint8_t *packet, size_t size, double now) {
-	auto error = read_packet(packet, size, _content);
-	if (!error) {
-		error = check_fragments();
+PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	PacketResult result = read_packet(packet, size, _content);
+	if (result) {
+		result = check_fragments();
 	}
-	if (error) {
+	if (!result) {
 		++_statistics.packets_rejected;
-		return error;
+		return result;
 	}
 	_statistics.bytes_received += size;
 	++_statistics.packets_received;
@@ -54,15 +54,15 @@ std::optional<PacketError> Receiver::accept(const uint8_t *packet, size_t size, 
 		take_fragment(fragment, now);
 	}
 	if (_fragments.is_complete()) {
-		error = finish_snapshot(now);
-		if (error) {
+		result = finish_snapshot(now);
+		if (!result) {
 			++_statistics.packets_rejected;
-			return error;
+			return result;
 		}
 	}
 	set_limits();
 	decode_windows(now);
-	return std::nullopt;
+	return {};
 }
 
 void Receiver::count_loss(uint8_t number) {
@@ -72,7 +72,7 @@ void Receiver::count_loss(uint8_t number) {
 	_newest_chunk = is_late ? _newest_chunk : number;
 }
 
-std::optional<PacketError> Receiver::check_fragments() const {
+PacketResult Receiver::check_fragments() const {
 	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / Snapshot::FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
 		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
@@ -82,7 +82,7 @@ std::optional<PacketError> Receiver::check_fragments() const {
 			return PacketError::TOO_MANY_BODIES;
 		}
 	}
-	return std::nullopt;
+	return {};
 }
 
 void Receiver::take_fragment(const FragmentItem &fragment, double now) {
@@ -101,15 +101,15 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 	}
 }
 
-std::optional<PacketError> Receiver::finish_snapshot(double now) {
+PacketResult Receiver::finish_snapshot(double now) {
 	_fragments.finish(_window);
 	SnapshotHeader next;
-	if (const auto error = read_snapshot_header(_window.data(), _window.size(), next)) {
-		return error;
+	if (const PacketResult result = read_snapshot_header(_window.data(), _window.size(), next); !result) {
+		return result;
 	}
 	if (is_behind(next)) {
 		_snapshot_done = true;
-		return std::nullopt;
+		return {};
 	}
 	StreamDecoder decoder(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), _max_bodies);
 	if (!decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES)) {
@@ -136,7 +136,7 @@ std::optional<PacketError> Receiver::finish_snapshot(double now) {
 		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
 	}
 	show_snapshot(continues);
-	return std::nullopt;
+	return {};
 }
 
 /// Bodies in the snapshot exist from its time on; all others do not.

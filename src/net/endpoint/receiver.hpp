@@ -44,8 +44,8 @@ public:
 	explicit Receiver(size_t max_bodies = 65536) :
 			_max_bodies(max_bodies) {}
 
-	/// Processes a packet. Returns why it was rejected, in which case nothing has changed, or nothing. Duplicates are fine.
-	std::optional<PacketError> accept(const uint8_t *packet, size_t size, double now);
+	/// Processes a packet. If it is rejected, nothing has changed. Duplicates are fine.
+	PacketResult accept(const uint8_t *packet, size_t size, double now);
 	/// Replaces `packet` with an acknowledgement for the sender, or clears it if none is due. Call it once a frame, after the
 	/// frame's packets.
 	void take_ack(std::vector<uint8_t> &packet, double now);
@@ -78,9 +78,9 @@ public:
 
 private:
 	void count_loss(uint8_t number);
-	[[nodiscard]] std::optional<PacketError> check_fragments() const;
+	PacketResult check_fragments() const;
 	void take_fragment(const FragmentItem &fragment, double now);
-	std::optional<PacketError> finish_snapshot(double now);
+	PacketResult finish_snapshot(double now);
 	void show_snapshot(bool continues);
 	[[nodiscard]] bool is_next_snapshot() const;
 	[[nodiscard]] bool is_behind(const SnapshotHeader &next) const;

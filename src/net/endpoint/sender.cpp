@@ -236,16 +236,16 @@ void Sender::flush(double time) {
 	send_all();
 }
 
-std::optional<PacketError> Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
 	const auto found = _peers.find(receiver);
 	if (found == _peers.end()) {
 		return PacketError::UNKNOWN_RECEIVER;
 	}
-	if (const auto error = read_packet(packet, size, _content)) {
-		return error;
+	if (const PacketResult result = read_packet(packet, size, _content); !result) {
+		return result;
 	}
 	found->second.delivery.accept(_content, _ring, time);
-	return std::nullopt;
+	return {};
 }
 
 void Sender::set_settings(const StreamSettings &settings) {

@@ -62,8 +62,8 @@ public:
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
-	/// Processes a packet from a receiver. Returns why it was rejected, or nothing.
-	std::optional<PacketError> accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
+	/// Processes a packet from a receiver.
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
 
 	/// New settings apply from the next window on. All but the send rate restart the stream.
 	void set_settings(const StreamSettings &settings);

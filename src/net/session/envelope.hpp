@@ -2,23 +2,28 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
+#include <optional>
 
-// What stands before the packets of one node among several that share a transport, and among a game's own packets.
+// The header of each packet of a session. It tells sessions apart that share a transport, and their packets from a game's.
 //
 //   u8   0x40 | ENVELOPE_VERSION << 2 | kind
-//   u16  key: which nodes, the same on all peers; little endian
-//   u8   link: which stream to this receiver; chosen by the receiver, another one for each stream
-//   ...  MOTION: a packet of net::Sender; ANSWER: one of net::Receiver; BYE: u8, 1 if the stream's sender ends it, 0 if
-//        its receiver does; HELLO: nothing
+//   u16  key of the session, the same on all peers, little-endian
+//   u8   link: number of the stream to this receiver, chosen by the receiver, different for each stream
+//   ...  MOTION: a packet of net::Sender; ACK: a packet of net::Receiver; CLOSE: u8, a CloseRole; OPEN: nothing
 
 namespace net {
 
 enum class PacketKind : uint8_t {
-	OPEN, ///< a receiver asks the authority for its stream
+	OPEN, ///< a receiver requests the authority's stream
 	CLOSE, ///< a stream has ended
 	MOTION,
 	ACK,
+};
+
+/// The end that closes a stream.
+enum class CloseRole : uint8_t {
+	RECEIVER,
+	SENDER,
 };
 
 struct Envelope {
@@ -31,16 +36,9 @@ struct Envelope {
 inline constexpr size_t ENVELOPE_BYTES = 4;
 inline constexpr uint8_t ENVELOPE_VERSION = 1; ///< 0 to 3
 
-/// Writes ENVELOPE_BYTES bytes, of this version.
+/// Writes ENVELOPE_BYTES bytes, with ENVELOPE_VERSION.
 void write_envelope(const Envelope &envelope, uint8_t *bytes);
-/// False if the packet does not begin with an envelope; then it is somebody else's.
-[[nodiscard]] bool read_envelope(const uint8_t *bytes, size_t size, Envelope &envelope);
-
-/// 32-bit FNV-1a of a node's path: names that are the same on all peers as numbers.
-[[nodiscard]] uint32_t path_hash(std::string_view utf8);
-/// The key of a node that sends packets.
-[[nodiscard]] uint16_t path_key(std::string_view utf8);
-/// The id of a body, 31 bits.
-[[nodiscard]] uint32_t path_body(std::string_view utf8);
+/// Nothing if the packet does not begin with an envelope: it belongs to the game.
+[[nodiscard]] std::optional<Envelope> read_envelope(const uint8_t *bytes, size_t size);
 
 } // namespace net

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cga/result.hpp"
+
 #include <cstdint>
 
 namespace net {
@@ -32,5 +34,8 @@ enum class PacketError : uint8_t {
 
 /// The reason as a clause without a period.
 [[nodiscard]] const char *describe(PacketError error);
+
+/// Success, or why a packet was rejected.
+using PacketResult = cga::Result<void, PacketError>;
 
 } // namespace net

@@ -44,7 +44,7 @@ void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &head
 	put_number(bytes, header.tick);
 }
 
-std::optional<PacketError> read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header) {
+PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header) {
 	static_assert(sizeof(uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "Numbers as on the wire.");
 	if (size < SnapshotHeader::BYTES) {
 		return PacketError::TRUNCATED_SNAPSHOT;
@@ -68,7 +68,7 @@ std::optional<PacketError> read_snapshot_header(const uint8_t *bytes, size_t siz
 	if (!is_valid) {
 		return PacketError::SETTINGS_OUT_OF_RANGE;
 	}
-	return std::nullopt;
+	return {};
 }
 
 } // namespace net

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace net {
@@ -23,7 +22,7 @@ struct SnapshotHeader {
 };
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);
-/// Parses a header into `header`. Returns why it failed, or nothing.
-[[nodiscard]] std::optional<PacketError> read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
+/// Parses a header into `header`. Fails with the reason.
+PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
 
 } // namespace net

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "net/coding/bit_stream.hpp"
-#include "net/motion/body_state.hpp"
 #include "net/coding/body_id.hpp"
+#include "net/motion/body_state.hpp"
 
 #include <cstddef>
 #include <cstdint>

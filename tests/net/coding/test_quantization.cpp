@@ -34,7 +34,7 @@ TEST_CASE("rotors: error stays within the tolerance that chose the bits, and nee
 		double worst = 0;
 		for (int i = 0; i < 20000; ++i) {
 			const glm::quat q = random_rotation(random);
-			const std::optional<glm::quat> back = dequantise_rotor(quantise_rotor(q, bits), bits);
+			const std::optional<glm::quat> back = dequantize_rotor(quantize_rotor(q, bits), bits);
 			REQUIRE(back);
 			worst = std::fmax(worst, angle_between(q, *back));
 		}
@@ -46,7 +46,7 @@ TEST_CASE("rotors: error stays within the tolerance that chose the bits, and nee
 
 TEST_CASE("rotors: the identity and half turns about the axes are exact") {
 	for (const glm::quat &q : { glm::quat(1, 0, 0, 0), glm::quat(0, 1, 0, 0), glm::quat(0, 0, 1, 0), glm::quat(0, 0, 0, 1) }) {
-		const std::optional<glm::quat> back = dequantise_rotor(quantise_rotor(q, 9), 9);
+		const std::optional<glm::quat> back = dequantize_rotor(quantize_rotor(q, 9), 9);
 		REQUIRE(back);
 		CHECK(*back == q);
 	}
@@ -56,8 +56,8 @@ TEST_CASE("rotors: q and -q have the same code") {
 	std::mt19937 random(11);
 	for (int i = 0; i < 1000; ++i) {
 		const glm::quat q = random_rotation(random);
-		const SmallestThree a = quantise_rotor(q, 10);
-		const SmallestThree b = quantise_rotor(-q, 10);
+		const SmallestThree a = quantize_rotor(q, 10);
+		const SmallestThree b = quantize_rotor(-q, 10);
 		CHECK(a.dropped == b.dropped);
 		CHECK(a.level[0] == b.level[0]);
 		CHECK(a.level[1] == b.level[1]);
@@ -66,8 +66,8 @@ TEST_CASE("rotors: q and -q have the same code") {
 }
 
 TEST_CASE("rotors: components that fit no unit quaternion are refused") {
-	CHECK_FALSE(dequantise_rotor(SmallestThree{ 3, { 0, 0, 0 } }, 10)); // three of -1/sqrt(2)
-	CHECK_FALSE(dequantise_rotor(SmallestThree{ 3, { 1023, 511, 511 } }, 10)); // a level above 2n
+	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 0, 0, 0 } }, 10)); // three of -1/sqrt(2)
+	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 1023, 511, 511 } }, 10)); // a level above 2n
 }
 
 TEST_CASE("positions: half the cell's diagonal is the tolerance") {
@@ -76,13 +76,13 @@ TEST_CASE("positions: half the cell's diagonal is the tolerance") {
 
 TEST_CASE("scales: relative error at most 8.5e-5, one exact, the rest refused") {
 	for (double scale = 1.0 / 60000; scale < 60000; scale *= 1.0137) {
-		const std::optional<int32_t> level = quantise_scale(float(scale));
+		const std::optional<int32_t> level = quantize_scale(float(scale));
 		REQUIRE(level);
-		CHECK(std::abs(double(dequantise_scale(*level)) / scale - 1) < 8.5e-5);
+		CHECK(std::abs(double(dequantize_scale(*level)) / scale - 1) < 8.5e-5);
 	}
-	CHECK(quantise_scale(1.0f) == 0);
-	CHECK(dequantise_scale(0) == 1.0f);
+	CHECK(quantize_scale(1.0f) == 0);
+	CHECK(dequantize_scale(0) == 1.0f);
 	for (const float bad : { 0.0f, -1.0f, 1e-6f, 1e6f, INFINITY, NAN }) {
-		CHECK_FALSE(quantise_scale(bad));
+		CHECK_FALSE(quantize_scale(bad));
 	}
 }

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <cstdint>
 
-namespace ga_godot {
+namespace net {
 
 /// Bytes and packets a second, over the last second.
 class TrafficMeter {
 public:
-	void add(uint64_t p_bytes, double p_now) {
-		turn_to(p_now);
+	void add(uint64_t bytes, double now) {
+		advance_to(now);
 		Slot &slot = _slots[size_t(_current % SLOTS)];
-		slot.bytes += p_bytes;
+		slot.bytes += bytes;
 		slot.packets++;
 	}
-	double get_bytes_per_second(double p_now) { return sum(p_now, &Slot::bytes); }
-	double get_packets_per_second(double p_now) { return sum(p_now, &Slot::packets); }
+	double bytes_per_second(double now) { return sum(now, &Slot::bytes); }
+	double packets_per_second(double now) { return sum(now, &Slot::packets); }
 
 private:
 	struct Slot {
@@ -27,8 +27,8 @@ private:
 	static constexpr int64_t SLOTS_PER_SECOND = 8;
 	static constexpr int64_t SLOTS = SLOTS_PER_SECOND + 1; // those of a second, and the one being filled
 
-	void turn_to(double p_now) {
-		const int64_t wanted = int64_t(std::floor(p_now * SLOTS_PER_SECOND));
+	void advance_to(double now) {
+		const int64_t wanted = int64_t(std::floor(now * SLOTS_PER_SECOND));
 		if (wanted - _current >= SLOTS) {
 			_current = wanted - SLOTS;
 		}
@@ -38,11 +38,11 @@ private:
 		}
 	}
 
-	double sum(double p_now, uint64_t Slot::*p_member) {
-		turn_to(p_now);
+	double sum(double now, uint64_t Slot::*member) {
+		advance_to(now);
 		uint64_t total = 0;
 		for (int64_t i = 1; i < SLOTS; i++) {
-			total += _slots[size_t((_current + i) % SLOTS)].*p_member;
+			total += _slots[size_t((_current + i) % SLOTS)].*member;
 		}
 		return double(total);
 	}
@@ -51,4 +51,4 @@ private:
 	int64_t _current = 0;
 };
 
-} // namespace ga_godot
+} // namespace net
