@@ -181,11 +181,11 @@ func test_bad_transforms_return_the_start() -> void:
 	var good := Poses.make(Vector3(1, 2, 3))
 	var mirrored := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	expect_error(
-		"MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		"MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which a motor cannot represent; mirror a child node instead."
 	)
 	expect_equal(_at(mirrored, good, 0.5, MultivectorLerp.LINEAR), mirrored)
 	expect_error(
-		"MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		"MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which a motor cannot represent; mirror a child node instead."
 	)
 	expect_equal(_at(good, mirrored, 0.5, MultivectorLerp.LINEAR), good)
 	expect_error("MultivectorLerp.interpolate_transform: the weight is not finite.")

@@ -169,7 +169,7 @@ func test_clear_ends_all_indices() -> void:
 func test_a_bad_pose_changes_nothing() -> void:
 	var good := Poses.make(Vector3(1, 2, 3))
 	var indices := _fill([good, good], [good, good])
-	var fault := "is mirrored (negative scale), which no motor can express; mirror a child node instead"
+	var fault := "is mirrored (negative scale), which a motor cannot represent; mirror a child node instead"
 	expect_error("MotorPool.set_from: the transform for index %d %s." % [indices[1], fault])
 	_pool.set_from(indices[1], MIRRORED)
 	expect_error("MotorPool.set_to: the transform for index %d %s." % [indices[1], fault])

@@ -271,7 +271,7 @@ func test_a_mirrored_end_is_reported_once() -> void:
 	_lerp.factor = 0.5
 	var place := _target.transform
 	expect_error(
-		"MultivectorLerp: end is mirrored (negative scale), which no motor can express; mirror a child node instead. The target stays where it is."
+		"MultivectorLerp: end is mirrored (negative scale), which a motor cannot represent; mirror a child node instead. The target stays where it is."
 	)
 	_end.scale = Vector3(-1, 1, 1)
 	await wait_frames(5)

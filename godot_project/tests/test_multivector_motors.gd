@@ -6,11 +6,11 @@ const Poses := preload("res://tests/framework/poses.gd")
 const BAD_TRANSFORMS: Dictionary[String, Transform3D] = {
 	"has a value that is not finite (NaN or infinity); check where it was computed":
 	Transform3D(Vector3(NAN, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"has scale zero along an axis; a motor needs a positive scale":
+	"has zero scale along an axis; a motor needs a positive scale":
 	Transform3D(Vector3(1, 0, 0), Vector3(0, 0, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"is mirrored (negative scale), which no motor can express; mirror a child node instead":
+	"is mirrored (negative scale), which a motor cannot represent; mirror a child node instead":
 	Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead":
+	"has non-uniform scale or shear; a motor has one uniform scale, so scale a child node instead":
 	Transform3D(Vector3(1, 0, 0), Vector3(0, 2, 0), Vector3(0, 0, 1), Vector3.ZERO),
 }
 const NO_MOTOR := "Multivector.%s: this multivector is no motor with positive scale, so it has no transform."
