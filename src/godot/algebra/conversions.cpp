@@ -43,9 +43,9 @@ godot::Transform3D to_godot(const cga::Pose<double> &pose) {
 
 godot::Transform3D transform_from_row(const float *row) {
 	godot::Transform3D transform;
-	for (int i = 0; i < 3; i++) {
-		transform.basis.rows[i] = godot::Vector3(row[4 * i], row[4 * i + 1], row[4 * i + 2]);
-		transform.origin[i] = row[4 * i + 3];
+	for (int i = 0; i < 3; i++, row += 4) {
+		transform.basis.rows[i] = godot::Vector3(row[0], row[1], row[2]);
+		transform.origin[i] = row[3];
 	}
 	return transform;
 }

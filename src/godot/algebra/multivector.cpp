@@ -291,7 +291,7 @@ Multivector::Handle Multivector::evaluate(const String &expression, const Dictio
 	for (const Variant &name : names) {
 		const Variant::Type type = name.get_type();
 		ERR_FAIL_COND_V_MSG(type != Variant::STRING && type != Variant::STRING_NAME, Handle(), vformat("Multivector.evaluate: variable names must be strings, not %s.", Variant::get_type_name(type)));
-		const Variant variable = variables[name];
+		const Variant &variable = variables[name];
 		const std::optional<cga::Multivector> value = to_multivector(variable);
 		ERR_FAIL_COND_V_MSG(!value, Handle(), vformat("Multivector.evaluate: the variable \"%s\" must be a Multivector, a number or a Vector3, not %s.", name, Variant::get_type_name(variable.get_type())));
 		values.insert_or_assign(to_utf8(name), *value);

@@ -11,8 +11,8 @@ using godot::OS;
 using godot::WorkerThreadPool;
 
 static uint32_t processor_count() {
-	static const uint32_t count = uint32_t(std::max(OS::get_singleton()->get_processor_count(), 1));
-	return count;
+	static const uint32_t COUNT = uint32_t(std::max(OS::get_singleton()->get_processor_count(), 1));
+	return COUNT;
 }
 
 bool RowSplit::can_share() {
