@@ -101,7 +101,7 @@ func test_what_cannot_be_encoded() -> void:
 		Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	]
 	expect_error(
-		"MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		"MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), which a motor cannot represent; mirror a child node instead."
 	)
 	expect_equal(_codec.encode(PackedInt32Array([9]), mirrored).size(), 0)
 

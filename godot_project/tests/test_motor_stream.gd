@@ -111,7 +111,7 @@ func test_what_is_refused() -> void:
 	expect_error("MotorSender.observe: there is no body with id 5; add it first.")
 	_sender.observe(5, 0.0, Transform3D.IDENTITY)
 	expect_error(
-		"MotorSender.observe: the transform of body 0 is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		"MotorSender.observe: the transform of body 0 is mirrored (negative scale), which a motor cannot represent; mirror a child node instead."
 	)
 	_sender.observe(
 		0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)

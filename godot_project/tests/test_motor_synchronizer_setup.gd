@@ -164,7 +164,7 @@ func test_transforms_that_are_no_poses() -> void:
 	await tree.create_timer(0.1).timeout
 	expect_error(
 		(
-			"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which no motor can express; mirror a child node instead. What others see of it stays as it was."
+			"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which a motor cannot represent; mirror a child node instead. What others see of it stays as it was."
 			% [node, path]
 		)
 	)
