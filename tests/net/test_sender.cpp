@@ -1,6 +1,6 @@
 #include "net/sender.hpp"
 
-#include "simulated_link.hpp"
+#include "simulated_session.hpp"
 
 #include <doctest/doctest.h>
 
@@ -50,8 +50,8 @@ TEST_CASE("sender: bodies, poses and receivers that cannot be are refused") {
 TEST_CASE("sender: answers from strangers and random answers change nothing for others") {
 	Session session;
 	add_smooth_bodies(session, 5);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
-	session.add_receiver(2, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
+	session.add_receiver(2);
 	session.run(2.0);
 	const uint8_t wish = 0xc2;
 	CHECK(std::string(session.sender->accept(99, &wish, 1, session.now)) == "the answer comes from nobody that poses are sent to");
@@ -119,11 +119,13 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to nothing, until it is back") {
 	Session session;
 	add_smooth_bodies(session, 8);
-	RemoteEnd &quiet = session.add_receiver(1, Conditions());
-	RemoteEnd &other = session.add_receiver(2, Conditions());
+	RemoteEnd &quiet = session.add_receiver(1);
+	RemoteEnd &other = session.add_receiver(2);
 	session.run(3.0);
-	quiet.down.conditions.outage_from = quiet.up.conditions.outage_from = session.now;
-	quiet.down.conditions.outage_until = quiet.up.conditions.outage_until = session.now + 9.0;
+	quiet.change_links([&](LinkSettings &link) {
+		link.outage_begin = session.now;
+		link.outage_end = session.now + 9.0;
+	});
 	session.run(4.0);
 	const uint64_t before = session.sender->statistics(1).bytes_sent;
 	double worst = 0.0;
@@ -173,10 +175,10 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 		add_smooth_bodies(session, 30);
 		RemoteEnd &end = session.add_receiver(1, { 0.05, 0.02 });
 		const double start = session.now;
-		end.down.conditions.outage_from = start + row.down_from;
-		end.down.conditions.outage_until = start + row.down_until;
-		end.up.conditions.outage_from = start + row.up_from;
-		end.up.conditions.outage_until = start + row.up_until;
+		end.down.settings().outage_begin = start + row.down_from;
+		end.down.settings().outage_end = start + row.down_until;
+		end.up.settings().outage_begin = start + row.up_from;
+		end.up.settings().outage_end = start + row.up_until;
 		double fixed = start;
 		for (const double until : { row.down_until, row.up_until, row.new_receiver, row.new_sender }) {
 			fixed = until < never ? std::max(fixed, start + until) : fixed;
@@ -246,7 +248,7 @@ TEST_CASE("sender: a still scene costs a few bytes a second") {
 	for (uint32_t id = 0; id < 200; ++id) {
 		session.add_body(id, [id](double) { return at(double(id)); });
 	}
-	session.add_receiver(1, Conditions());
+	session.add_receiver(1);
 	session.run(3.0);
 	const ReceiverStatistics before = session.sender->statistics(1);
 	session.run(10.0);
@@ -260,7 +262,7 @@ TEST_CASE("sender: a still scene costs a few bytes a second") {
 TEST_CASE("sender: an hour of sleep is no flood") {
 	Session session;
 	add_smooth_bodies(session, 3);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
 	session.run(2.0);
 	session.now += 3600.0;
 	const uint64_t before = session.sender->statistics(1).bytes_sent;
@@ -278,7 +280,7 @@ TEST_CASE("sender: long round trips, from the start or later, are measured, and 
 			add_smooth_bodies(session, 8);
 			RemoteEnd &end = session.add_receiver(1, { from_start ? delay : 0.02 });
 			session.run(2.0);
-			end.down.conditions.delay = end.up.conditions.delay = delay;
+			end.change_links([&](LinkSettings &link) { link.delay = delay; });
 			session.run(6.0);
 			const ReceiverStatistics before = session.sender->statistics(1);
 			session.run(6.0);

@@ -124,18 +124,18 @@ std::vector<Baseline> baselines() {
 	return all;
 }
 
-MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed) {
+MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const harness::LinkSettings &link, uint64_t seed) {
 	const std::vector<SampleIndex> chosen = choose_samples(trace, baseline.rate);
 	const double delay = longest_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
 	const size_t bodies_per_datagram = size_t(net::MAX_PACKET_BYTES) / baseline.pose_bytes;
 	ReceivedSamples received(trace);
-	LinkModel model(link, seed);
+	harness::LinkModel model(link, seed);
 	for (size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {
 		const double time = trace.sample(chosen[begin]).time;
 		while (end < chosen.size() && end - begin < bodies_per_datagram && trace.sample(chosen[end]).time == time) {
 			++end;
 		}
-		const DatagramFate fate = model.fate(time, (end - begin) * baseline.pose_bytes);
+		const harness::DatagramFate fate = model.fate(time, (end - begin) * baseline.pose_bytes);
 		const auto in_time = [&](double arrival) { return arrival <= time + delay; };
 		if (std::none_of(fate.arrivals.begin(), fate.arrivals.begin() + fate.copies, in_time)) {
 			continue;

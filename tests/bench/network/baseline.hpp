@@ -1,6 +1,6 @@
 #pragma once
 
-#include "link_model.hpp"
+#include "../../harness/link_model.hpp"
 #include "method_result.hpp"
 
 #include "cga/motor/interpolate.hpp"
@@ -32,6 +32,6 @@ struct Baseline {
 /// The receiver plays the shortest delay behind at which, without loss, the sample after the time shown is always there:
 /// one send interval, the delay and the jitter. A sample that is lost, or comes later than the playback delay after its
 /// time, is missing; the receiver then interpolates between the samples around it, as if it had known that.
-[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed);
+[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const harness::LinkSettings &link, uint64_t seed);
 
 } // namespace bench

@@ -1,6 +1,6 @@
 #include "stream_run.hpp"
 
-#include "simulated_link.hpp"
+#include "../../harness/simulated_link.hpp"
 
 #include "net/receiver.hpp"
 
@@ -69,16 +69,16 @@ private:
 // A sender, a receiver and the two links between them. Times are the sender's.
 class StreamRun {
 public:
-	StreamRun(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed) :
+	StreamRun(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const harness::LinkSettings &link, uint64_t seed) :
 			_trace(trace), _feed(feed), _sender(settings), _there(link, seed), _back(link, ~seed), _probe(trace) {
 		_sender.add_receiver(RECEIVER, trace.begin());
 	}
 
 	void step_source(const SourceStep &step) {
 		_result.answers.begin(step.time);
-		while (_back.receive(step.time, _datagram)) {
-			_result.answers.add(_datagram);
-			note(_sender.accept(RECEIVER, _datagram.data(), _datagram.size(), step.time), "an answer was refused");
+		while (const std::optional<harness::Delivery> delivery = _back.receive(step.time)) {
+			_result.answers.add(delivery->bytes);
+			note(_sender.accept(RECEIVER, delivery->bytes.data(), delivery->bytes.size(), step.time), "an answer was refused");
 		}
 		_result.refused += _feed.feed(_sender, step);
 		for (const net::OutgoingPacket &packet : _sender.packets()) {
@@ -94,9 +94,9 @@ public:
 	void show_picture(double time) {
 		const double now = time + RECEIVER_EPOCH;
 		_result.packets.begin(now);
-		while (_there.receive(time, _datagram)) {
-			_result.packets.add(_datagram);
-			note(_receiver.accept(_datagram.data(), _datagram.size(), now), "a packet was refused");
+		while (const std::optional<harness::Delivery> delivery = _there.receive(time)) {
+			_result.packets.add(delivery->bytes);
+			note(_receiver.accept(delivery->bytes.data(), delivery->bytes.size(), now), "a packet was refused");
 		}
 		if (!_playing && _receiver.is_ready()) {
 			_playing = true;
@@ -111,9 +111,9 @@ public:
 				_delays.push_back(time - media_time);
 			}
 		}
-		if (_receiver.take_answer(_datagram, now)) {
-			_answer_bytes += _datagram.size();
-			_back.send(time, _datagram.data(), _datagram.size());
+		if (_receiver.take_answer(_answer, now)) {
+			_answer_bytes += _answer.size();
+			_back.send(time, _answer.data(), _answer.size());
 		}
 	}
 
@@ -142,12 +142,12 @@ private:
 	const SourceFeed &_feed;
 	net::Sender _sender;
 	net::Receiver _receiver;
-	SimulatedLink _there;
-	SimulatedLink _back;
+	harness::SimulatedLink _there;
+	harness::SimulatedLink _back;
 	ErrorProbe _probe;
 	StreamResult _result;
 	std::vector<double> _delays;
-	std::vector<uint8_t> _datagram;
+	std::vector<uint8_t> _answer;
 	uint64_t _answer_bytes = 0;
 	bool _playing = false;
 };
@@ -169,7 +169,7 @@ void StreamRecording::add(const std::vector<uint8_t> &datagram) {
 	_steps.back().end = count();
 }
 
-StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed) {
+StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const harness::LinkSettings &link, uint64_t seed) {
 	StreamRun run(trace, feed, settings, link, seed);
 	// Half a picture off, so that a source of the same rate is neither lucky nor unlucky.
 	const auto picture_time = [&](uint64_t number) { return trace.begin() + (double(number) + 0.5) / PICTURE_RATE; };

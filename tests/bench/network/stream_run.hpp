@@ -1,6 +1,6 @@
 #pragma once
 
-#include "link_model.hpp"
+#include "../../harness/link_model.hpp"
 #include "method_result.hpp"
 #include "source_feed.hpp"
 
@@ -57,6 +57,6 @@ inline constexpr double PICTURE_RATE = 60.0;
 /// The receiver takes packets and shows a picture 60 times a second. Nothing is drawn between pictures, so a sample
 /// counts as the first picture that has reached its time would show it; if the body's motion is not known up to there,
 /// as the body is shown. Samples of bodies, or of times, that the receiver never had anything to show of are unseen.
-[[nodiscard]] StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const LinkSettings &link, uint64_t seed);
+[[nodiscard]] StreamResult run_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const harness::LinkSettings &link, uint64_t seed);
 
 } // namespace bench

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../link_model.hpp"
+#include "../../../harness/link_model.hpp"
 
 #include "cga/motor/interpolate.hpp"
 
@@ -12,7 +12,7 @@ namespace bench {
 struct Options {
 	std::string trace; ///< file; empty: the load of a server instead
 	bool baselines = true; ///< whether other methods are measured too
-	LinkSettings link; ///< each way
+	harness::LinkSettings link; ///< each way
 	double tolerance = 0.005; ///< metres
 	double max_latency = 0.2; ///< seconds
 	cga::Mode mode = cga::Mode::SEPARATE;

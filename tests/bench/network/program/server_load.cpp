@@ -1,7 +1,6 @@
 #include "server_load.hpp"
 
-#include "../random_bits.hpp"
-#include "../simulated_link.hpp"
+#include "../../../harness/simulated_link.hpp"
 #include "cpu_clock.hpp"
 
 #include "net/receiver.hpp"
@@ -21,7 +20,7 @@ constexpr double NOISE = 0.0005; // metres, each way
 // Where a body is: three swings of different frequency and a steady turn about an axis of its own.
 class Lissajous {
 public:
-	explicit Lissajous(RandomBits &random) {
+	explicit Lissajous(harness::RandomBits &random) {
 		for (int axis = 0; axis < 3; ++axis) {
 			_centre[axis] = random.between(-50.0, 50.0);
 			_size[axis] = random.between(0.5, 3.0);
@@ -33,7 +32,7 @@ public:
 		_turn = random.between(0.5, 3.0);
 	}
 
-	[[nodiscard]] cga::Pose<double> at(double time, RandomBits &random) const {
+	[[nodiscard]] cga::Pose<double> at(double time, harness::RandomBits &random) const {
 		cga::Pose<double> pose;
 		for (int axis = 0; axis < 3; ++axis) {
 			pose.translation[axis] = _centre[axis] + _size[axis] * std::sin(_frequency[axis] * time + _phase[axis]) + random.between(-NOISE, NOISE);
@@ -48,12 +47,12 @@ private:
 };
 
 struct Client {
-	Client(const LinkSettings &link, uint64_t seed) :
+	Client(const harness::LinkSettings &link, uint64_t seed) :
 			there(link, seed), back(link, ~seed) {}
 
 	net::Receiver receiver;
-	SimulatedLink there;
-	SimulatedLink back;
+	harness::SimulatedLink there;
+	harness::SimulatedLink back;
 };
 
 class ServerRun {
@@ -78,8 +77,8 @@ public:
 		}
 		for (size_t i = 0; i < _clients.size(); ++i) {
 			_answers[i].clear();
-			while (_clients[i].back.receive(time, _datagram)) {
-				_answers[i].push_back(_datagram);
+			while (std::optional<harness::Delivery> delivery = _clients[i].back.receive(time)) {
+				_answers[i].push_back(std::move(delivery->bytes));
 			}
 		}
 		const double begin = cpu_seconds();
@@ -111,7 +110,7 @@ private:
 	// What is timed.
 	void serve(double time) {
 		for (size_t i = 0; i < _answers.size(); ++i) {
-			for (const SimulatedLink::Bytes &answer : _answers[i]) {
+			for (const std::vector<uint8_t> &answer : _answers[i]) {
 				note(_sender.accept(uint32_t(i), answer.data(), answer.size(), time));
 			}
 		}
@@ -124,12 +123,12 @@ private:
 	}
 
 	void receive(Client &client, double time) {
-		while (client.there.receive(time, _datagram)) {
-			note(client.receiver.accept(_datagram.data(), _datagram.size(), time));
+		while (const std::optional<harness::Delivery> delivery = client.there.receive(time)) {
+			note(client.receiver.accept(delivery->bytes.data(), delivery->bytes.size(), time));
 		}
 		client.receiver.advance(time);
-		if (client.receiver.take_answer(_datagram, time)) {
-			client.back.send(time, _datagram.data(), _datagram.size());
+		if (client.receiver.take_answer(_answer, time)) {
+			client.back.send(time, _answer.data(), _answer.size());
 		}
 	}
 
@@ -140,13 +139,13 @@ private:
 	}
 
 	ServerLoadSettings _load;
-	RandomBits _random;
+	harness::RandomBits _random;
 	net::Sender _sender;
 	std::vector<Lissajous> _paths;
 	std::vector<cga::Pose<double>> _poses;
 	std::deque<Client> _clients;
-	std::vector<std::vector<SimulatedLink::Bytes>> _answers; // that have arrived, by receiver
-	SimulatedLink::Bytes _datagram;
+	std::vector<std::vector<std::vector<uint8_t>>> _answers; // that have arrived, by receiver
+	std::vector<uint8_t> _answer;
 	double _seconds = 0.0;
 	uint64_t _bytes = 0;
 	uint64_t _packets = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../link_model.hpp"
+#include "../../../harness/link_model.hpp"
 
 #include "net/stream_settings.hpp"
 
@@ -14,7 +14,7 @@ struct ServerLoadSettings {
 	size_t receivers = 64;
 	double observe_rate = 60.0; ///< poses a second of each body
 	double seconds = 10.0; ///< measured, after two more
-	LinkSettings link; ///< to each receiver and back
+	harness::LinkSettings link; ///< to each receiver and back
 };
 
 struct ServerLoad {

@@ -1,6 +1,6 @@
 #include "stream_timing.hpp"
 
-#include "allocation_counter.hpp"
+#include "../../../harness/allocation_counter.hpp"
 #include "cpu_clock.hpp"
 
 #include "net/receiver.hpp"
@@ -38,7 +38,7 @@ EndRun run_sender(const Trace &trace, const SourceFeed &feed, const net::StreamS
 	const double begin = cpu_seconds();
 	for (size_t i = 0; i < answers.steps().size(); ++i) {
 		const StreamRecording::Datagrams &taken = answers.steps()[i];
-		const uint64_t before = allocation_count();
+		const uint64_t before = harness::allocation_count();
 		for (size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
 			(void)sender.accept(RECEIVER, answers.bytes(datagram), answers.size(datagram), taken.time);
 		}
@@ -49,7 +49,7 @@ EndRun run_sender(const Trace &trace, const SourceFeed &feed, const net::StreamS
 			run.bytes += packet.size;
 		}
 		if (step.time > trace.begin() + WARM && step.time <= trace.end()) {
-			run.counts.allocations += allocation_count() - before;
+			run.counts.allocations += harness::allocation_count() - before;
 			run.counts.packets += sender.packets().size();
 		}
 	}
@@ -70,7 +70,7 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 	const double over = packets.steps().front().time + trace.duration();
 	const double begin = cpu_seconds();
 	for (const StreamRecording::Datagrams &taken : packets.steps()) {
-		const uint64_t before = allocation_count();
+		const uint64_t before = harness::allocation_count();
 		for (size_t datagram = taken.begin; datagram < taken.end; ++datagram) {
 			(void)receiver.accept(packets.bytes(datagram), packets.size(datagram), taken.time);
 		}
@@ -80,7 +80,7 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 		}
 		(void)receiver.take_answer(answer, taken.time);
 		if (taken.time > warm && taken.time <= over) {
-			run.counts.allocations += allocation_count() - before;
+			run.counts.allocations += harness::allocation_count() - before;
 			run.counts.packets += taken.end - taken.begin;
 		}
 	}

@@ -55,7 +55,7 @@ TEST_CASE("baseline: rates, bytes and the playback delay") {
 	}
 	const MethodResult paper = run_baseline(trace, named("paper_motor_float32_10hz"), {}, 1);
 	CHECK(paper.bytes_per_second == doctest::Approx(36.0 * 40.0 * 10.1));
-	LinkSettings slow;
+	harness::LinkSettings slow;
 	slow.delay = 0.02;
 	slow.jitter = 0.03;
 	CHECK(run_baseline(trace, named("pqs_float32_10hz"), slow, 1).delay_max == doctest::Approx(0.15).epsilon(1e-6));
@@ -85,13 +85,13 @@ TEST_CASE("baseline: float32 motors hold a pose to float32's precision") {
 
 TEST_CASE("baseline: a lost sample is missing and the path goes across") {
 	const Trace trace = line_trace(1, 2401, [](double time) { return 0.8 * time * time; });
-	LinkSettings lossy;
+	harness::LinkSettings lossy;
 	lossy.loss = 0.05;
 	const MethodResult result = run_baseline(trace, named("pqs_float32_10hz"), lossy, 3);
 	// Gaps of two intervals have four times the error; about 1 in 20 intervals is part of one.
 	CHECK(result.errors.figures().p50 < 0.8 * 0.01 / 4.0);
 	CHECK(result.errors.figures().p99 > 0.9 * 0.8 * 0.04 / 4.0);
-	LinkSettings all_lost;
+	harness::LinkSettings all_lost;
 	all_lost.loss = 1.0;
 	const MethodResult nothing = run_baseline(trace, named("pqs_float32_10hz"), all_lost, 3);
 	CHECK(nothing.unseen == 2401);

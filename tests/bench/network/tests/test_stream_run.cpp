@@ -26,7 +26,7 @@ std::string swinging(int bodies, double rate, double seconds, double hole = 0.0)
 	return text;
 }
 
-StreamResult run(const std::string &text, const LinkSettings &link = {}, uint64_t seed = 1) {
+StreamResult run(const std::string &text, const harness::LinkSettings &link = {}, uint64_t seed = 1) {
 	Trace trace;
 	REQUIRE(parse_trace(text, "trace", trace) == "");
 	const net::StreamSettings settings = stream_settings(trace, 0.005);
@@ -62,7 +62,7 @@ TEST_CASE("stream run: on a good link what is shown is within the tolerance, at 
 }
 
 TEST_CASE("stream run: the same seed gives the same run, another one another") {
-	LinkSettings lossy;
+	harness::LinkSettings lossy;
 	lossy.loss = 0.1;
 	lossy.jitter = 0.03;
 	lossy.delay = 0.02;
@@ -103,7 +103,7 @@ TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
 }
 
 TEST_CASE("stream run: a link that carries nothing shows nothing") {
-	LinkSettings dead;
+	harness::LinkSettings dead;
 	dead.loss = 1.0;
 	const StreamResult result = run(swinging(1, 60.0, 2.0), dead);
 	CHECK(result.method.unseen == 121);
