@@ -39,7 +39,7 @@ def expect_errors_within(run, client, cubes, share=MOVING_SHARE, bound=MOVING_BO
     """
     server, moving, _ = server_record(run, cubes)
     shown = PoseRecord(client.record_path, cubes)
-    shown.drop_until(shown.walls[0] + after if len(shown) else 0)
+    shown.drop_before(shown.walls[0] + after if len(shown) else 0)
     errors = compare_by_tick(server, moving, shown).moving
     expect(errors, f"{client.name} showed no moving cube")
     error = percentile(errors, share)
