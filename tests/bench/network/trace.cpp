@@ -189,7 +189,7 @@ std::string parse_trace(std::string_view text, const std::string &name, Trace &t
 		}
 	}
 	if (trace.frames.size() < 2) {
-		return name + ": " + (trace.frames.empty() ? "no samples" : "all samples have the same time") + "; expected lines of t,id,x,y,z,qw,qx,qy,qz";
+		return name + (trace.frames.empty() ? ": no samples" : ": all samples have the same time") + "; expected lines of t,id,x,y,z,qw,qx,qy,qz";
 	}
 	builder.sort_bodies();
 	return {};

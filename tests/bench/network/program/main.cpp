@@ -49,6 +49,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 	const SourceFeed feed(trace, settings.tick, DRAIN);
 	StreamResult first;
 	std::vector<MethodResult> runs;
+	runs.reserve(options.runs);
 	double ack_bytes = 0.0;
 	for (uint64_t run = 0; run < options.runs; ++run) {
 		StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed + run);
@@ -82,6 +83,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 
 void measure_baseline(const Options &options, const Trace &trace, const Baseline &baseline) {
 	std::vector<MethodResult> runs;
+	runs.reserve(options.runs);
 	for (uint64_t run = 0; run < options.runs; ++run) {
 		runs.push_back(run_baseline(trace, baseline, options.link, options.seed + run));
 	}
