@@ -1,7 +1,8 @@
 extends SceneTree
-## A client of the multiplayer demo that joins normally, then attacks the server with GA_GODOT_BAD_PACKETS per second:
-## random bytes with and without a valid envelope, the server's own packets truncated, damaged and sent back, motion of
-## bodies that it does not own, unexpected acknowledgements and close packets, oversized packets.
+## A client of the multiplayer demo that joins normally, then attacks the server with
+## GA_GODOT_BAD_PACKETS per second: random bytes with and without a valid envelope, the server's
+## packets truncated, damaged and sent back, motion of bodies that it does not own, unexpected
+## acknowledgements and close packets, oversized packets.
 ##
 ## Takes the arguments of the demo after `--`.
 
