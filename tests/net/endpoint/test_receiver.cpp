@@ -1,7 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
-#include "../allocation_counter.hpp"
-#include "../simulated_link.hpp"
+#include "../../harness/allocation_counter.hpp"
+#include "../simulated_session.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,9 +12,9 @@ TEST_CASE("receiver: over a good link every pose shown is within the tolerance")
 	for (const cga::Mode mode : { cga::Mode::SEPARATE, cga::Mode::LINEAR, cga::Mode::SCREW }) {
 		StreamSettings settings;
 		settings.mode = mode;
-		Session session(settings);
+		SimulatedSession session(settings);
 		add_smooth_bodies(session, 20);
-		RemoteEnd &end = session.add_receiver(1, Conditions());
+		RemoteEnd &end = session.add_receiver(1);
 		session.run(1.0);
 		double worst = 0.0;
 		session.run(5.0, [&] { worst = std::max(worst, session.error(end)); });
@@ -31,7 +31,7 @@ TEST_CASE("receiver: over a good link every pose shown is within the tolerance")
 TEST_CASE("receiver: whatever the network does, nothing runs backwards, and the end is the sender's poses") {
 	struct Row {
 		std::string name;
-		Conditions conditions;
+		LinkSettings link;
 	};
 	for (const Row &row : {
 				 Row{ "jitter", { 0.03, 0.1 } },
@@ -41,10 +41,10 @@ TEST_CASE("receiver: whatever the network does, nothing runs backwards, and the 
 				 Row{ "duplicates", { 0.01, 0.2, 0.0, 1.0 } },
 				 Row{ "outage", { 0.03, 0.0, 0.02, 0.0, 103.0, 104.0 } },
 		 }) {
-		Session session;
+		SimulatedSession session;
 		add_smooth_bodies(session, 12);
-		RemoteEnd &one = session.add_receiver(1, row.conditions);
-		RemoteEnd &other = session.add_receiver(2, Conditions());
+		RemoteEnd &one = session.add_receiver(1, row.link);
+		RemoteEnd &other = session.add_receiver(2);
 		session.run(8.0);
 		CAPTURE(row.name);
 		CHECK(one.ready_at > 0.0);
@@ -71,23 +71,23 @@ TEST_CASE("receiver: whatever the network does, nothing runs backwards, and the 
 
 TEST_CASE("receiver: the error is back under the bound 250 ms after the last lost packet") {
 	for (unsigned seed = 1; seed <= 5; ++seed) {
-		Session session;
+		SimulatedSession session;
 		add_smooth_bodies(session, 12);
 		RemoteEnd &end = session.add_receiver(seed, { 0.04, 0.03, 0.3, 0.05 });
 		session.run(10.0);
-		end.down.conditions.loss = end.up.conditions.loss = 0.0;
-		const double last_lost = std::max(end.down.last_lost, end.up.last_lost);
+		end.change_links([](LinkSettings &link) { link.loss = 0.0; });
+		const double last_loss = std::max(end.down.model().last_loss_time(), end.up.model().last_loss_time());
 		double back_at = session.now;
 		session.run(3.0, [&] { back_at = session.error(end) > 1.3 ? session.now : back_at; });
 		CAPTURE(seed);
-		CHECK(back_at - last_lost <= 0.25 + Session::TICK);
+		CHECK(back_at - last_loss <= 0.25 + SimulatedSession::TICK);
 		CHECK(end.steps_back == 0);
 	}
 }
 
 TEST_CASE("receiver: a teleport is at once, whatever the network does") {
 	for (const double loss : { 0.0, 0.2 }) {
-		Session session;
+		SimulatedSession session;
 		const double jump_time = 103.0;
 		session.add_body(1, [=](double t) {
 			PoseD pose;
@@ -101,7 +101,7 @@ TEST_CASE("receiver: a teleport is at once, whatever the network does") {
 		bool is_there = false;
 		session.run(2.0);
 		session.run(4.0, [&] {
-			if (session.now < jump_time - 1e-6 && session.now + Session::TICK >= jump_time - 1e-6) {
+			if (session.now < jump_time - 1e-6 && session.now + SimulatedSession::TICK >= jump_time - 1e-6) {
 				CHECK(session.sender->teleport(1));
 			}
 			PoseD pose;
@@ -123,7 +123,7 @@ TEST_CASE("receiver: a teleport is at once, whatever the network does") {
 }
 
 TEST_CASE("receiver: bodies appear and vanish, with events in order") {
-	Session session;
+	SimulatedSession session;
 	session.takes_events = false;
 	const Path rest = [](double) { return PoseD(); };
 	session.add_body(1, rest);
@@ -156,28 +156,28 @@ TEST_CASE("receiver: bodies appear and vanish, with events in order") {
 }
 
 TEST_CASE("receiver: memory stays flat for a minute at 30 % loss, and is given back") {
-	const size_t at_first = live_bytes();
+	const size_t at_first = harness::live_bytes();
 	{
-		Session session;
+		SimulatedSession session;
 		add_smooth_bodies(session, 10);
 		session.add_receiver(1, { 0.05, 0.1, 0.3, 0.1 });
 		session.run(30.0);
-		const size_t before = live_bytes();
+		const size_t before = harness::live_bytes();
 		size_t most = 0;
-		session.run(60.0, [&] { most = std::max(most, live_bytes()); });
+		session.run(60.0, [&] { most = std::max(most, harness::live_bytes()); });
 		CHECK(most < before + 200000);
 		CHECK(session.error(*session.ends[1]) < 1e6);
 	}
-	CHECK(live_bytes() <= at_first + 1000);
+	CHECK(harness::live_bytes() <= at_first + 1000);
 }
 
 TEST_CASE("receiver: random packets are refused or change nothing that matters, and memory is bounded") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 5);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
 	session.run(2.0);
 	cga_test::Random random(81);
-	const size_t before = live_bytes();
+	const size_t before = harness::live_bytes();
 	int refused = 0;
 	for (int i = 0; i < 20000; ++i) {
 		std::vector<uint8_t> packet(size_t(random.uniform(0.0, i % 10 == 0 ? 1400.0 : 60.0)));
@@ -195,16 +195,16 @@ TEST_CASE("receiver: random packets are refused or change nothing that matters, 
 	CHECK(refused > 5000);
 	CHECK(refused < 20000);
 	CHECK(end.receiver->statistics().packets_rejected == uint64_t(refused));
-	CHECK(live_bytes() < before + 4000000);
+	CHECK(harness::live_bytes() < before + 4000000);
 	// It finds back to the stream.
 	session.run(8.0);
 	CHECK(session.error(end) <= 1.3);
 }
 
 TEST_CASE("receiver: a stream of more bodies than are expected is refused") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 60);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
 	end.receiver = std::make_unique<Receiver>(50);
 	session.run(1.0);
 	CHECK_FALSE(end.receiver->is_ready());

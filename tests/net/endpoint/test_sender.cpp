@@ -1,6 +1,6 @@
 #include "net/endpoint/sender.hpp"
 
-#include "../simulated_link.hpp"
+#include "../simulated_session.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,10 +48,10 @@ TEST_CASE("sender: bodies, poses and receivers that cannot be are refused") {
 }
 
 TEST_CASE("sender: answers from strangers and random answers change nothing for others") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 5);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
-	session.add_receiver(2, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
+	session.add_receiver(2);
 	session.run(2.0);
 	const uint8_t wish = 0xc2;
 	CHECK(std::string(session.sender->accept(99, &wish, 1, session.now)) == "the answer comes from nobody that poses are sent to");
@@ -82,7 +82,7 @@ TEST_CASE("sender: answers from strangers and random answers change nothing for 
 TEST_CASE("sender: a late receiver sees everything within two round trips and a tick, at no cost to others") {
 	size_t bytes[2] = { 0, 0 };
 	for (const bool with_late : { false, true }) {
-		Session session;
+		SimulatedSession session;
 		session.keeps_bytes = true;
 		add_smooth_bodies(session, 40);
 		RemoteEnd &first = session.add_receiver(1, { 0.05 });
@@ -93,9 +93,9 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 		if (with_late) {
 			const double joined = session.now;
 			RemoteEnd &late = session.add_receiver(2, { 0.05 });
-			session.run(0.2 + Session::TICK, [&] { worst = std::max(worst, session.error(first)); });
+			session.run(0.2 + SimulatedSession::TICK, [&] { worst = std::max(worst, session.error(first)); });
 			CHECK(late.receiver->is_ready());
-			CHECK(late.ready_at - joined <= 0.2 + Session::TICK + 1e-6);
+			CHECK(late.ready_at - joined <= 0.2 + SimulatedSession::TICK + 1e-6);
 			std::vector<uint32_t> ids;
 			late.receiver->bodies(ids);
 			CHECK(ids.size() == 40);
@@ -105,7 +105,7 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 			CHECK(late.steps_back == 0);
 			CHECK(late.kinds.count(0xe0) == 1);
 		} else {
-			session.run(1.2 + Session::TICK);
+			session.run(1.2 + SimulatedSession::TICK);
 		}
 		CHECK(worst <= 1.3);
 		CHECK(first.kinds.count(0xe0) == 0); // no state for it
@@ -117,13 +117,15 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 }
 
 TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to nothing, until it is back") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 8);
-	RemoteEnd &quiet = session.add_receiver(1, Conditions());
-	RemoteEnd &other = session.add_receiver(2, Conditions());
+	RemoteEnd &quiet = session.add_receiver(1);
+	RemoteEnd &other = session.add_receiver(2);
 	session.run(3.0);
-	quiet.down.conditions.outage_from = quiet.up.conditions.outage_from = session.now;
-	quiet.down.conditions.outage_until = quiet.up.conditions.outage_until = session.now + 9.0;
+	quiet.change_links([&](LinkSettings &link) {
+		link.outage_begin = session.now;
+		link.outage_end = session.now + 9.0;
+	});
 	session.run(4.0);
 	const uint64_t before = session.sender->statistics(1).bytes_sent;
 	double worst = 0.0;
@@ -169,14 +171,14 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 				 Row{ "a new sender while a state arrives", 0.02, 0.5, never, never, never, 0.3 },
 				 Row{ "a new sender soon", never, never, never, never, never, 0.5 },
 		 }) {
-		Session session;
+		SimulatedSession session;
 		add_smooth_bodies(session, 30);
 		RemoteEnd &end = session.add_receiver(1, { 0.05, 0.02 });
 		const double start = session.now;
-		end.down.conditions.outage_from = start + row.down_from;
-		end.down.conditions.outage_until = start + row.down_until;
-		end.up.conditions.outage_from = start + row.up_from;
-		end.up.conditions.outage_until = start + row.up_until;
+		end.down.settings().outage_begin = start + row.down_from;
+		end.down.settings().outage_end = start + row.down_until;
+		end.up.settings().outage_begin = start + row.up_from;
+		end.up.settings().outage_end = start + row.up_until;
 		double fixed = start;
 		for (const double until : { row.down_until, row.up_until, row.new_receiver, row.new_sender }) {
 			fixed = until < never ? std::max(fixed, start + until) : fixed;
@@ -211,7 +213,7 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 }
 
 TEST_CASE("sender: settings may change while it runs") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 8);
 	RemoteEnd &end = session.add_receiver(1, { 0.03, 0.01 });
 	session.run(3.0);
@@ -242,11 +244,11 @@ TEST_CASE("sender: settings may change while it runs") {
 }
 
 TEST_CASE("sender: a still scene costs a few bytes a second") {
-	Session session;
+	SimulatedSession session;
 	for (uint32_t id = 0; id < 200; ++id) {
 		session.add_body(id, [id](double) { return at(double(id)); });
 	}
-	session.add_receiver(1, Conditions());
+	session.add_receiver(1);
 	session.run(3.0);
 	const ReceiverStatistics before = session.sender->statistics(1);
 	session.run(10.0);
@@ -258,9 +260,9 @@ TEST_CASE("sender: a still scene costs a few bytes a second") {
 }
 
 TEST_CASE("sender: an hour of sleep is no flood") {
-	Session session;
+	SimulatedSession session;
 	add_smooth_bodies(session, 3);
-	RemoteEnd &end = session.add_receiver(1, Conditions());
+	RemoteEnd &end = session.add_receiver(1);
 	session.run(2.0);
 	session.now += 3600.0;
 	const uint64_t before = session.sender->statistics(1).bytes_sent;
@@ -274,11 +276,11 @@ TEST_CASE("sender: an hour of sleep is no flood") {
 TEST_CASE("sender: long round trips, from the start or later, are measured, and nothing is sent twice for them") {
 	for (const double delay : { 0.01, 0.15, 0.3, 0.5 }) {
 		for (const bool from_start : { true, false }) {
-			Session session;
+			SimulatedSession session;
 			add_smooth_bodies(session, 8);
 			RemoteEnd &end = session.add_receiver(1, { from_start ? delay : 0.02 });
 			session.run(2.0);
-			end.down.conditions.delay = end.up.conditions.delay = delay;
+			end.change_links([&](LinkSettings &link) { link.delay = delay; });
 			session.run(6.0);
 			const ReceiverStatistics before = session.sender->statistics(1);
 			session.run(6.0);

@@ -1,6 +1,6 @@
 #include "net/stream/stream_decoder.hpp"
 
-#include "../allocation_counter.hpp"
+#include "../../harness/allocation_counter.hpp"
 #include "../stream_scene.hpp"
 
 #include <doctest/doctest.h>
@@ -209,7 +209,7 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	coder.bits(number, INDEX_BITS);
 	coder.finish();
 	StreamDecoder decoder(0.005f, 1.4f, 2000000);
-	const size_t before = live_bytes();
+	const size_t before = harness::live_bytes();
 	CHECK_FALSE(decoder.read_snapshot(liar.data(), liar.size()));
 	std::mt19937 random(4);
 	for (int i = 0; i < 300; ++i) {
@@ -219,7 +219,7 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 		}
 		(void)decode(decoder, bytes, uint8_t(i % 16), 0.0, motions);
 	}
-	CHECK(live_bytes() < before + 3000000);
+	CHECK(harness::live_bytes() < before + 3000000);
 }
 
 TEST_CASE("stream: encoder and decoder take no memory in steady state") {
@@ -236,7 +236,7 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 	size_t before = 0;
 	for (int window = 0; window < 60; ++window) {
 		if (window == 30) {
-			before = allocation_count();
+			before = harness::allocation_count();
 		}
 		for (int tick = 1; tick <= 12; ++tick) {
 			const double time = window * 12.0 + tick;
@@ -251,5 +251,5 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 			FAIL("the decoder lost the stream");
 		}
 	}
-	CHECK(allocation_count() == before);
+	CHECK(harness::allocation_count() == before);
 }

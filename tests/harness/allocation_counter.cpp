@@ -7,14 +7,14 @@
 
 namespace {
 
-size_t count = 0;
+uint64_t count = 0;
 size_t live = 0;
 
 } // namespace
 
-namespace net_test {
+namespace harness {
 
-size_t allocation_count() {
+uint64_t allocation_count() {
 	return count;
 }
 
@@ -22,8 +22,9 @@ size_t live_bytes() {
 	return live;
 }
 
-} // namespace net_test
+} // namespace harness
 
+// The standard library's array and nothrow forms call these.
 void *operator new(size_t size) {
 	void *memory = std::malloc(size == 0 ? 1 : size);
 	if (memory == nullptr) {

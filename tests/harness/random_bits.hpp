@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <random>
 
-namespace bench {
+namespace harness {
 
-/// Random numbers that are the same with every standard library: its distributions are not.
+/// Random numbers that are the same on every platform; the distributions of the standard library are not.
 class RandomBits {
 public:
 	explicit RandomBits(uint64_t seed) :
@@ -13,8 +13,8 @@ public:
 
 	/// Uniform in [0, 1).
 	double unit() { return double(_engine() >> 11) * 0x1p-53; }
-	/// Uniform in [least, most).
-	double between(double least, double most) { return least + (most - least) * unit(); }
+	/// Uniform in [min, max).
+	double between(double min, double max) { return min + (max - min) * unit(); }
 	/// True with this probability.
 	bool chance(double probability) { return unit() < probability; }
 
@@ -22,4 +22,4 @@ private:
 	std::mt19937_64 _engine;
 };
 
-} // namespace bench
+} // namespace harness

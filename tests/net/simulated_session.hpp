@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../harness/simulated_link.hpp"
 #include "motion_scenes.hpp"
 #include "net/endpoint/receiver.hpp"
 #include "net/endpoint/sender.hpp"
@@ -8,88 +9,45 @@
 
 #include <map>
 #include <memory>
-#include <queue>
 #include <set>
 
 namespace net_test {
 
-struct Conditions {
-	double delay = 0.03; // seconds, one way
-	double jitter = 0.0; // on top, evenly
-	double loss = 0.0;
-	double duplicates = 0.0;
-	double outage_from = 1e9; // nothing gets through between these times
-	double outage_until = 1e9;
-};
+using harness::LinkSettings;
+using harness::SimulatedLink;
 
-/// One direction of a network: packets get lost, late, doubled and out of order, from a seed.
-class SimulatedWire {
-public:
-	explicit SimulatedWire(unsigned seed) :
-			_random(seed) {}
-
-	void send(const uint8_t *bytes, size_t size, double now) {
-		if ((now >= conditions.outage_from && now < conditions.outage_until) || _random.uniform(0.0, 1.0) < conditions.loss) {
-			last_lost = now;
-			return;
-		}
-		const int copies = _random.uniform(0.0, 1.0) < conditions.duplicates ? 2 : 1;
-		for (int i = 0; i < copies; ++i) {
-			_flying.push({ now + conditions.delay + _random.uniform(0.0, conditions.jitter), _number++, std::vector<uint8_t>(bytes, bytes + size) });
-		}
-	}
-
-	template <class Take>
-	void deliver(double now, Take &&take) {
-		while (!_flying.empty() && _flying.top().arrival <= now + 1e-9) {
-			const Packet packet = _flying.top();
-			_flying.pop();
-			take(packet.bytes);
-		}
-	}
-
-	Conditions conditions;
-	double last_lost = -1e9;
-
-private:
-	struct Packet {
-		double arrival;
-		uint64_t number;
-		std::vector<uint8_t> bytes;
-		bool operator<(const Packet &other) const { return arrival != other.arrival ? arrival > other.arrival : number > other.number; }
-	};
-
-	std::priority_queue<Packet> _flying;
-	uint64_t _number = 0;
-	cga_test::Random _random;
-};
-
-/// A receiver at the other end of two wires, and what it has seen.
+/// A receiver, the links between it and the sender, and observations of both.
 struct RemoteEnd {
-	explicit RemoteEnd(unsigned seed, size_t max_bodies = 1000) :
-			receiver(std::make_unique<net::Receiver>(max_bodies)), down(seed), up(seed + 1000) {}
+	RemoteEnd(uint64_t seed, const LinkSettings &link, size_t max_bodies = 1000) :
+			receiver(std::make_unique<net::Receiver>(max_bodies)), down(link, seed), up(link, seed + 1000) {}
+
+	/// Changes both links.
+	template <class Change>
+	void change_links(Change &&change) {
+		change(down.settings());
+		change(up.settings());
+	}
 
 	std::unique_ptr<net::Receiver> receiver;
-	SimulatedWire down; // to the receiver
-	SimulatedWire up;
-	std::vector<uint8_t> bytes_sent; // all that went down
+	SimulatedLink down; // to the receiver
+	SimulatedLink up;
+	std::vector<uint8_t> bytes_sent; // to the receiver, if SimulatedSession::keeps_bytes
 	size_t largest_packet = 0;
-	std::set<uint8_t> kinds; // first bytes of all packets, without those of chunks
+	std::set<uint8_t> kinds; // first bytes of packets other than chunks
 	double ready_at = -1.0;
 	double media_time = -1e9;
 	int steps_back = 0;
 	int not_finite = 0;
 };
 
-/// A sender that plays paths at 60 Hz to any number of receivers.
-class Session {
+/// A sender that replicates moving bodies at 60 Hz to any number of receivers, in virtual time.
+class SimulatedSession {
 public:
-	explicit Session(const net::StreamSettings &settings = {}) :
+	explicit SimulatedSession(const net::StreamSettings &settings = {}) :
 			sender(std::make_unique<net::Sender>(settings)) {}
 
 	struct Body {
 		Path path;
-		bool is_there = true;
 	};
 
 	void add_body(uint32_t id, const Path &path) {
@@ -97,15 +55,15 @@ public:
 		CHECK(sender->add_body(id, path(now)));
 	}
 
-	RemoteEnd &add_receiver(uint32_t id, const Conditions &conditions) {
+	/// The same link each way; by default 30 ms of delay.
+	RemoteEnd &add_receiver(uint32_t id, const LinkSettings &link = { 0.03 }) {
 		auto &end = ends[id];
-		end = std::make_unique<RemoteEnd>(id * 17 + 5);
-		end->down.conditions = end->up.conditions = conditions;
+		end = std::make_unique<RemoteEnd>(id * 17 + 5, link);
 		sender->add_receiver(id, now);
 		return *end;
 	}
 
-	/// One tick: the sender observes and sends, wires deliver, receivers take in, show and answer.
+	/// One tick: the sender observes the bodies and sends, the receivers play and acknowledge.
 	void step() {
 		now += TICK;
 		for (const auto &body : bodies) {
@@ -120,7 +78,7 @@ public:
 			if (bytes[0] >= 0xc0) {
 				end.kinds.insert(bytes[0]);
 			}
-			end.down.send(bytes, packet.size, now);
+			end.down.send(now, bytes, packet.size);
 		}
 		for (auto &entry : ends) {
 			step_end(entry.first, *entry.second);
@@ -138,7 +96,7 @@ public:
 		run(seconds, [] {});
 	}
 
-	/// The largest error of what is shown now, of all bodies, in shares of the tolerance; a body that is not shown counts 1e9.
+	/// The largest error of the bodies as the receiver shows them now, relative to the tolerance; 1e9 if one is not shown.
 	[[nodiscard]] double error(const RemoteEnd &end) const {
 		const net::StreamSettings &settings = end.receiver->settings();
 		const net::StreamGrid grid(float(settings.position_tolerance), float(settings.rotation_tolerance));
@@ -156,7 +114,7 @@ public:
 	std::map<uint32_t, Body> bodies;
 	std::map<uint32_t, std::unique_ptr<RemoteEnd>> ends;
 	double now = 100.0;
-	double origin = 100.0; // of the sender's media time: when it first heard of anything
+	double origin = 100.0; // the time of the sender's first observation, where its media time is 0
 	bool keeps_bytes = false;
 	bool takes_events = true;
 	int answers_rejected = 0;
@@ -164,14 +122,18 @@ public:
 
 private:
 	void step_end(uint32_t id, RemoteEnd &end) {
-		// Its own clock shows another time.
-		const double there = now + 5000.0;
-		end.down.deliver(now, [&](const std::vector<uint8_t> &packet) { packets_rejected += end.receiver->accept(packet.data(), packet.size(), there) != nullptr; });
-		std::vector<uint8_t> answer;
-		if (end.receiver->take_ack(answer, there)) {
-			end.up.send(answer.data(), answer.size(), now);
+		// The receiver's clock is not the sender's.
+		const double receiver_now = now + 5000.0;
+		// Sums of ticks are rounded: what arrives at this tick may be due a little later.
+		const double due = now + 1e-9;
+		while (const std::optional<harness::Delivery> packet = end.down.receive(due)) {
+			packets_rejected += end.receiver->accept(packet->bytes.data(), packet->bytes.size(), receiver_now) != nullptr;
 		}
-		end.receiver->advance(there);
+		std::vector<uint8_t> answer;
+		if (end.receiver->take_ack(answer, receiver_now)) {
+			end.up.send(now, answer.data(), answer.size());
+		}
+		end.receiver->advance(receiver_now);
 		if (takes_events) {
 			std::vector<net::BodyEvent> events;
 			end.receiver->take_events(events);
@@ -185,12 +147,14 @@ private:
 			PoseD pose;
 			end.not_finite += end.receiver->pose(body.first, pose) && !cga_test::is_finite(pose) ? 1 : 0;
 		}
-		end.up.deliver(now, [&](const std::vector<uint8_t> &packet) { answers_rejected += sender->accept(id, packet.data(), packet.size(), now) != nullptr; });
+		while (const std::optional<harness::Delivery> received = end.up.receive(due)) {
+			answers_rejected += sender->accept(id, received->bytes.data(), received->bytes.size(), now) != nullptr;
+		}
 	}
 };
 
-/// Bodies that move smoothly, so that the error bound holds at all times, between ticks too.
-inline void add_smooth_bodies(Session &session, uint32_t count) {
+/// Adds bodies that move smoothly, so that the error bound holds between ticks too.
+inline void add_smooth_bodies(SimulatedSession &session, uint32_t count) {
 	std::vector<Motion> smooth;
 	for (const Motion &motion : motions(Vector3D(0.0))) {
 		if (!motion.has_kinks && motion.name != "rest" && motion.name != "line" && motion.name != "parabola" && motion.name != "large" && motion.name != "growth") {
