@@ -8,8 +8,6 @@
 
 namespace ga_godot {
 
-using cga::MatrixFault;
-
 static float narrow(double p_value) {
 	constexpr double LIMIT = std::numeric_limits<float>::max();
 	return float(std::clamp(p_value, -LIMIT, LIMIT));
@@ -77,31 +75,24 @@ static glm::dmat3 to_glm(const godot::Basis &p_basis) {
 	return linear;
 }
 
-static const char *describe(MatrixFault p_fault) {
-	switch (p_fault) {
-		case MatrixFault::NOT_FINITE:
-			return "has a value that is not finite (NaN or infinity); check where it was computed";
-		case MatrixFault::NO_SIZE:
-			return "has scale zero along an axis; a motor needs a positive scale";
-		case MatrixFault::MIRRORED:
-			return "is mirrored (negative scale), which no motor can express; mirror a child node instead";
-		case MatrixFault::NOT_UNIFORM:
-			return "is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead";
-		case MatrixFault::NONE:
-			break;
+// Stores the pose, or returns the reason why there is none.
+static const char *take(const cga::Result<cga::Pose<double>, cga::MatrixError> &p_result, cga::Pose<double> &r_pose) {
+	if (!p_result) {
+		return cga::describe(p_result.error());
 	}
+	r_pose = *p_result;
 	return nullptr;
 }
 
 const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose) {
-	return describe(cga::matrix_to_pose(to_glm(p_transform.basis), to_glm(p_transform.origin), r_pose));
+	return take(cga::matrix_to_pose(to_glm(p_transform.basis), to_glm(p_transform.origin)), r_pose);
 }
 
 const char *nearest_pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose, bool &r_is_uniform) {
 	const glm::dmat3 linear = to_glm(p_transform.basis);
-	const MatrixFault fault = cga::matrix_to_pose(linear, to_glm(p_transform.origin), r_pose);
-	r_is_uniform = fault != MatrixFault::NOT_UNIFORM;
-	return describe(r_is_uniform ? fault : cga::matrix_to_nearest_pose(linear, to_glm(p_transform.origin), r_pose));
+	const cga::Result<cga::Pose<double>, cga::MatrixError> exact = cga::matrix_to_pose(linear, to_glm(p_transform.origin));
+	r_is_uniform = exact || exact.error() != cga::MatrixError::NON_UNIFORM;
+	return take(r_is_uniform ? exact : cga::matrix_to_nearest_pose(linear, to_glm(p_transform.origin)), r_pose);
 }
 
 bool is_mode(int64_t p_mode) {

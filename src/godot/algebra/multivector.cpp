@@ -47,8 +47,8 @@ PackedFloat64Array Multivector::get_coefficients() const {
 	return coefficients;
 }
 
-Multivector::Handle Multivector::make(const cga::Result<cga::Multivector> &p_result, const char *p_method) {
-	ERR_FAIL_COND_V_MSG(!p_result, Handle(), vformat("Multivector.%s: %s.", p_method, p_result.error()));
+Multivector::Handle Multivector::make(const cga::MultivectorResult &p_result, const char *p_method) {
+	ERR_FAIL_COND_V_MSG(!p_result, Handle(), vformat("Multivector.%s: %s.", p_method, cga::describe(p_result.error())));
 	return make(*p_result);
 }
 

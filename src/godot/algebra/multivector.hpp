@@ -118,10 +118,10 @@ protected:
 private:
 	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
 	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_method) const;
-	using BinaryFunction = cga::Result<cga::Multivector> (*)(const cga::Multivector &, const cga::Multivector &);
+	using BinaryFunction = cga::MultivectorResult (*)(const cga::Multivector &, const cga::Multivector &);
 	Handle binary(BinaryFunction p_function, const Handle &p_other, const char *p_method) const;
 	// The value, or null and the reason why there is none, as an error of that method.
-	static Handle make(const cga::Result<cga::Multivector> &p_result, const char *p_method);
+	static Handle make(const cga::MultivectorResult &p_result, const char *p_method);
 
 	cga::Multivector _value;
 	uint64_t _revision = 0;
