@@ -51,7 +51,7 @@ Multivector::Handle Multivector::evaluate(const String &p_expression, const Dict
 		ERR_FAIL_COND_V_MSG(!value_of_variable(variable, value), Handle(), vformat("Multivector.evaluate: the variable \"%s\" must be a Multivector, a number or a Vector3, not %s.", name, Variant::get_type_name(variable.get_type())));
 		variables.insert_or_assign(to_utf8(name), value);
 	}
-	const cga::TextResult<Multivector> value = playground::evaluate(to_utf8(p_expression), variables);
+	const cga::TextResult<cga::Multivector> value = playground::evaluate(to_utf8(p_expression), variables);
 	ERR_FAIL_COND_V_MSG(!value, Handle(), vformat("Multivector.evaluate: %s.", ga_godot::to_godot(value.error().describe())));
 	return make(*value);
 }

@@ -27,7 +27,7 @@ String Multivector::to_json() const {
 }
 
 Multivector::Handle Multivector::from_json(const String &p_text) {
-	const cga::TextResult<Multivector> value = cga::from_json(to_utf8(p_text));
+	const cga::TextResult<cga::Multivector> value = cga::from_json(to_utf8(p_text));
 	ERR_FAIL_COND_V_MSG(!value, Handle(), vformat("Multivector.from_json: %s.", ga_godot::to_godot(value.error().describe())));
 	return make(*value);
 }
