@@ -8,19 +8,13 @@ const INVALID_EXPRESSIONS: Dictionary[String, String] = {
 	"foo(1)": "column 1: unknown function 'foo'",
 	"1/0": "column 2: division by zero",
 	"e1 $ e2": "column 4: expected a number, a name or an operator, found '$'",
-	"(1": "column 3: expected ')' or an operator, found the end; the '(' at column 1 is still open",
+	"(1": "column 3: expected ')' or an operator, found the end; the '(' at column 1 is not closed",
 	"log(e1)":
-	(
-		"column 1: log: An odd versor (a reflection, an inversion) has no logarithm: "
-		+ "no continuous motion reaches it"
-	),
-	"1e400": "column 1: expected a number up to 1.8e308; this one is too large",
+	"column 1: log: an odd versor (a reflection or inversion) has no logarithm: no continuous motion reaches it",
+	"1e400": "column 1: the number is too large; at most 1.8e308 is accepted",
 }
 
-const TOO_DEEP := (
-	"expected a simpler expression; more than 256 operators and brackets inside "
-	+ "each other here"
-)
+const TOO_DEEP := "the expression is nested too deeply; at most 256 levels are accepted"
 
 
 func test_operators() -> void:
@@ -143,10 +137,7 @@ func test_invalid_variables() -> void:
 	expect_error("Multivector.evaluate: variable names must be strings, not int.")
 	expect_null(Multivector.evaluate("1", {1: 2}))
 	expect_error(
-		(
-			"Multivector.evaluate: column 1: a variable has a wrong name: 'e1' has a fixed "
-			+ "value; choose another name."
-		)
+		"Multivector.evaluate: column 1: invalid variable name: 'e1' is a constant; choose another name."
 	)
 	expect_null(Multivector.evaluate("1", {"e1": 2}))
 
@@ -157,7 +148,7 @@ func test_hostile_expressions_are_errors() -> void:
 		"-".repeat(2000) + "1": "column 257: %s" % TOO_DEEP,
 		"exp(".repeat(2000): "column 1028: %s" % TOO_DEEP,
 		"1+".repeat(9000) + "1":
-		"column 16385: expected the end; an expression has at most 16384 bytes",
+		"column 16385: the expression is too long; at most 16384 bytes are accepted",
 	}
 	for expression in hostile:
 		expect_error("Multivector.evaluate: %s." % hostile[expression])

@@ -1,18 +1,13 @@
 extends "res://tests/framework/test_case.gd"
 ## Geometric objects: constructors and their errors, and classify() in both conventions.
 
-const NOT_FINITE := "A coordinate is not finite; give finite numbers"
-const COINCIDENT := "Two of the points coincide; give different points"
-const NO_DIRECTION := "The direction or normal is zero; give a vector with a length"
-const NO_NORMAL := "The direction or normal is zero; give a vector with a length"
-const NO_RADIUS := "The radius is not a positive number; give one above zero"
-const COLLINEAR := (
-	"The points are on one line, which many planes hold; give three that make a " + "triangle"
-)
-const CONCYCLIC := (
-	"The points are on one circle or line, which many spheres hold; give four that "
-	+ "do not share one"
-)
+const NOT_FINITE := "a coefficient or coordinate is not finite; pass finite numbers"
+const COINCIDENT := "two of the points coincide; pass distinct points"
+const NO_DIRECTION := "the direction or normal is zero; pass a vector of any other length"
+const NO_NORMAL := "the direction or normal is zero; pass a vector of any other length"
+const NO_RADIUS := "the radius must be a finite number above zero"
+const COLLINEAR := "the points are collinear, so they define no single plane; pass the corners of a triangle"
+const CONCYCLIC := "the points lie on one circle or line, so they define no single sphere; pass four that do not"
 
 const LENGTHS := [0.001, 1.0, 1000.0]
 

@@ -8,8 +8,6 @@
 
 namespace ga_godot {
 
-using cga::MatrixFault;
-
 static float narrow(double value) {
 	constexpr double LIMIT = std::numeric_limits<float>::max();
 	return float(std::clamp(value, -LIMIT, LIMIT));
@@ -77,31 +75,12 @@ static glm::dmat3 to_glm(const godot::Basis &basis) {
 	return linear;
 }
 
-static const char *describe(MatrixFault fault) {
-	switch (fault) {
-		case MatrixFault::NOT_FINITE:
-			return "has a value that is not finite (NaN or infinity); check where it was computed";
-		case MatrixFault::NO_SIZE:
-			return "has zero scale along an axis; a motor needs a positive scale";
-		case MatrixFault::MIRRORED:
-			return "is mirrored (negative scale), which a motor cannot represent; mirror a child node instead";
-		case MatrixFault::NOT_UNIFORM:
-			return "has non-uniform scale or shear; a motor has one uniform scale, so scale a child node instead";
-		case MatrixFault::NONE:
-			break;
-	}
-	return nullptr;
+PoseResult pose_from_transform(const godot::Transform3D &transform) {
+	return cga::matrix_to_pose(to_glm(transform.basis), to_glm(transform.origin));
 }
 
-const char *pose_from_transform(const godot::Transform3D &transform, cga::Pose<double> &pose) {
-	return describe(cga::matrix_to_pose(to_glm(transform.basis), to_glm(transform.origin), pose));
-}
-
-const char *nearest_pose_from_transform(const godot::Transform3D &transform, cga::Pose<double> &pose, bool &is_uniform) {
-	const glm::dmat3 linear = to_glm(transform.basis);
-	const MatrixFault fault = cga::matrix_to_pose(linear, to_glm(transform.origin), pose);
-	is_uniform = fault != MatrixFault::NOT_UNIFORM;
-	return describe(is_uniform ? fault : cga::matrix_to_nearest_pose(linear, to_glm(transform.origin), pose));
+PoseResult nearest_pose_from_transform(const godot::Transform3D &transform) {
+	return cga::matrix_to_nearest_pose(to_glm(transform.basis), to_glm(transform.origin));
 }
 
 bool is_mode(int64_t mode) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "cga/motor/matrix_pose.hpp"
 #include "cga/motor/pose.hpp"
 
 #include <godot_cpp/variant/quaternion.hpp>
@@ -32,12 +33,12 @@ godot::String to_godot(const std::string &text);
 bool is_finite(const godot::Vector3 &vector);
 bool is_finite(const godot::Quaternion &quaternion);
 
-/// Sets `pose` from a transform with a uniform positive scale and returns null. For any other transform, leaves `pose`
-/// unchanged and returns what is wrong with it and what to do, as the predicate of a sentence: "is mirrored ...".
-const char *pose_from_transform(const godot::Transform3D &transform, cga::Pose<double> &pose);
+using PoseResult = cga::Result<cga::Pose<double>, cga::MatrixError>;
 
-/// Also accepts a non-uniform scale or shear: it sets `pose` to the nearest pose and `is_uniform` to false.
-const char *nearest_pose_from_transform(const godot::Transform3D &transform, cga::Pose<double> &pose, bool &is_uniform);
+/// The pose of a transform with a uniform, positive scale.
+PoseResult pose_from_transform(const godot::Transform3D &transform);
+/// The nearest pose to a transform, whose scale may be non-uniform.
+PoseResult nearest_pose_from_transform(const godot::Transform3D &transform);
 
 /// Whether a number passed by a script is a value of cga::Mode.
 bool is_mode(int64_t mode);

@@ -67,8 +67,8 @@ PackedFloat64Array Multivector::get_coefficients() const {
 	return coefficients;
 }
 
-Multivector::Handle Multivector::make(const cga::Result<cga::Multivector> &result, const char *method) {
-	ERR_FAIL_COND_V_MSG(!result, Handle(), vformat("Multivector.%s: %s.", method, result.error()));
+Multivector::Handle Multivector::make(const cga::MultivectorResult &result, const char *method) {
+	ERR_FAIL_COND_V_MSG(!result, Handle(), vformat("Multivector.%s: %s.", method, cga::describe(result.error())));
 	return make(*result);
 }
 

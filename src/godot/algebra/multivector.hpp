@@ -1,8 +1,8 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
 #include "cga/motor/pose.hpp"
-#include "cga/result.hpp"
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -119,10 +119,10 @@ protected:
 private:
 	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
 	Handle binary(BinaryOperation operation, const Handle &right, const char *method) const;
-	using BinaryFunction = cga::Result<cga::Multivector> (*)(const cga::Multivector &, const cga::Multivector &);
+	using BinaryFunction = cga::MultivectorResult (*)(const cga::Multivector &, const cga::Multivector &);
 	Handle binary(BinaryFunction function, const Handle &other, const char *method) const;
 	// The value, or null and an error that names the method and the reason.
-	static Handle make(const cga::Result<cga::Multivector> &result, const char *method);
+	static Handle make(const cga::MultivectorResult &result, const char *method);
 
 	cga::Multivector _value;
 	uint64_t _revision = 0;

@@ -75,10 +75,9 @@ Multivector::Handle Multivector::dilator(double scale) {
 }
 
 Multivector::Handle Multivector::motor(const Transform3D &transform) {
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(transform, pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, Handle(), vformat("Multivector.motor: the transform %s.", fault));
-	return make(cga::to_multivector(cga::Motor<double>::from_pose(pose)));
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_V_MSG(!pose, Handle(), vformat("Multivector.motor: the transform %s.", cga::describe(pose.error())));
+	return make(cga::to_multivector(cga::Motor<double>::from_pose(*pose)));
 }
 
 Multivector::Handle Multivector::motor_from(const Vector3 &translation, const Quaternion &rotation, double scale) {

@@ -46,10 +46,9 @@ void MotorPool::set_end(End end, const char *method, int64_t index, const Transf
 		report_invalid_index(method, index);
 		return;
 	}
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(transform, pose);
-	ERR_FAIL_COND_MSG(fault != nullptr, vformat("MotorPool.%s: the transform for index %d %s.", method, index, fault));
-	put_end(end, slot->row, cga::pose_cast<float>(pose));
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_MSG(!pose, vformat("MotorPool.%s: the transform for index %d %s.", method, index, cga::describe(pose.error())));
+	put_end(end, slot->row, cga::pose_cast<float>(*pose));
 }
 
 // read(row) returns the transform of a row. Checks all transforms first, so that an error changes no pose.
@@ -65,21 +64,20 @@ void MotorPool::put_end_all(End end, const char *method, const char *elements, i
 	std::atomic<uint32_t> first_invalid = NONE;
 	RowSplit::run(uint32_t(count), MIN_SHARED, [&](uint32_t first, uint32_t rows) {
 		for (uint32_t row = first; row < first + rows; row++) {
-			cga::Pose<double> pose;
-			if (pose_from_transform(read(row), pose) != nullptr) {
+			const PoseResult pose = pose_from_transform(read(row));
+			if (!pose) {
 				uint32_t known = first_invalid.load();
 				while (row < known && !first_invalid.compare_exchange_weak(known, row)) {
 				}
 				return;
 			}
-			poses[row] = cga::pose_cast<float>(pose);
+			poses[row] = cga::pose_cast<float>(*pose);
 		}
 	});
 	const uint32_t invalid = first_invalid.load();
 	if (invalid != NONE) {
-		cga::Pose<double> pose;
-		const char *fault = pose_from_transform(read(invalid), pose);
-		ERR_FAIL_MSG(vformat("MotorPool.%s: the transform at index %d %s. No pose was changed.", method, int64_t(invalid), fault));
+		const cga::MatrixError error = pose_from_transform(read(invalid)).error();
+		ERR_FAIL_MSG(vformat("MotorPool.%s: the transform at index %d %s. No pose was changed.", method, int64_t(invalid), cga::describe(error)));
 	}
 	RowSplit::run(uint32_t(count), MIN_SHARED, [&](uint32_t first, uint32_t rows) {
 		for (uint32_t row = first; row < first + rows; row++) {

@@ -46,14 +46,13 @@ Ref<Multivector> MultivectorLerp::interpolate(const Ref<Multivector> &from, cons
 }
 
 Transform3D MultivectorLerp::interpolate_transform(const Transform3D &from, const Transform3D &to, double weight, Mode mode) {
-	cga::Pose<double> from_pose, to_pose;
-	const char *fault = pose_from_transform(from, from_pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, from, vformat("MultivectorLerp.interpolate_transform: from %s.", fault));
-	fault = pose_from_transform(to, to_pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, from, vformat("MultivectorLerp.interpolate_transform: to %s.", fault));
+	const PoseResult from_pose = pose_from_transform(from);
+	const PoseResult to_pose = pose_from_transform(to);
+	ERR_FAIL_COND_V_MSG(!from_pose, from, vformat("MultivectorLerp.interpolate_transform: from %s.", cga::describe(from_pose.error())));
+	ERR_FAIL_COND_V_MSG(!to_pose, from, vformat("MultivectorLerp.interpolate_transform: to %s.", cga::describe(to_pose.error())));
 	ERR_FAIL_COND_V_MSG(!std::isfinite(weight), from, "MultivectorLerp.interpolate_transform: the weight is not finite.");
 	ERR_FAIL_COND_V_MSG(!is_mode(mode), from, vformat(INVALID_MODE, int64_t(mode)));
-	return to_godot(cga::interpolate(from_pose, to_pose, weight, cga::Mode(mode)));
+	return to_godot(cga::interpolate(*from_pose, *to_pose, weight, cga::Mode(mode)));
 }
 
 Dictionary MultivectorLerp::measure_deviation(const Ref<Multivector> &from, const Ref<Multivector> &to, Mode first, Mode second, double lever_arm) {
@@ -177,7 +176,9 @@ bool MultivectorLerp::update_end(End &end, const char *name) {
 			return !end.faulty;
 		}
 		end.transform = transform;
-		fault = pose_from_transform(transform, end.pose);
+		const PoseResult pose = pose_from_transform(transform);
+		fault = pose ? nullptr : cga::describe(pose.error());
+		end.pose = pose ? *pose : end.pose;
 	}
 	end.known = true;
 	_stale = true;

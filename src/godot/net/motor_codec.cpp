@@ -46,10 +46,9 @@ PackedByteArray MotorCodec::encode(const PackedInt32Array &ids, const TypedArray
 	for (int64_t i = 0; i < count; i++) {
 		const int32_t id = ids[i];
 		ERR_FAIL_COND_V_MSG(id < 0, PackedByteArray(), vformat("MotorCodec.encode: id %d at index %d is negative.", id, i));
-		cga::Pose<double> pose;
-		const char *fault = pose_from_transform(transforms[i], pose);
-		ERR_FAIL_COND_V_MSG(fault != nullptr, PackedByteArray(), vformat("MotorCodec.encode: the transform at index %d (id %d) %s.", i, id, fault));
-		_bodies[size_t(i)] = { uint32_t(id), cga::pose_cast<float>(pose) };
+		const PoseResult pose = pose_from_transform(transforms[i]);
+		ERR_FAIL_COND_V_MSG(!pose, PackedByteArray(), vformat("MotorCodec.encode: the transform at index %d (id %d) %s.", i, id, cga::describe(pose.error())));
+		_bodies[size_t(i)] = { uint32_t(id), cga::pose_cast<float>(*pose) };
 	}
 	const net::CodecResult encoded = net::encode(_bodies.data(), _bodies.size(), _tolerance, _packet);
 	ERR_FAIL_COND_V_MSG(!encoded, PackedByteArray(), vformat("MotorCodec.encode: %s (index %d).", net::describe(encoded.error().fault), int64_t(encoded.error().index)));

@@ -40,10 +40,9 @@ void MotorSender::settings_changed() {
 bool MotorSender::add_body(int64_t id, const Transform3D &transform) {
 	ERR_FAIL_COND_V_MSG(!is_body(id), false, vformat("MotorSender.add_body: id is %d, but has to be 0 to 2147483647.", id));
 	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(id)), false, vformat("MotorSender.add_body: body %d exists already.", id));
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(transform, pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.add_body: the transform of body %d %s.", id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(id), pose), false, vformat("MotorSender.add_body: the transform of body %d is out of range: too far from the origin, or its scale is too small or too large.", id));
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.add_body: the transform of body %d %s.", id, cga::describe(pose.error())));
+	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(id), *pose), false, vformat("MotorSender.add_body: the transform of body %d is out of range: too far from the origin, or its scale is too small or too large.", id));
 	return true;
 }
 
@@ -62,10 +61,9 @@ int64_t MotorSender::get_body_count() const {
 bool MotorSender::observe(int64_t id, double time, const Transform3D &transform) {
 	ERR_FAIL_COND_V_MSG(!has_body(id), false, vformat("MotorSender.observe: body %d does not exist; call add_body() first.", id));
 	ERR_FAIL_COND_V_MSG(!std::isfinite(time), false, "MotorSender.observe: the time is not finite.");
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(transform, pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.observe: the transform of body %d %s.", id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(id), time, pose), false, vformat("MotorSender.observe: the transform of body %d at %f s is out of range: too far from the origin, or its scale is too small or too large.", id, time));
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.observe: the transform of body %d %s.", id, cga::describe(pose.error())));
+	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(id), time, *pose), false, vformat("MotorSender.observe: the transform of body %d at %f s is out of range: too far from the origin, or its scale is too small or too large.", id, time));
 	return true;
 }
 

@@ -23,10 +23,13 @@ Node3D *find_node(uint64_t id) {
 std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform, const String &synchronizer) {
 	_transform = transform;
 	_is_sampled = true;
-	cga::Pose<double> pose;
-	bool is_uniform = true;
-	if (const char *fault = nearest_pose_from_transform(transform, pose, is_uniform)) {
-		report(synchronizer, fault);
+	PoseResult pose = pose_from_transform(transform);
+	const bool is_uniform = pose || pose.error() != cga::MatrixError::NON_UNIFORM;
+	if (!is_uniform) {
+		pose = nearest_pose_from_transform(transform);
+	}
+	if (!pose) {
+		report(synchronizer, cga::describe(pose.error()));
 		return std::nullopt;
 	}
 	if (!is_uniform && !_is_non_uniform) {
@@ -34,7 +37,7 @@ std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform,
 		WARN_PRINT(vformat("MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see the nearest uniform scale. Scale a child node instead.", synchronizer, find_node(node)->get_path()));
 	}
 	_is_faulty = false;
-	return pose;
+	return *pose;
 }
 
 void Target::report_out_of_range(const String &synchronizer) {
