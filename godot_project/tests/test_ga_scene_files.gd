@@ -102,7 +102,7 @@ func test_a_text_that_is_no_scene_changes_nothing() -> void:
 func test_multivectors_of_ganja_are_pasted() -> void:
 	var array := Multivector.sphere(Vector3.RIGHT, 2.0).to_json()
 	expect_equal(_scene.load_json(array), OK, "loading an array")
-	expect_equal(_scene.get_description("x1"), "sphere, radius 2, centre (1, 0, 0)", "description")
+	expect_equal(_scene.get_description("x1"), "sphere, radius 2, center (1, 0, 0)", "description")
 	expect_equal(_scene.add_entry("pasted", array), OK, "pasting an array")
 	expect_equal(
 		_scene.get_value("pasted").coefficients, _scene.get_value("x1").coefficients, "coefficients"

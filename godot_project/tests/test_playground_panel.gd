@@ -21,7 +21,7 @@ func test_an_expression_is_typed() -> void:
 	Hands.type(_window(), ")")
 	Hands.press_key(_window(), KEY_ENTER)
 	expect_equal(_names(), ["s"], "entries")
-	expect_equal(_scene().get_description("s"), "sphere, radius 2, centre (1, 0, 0)", "description")
+	expect_equal(_scene().get_description("s"), "sphere, radius 2, center (1, 0, 0)", "description")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_names(), [], "entries after undo, with the line still having the focus")
 

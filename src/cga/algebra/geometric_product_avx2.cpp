@@ -68,7 +68,7 @@ CGA_ALWAYS_INLINE void add_pair(__m256d &sum, __m256d a, __m256d other_a, const 
 	constexpr int SIGN = chunk_sign(LEFT, CHUNK), OTHER_SIGN = chunk_sign(OTHER, CHUNK);
 	const __m256d term = _mm256_mul_pd(a, b[LEFT % 4][CHUNK ^ (LEFT / 4)]);
 	const __m256d other_term = _mm256_mul_pd(other_a, b[OTHER % 4][CHUNK ^ (OTHER / 4)]);
-	sum = add_or_subtract<(SIGN > 0)>(sum, add_or_subtract<SIGN == OTHER_SIGN>(term, other_term));
+	sum = add_or_subtract<(SIGN > 0)>(sum, add_or_subtract < SIGN == OTHER_SIGN > (term, other_term));
 }
 
 template <size_t LEFT, size_t... CHUNK>

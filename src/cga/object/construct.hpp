@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cga/motor/versor.hpp"
+#include "cga/algebra/null_basis.hpp"
 #include "cga/result.hpp"
 
 // Objects by parameters and through points, in OPNS: X holds the points p with point(p) ^ X = 0. (point(p) is in

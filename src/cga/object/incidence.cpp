@@ -192,7 +192,7 @@ struct Factors {
 // What `image` makes of the factors, which has the grade of the first. What a versor makes of a point or tangent is one.
 template <class Image>
 Result<Multivector> image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::image);
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::IMAGE);
 	if (!blades) {
 		return blades.failure();
 	}
@@ -211,7 +211,7 @@ Result<Multivector> image_of(const Multivector &a, const Multivector &b, bool by
 } // namespace
 
 Result<Multivector> meet(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
 		return blades.failure();
 	}
@@ -221,7 +221,7 @@ Result<Multivector> meet(const Multivector &a, const Multivector &b) {
 }
 
 Result<Multivector> join(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
+	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
 		return blades.failure();
 	}

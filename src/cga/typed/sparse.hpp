@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cga/algebra/null_coefficients.hpp"
 #include "cga/platform/compiler.hpp"
 #include "cga/typed/kernel.hpp"
 

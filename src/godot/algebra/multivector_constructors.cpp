@@ -1,8 +1,8 @@
 #include "godot/algebra/multivector.hpp"
 
 #include "cga/algebra/blade.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "godot/algebra/conversions.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>

@@ -18,8 +18,8 @@ std::string description(const char *text, bool ipns = false) {
 } // namespace
 
 TEST_CASE("entries in one line") {
-	CHECK(description("circle(e2, e3, 1.5)") == "circle, radius 1.5, centre (0, 1, 0), normal (0, 0, 1)");
-	CHECK(description("!sphere(e1, 2)", true) == "dual sphere, radius 2, centre (1, 0, 0)");
+	CHECK(description("circle(e2, e3, 1.5)") == "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)");
+	CHECK(description("!sphere(e1, 2)", true) == "dual sphere, radius 2, center (1, 0, 0)");
 	CHECK(description("2.5") == "number 2.5");
 	CHECK(description("0") == "number 0");
 	CHECK(description("e1 ^ e1") == "number 0");
