@@ -1,7 +1,8 @@
 #pragma once
 
 #include "cga/algebra/algebra_error.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
+#include "cga/algebra/null_basis.hpp"
 
 // Objects by parameters and through points, in OPNS: X holds the points p with point(p) ^ X = 0. (point(p) is in
 // versor.hpp.) Lengths in metres; directions and normals of any length but zero, of which only the direction counts.

@@ -192,7 +192,7 @@ struct Factors {
 // What `image` makes of the factors, which has the grade of the first. What a versor makes of a point or tangent is one.
 template <class Image>
 MultivectorResult image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
-	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::image);
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::IMAGE);
 	if (!blades) {
 		return blades.error();
 	}
@@ -211,7 +211,7 @@ MultivectorResult image_of(const Multivector &a, const Multivector &b, bool by_v
 } // namespace
 
 MultivectorResult meet(const Multivector &a, const Multivector &b) {
-	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::incidence);
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
 		return blades.error();
 	}
@@ -221,7 +221,7 @@ MultivectorResult meet(const Multivector &a, const Multivector &b) {
 }
 
 MultivectorResult join(const Multivector &a, const Multivector &b) {
-	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::incidence);
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
 		return blades.error();
 	}

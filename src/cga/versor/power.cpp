@@ -1,7 +1,7 @@
 #include "cga/versor/power.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"

@@ -1,6 +1,6 @@
 #include "godot/algebra/multivector.hpp"
 
-#include "cga/algebra/inverse.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"

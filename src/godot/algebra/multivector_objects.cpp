@@ -3,7 +3,7 @@
 #include "cga/algebra/blade.hpp"
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/object/classify.hpp"
 #include "cga/object/construct.hpp"
 #include "cga/object/incidence.hpp"

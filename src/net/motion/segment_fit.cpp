@@ -4,14 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-// Where the processor has wider registers, the search uses them. (It might even round differently from machine to machine,
-// as only its result is sent.)
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define NET_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define NET_WIDE
-#endif
+#include <cstring>
 
 namespace net {
 
@@ -119,8 +112,8 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 		const double scale = _start.scale * (_scale_change == 0 ? 1.0 : std::exp2(u * _scale_change / BodyState::SCALE_LEVELS));
 		scale_error = std::max(scale_error, std::fabs(scale - _samples[k].pose.scale));
 	}
-	std::fill(_u.begin() + _count, _u.begin() + _padded, 0.0f);
-	std::fill(_w.begin() + _count, _w.begin() + _padded, 0.0f);
+	std::fill(_u + _count, _u + _padded, 0.0f);
+	std::fill(_w + _count, _w + _padded, 0.0f);
 	for (int i = 0; i < 6; ++i) {
 		_predicted[i] = state.predicted(i, ticks);
 	}
@@ -147,51 +140,13 @@ void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const Seg
 	}
 }
 
-NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
-	float displacement[6];
-	float curvature[6];
+float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
+	SegmentErrorInput input = { _target, _to_body, _jacobian, _u, _w, size_t(_padded), {}, {} };
 	for (int i = 0; i < 6; ++i) {
-		displacement[i] = float(steps.displacement[i]);
-		curvature[i] = float(steps.curvature[i]);
+		input.displacement[i] = float(steps.displacement[i]);
+		input.curvature[i] = float(steps.curvature[i]);
 	}
-	float worst[8] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-	for (size_t block = 0; block < size_t(_padded); block += 8) {
-		for (size_t lane = 0; lane < 8; ++lane) {
-			const size_t k = block + lane;
-			const float u = _u[k];
-			const float w = _w[k];
-			const float x = _target[0][k] - displacement[0] * u - curvature[0] * w;
-			const float y = _target[1][k] - displacement[1] * u - curvature[1] * w;
-			const float z = _target[2][k] - displacement[2] * u - curvature[2] * w;
-			const float a = _target[3][k] - displacement[3] * u - curvature[3] * w;
-			const float b = _target[4][k] - displacement[4] * u - curvature[4] * w;
-			const float c = _target[5][k] - displacement[5] * u - curvature[5] * w;
-			const float bx = _to_body[0][k] * x + _to_body[1][k] * y + _to_body[2][k] * z;
-			const float by = _to_body[3][k] * x + _to_body[4][k] * y + _to_body[5][k] * z;
-			const float bz = _to_body[6][k] * x + _to_body[7][k] * y + _to_body[8][k] * z;
-			const float ra = _jacobian[0][k] * a + _jacobian[1][k] * b + _jacobian[2][k] * c;
-			const float rb = _jacobian[3][k] * a + _jacobian[4][k] * b + _jacobian[5][k] * c;
-			const float rc = _jacobian[6][k] * a + _jacobian[7][k] * b + _jacobian[8][k] * c;
-			// The centre, and the centre plus r x e_i: a lever turns a step of rotation into one of position.
-			const float xx = bx * bx;
-			const float yy = by * by;
-			const float zz = bz * bz;
-			const float e0 = xx + yy + zz;
-			const float e1 = xx + (by + rc) * (by + rc) + (bz - rb) * (bz - rb);
-			const float e2 = (bx - rc) * (bx - rc) + yy + (bz + ra) * (bz + ra);
-			const float e3 = (bx + rb) * (bx + rb) + (by - ra) * (by - ra) + zz;
-			const float m1 = e0 > e1 ? e0 : e1;
-			const float m2 = e2 > e3 ? e2 : e3;
-			const float m = m1 > m2 ? m1 : m2;
-			const float counted = u > 0.0f ? m : 0.0f; // beyond the segment u is 0
-			worst[lane] = worst[lane] > counted ? worst[lane] : counted;
-		}
-		const float most = *std::max_element(worst, worst + 8);
-		if (most > limit * limit || block + 8 >= size_t(_padded)) {
-			return std::sqrt(most);
-		}
-	}
-	return 0.0f;
+	return segment_error(input, limit);
 }
 
 void SegmentFit::round_end(const double displacement[6], SegmentCode &code) const {
@@ -359,10 +314,10 @@ bool SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thoro
 	for (size_t i = 0; i < 6; ++i) {
 		straight.displacement[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
 	}
-	std::copy(_target, _target + 6, _base_target);
+	std::memcpy(_base_target, _target, sizeof(_target));
 	subtract_base_path(state, ticks, straight);
 	const bool found = search(state, ticks, thoroughly, models, result);
-	std::copy(_base_target, _base_target + 6, _target);
+	std::memcpy(_target, _base_target, sizeof(_target));
 	if (!found) {
 		return false;
 	}

@@ -106,5 +106,5 @@ TEST_CASE("in float, too") {
 	const auto a = typed::point(Vector3<float>(1, 2, 3)), b = typed::point(Vector3<float>(1, 2, 5));
 	CHECK(typed::squared_distance(a, b) == doctest::Approx(4.0f));
 	const typed::Line<float> line = a.outer_product(b).outer_product(typed::infinity<float>());
-	CHECK(classify(line.to_multivector()).kind == Kind::line);
+	CHECK(classify(line.to_multivector()).kind == Kind::LINE);
 }

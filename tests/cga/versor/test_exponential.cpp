@@ -61,12 +61,12 @@ TEST_CASE("exp of random bivectors") {
 
 TEST_CASE("exp of bivectors whose parts are null, equal, or nearly so") {
 	Random random(103);
-	const char *const PAIRS[][2] = { { "e12", "e34" }, { "e12", "e35" }, { "e15", "e23" } };
+	const char *const pairs[][2] = { { "e12", "e34" }, { "e12", "e35" }, { "e15", "e23" } };
 	double worst = 0.0;
 	for (int repeat = 0; repeat < 600; ++repeat) {
 		const double size = random.uniform(0.0, 4.0);
 		const double apart = repeat % 7 == 0 ? 0.0 : std::pow(10.0, random.uniform(-17.0, 0.0));
-		const char *const *pair = PAIRS[repeat % 3];
+		const char *const *pair = pairs[repeat % 3];
 		Multivector bivector = blade(pair[0]) * size + blade(pair[1]) * (size + apart);
 		if (repeat % 4 == 0) {
 			bivector = blade("e12") * size + euclidean({ 0.0, 0.0, 1.0 }).outer_product(e_origin()) * (1.0 + apart);

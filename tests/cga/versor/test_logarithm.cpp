@@ -1,7 +1,7 @@
 #include "cga/versor/logarithm.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "cga/versor/exponential.hpp"
 #include "long_multivector.hpp"
 #include "random_versors.hpp"
@@ -163,7 +163,7 @@ TEST_CASE("transversions") {
 
 TEST_CASE("two turns at once, half turns among them") {
 	Random random(119);
-	const double HALF_TURN = PI / 2.0;
+	constexpr double HALF_TURN = PI / 2.0;
 	for (const double first : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
 		for (const double second : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
 			for (const double sign : { 1.0, -1.0 }) {

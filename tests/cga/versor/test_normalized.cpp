@@ -1,7 +1,7 @@
 #include "cga/versor/normalized.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "long_multivector.hpp"
 #include "random_versors.hpp"

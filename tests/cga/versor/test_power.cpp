@@ -1,8 +1,8 @@
 #include "cga/versor/power.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
 #include "long_multivector.hpp"

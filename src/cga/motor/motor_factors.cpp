@@ -1,21 +1,8 @@
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
 
 #include <cmath>
 
 namespace cga {
-
-Multivector point(const Vector3<double> &position) {
-	return euclidean(position) + e_infinity() * (0.5 * glm::dot(position, position)) + e_origin();
-}
-
-std::optional<Vector3<double>> position_of(const Multivector &point) {
-	const double weight = -e_infinity().scalar_product(point);
-	const Vector3<double> position = Vector3<double>(point[E1], point[E2], point[E3]) / weight;
-	if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
-		return std::nullopt;
-	}
-	return position;
-}
 
 Multivector translator(const Vector3<double> &offset) {
 	return Multivector::scalar(1.0) - euclidean(offset).geometric_product(e_infinity()) * 0.5;

@@ -1,8 +1,8 @@
-#include "cga/algebra/inverse.hpp"
+#include "cga/versor/inverse.hpp"
 
 #include "../random_poses.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 
 #include <doctest/doctest.h>
 
@@ -101,10 +101,10 @@ TEST_CASE("the inverse of the inverse, of a product, of the dual") {
 }
 
 TEST_CASE("singular elements are told whatever their size and whatever they are multiplied with") {
-	const Multivector SINGULAR[] = { ONE + blade("e1"), ONE + blade("e45"), blade("e12") + blade("e34"), e_infinity(), e_origin(),
+	const Multivector singular_elements[] = { ONE + blade("e1"), ONE + blade("e45"), blade("e12") + blade("e34"), e_infinity(), e_origin(),
 		blade("e1").outer_product(e_infinity()), point({ 1.0, 2.0, 3.0 }), ONE + blade("e1234") };
 	Random random(25);
-	for (const Multivector &singular : SINGULAR) {
+	for (const Multivector &singular : singular_elements) {
 		for (int repeat = 0; repeat < 200; ++repeat) {
 			const double size = std::pow(10.0, random.uniform(-250.0, 250.0));
 			CHECK_FALSE(inverse(singular * size));

@@ -1,4 +1,4 @@
-#include "cga/algebra/inverse.hpp"
+#include "cga/versor/inverse.hpp"
 
 #include "cga/algebra/complex_matrix.hpp"
 #include "cga/motor/motor_multivector.hpp"
