@@ -82,7 +82,7 @@ func test_a_broken_text_loads_what_it_can() -> void:
 	var text := '{"version": 1, "entries": [\n{"name": "a", "expression": "1"},\n{"name": "b", "expression": },\n{"name": "c", "expression": "a + 1"}\n]}'
 	var place := "line 3, column 29: entry 'b' skipped: expected a text in double quotes, found '}'"
 	expect_error(
-		"GAScene.load_json: a part of the text cannot be read; the rest is loaded:\n%s." % place
+		"GAScene.load_json: parts of the text could not be read; the rest was loaded:\n%s." % place
 	)
 	expect_equal(_scene.load_json(text), ERR_FILE_CORRUPT, "loading")
 	expect_equal(_scene.get_names(), PackedStringArray(["a", "c"]), "names")
@@ -93,7 +93,7 @@ func test_a_broken_text_loads_what_it_can() -> void:
 func test_a_text_that_is_no_scene_changes_nothing() -> void:
 	var before := _scene.to_json()
 	expect_error(
-		"GAScene.load_json: the text is no document; the scene stays as it was:\ncolumn 1: expected '{' of a document, or '[' of 32 coefficients, found 'h'."
+		"GAScene.load_json: the text is not a document; the scene is unchanged:\ncolumn 1: expected '{' of a document, or '[' of 32 coefficients, found 'h'."
 	)
 	expect_equal(_scene.load_json("hello"), ERR_PARSE_ERROR, "loading")
 	expect_equal(_scene.to_json(), before, "text")
@@ -128,7 +128,7 @@ func test_attributes() -> void:
 		"a colour by name"
 	)
 	expect_error(
-		'GAScene.set_entry_attribute: the attribute "color" must be a bool, a number, a string, a Color, or null for none, not Vector3.'
+		'GAScene.set_entry_attribute: the attribute "color" must be a bool, a number, a string, a Color, or null to reset it, not Vector3.'
 	)
 	expect_equal(
 		_scene.set_entry_attribute("ball", "color", Vector3.ONE), ERR_INVALID_PARAMETER, "a vector"

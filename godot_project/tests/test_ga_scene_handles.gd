@@ -112,9 +112,9 @@ func test_where_nothing_follows() -> void:
 func test_mistakes_of_the_caller() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	var handle: Dictionary = _scene.get_handles("s")[1]
-	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists those there are.')
+	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists the entries.')
 	expect_equal(_scene.get_handles("x").size(), 0, "handles of nothing")
-	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists those there are.')
+	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists the entries.')
 	expect_equal(_drag("x", handle, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "dragging nothing")
 	for wrong: Dictionary in [
 		{},
@@ -124,11 +124,11 @@ func test_mistakes_of_the_caller() -> void:
 		handle.merged({"axis": Vector3(NAN, 0, 0)}, true)
 	]:
 		expect_error(
-			"GAScene.drag_handle: the handle must be one of get_handles(), with all of its keys."
+			"GAScene.drag_handle: the handle must be a dictionary from get_handles(), with all of its keys."
 		)
 		expect_equal(_drag("s", wrong, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "a wrong handle")
 	expect_error(
-		"GAScene.drag_handle: the steps are finite and not below 0, 0 for none, not -1.000000 and 0.000000."
+		"GAScene.drag_handle: step and angle_step must be finite and at least 0 (0 for no steps), not -1.000000 and 0.000000."
 	)
 	expect_equal(_drag("s", handle, Vector3.ZERO, -1.0), ERR_INVALID_PARAMETER, "a wrong step")
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 2)", "expression")

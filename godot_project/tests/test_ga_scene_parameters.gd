@@ -61,7 +61,7 @@ func test_what_cannot_be_dragged() -> void:
 	expect_error("GAScene.set_parameter: the parameter 'center' is a vector, not a number.")
 	expect_equal(_scene.set_parameter("s", "center", 1.0), ERR_INVALID_PARAMETER, "a wrong type")
 	expect_error(
-		'GAScene.set_parameter: a parameter is a number, a Vector3, a Quaternion, or a Multivector or its 32 coefficients as PackedFloat64Array; "center" was given as String.'
+		'GAScene.set_parameter: the parameter "center" must be a number, a Vector3, a Quaternion, a Multivector or a PackedFloat64Array of 32 coefficients, not String.'
 	)
 	expect_equal(_scene.set_parameter("s", "center", "e1"), ERR_INVALID_PARAMETER, "a string")
 	expect_error("GAScene.set_parameter: the parameter 'center' must be finite.")

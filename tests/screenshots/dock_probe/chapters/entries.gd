@@ -81,9 +81,8 @@ func _rename() -> void:
 	await settle()
 	Hands.write_over(row_part("B", "Name") as LineEdit, "e1")
 	await settle()
-	expect_true(
-		words_of("B").contains("cannot be a name"), "refusal while typing: %s" % words_of("B")
-	)
+	expect_true(words_of("B").begins_with("'e1' "), "refusal while typing: %s" % words_of("B"))
+	expect(words_of("B"), scene().get_name_error("e1"), "refusal while typing")
 	Hands.press_key(window(), KEY_ESCAPE)
 	expect(names(), ["apex", "B", "s", "pair1"], "names after a refusal")
 	await settle()

@@ -30,11 +30,7 @@ func add_object(kind: StringName, dual: bool) -> String:
 ## Without a name it gets one by the kind of what it is.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
-		var value: Multivector = (
-			_document.scene.evaluate(expression)
-			if _document.scene.get_expression_error(expression).is_empty()
-			else null
-		)
+		var value: Multivector = _document.scene.describe_expression(expression)["value"]
 		kind = value.classify(ipns)["kind"] if value != null else &""
 	if entry.is_empty():
 		entry = NewObjects.free_name(kind, _document.scene)

@@ -11,10 +11,6 @@ signal entries_changed(names: PackedStringArray)
 
 const EditHistory := preload("edit_history.gd")
 
-## What an expression that is being typed is called meanwhile.
-const TYPED := "_typed"
-const MAX_NAME_LENGTH := 64
-
 var scene: GAScene
 ## Of the file; empty if it was never saved.
 var path := ""
@@ -98,46 +94,6 @@ func end_gesture(title: String) -> void:
 		_in_gesture = false
 		_commit(title, _text_before_gesture, scene.document)
 		changed.emit()
-
-
-func copy_scene() -> GAScene:
-	var copy := GAScene.new()
-	copy.document = scene.document
-	return copy
-
-
-## Why the text cannot be the name of a new entry; empty if it can.
-func name_error(text: String) -> String:
-	if scene.has_entry(text):
-		return "There is an entry %s already." % text
-	var language := GAScene.new()
-	language.add_entry(TYPED, text)
-	if (
-		text.length() > MAX_NAME_LENGTH
-		or language.get_dependencies(TYPED) != PackedStringArray([text])
-	):
-		return (
-			"%s cannot be a name: it needs letters, digits and underscores, no digit first, and must not be a constant."
-			% ("This" if text.is_empty() else text)
-		)
-	return ""
-
-
-## What an expression without an error is, in words.
-func describe(expression: String) -> String:
-	var alone := GAScene.new()
-	alone.add_entry(TYPED, scene.evaluate(expression).to_json())
-	return alone.get_description(TYPED)
-
-
-## The scene as it would be with that expression of an entry, or of one more called TYPED.
-func preview(text: String, entry := TYPED) -> GAScene:
-	var copy := copy_scene()
-	if copy.has_entry(entry):
-		copy.set_expression(entry, text)
-	else:
-		copy.add_entry(entry, text)
-	return copy
 
 
 func _commit(title: String, before: String, after: String) -> void:

@@ -119,7 +119,7 @@ func show_entry(new_entry: String) -> void:
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
 	_swatch.show_entry(entry)
 	_slider.show_entry(entry)
-	_show_words(scene, entry)
+	_show_words(scene.get_description(entry), scene.get_error(entry))
 
 
 func set_selected(value: bool) -> void:
@@ -251,18 +251,20 @@ func _on_expression_submitted(_text: String) -> void:
 
 
 func _on_name_typed(text: String) -> void:
-	_tell("" if text == entry else _document.name_error(text))
+	_show_error("" if text == entry else _document.scene.get_name_error(text))
 
 
 func _on_expression_typed(text: String) -> void:
-	_show_words(_document.preview(text, entry), entry)
+	var found := _document.scene.describe_expression(text, entry)
+	_show_words(found["description"] as String, found["error"] as String)
 
 
 func _commit_name() -> void:
 	var text := _name.text.strip_edges()
-	if text != entry and _document.scene.has_entry(entry) and _document.name_error(text).is_empty():
+	var scene := _document.scene
+	if text != entry and scene.has_entry(entry) and scene.get_name_error(text).is_empty():
 		_edits.rename(entry, text)
-	elif _document.scene.has_entry(entry):
+	elif scene.has_entry(entry):
 		_name.text = entry
 		show_entry(entry)
 
@@ -275,16 +277,15 @@ func _commit_expression() -> void:
 		_edits.set_expression(entry, _expression.text)
 
 
-func _show_words(scene: GAScene, shown: String) -> void:
-	var error := scene.get_error(shown)
-	_tell(error)
+func _show_words(description: String, error: String) -> void:
+	_show_error(error)
 	if error.is_empty():
-		_words.text = scene.get_description(shown)
-		_words.tooltip_text = _words.text
+		_words.text = description
+		_words.tooltip_text = description
 
 
-## What is wrong; nothing if that is empty.
-func _tell(error: String) -> void:
+## Hides the error if the text is empty.
+func _show_error(error: String) -> void:
 	var is_wrong := not error.is_empty()
 	_error_icon.texture = get_theme_icon(&"StatusError", &"EditorIcons") if is_wrong else null
 	_words.modulate = Color.WHITE if is_wrong else QUIET

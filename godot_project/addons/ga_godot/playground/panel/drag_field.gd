@@ -165,10 +165,10 @@ func _end_typing(keeps: bool) -> void:
 		return
 	_edit.visible = false
 	queue_redraw()
-	var scene := GAScene.new()
-	if not keeps or not scene.get_expression_error(_edit.text).is_empty():
+	var value: Multivector = GAScene.new().describe_expression(_edit.text)["value"]
+	if not keeps or value == null:
 		return
-	var numbers := scene.evaluate(_edit.text).coefficients
+	var numbers := value.coefficients
 	if numbers.slice(1).count(0.0) == numbers.size() - 1:
 		_edit_number(numbers[0])
 
