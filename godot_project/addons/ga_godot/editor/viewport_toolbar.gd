@@ -2,11 +2,11 @@
 extends HBoxContainer
 ## In the menu above the 3D viewports: whether the playground's objects are shown, and what a click adds.
 
+signal shown_toggled(on: bool)
+
 const NewObjects := preload("../playground/document/new_objects.gd")
 const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
 const ViewPointer := preload("../playground/view/view_pointer.gd")
-
-signal shown_toggled(on: bool)
 
 const SHOWN_TEXT := "Show the objects of the GA Playground in the viewports.\nDrag them and the handles of what is selected there. Ctrl snaps, Shift keeps the height, Escape takes back."
 const ADDING_TEXT := "Add objects of the GA Playground by clicks into the viewport."

@@ -2,11 +2,11 @@
 extends "playground_host.gd"
 ## A running game around the panel: a history of its own, files in user://.
 
-const DragField := preload("panel/drag_field.gd")
-const OwnHistory := preload("document/own_history.gd")
-
 ## Something to tell a person.
 signal warned(words: String)
+
+const DragField := preload("panel/drag_field.gd")
+const OwnHistory := preload("document/own_history.gd")
 
 ## What the view shows the scene by, once there is one; how far away what it circles is, and what is behind everything.
 var camera: Camera3D

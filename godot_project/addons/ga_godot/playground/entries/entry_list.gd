@@ -2,14 +2,14 @@
 extends ScrollContainer
 ## The entries of the scene in their order, and which of them are selected, in the order of selection.
 
+signal selection_changed
+signal menu_requested(row: Control)
+signal deletion_requested
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryRow := preload("entry_row.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
-
-signal selection_changed
-signal menu_requested(row: Control)
-signal deletion_requested
 
 ## Of two rows.
 const MIN_HEIGHT := 104.0

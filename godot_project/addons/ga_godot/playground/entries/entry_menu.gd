@@ -2,6 +2,8 @@
 extends PopupMenu
 ## What can be done with the selected entries, beside what their rows offer.
 
+enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryList := preload("entry_list.gd")
@@ -11,8 +13,6 @@ const ValueSlider := preload("value_slider.gd")
 const WrittenCode := preload("../document/written_code.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
-
-enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits

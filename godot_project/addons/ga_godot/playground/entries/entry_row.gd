@@ -2,18 +2,18 @@
 extends PanelContainer
 ## One entry of the list: colour, name, expression, whether it and its label are drawn, and what it is or what is wrong.
 
+## Pressed with that button of the mouse; adding: to the selection.
+signal pressed(row: Control, adding: bool)
+signal menu_requested(row: Control)
+
+enum Drop { NONE, ABOVE, BELOW }
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
-
-enum Drop { NONE, ABOVE, BELOW }
-
-## Pressed with that button of the mouse; adding: to the selection.
-signal pressed(row: Control, adding: bool)
-signal menu_requested(row: Control)
 
 const NAME_WIDTH := 30.0
 ## Between a button's edge and its icon.

@@ -3,17 +3,17 @@ extends RefCounted
 ## Two poses of a document and the ways between them: which entries, at which t, and what is shown of it. Panel and drawing
 ## show what it says; it lives in the document's attributes (lab_settings.gd), except for t while that is moved.
 
+## The poses, the settings, or what is wrong.
+signal changed
+## t, and nothing else.
+signal moved
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const NewObjects := preload("../document/new_objects.gd")
 const Modes := preload("interpolation_modes.gd")
 const LabPlayback := preload("lab_playback.gd")
 const LabPoses := preload("lab_poses.gd")
 const LabSettings := preload("lab_settings.gd")
-
-## The poses, the settings, or what is wrong.
-signal changed
-## t, and nothing else.
-signal moved
 
 const VALUE := "value"
 ## Of what is written into an entry.

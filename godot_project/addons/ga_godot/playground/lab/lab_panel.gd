@@ -2,6 +2,9 @@
 extends FoldableContainer
 ## "Interpolation": two poses of the document and the three ways between them. Unfolded, they are drawn.
 
+## An entry was made.
+signal added(entry: String)
+
 const EntryList := preload("../entries/entry_list.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
@@ -10,9 +13,6 @@ const LabModeRow := preload("lab_mode_row.gd")
 const LabPlayer := preload("lab_player.gd")
 const LabShown := preload("lab_shown.gd")
 const Modes := preload("interpolation_modes.gd")
-
-## An entry was made.
-signal added(entry: String)
 
 var lab: InterpolationLab
 

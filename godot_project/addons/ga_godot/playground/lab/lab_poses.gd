@@ -3,11 +3,11 @@ extends RefCounted
 ## The two entries that are interpolated: their motors, followed through changes of their values and names, and in words what
 ## is wrong with them.
 
-const PlaygroundDocument := preload("../document/playground_document.gd")
-const LabSettings := preload("lab_settings.gd")
-
 ## A pose, a name, what can be chosen, or what is wrong.
 signal changed
+
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const LabSettings := preload("lab_settings.gd")
 
 const NUMBER := "value"
 const TOO_FEW := "Add two motors, such as motor(e1, rotor(e3, deg(90))): they are the poses to go between."

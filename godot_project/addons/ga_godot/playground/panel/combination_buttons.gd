@@ -2,12 +2,12 @@
 extends HFlowContainer
 ## What can be made of two selected entries.
 
+signal added(entry: String)
+
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryList := preload("../entries/entry_list.gd")
 const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
-
-signal added(entry: String)
 
 ## %s, %s: the entries in the order of selection.
 const TITLES: Dictionary[StringName, String] = {

@@ -2,12 +2,12 @@
 extends PopupMenu
 ## The gallery's examples by their titles, as a menu or a submenu.
 
-const Gallery := preload("../document/gallery.gd")
-
 ## A fresh copy of an example.
 signal chosen(scene: GAScene, title: String)
 ## An example cannot be opened: why.
 signal failed(words: String)
+
+const Gallery := preload("../document/gallery.gd")
 
 
 func _init() -> void:

@@ -2,10 +2,10 @@
 extends VBoxContainer
 ## Where expressions are typed: what they are, or what is wrong with them, is told while typing.
 
+signal added(entry: String)
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
-
-signal added(entry: String)
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits

@@ -2,14 +2,14 @@
 extends MenuButton
 ## New, open, save, and the clipboard.
 
-const PlaygroundDocument := preload("../document/playground_document.gd")
-const EntryEdits := preload("../document/entry_edits.gd")
-const PlaygroundHost := preload("../playground_host.gd")
-
 ## A picture of what is shown is wanted.
 signal picture_requested
 
 enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
+
+const PlaygroundDocument := preload("../document/playground_document.gd")
+const EntryEdits := preload("../document/entry_edits.gd")
+const PlaygroundHost := preload("../playground_host.gd")
 
 ## A ganja.js element: a list of 32 numbers, or an object with the keys 0 to 31.
 const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]

@@ -2,12 +2,12 @@
 extends HFlowContainer
 ## One button for each kind of object that can be added, and whether it shall be its dual.
 
+signal added(entry: String)
+
 const EntryEdits := preload("../document/entry_edits.gd")
 const NewObjects := preload("../document/new_objects.gd")
 const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
-
-signal added(entry: String)
 
 var _edits: EntryEdits
 var _dual := Button.new()

@@ -2,14 +2,14 @@
 extends ConfirmationDialog
 ## Asks for size, background and file of a picture, and writes it: what is shown, drawn anew by PictureExport.
 
-const PictureExport := preload("picture_export.gd")
-const PlaygroundStyle := preload("../theme/playground_style.gd")
-const ViewPoint := preload("view_point.gd")
-
 signal saved(path: String)
 
 enum Size { AS_SHOWN, TWICE, HD, UHD, OWN }
 enum Background { AS_SHOWN, TRANSPARENT, COLOR }
+
+const PictureExport := preload("picture_export.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
+const ViewPoint := preload("view_point.gd")
 
 const FIXED_SIZES: Dictionary[Size, Vector2i] = {
 	Size.HD: Vector2i(1920, 1080), Size.UHD: Vector2i(3840, 2160)

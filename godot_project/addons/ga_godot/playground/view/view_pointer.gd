@@ -3,6 +3,11 @@ extends RefCounted
 ## The mouse over a view of a document: hovers, selects, drags handles and objects, adds objects. Give it every event of the
 ## view; it says which it used. The editor's viewports and a game's view are the same to it.
 
+## What is drawn over the view has to be drawn anew.
+signal redraw_needed
+## Also when it ends.
+signal adding_changed
+
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryList := preload("../entries/entry_list.gd")
@@ -12,11 +17,6 @@ const ObjectGrab := preload("object_grab.gd")
 const Picking := preload("picking.gd")
 const SceneDrawing := preload("scene_drawing.gd")
 const ViewHandle := preload("view_handle.gd")
-
-## What is drawn over the view has to be drawn anew.
-signal redraw_needed
-## Also when it ends.
-signal adding_changed
 
 ## In pixels: a click moves less.
 const CLICK := 4.0
