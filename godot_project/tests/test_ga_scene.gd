@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## GAScene: entries, what follows from them, and what tells of it.
+## GAScene: entries, their dependencies, and signals.
 
 var _scene := GAScene.new()
 var _changes: Array[PackedStringArray] = []
@@ -119,7 +119,7 @@ func test_renaming_and_removing() -> void:
 	expect_equal(_changes.back(), PackedStringArray(["x", "b"]), "changes")
 
 
-func test_what_is_refused() -> void:
+func test_invalid_calls_are_refused() -> void:
 	_scene.add_entry("a", "1")
 	_changes.clear()
 	expect_error("GAScene.add_entry: there is an entry 'a' already.")

@@ -62,7 +62,7 @@ func test_each_says_what_it_is_and_where_to_look_from() -> void:
 		var sentences := description.count(". ") + 1
 		expect_true(sentences >= 2 and sentences <= 6, "%d sentences in %s" % [sentences, example])
 		expect_true(description.ends_with("."), "the description of %s ends" % example)
-		expect_true(ViewPoint.is_told_by(scene), "where to look at %s from" % example)
+		expect_true(ViewPoint.is_stored_in(scene), "where to look at %s from" % example)
 		for entry in scene.get_names():
 			_expect_a_range(scene, entry, example)
 

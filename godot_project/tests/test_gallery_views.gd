@@ -49,13 +49,13 @@ func test_closed_it_stays_so_until_another_text_comes() -> void:
 
 func test_where_to_look_from_is_kept_in_the_document() -> void:
 	var scene := GAScene.new()
-	expect_equal(ViewPoint.is_told_by(scene), false, "told")
+	expect_equal(ViewPoint.is_stored_in(scene), false, "told")
 	var view := ViewPoint.new()
 	view.from = Vector3(1.25, -2.0, 3.5)
 	view.to = Vector3(0.5, 0.0, -1.0)
 	view.fov = 55.0
 	view.write_to(scene)
-	expect_equal(ViewPoint.is_told_by(scene), true, "told")
+	expect_equal(ViewPoint.is_stored_in(scene), true, "told")
 	var copy := GAScene.new()
 	copy.load_json(scene.to_json())
 	var read := ViewPoint.of(copy)
@@ -87,7 +87,7 @@ func test_a_narrow_view_shows_as_much_from_left_to_right() -> void:
 		1e-6,
 		"half the width, at one metre, of a square view"
 	)
-	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.WIDEST, "of no width")
+	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.MAX_FOV, "of no width")
 
 
 func test_what_cannot_be_looked_from_is_as_by_default() -> void:
@@ -113,14 +113,14 @@ func test_the_dialog_shows_what_it_asks_for() -> void:
 		[PictureDialog.Size.TWICE, Vector2i(600, 400)],
 		[PictureDialog.Size.HD, Vector2i(1920, 1080)],
 		[PictureDialog.Size.UHD, Vector2i(3840, 2160)],
-		[PictureDialog.Size.OWN, Vector2i(300, 200)]
+		[PictureDialog.Size.CUSTOM, Vector2i(300, 200)]
 	]:
 		sizes.select(choice[0] as int)
 		sizes.item_selected.emit(choice[0] as int)
 		expect_equal(dialog.chosen_size(), choice[1], "size")
 		expect_equal(
 			(dialog.find_child("OwnSize", true, false) as Control).visible,
-			choice[0] == PictureDialog.Size.OWN,
+			choice[0] == PictureDialog.Size.CUSTOM,
 			"fields for a size of one's own"
 		)
 	var backgrounds: OptionButton = dialog.find_child("Background", true, false)

@@ -1,6 +1,7 @@
 @tool
 extends VBoxContainer
-## Where expressions are typed: what they are, or what is wrong with them, is told while typing.
+## A text field for new entries. It shows the description or the error of the expression while it is
+## being typed.
 
 signal added(entry: String)
 
@@ -66,8 +67,8 @@ func _describe(text: String) -> Dictionary:
 	return _document.scene.describe_expression(parts[1], parts[0])
 
 
-## The name, empty if there is none, and the expression. What stands before the sign becomes spaces, so that columns are
-## those of the line.
+## Returns the name, empty if there is none, and the expression, padded with spaces on the left so
+## that columns in error messages are those of the text field.
 func _split(text: String) -> PackedStringArray:
 	var found := _assignment.search(text)
 	if found == null:
