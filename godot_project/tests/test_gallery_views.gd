@@ -119,9 +119,9 @@ func test_the_dialog_shows_what_it_asks_for() -> void:
 		sizes.item_selected.emit(choice[0] as int)
 		expect_equal(dialog.chosen_size(), choice[1], "size")
 		expect_equal(
-			(dialog.find_child("OwnSize", true, false) as Control).visible,
+			(dialog.find_child("CustomSize", true, false) as Control).visible,
 			choice[0] == PictureDialog.Size.CUSTOM,
-			"fields for a size of one's own"
+			"fields for a custom size"
 		)
 	var backgrounds: OptionButton = dialog.find_child("Background", true, false)
 	expect_equal(dialog.chosen_background(), ViewPoint.DEFAULT_BACKGROUND, "background")
@@ -142,7 +142,7 @@ func test_pictures_that_cannot_be() -> void:
 	# Tests run without a display.
 	var dialog := _open_dialog()
 	var told := await dialog.export_picture()
-	expect_equal(told, "There is no picture: drawing needs a display.", "error")
+	expect_equal(told, "No picture was drawn: drawing requires a display.", "error")
 	var problem: Label = dialog.find_child("Problem", true, false)
 	expect_equal(problem.text, told, "what the dialog says")
 	expect_true(problem.visible and dialog.visible, "the dialog stays")
