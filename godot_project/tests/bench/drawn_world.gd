@@ -111,12 +111,10 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.color = color
 		_nodes.append(node)
 		if changes:
-			_multivectors.append(
-				range(PHASES).map(
-					func(phase: int) -> Multivector:
-						return _multivector(kind, place + _step(phase), axis)
-				)
-			)
+			var phases: Array[Multivector] = []
+			for phase in PHASES:
+				phases.append(_multivector(kind, place + _step(phase), axis))
+			_multivectors.append(phases)
 	else:
 		var node := MeshInstance3D.new()
 		node.mesh = _mesh(kind)
@@ -125,11 +123,10 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		_nodes.append(node)
 		if changes:
-			_transforms.append(
-				range(PHASES).map(
-					func(phase: int) -> Transform3D: return _pose(kind, place + _step(phase), axis)
-				)
-			)
+			var phases: Array[Transform3D] = []
+			for phase in PHASES:
+				phases.append(_pose(kind, place + _step(phase), axis))
+			_transforms.append(phases)
 	add_child(_nodes[index])
 
 
