@@ -127,13 +127,13 @@ func test_deviations_are_those_of_the_paths() -> void:
 				"angle_weight": 0.25
 			}
 		),
-		"deviation from screw: 35.2 mm (at t = 0.24), 8.13° (at t = 0.25)"
+		"deviation: 35.2 mm (t = 0.24), 8.13° (t = 0.25)"
 	)
 	expect_equal(
 		LabText.deviation(
 			{"distance": 1e-9, "distance_weight": 0.2, "angle": 1e-12, "angle_weight": 0.25}
 		),
-		"same as screw"
+		"no deviation from screw"
 	)
 	expect_equal(
 		LabText.pose(

@@ -5,7 +5,7 @@ import shutil
 import tempfile
 
 import editor
-import person
+import scripted_user
 
 PROBE = "dock_probe"
 SECONDS = 120
@@ -26,13 +26,13 @@ EXPECTED_ERRORS = [
 def tests(engine, project, output):
     """Yields the title of each test and a list of problems, empty if it passed."""
     with tempfile.TemporaryDirectory(prefix="ga_godot_dock_") as place:
-        engine, copy, imported = person.prepare(engine, project, place, PROBE, "Default", 100)
+        engine, copy, imported = scripted_user.prepare(engine, project, place, PROBE, "Default", 100)
         yield "importing a project with the dock", editor.run_problems(imported)
         run = run_editor(engine, copy, output, CHAPTERS, "dark_100")
-        yield "a user of the dock", person.problems_of(run, EXPECTED_ERRORS)
-        person.write_settings(place, "Light", 200)
+        yield "a user of the dock", scripted_user.problems_of(run, EXPECTED_ERRORS)
+        scripted_user.write_settings(place, "Light", 200)
         run = run_editor(engine, copy, output, LATER_CHAPTERS, "light_200")
-        yield "the dock after a restart of the editor", person.problems_of(run)
+        yield "the dock after a restart of the editor", scripted_user.problems_of(run)
 
 
 def write_references(engine, project, output):
@@ -45,5 +45,5 @@ def write_references(engine, project, output):
 
 def run_editor(engine, copy, output, chapters, look):
     """Runs chapters of dock_probe in the real editor; leaves pictures in the folder `output`."""
-    return person.start(engine, copy, [f"--chapters={','.join(chapters)}", f"--look={look}", f"--pictures={output}",
+    return scripted_user.start(engine, copy, [f"--chapters={','.join(chapters)}", f"--look={look}", f"--pictures={output}",
                                        f"--references={REFERENCES}"], SECONDS)

@@ -2,7 +2,7 @@
 
 import os
 
-import person
+import scripted_user
 
 SECONDS = 90
 
@@ -11,4 +11,4 @@ def tests(engine, project, output):
     """Yields the title of each test and a list of problems, empty if it passed; saves pictures of the editor."""
     pictures = [f"--one-view={os.path.join(output, 'drawing_one_view.png')}",
                 f"--four-views={os.path.join(output, 'drawing_four_views.png')}"]
-    yield "a scene with GANode3D in the editor", person.check(engine, project, "drawing_probe", pictures, SECONDS)
+    yield "a scene with GANode3D in the editor", scripted_user.check(engine, project, "drawing_probe", pictures, SECONDS)

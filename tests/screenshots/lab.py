@@ -2,7 +2,7 @@
 
 import os
 
-import person
+import scripted_user
 
 SECONDS = 60
 
@@ -10,4 +10,4 @@ SECONDS = 60
 def tests(engine, project, output):
     """Yields the title of each test and a list of problems, empty if it passed; saves pictures of the dock."""
     pictures = [f"--lab-picture={os.path.join(output, 'lab.png')}", f"--wide-picture={os.path.join(output, 'lab_wide.png')}"]
-    yield "a user of the interpolation lab", person.check(engine, project, "lab_probe", pictures, SECONDS)
+    yield "a user of the interpolation lab", scripted_user.check(engine, project, "lab_probe", pictures, SECONDS)

@@ -4,7 +4,7 @@ import os
 import shutil
 
 import editor
-import person
+import scripted_user
 
 SECONDS = 150
 REFERENCE = os.path.join(editor.HERE, "reference", "viewport.png")
@@ -24,4 +24,4 @@ def write_reference(engine, project, output):
 def check_view(engine, project, output, reference=REFERENCE):
     """Runs view_probe/probe.gd, which saves pictures in the folder `output`; returns a list of problems."""
     arguments = [f"--pictures={output}"] + ([f"--reference={reference}"] if reference else [])
-    return person.check(engine, project, "view_probe", arguments, SECONDS)
+    return scripted_user.check(engine, project, "view_probe", arguments, SECONDS)

@@ -5,6 +5,7 @@
 #include <godot_cpp/variant/color.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -29,7 +30,7 @@ static std::string hexadecimal(const Color &color) {
 	std::string text = "#";
 	for (const float component : components) {
 		// NaN fails the comparison and becomes 0.
-		const int byte = component > 0.0f ? int(std::min(component, 1.0f) * 255.0f + 0.5f) : 0;
+		const int byte = component > 0.0f ? int(std::lround(std::min(component, 1.0f) * 255.0f)) : 0;
 		text += DIGITS[byte >> 4];
 		text += DIGITS[byte & 15];
 	}

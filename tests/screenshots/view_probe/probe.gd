@@ -1,5 +1,5 @@
 @tool
-extends "person.gd"
+extends "viewport_user.gd"
 ## Operates the playground in the editor's 3D viewport. The user argument --pictures=FOLDER saves
 ## pictures.
 

@@ -37,11 +37,11 @@ static func deviation(found: Dictionary) -> String:
 	var parts := PackedStringArray()
 	if found["distance"] > EPSILON:
 		parts.append(
-			"%s (at t = %.2f)" % [length(found["distance"] as float), found["distance_weight"]]
+			"%s (t = %.2f)" % [length(found["distance"] as float), found["distance_weight"]]
 		)
 	if found["angle"] > EPSILON:
-		parts.append("%s (at t = %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
-	return "same as screw" if parts.is_empty() else "deviation from screw: %s" % ", ".join(parts)
+		parts.append("%s (t = %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
+	return "no deviation from screw" if parts.is_empty() else "deviation: %s" % ", ".join(parts)
 
 
 static func length(meters: float) -> String:

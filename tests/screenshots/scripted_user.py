@@ -24,7 +24,7 @@ SCALES = {100: 2, 200: 6}
 
 def check(engine, project, probe, arguments, seconds, theme="Default", percent=100, size=SIZE):
     """Runs a probe, which is a plugin in the folder of that name; returns a list of problems."""
-    with tempfile.TemporaryDirectory(prefix="ga_godot_person_") as place:
+    with tempfile.TemporaryDirectory(prefix="ga_godot_user_") as place:
         engine, copy, imported = prepare(engine, project, place, probe, theme, percent)
         run = start(engine, copy, arguments, seconds, size)
     return editor.run_problems(imported) + problems_of(run)
