@@ -35,7 +35,7 @@ func _init(mode := 0, group: ButtonGroup = null) -> void:
 	lines.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	row.add_child(lines)
 	lines.add_child(_make_line(Modes.TITLES[mode], &"Label"))
-	lines.add_child(_make_line(Modes.LINES[mode], &"CaptionLabel"))
+	lines.add_child(_make_line(Modes.DESCRIPTIONS[mode], &"CaptionLabel"))
 
 
 func _make_line(words: String, variation: StringName) -> Label:

@@ -239,7 +239,7 @@ func _on_scene_switched() -> void:
 
 ## As the document tells, or so that all of it is seen.
 func _look_at_scene() -> void:
-	if ViewPoint.is_told_by(_shown_scene):
+	if ViewPoint.is_stored_in(_shown_scene):
 		var view := ViewPoint.of(_shown_scene)
 		_camera.camera.fov = view.fov_in(_view.size)
 		_camera.look_from(view.from, view.to)

@@ -15,8 +15,8 @@ const FILE := "user://export_checks.png"
 ## With the beginnings of what is told.
 const WRONG_PATHS: Dictionary[String, String] = {
 	"user://there/is/no/folder.png": "user://there/is/no/folder.png cannot be written",
-	"user://picture.jpg": "user://picture.jpg: a picture is saved as PNG",
-	" ": "Give the picture a file name",
+	"user://picture.jpg": "user://picture.jpg is not a PNG file name",
+	" ": "Enter a file name",
 }
 
 var _host: Node

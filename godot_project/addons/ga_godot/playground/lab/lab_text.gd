@@ -1,12 +1,13 @@
 @tool
 extends RefCounted
-## Poses and deviations in words.
+## Poses and deviations as text.
 
-## In metres and radians; what is nearer is the same.
-const NEAR := 1e-6
+## Smaller distances (meters) and angles (radians) are not shown.
+const EPSILON := 1e-6
 
 
-## "at (1.00, 2.00, 3.00), turned 45.0° about (0.00, 0.00, 1.00), scale 2.00": as long at each t.
+## "at (1.00, 2.00, 3.00), rotated 45.0° about (0.00, 0.00, 1.00), scale 2.00". Decimals are fixed,
+## so that the text does not jump while t moves.
 static func pose(motor: Multivector) -> String:
 	var position := motor.get_translation()
 	var words := PackedStringArray(
@@ -16,39 +17,39 @@ static func pose(motor: Multivector) -> String:
 	if rotation.w < 0.0:
 		rotation = -rotation
 	var sines := Vector3(rotation.x, rotation.y, rotation.z)
-	if sines.length() > NEAR:
+	if sines.length() > EPSILON:
 		words.append(
 			(
-				"turned %s° about %s"
+				"rotated %s° about %s"
 				% [
 					_number(rad_to_deg(2.0 * atan2(sines.length(), rotation.w)), 1),
 					_vector(sines.normalized(), 2)
 				]
 			)
 		)
-	if absf(motor.get_scale() - 1.0) > NEAR:
+	if absf(motor.get_scale() - 1.0) > EPSILON:
 		words.append("scale %s" % _number(motor.get_scale(), 2 if motor.get_scale() >= 0.1 else 4))
 	return ", ".join(words)
 
 
-## Of what MultivectorLerp.measure_deviation gives.
+## Describes a result of MultivectorLerp.measure_deviation().
 static func deviation(found: Dictionary) -> String:
 	var parts := PackedStringArray()
-	if found["distance"] > NEAR:
+	if found["distance"] > EPSILON:
 		parts.append(
-			"%s (at t %.2f)" % [length(found["distance"] as float), found["distance_weight"]]
+			"%s (t = %.2f)" % [length(found["distance"] as float), found["distance_weight"]]
 		)
-	if found["angle"] > NEAR:
-		parts.append("%s (at t %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
-	return "the same as the screw" if parts.is_empty() else "off the screw: %s" % ", ".join(parts)
+	if found["angle"] > EPSILON:
+		parts.append("%s (t = %.2f)" % [angle(found["angle"] as float), found["angle_weight"]])
+	return "no deviation from screw" if parts.is_empty() else "deviation: %s" % ", ".join(parts)
 
 
-static func length(metres: float) -> String:
-	if metres >= 1.0:
-		return "%.2f m" % metres
+static func length(meters: float) -> String:
+	if meters >= 1.0:
+		return "%.2f m" % meters
 	return (
 		"%s mm"
-		% String.num(metres * 1000.0, 3 if metres < 1e-3 else 1 if metres < 0.1 else 0).trim_suffix(
+		% String.num(meters * 1000.0, 3 if meters < 1e-3 else 1 if meters < 0.1 else 0).trim_suffix(
 			".0"
 		)
 	)
@@ -66,6 +67,6 @@ static func _vector(vector: Vector3, decimals: int) -> String:
 	)
 
 
-# No "-0.00".
+# Adding 0.0 turns -0.0 into 0.0.
 static func _number(number: float, decimals: int) -> String:
 	return String.num(snappedf(number, pow(10.0, -decimals)) + 0.0, decimals).pad_decimals(decimals)

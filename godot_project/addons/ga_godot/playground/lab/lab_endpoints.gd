@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## From which pose to which, and what is wrong with them.
+## Selects the start and end pose, and shows problems with them.
 
 const EntryList := preload("../entries/entry_list.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
@@ -27,7 +27,7 @@ func _init(lab: InterpolationLab, list: EntryList) -> void:
 	add_child(line)
 	_prepare_choice(_from, "From", "The pose at t = 0.")
 	_prepare_choice(_to, "To", "The pose at t = 1.")
-	_prepare_button(_swap, "Swap", "Exchange the two.", _on_swap_pressed)
+	_prepare_button(_swap, "Swap", "Swap the two poses.", _on_swap_pressed)
 	_prepare_button(_use_selection, "UseSelection", "", _on_use_selection_pressed)
 	for part: Control in [_from, _swap, _to, _use_selection]:
 		line.add_child(part)
@@ -39,7 +39,7 @@ func _init(lab: InterpolationLab, list: EntryList) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
-		_swap.icon = PlaygroundIcons.make(&"exchange", self)
+		_swap.icon = PlaygroundIcons.make(&"swap", self)
 		_use_selection.icon = PlaygroundIcons.make(&"pick", self)
 
 
@@ -49,11 +49,11 @@ func refresh() -> void:
 	_fill(_to, names, _lab.poses.to_name)
 	_swap.disabled = _lab.poses.from_name.is_empty() or _lab.poses.to_name.is_empty()
 	_show_selection()
-	var fault := _lab.poses.fault
-	_words.text = fault if not fault.is_empty() else _lab.poses.notice
+	var error := _lab.poses.error
+	_words.text = error if not error.is_empty() else _lab.poses.notice
 	_words.visible = not _words.text.is_empty()
-	# Too few to choose from is no error.
-	if fault.is_empty() or names.size() < 2:
+	# Having too few poses is not an error.
+	if error.is_empty() or names.size() < 2:
 		_words.remove_theme_color_override(&"font_color")
 		_words.modulate = QUIET
 	else:
@@ -81,7 +81,7 @@ func _prepare_button(button: Button, title: String, hint: String, act: Callable)
 	button.pressed.connect(act)
 
 
-# An entry that is chosen and cannot be is shown as well, and that it cannot.
+# A chosen entry that cannot be used is listed too, but disabled.
 func _fill(choice: OptionButton, names: PackedStringArray, chosen: String) -> void:
 	var shown := names.duplicate()
 	if not chosen.is_empty() and not shown.has(chosen):
@@ -106,9 +106,9 @@ func _show_selection() -> void:
 	var pair := _selected_pair()
 	_use_selection.disabled = pair.is_empty()
 	_use_selection.tooltip_text = (
-		"Interpolate from %s to %s, which are selected." % [pair[0], pair[1]]
+		"Interpolate between the selected entries, from %s to %s." % [pair[0], pair[1]]
 		if not pair.is_empty()
-		else "Interpolate what is selected: select two motors (Ctrl and click)."
+		else "Interpolate between the selected motors. Ctrl+click to select two."
 	)
 
 

@@ -1,10 +1,12 @@
 @tool
 @abstract
 extends "step_probe.gd"
-## What a person sees of the editor, and does with the mouse in its first 3D viewport, where places are in pixels of it.
+## Mouse input in the editor's first 3D viewport, with positions in its pixels, and access to the
+## editor.
 
 
-## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.
+## Drags a handle and checks that it reaches the mouse, that the dependents follow during the drag,
+## and that one undo restores the document.
 func _check_drag(
 	entry: String, key: String, by: Vector2, dependents: Array[String], reaches := true
 ) -> void:
@@ -33,9 +35,9 @@ func _check_drag(
 				% [key, entry, distance, scene.get_expression(entry)]
 			)
 		)
-	_expect(scene.document != before, true, "%s of %s was dragged" % [key, entry])
+	_expect(scene.document != before, true, "%s of %s being changed by the drag" % [key, entry])
 	_undo()
-	_expect(scene.document, before, "one undo takes back %s of %s" % [key, entry])
+	_expect(scene.document, before, "document after undoing the drag of %s of %s" % [key, entry])
 
 
 func _drag(from: Vector2, to: Vector2, with_control := false) -> void:

@@ -1,8 +1,8 @@
 @tool
 extends RefCounted
-## Entries, and what they are computed from, as text for other places.
+## Exports entries as GDScript, C++ and LaTeX.
 
-## What an entry may be called and a variable may not.
+## Keywords of GDScript and C++, which cannot be names of variables.
 const RESERVED: PackedStringArray = [
 	"and",
 	"as",
@@ -88,7 +88,7 @@ static func gdscript(scene: GAScene, entries: PackedStringArray) -> String:
 	return "\n".join(lines) + "\n"
 
 
-## Values, for the algebra of the C++ core (cga/algebra/multivector.hpp).
+## The values as constants of type cga::Multivector (cga/algebra/multivector.hpp).
 static func cpp(scene: GAScene, entries: PackedStringArray) -> String:
 	var lines := PackedStringArray()
 	for entry in entries:
@@ -124,7 +124,7 @@ static func _variable(entry: String) -> String:
 	return entry + "_" if RESERVED.has(entry) else entry
 
 
-## These entries and those they need, each after those it needs; without those that have an error.
+## These entries and their dependencies, dependencies first, without entries that have an error.
 static func _in_order(scene: GAScene, entries: PackedStringArray) -> PackedStringArray:
 	var order := PackedStringArray()
 	for entry in entries:

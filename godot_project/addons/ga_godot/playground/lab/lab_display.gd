@@ -1,14 +1,16 @@
 @tool
 extends HFlowContainer
-## What is drawn of each way: ghosts and how many, the path, which body; how long it is played; the lever that deviations
-## are measured at.
+## Display settings: body, path, ghosts, the lever arm of deviations, and the duration of playback.
 
 const PlaygroundHost := preload("../playground_host.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabBody := preload("lab_body.gd")
 const LabNumber := preload("lab_number.gd")
 
-const LEVER_HINT := "Distances between two ways are those of a point of the body this far from its origin, in metres: of all such points the one that fares worst."
+const LEVER_HINT := (
+	"Lever arm of deviations, in meters. Distances are measured at the point of the body that"
+	+ " deviates most, of all points this far from its origin."
+)
 
 var _lab: InterpolationLab
 var _body := OptionButton.new()
@@ -23,25 +25,25 @@ func _init(lab: InterpolationLab, host: PlaygroundHost) -> void:
 	name = "Shown"
 	_lab = lab
 	_body.name = "Body"
-	_body.tooltip_text = "What moves."
+	_body.tooltip_text = "Choose the body to draw."
 	for kind in LabBody.KINDS:
 		_body.add_item(LabBody.TITLES[kind])
 	_body.item_selected.connect(
 		func(index: int) -> void: _lab.set_setting(&"body", String(LabBody.KINDS[index]))
 	)
-	_path = _make_box(&"path", "Path", "The way of the body's origin.")
-	_ghosts = _make_box(&"ghosts", "Ghosts", "The body at even steps of t.")
+	_path = _make_box(&"path", "Path", "Draw the path of the body's origin.")
+	_ghosts = _make_box(&"ghosts", "Ghosts", "Draw the body at equal steps of t.")
 	_count = LabNumber.new(
-		lab, host, &"ghost_count", "", 1.0, "How many ghosts, both ends among them."
+		lab, host, &"ghost_count", "", 1.0, "Number of ghosts, including both ends."
 	)
-	_lever = LabNumber.new(lab, host, &"lever", "lever", 0.01, LEVER_HINT)
+	_lever = LabNumber.new(lab, host, &"lever", "lever arm", 0.01, LEVER_HINT)
 	_duration = LabNumber.new(
 		lab,
 		host,
 		&"duration",
 		"time",
 		0.1,
-		"How many seconds it is played from one pose to the other."
+		"Duration of the playback from one pose to the other, in seconds."
 	)
 	for part: Control in [_body, _path, _ghosts, _count, _lever, _duration]:
 		add_child(part)
