@@ -223,11 +223,11 @@ func test_distances_on_the_screen() -> void:
 
 func test_faults_are_told() -> void:
 	_build()
-	expect_error("GANode3D: line_width is in pixels, above 0 and at most 100, not 0.000000.")
+	expect_error("GANode3D.line_width: 0.000000 is not a width in pixels above 0 and up to 100.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
 	expect_error(
-		"GANode3D.get_screen_distance: the camera is null or not in the scene tree; pass the one that shows this node."
+		"GANode3D.get_screen_distance: the camera is null or outside the scene tree; pass the camera that renders this node."
 	)
 	expect_equal(_node.get_screen_distance(null, Vector2.ZERO), INF, "distance without a camera")
 
