@@ -143,7 +143,7 @@ godot::Color GANode3D::get_color() const {
 }
 
 void GANode3D::set_line_width(double pixels) {
-	ERR_FAIL_COND_MSG(!std::isfinite(pixels) || pixels <= 0.0 || pixels > 100.0, vformat("GANode3D.line_width: %f is not a width in pixels above 0 and up to 100.", pixels));
+	ERR_FAIL_COND_MSG(!std::isfinite(pixels) || pixels <= 0.0 || pixels > 100.0, vformat("GANode3D.line_width: %s is not a width in pixels above 0 and up to 100.", pixels));
 	_line_width = pixels;
 	write_parts();
 }
