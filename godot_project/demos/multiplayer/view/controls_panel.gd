@@ -20,7 +20,7 @@ const WIDTH := 250
 const REQUEST_INTERVAL := 0.1
 
 var _conditions := LineConditions.new()
-var _loss := SliderRow.new("Loss", 0.0, 50.0, 1.0, "%d %%")
+var _loss := SliderRow.new("Loss", 0.0, 50.0, 1.0, "%d%%")
 var _delay := SliderRow.new("Delay", 0.0, 200.0, 5.0, "%d ms")
 var _jitter := SliderRow.new("Jitter", 0.0, 200.0, 5.0, "%d ms")
 var _tolerance := SliderRow.new("Tolerance", 1.0, 50.0, 0.5, "%.1f mm")

@@ -96,7 +96,7 @@ func update(client: Client) -> void:
 		_curve.push(rate)
 	_show_rates()
 	_values["Packets"].text = "%.0f/s" % (packets / elapsed)
-	_values["Packet loss"].text = "%.0f %%" % (100.0 * lost / maxi(packets, 1))
+	_values["Packet loss"].text = "%.0f%%" % (100.0 * lost / maxi(packets, 1))
 	var delay := client.link.get_delay() * 1000.0
 	_values["Playback delay"].text = "%.0f ms" % delay if delay > 0.0 else "none"
 	_show_errors(client)
