@@ -49,7 +49,7 @@ func test_dragging_rewrites_the_literals() -> void:
 func test_what_cannot_be_dragged() -> void:
 	_scene.add_entry("s", "sphere(e1, 1.5)")
 	expect_error(
-		"GAScene.set_parameter: sphere: The radius is not a positive number; give one above zero."
+		"GAScene.set_parameter: sphere: the radius must be a finite number above zero."
 	)
 	expect_equal(
 		_scene.set_parameter("s", "radius", -1.0), ERR_INVALID_PARAMETER, "a negative radius"
@@ -58,7 +58,7 @@ func test_what_cannot_be_dragged() -> void:
 		"GAScene.set_parameter: the expression has no parameter 'size'; it has center, radius."
 	)
 	expect_equal(_scene.set_parameter("s", "size", 1.0), ERR_INVALID_PARAMETER, "an unknown key")
-	expect_error("GAScene.set_parameter: the parameter 'center' is a vector, not a number.")
+	expect_error("GAScene.set_parameter: the parameter 'center' must be a vector, not a number.")
 	expect_equal(_scene.set_parameter("s", "center", 1.0), ERR_INVALID_PARAMETER, "a wrong type")
 	expect_error(
 		'GAScene.set_parameter: a parameter is a number, a Vector3, a Quaternion, or a Multivector or its 32 coefficients as PackedFloat64Array; "center" was given as String.'

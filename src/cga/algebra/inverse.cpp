@@ -9,8 +9,6 @@ namespace cga {
 
 namespace {
 
-constexpr Failure SINGULAR = { "The element has no inverse: it is null or a divisor of zero, or too near to one for the precision of double" };
-
 // Of |X| |X^-1|.
 constexpr double MAX_CONDITION = 1e13;
 
@@ -38,12 +36,12 @@ std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 
 } // namespace
 
-Result<Multivector> inverse(const Multivector &x) {
+MultivectorResult inverse(const Multivector &x) {
 	if (!x.is_finite()) {
-		return Failure{ "The element has a coefficient that is not finite, so it has no inverse" };
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!(x.max_abs() > 0.0)) {
-		return Failure{ "Zero has no inverse" };
+		return AlgebraError::ZERO_HAS_NO_INVERSE;
 	}
 	// At unit size, squares neither overflow nor vanish.
 	const int exponent = std::ilogb(x.max_abs());
@@ -61,11 +59,11 @@ Result<Multivector> inverse(const Multivector &x) {
 		}
 	}
 	if (!inverse) {
-		return SINGULAR;
+		return AlgebraError::SINGULAR;
 	}
 	const Multivector result = inverse->times_power_of_two(-exponent);
 	if (!result.is_finite()) {
-		return Failure{ "The element is so small that its inverse leaves the range of double; scale it up first" };
+		return AlgebraError::INVERSE_OVERFLOW;
 	}
 	return result;
 }

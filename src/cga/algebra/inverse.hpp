@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 namespace cga {
 
@@ -10,6 +10,6 @@ namespace cga {
 // Motors of any weight, versors and blades by X~ / (X X~), all others as 4 x 4 complex matrices (complex_matrix.hpp).
 // An error where X is not finite, and where it has no inverse: X is taken for singular if |X| |X^-1| > 1e13, with |X|
 // the root of the sum of the squared coefficients, whatever the size of X. (An inverse beyond would have no digits.)
-Result<Multivector> inverse(const Multivector &x);
+MultivectorResult inverse(const Multivector &x);
 
 } // namespace cga

@@ -27,7 +27,7 @@ std::string describe(const Classification &found) {
 		text += ", radius " + readable(*found.radius);
 	}
 	if (found.center) {
-		text += (found.radius ? ", centre " : ", at ") + readable(*found.center, found.radius.value_or(0.0));
+		text += (found.radius ? ", center " : ", at ") + readable(*found.center, found.radius.value_or(0.0));
 	}
 	if (found.distance) {
 		text += ", distance " + readable(*found.distance);

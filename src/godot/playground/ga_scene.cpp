@@ -30,10 +30,10 @@ const playground::Entry *GAScene::find(const String &p_name, const char *p_metho
 	return entry;
 }
 
-Error GAScene::finish(const playground::Change &p_change, const char *p_method) {
-	ERR_FAIL_COND_V_MSG(!p_change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", p_method, to_godot(p_change.error)));
-	if (!p_change.names.empty()) {
-		emit_signal("entries_changed", to_strings(p_change.names));
+Error GAScene::finish(const playground::ChangeResult &p_change, const char *p_method) {
+	ERR_FAIL_COND_V_MSG(!p_change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", p_method, to_godot(p_change.error().message)));
+	if (!p_change->empty()) {
+		emit_signal("entries_changed", to_strings(*p_change));
 	}
 	emit_changed();
 	return godot::OK;
@@ -91,12 +91,12 @@ String GAScene::get_expression(const String &p_name) const {
 
 Ref<Multivector> GAScene::get_value(const String &p_name) const {
 	const playground::Entry *entry = find(p_name, "get_value");
-	return entry && entry->outcome.value ? Multivector::make(*entry->outcome.value) : Ref<Multivector>();
+	return entry && entry->value ? Multivector::make(*entry->value) : Ref<Multivector>();
 }
 
 String GAScene::get_error(const String &p_name) const {
 	const playground::Entry *entry = find(p_name, "get_error");
-	return entry ? to_godot(entry->outcome.error) : String();
+	return entry && !entry->value ? to_godot(entry->value.error().message) : String();
 }
 
 String GAScene::get_description(const String &p_name) const {
@@ -126,7 +126,8 @@ String GAScene::get_expression_error(const String &p_expression) const {
 }
 
 String GAScene::get_name_error(const String &p_name) const {
-	return to_godot(_document.new_name_error(to_utf8(p_name)));
+	const cga::Result<void, playground::Error> checked = _document.check_new_name(to_utf8(p_name));
+	return checked ? String() : to_godot(checked.error().message);
 }
 
 PackedStringArray GAScene::get_load_errors() const {

@@ -75,7 +75,7 @@ private:
 	// Null, and an error of that method, if there is no such entry.
 	const playground::Entry *find(const godot::String &p_name, const char *p_method) const;
 	// Tells of a change, or says why it was refused.
-	godot::Error finish(const playground::Change &p_change, const char *p_method);
+	godot::Error finish(const playground::ChangeResult &p_change, const char *p_method);
 	godot::Error load(const godot::String &p_text, const char *p_what);
 
 	playground::Document _document;

@@ -26,7 +26,7 @@ static Dictionary to_dictionary(const Handle &p_handle) {
 	Dictionary dictionary;
 	dictionary["key"] = to_godot(p_handle.key);
 	dictionary["motion"] = MOTIONS[int(p_handle.constraint.motion)];
-	dictionary["place"] = to_godot(p_handle.constraint.place);
+	dictionary["place"] = to_godot(p_handle.constraint.position);
 	dictionary["center"] = to_godot(p_handle.constraint.center);
 	dictionary["axis"] = to_godot(p_handle.constraint.axis);
 	dictionary["stem"] = to_godot(p_handle.stem);
@@ -56,7 +56,7 @@ static bool to_handle(const Dictionary &p_dictionary, Handle &r_handle) {
 		r_vector = to_glm(vector);
 		return is_finite(vector);
 	};
-	return is_motion && read("place", r_handle.constraint.place) && read("center", r_handle.constraint.center) && read("axis", r_handle.constraint.axis) && read("stem", r_handle.stem) && read("grab", r_handle.grab);
+	return is_motion && read("place", r_handle.constraint.position) && read("center", r_handle.constraint.center) && read("axis", r_handle.constraint.axis) && read("stem", r_handle.stem) && read("grab", r_handle.grab);
 }
 
 godot::TypedArray<Dictionary> GAScene::get_handles(const String &p_name, const Vector3 &p_right) const {
@@ -81,7 +81,7 @@ Error GAScene::drag_handle(const String &p_name, const Dictionary &p_handle, con
 	if (!drag) {
 		return godot::ERR_SKIP;
 	}
-	const playground::Change change = _document.set_parameter(entry->name, drag->parameter, drag->value);
+	const playground::ChangeResult change = _document.set_parameter(entry->name, drag->parameter, drag->value);
 	// While it is dragged that happens, and is no mistake of the caller's.
 	return change ? finish(change, "drag_handle") : godot::ERR_SKIP;
 }

@@ -38,7 +38,7 @@ private:
 	void pin_end(int ticks);
 	bool set_length(const BodyState &state, int ticks, size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
-	void round_end(const double way[6], SegmentCode &code) const;
+	void round_end(const double displacement[6], SegmentCode &code) const;
 	bool try_code(const SegmentCode &code, float limit, Result &result) const;
 	/// In 1/256 bit.
 	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);

@@ -22,8 +22,8 @@ Multivector blade(const char *name) {
 
 // How far X X^-1 and X^-1 X are from 1, relative to the sizes of both.
 double error_of_inverse(const Multivector &x) {
-	const Result<Multivector> result = inverse(x);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = inverse(x);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	const double size = x.max_abs() * result->max_abs();
 	return std::max((x.geometric_product(*result) - ONE).max_abs(), (result->geometric_product(x) - ONE).max_abs()) / size;
 }
@@ -60,7 +60,7 @@ TEST_CASE("the inverse of versors is X~ / (X X~)") {
 		for (int factor = 0; factor < repeat % 5; ++factor) {
 			versor = versor.geometric_product(random.multivector().grade(1));
 		}
-		const Result<Multivector> result = inverse(versor);
+		const MultivectorResult result = inverse(versor);
 		REQUIRE(result);
 		const double weight = versor.norm_squared();
 		CHECK(result->is_equal_approx(versor.reverse() * (1.0 / weight), 1e-9 * result->max_abs()));
@@ -80,7 +80,7 @@ TEST_CASE("small known ones") {
 TEST_CASE("motors that carry far have their inverse") {
 	for (const double distance : { 1.0, 1e5, 1e9, 1e12 }) {
 		const Multivector motor = translator({ distance, -2.0 * distance, 0.0 }).geometric_product(rotor({ 0.6, 0.0, 0.8, 0.0 }));
-		const Result<Multivector> result = inverse(motor);
+		const MultivectorResult result = inverse(motor);
 		REQUIRE(result);
 		CHECK(result->is_equal_approx(motor.reverse(), 1e-14 * distance));
 	}
@@ -112,7 +112,7 @@ TEST_CASE("singular elements are told whatever their size and whatever they are 
 			CHECK_FALSE(inverse(singular.geometric_product(random.multivector())));
 		}
 	}
-	CHECK(std::string(inverse(ONE + blade("e1")).error()).find("divisor of zero") != std::string::npos);
+	CHECK(inverse(ONE + blade("e1")).error() == AlgebraError::SINGULAR);
 }
 
 TEST_CASE("nearly singular elements keep the digits that they have") {
@@ -126,9 +126,9 @@ TEST_CASE("nearly singular elements keep the digits that they have") {
 }
 
 TEST_CASE("zero, infinity, the smallest and the largest") {
-	CHECK(std::string(inverse(Multivector()).error()) == "Zero has no inverse");
+	CHECK(inverse(Multivector()).error() == AlgebraError::ZERO_HAS_NO_INVERSE);
 	CHECK_FALSE(inverse(blade("e1") * std::numeric_limits<double>::infinity()));
 	CHECK_FALSE(inverse(blade("e1") * std::numeric_limits<double>::quiet_NaN()));
-	CHECK(std::string(inverse(blade("e1") * 5e-324).error()).find("range of double") != std::string::npos);
+	CHECK(inverse(blade("e1") * 5e-324).error() == AlgebraError::INVERSE_OVERFLOW);
 	CHECK(inverse(blade("e1") * 1e308)->is_equal_approx(blade("e1") * 1e-308, 1e-320));
 }

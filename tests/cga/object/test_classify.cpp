@@ -69,7 +69,7 @@ TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km
 		const double squares = 1.0 + (glm::dot(p, p) + radius * radius) / (size * size);
 		const double rounding = 2e-15 * squares * (size * size + 1.0 / (size * size) + 1.0);
 		CAPTURE(size);
-		const auto check_round = [&](const Result<Multivector> &made, Kind kind, bool imaginary, bool ipns) {
+		const auto check_round = [&](const MultivectorResult &made, Kind kind, bool imaginary, bool ipns) {
 			const Classification found = classify((ipns ? made->dual() : *made) * -random.scale(), ipns);
 			CHECK(found.kind == kind);
 			CHECK(found.ipns == ipns);
@@ -167,9 +167,9 @@ TEST_CASE("what is no object has the kind none, and says how far it is from a bl
 }
 
 TEST_CASE("one line for people") {
-	CHECK(describe(classify(*circle({ 0, 1, 0 }, { 0, 0, 1 }, 1.5))) == "circle, radius 1.5, centre (0, 1, 0), normal (0, 0, 1)");
+	CHECK(describe(classify(*circle({ 0, 1, 0 }, { 0, 0, 1 }, 1.5))) == "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)");
 	CHECK(describe(classify(point({ 1, 2, 3 }))) == "point, at (1, 2, 3)");
 	CHECK(describe(classify(*plane({ 0, 0, 2 }, -1.0))) == "plane, distance -1, normal (0, 0, 1)");
-	CHECK(describe(classify(*imaginary_sphere({ 0, 0, 0 }, 2.0))) == "imaginary sphere, radius 2, centre (0, 0, 0)");
+	CHECK(describe(classify(*imaginary_sphere({ 0, 0, 0 }, 2.0))) == "imaginary sphere, radius 2, center (0, 0, 0)");
 	CHECK(describe(classify(-blade("e3"))) == "dual plane, distance 0, normal (0, 0, 1)");
 }

@@ -26,8 +26,8 @@ Multivector random_blade(Random &random) {
 	return blade;
 }
 
-Kind kind_of(const Result<Multivector> &x) {
-	REQUIRE_MESSAGE(x, x.error());
+Kind kind_of(const MultivectorResult &x) {
+	REQUIRE_MESSAGE(x, describe(x.error()));
 	return classify(*x).kind;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("every vector of the meet is in both, and every one of both in the joi
 	Random random(1);
 	for (int i = 0; i < CASES; ++i) {
 		const Multivector a = random_blade(random), b = random_blade(random);
-		const Result<Multivector> shared = meet(a, b), spanned = join(a, b);
+		const MultivectorResult shared = meet(a, b), spanned = join(a, b);
 		REQUIRE(shared);
 		REQUIRE(spanned);
 		// A is in the join J, and the meet M is in A: with the larger of two blades, their inner product is a product.
@@ -174,9 +174,9 @@ TEST_CASE("projection and rejection add up to a vector, and reflecting twice cha
 		const Vector3D p = random.vector(1.0), n = glm::normalize(random.vector(1.0));
 		const Multivector mirrors[] = { *plane(n, 0.3), *sphere(random.vector(1.0), random.uniform(0.5, 2.0)), *line(random.vector(1.0), n) };
 		for (const Multivector &mirror : mirrors) {
-			const Result<Multivector> image = reflect_in(point(p), mirror);
+			const MultivectorResult image = reflect_in(point(p), mirror);
 			REQUIRE(image);
-			const Result<Multivector> back = reflect_in(*image, mirror);
+			const MultivectorResult back = reflect_in(*image, mirror);
 			REQUIRE(back);
 			const std::optional<Vector3D> position = position_of(*back);
 			REQUIRE(position);
@@ -195,7 +195,7 @@ TEST_CASE("what is no blade, or null where an inverse is needed, is refused with
 		for (const Multivector &bad : { no_blade, Multivector(), good * std::numeric_limits<double>::infinity(), good + Multivector::scalar(1.0) }) {
 			CHECK_FALSE(function(good, bad).has_value());
 			CHECK_FALSE(function(bad, good).has_value());
-			CHECK_FALSE(std::string(function(bad, good).error()).empty());
+			CHECK_FALSE(std::string(describe(function(bad, good).error())).empty());
 		}
 	}
 	for (const auto function : { project_onto, reject_from, reflect_in }) {

@@ -24,7 +24,7 @@ TEST_CASE("crossing lines meet in a point (zero by the fixed pseudoscalar)") {
 		const Vector3D v = glm::normalize(glm::cross(u, random.vector(1.0)));
 		const Multivector a = *line(p - u, u), b = *line(p + 2.0 * v, v);
 		CHECK(a.regressive_product(b).max_abs() < 1e-14 * (1.0 + glm::dot(p, p)));
-		const Result<Multivector> shared = meet(a, b);
+		const MultivectorResult shared = meet(a, b);
 		REQUIRE(shared);
 		const Classification found = classify(*shared);
 		CHECK(found.kind == Kind::flat_point);

@@ -40,8 +40,8 @@ Multivector random_motor(Random &random) {
 	return to_multivector(Motor<double>::from_pose(pose)) * random_size(random);
 }
 
-void check(const char *name, const Result<Multivector> &result) {
-	const bool sound = result ? result->is_finite() : !std::string(result.error()).empty();
+void check(const char *name, const MultivectorResult &result) {
+	const bool sound = result ? result->is_finite() : !std::string(describe(result.error())).empty();
 	CHECK_MESSAGE(sound, name);
 }
 

@@ -19,8 +19,8 @@ using namespace cga_test;
 namespace {
 
 Multivector log_of(const Multivector &versor) {
-	const Result<Multivector> result = log(versor);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = log(versor);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	return *result;
 }
 

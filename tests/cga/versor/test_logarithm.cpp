@@ -21,8 +21,8 @@ Multivector blade(const char *name) {
 }
 
 Multivector log_of(const Multivector &versor) {
-	const Result<Multivector> result = log(versor);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = log(versor);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	return *result;
 }
 
@@ -188,15 +188,15 @@ TEST_CASE("two turns at once, half turns among them") {
 }
 
 TEST_CASE("what has no logarithm says why") {
-	CHECK(std::string(log(blade("e1")).error()).find("odd versor") != std::string::npos);
-	CHECK(std::string(log(blade("I")).error()).find("odd versor") != std::string::npos);
+	CHECK(log(blade("e1")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
+	CHECK(log(blade("I")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
 	// One real and one imaginary inversion: M M~ = -1.
-	CHECK(std::string(log(blade("e15")).error()).find("negative M M~") != std::string::npos);
-	CHECK(std::string(log(blade("1") + blade("e1")).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(blade("e12") + blade("e34")).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(e_infinity()).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(Multivector()).error()).find("Zero") != std::string::npos);
-	CHECK(std::string(log(blade("e12") * std::numeric_limits<double>::infinity()).error()).find("not finite") != std::string::npos);
+	CHECK(log(blade("e15")).error() == AlgebraError::NEGATIVE_HAS_NO_LOGARITHM);
+	CHECK(log(blade("1") + blade("e1")).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(blade("e12") + blade("e34")).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(e_infinity()).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(Multivector()).error() == AlgebraError::ZERO_HAS_NO_LOGARITHM);
+	CHECK(log(blade("e12") * std::numeric_limits<double>::infinity()).error() == AlgebraError::NOT_FINITE);
 	Random random(120);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		CHECK_FALSE(log(random_product(random, 1 + repeat % 2 * 2)));

@@ -21,7 +21,7 @@ func _open_example() -> void:
 	await settle()
 	expect(names().slice(0, 4), ["A", "B", "C", "AB"], "entries of an example")
 	expect(
-		words_of("A"), "sphere, radius 1.55, centre (-1.1, 0.7, 0.4)", "words of an example's entry"
+		words_of("A"), "sphere, radius 1.55, center (-1.1, 0.7, 0.4)", "words of an example's entry"
 	)
 	expect_true(_description().visible, "the description")
 	expect((_description().find_child("Title", true, false) as Label).text, EXAMPLE, "its title")
