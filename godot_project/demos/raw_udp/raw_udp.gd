@@ -49,9 +49,9 @@ func _process(_delta: float) -> void:
 			push_warning("Rejected a packet: %s." % problem)
 		_in.set_dest_address(_in.get_packet_ip(), _in.get_packet_port())
 	receiver.advance(now)
-	var answer := receiver.take_answer(now)
-	if not answer.is_empty():
-		_in.put_packet(answer)
+	var ack := receiver.take_ack(now)
+	if not ack.is_empty():
+		_in.put_packet(ack)
 	if receiver.has_body(BODY):
 		_shown.transform = receiver.get_transform(BODY)
 		_shown.position.y -= 1.5

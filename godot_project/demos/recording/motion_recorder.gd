@@ -38,9 +38,9 @@ func record(time: float, bodies: Dictionary[int, Transform3D]) -> void:
 		_file.store_buffer(bytes)
 		_reader.accept(bytes, time)
 	_reader.advance(time)
-	var answer := _reader.take_answer(time)
-	if not answer.is_empty():
-		sender.accept(RECEIVER, answer, time)
+	var ack := _reader.take_ack(time)
+	if not ack.is_empty():
+		sender.accept(RECEIVER, ack, time)
 
 
 ## Closes the file and returns its size in bytes.
