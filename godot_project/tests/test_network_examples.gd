@@ -74,5 +74,5 @@ func test_the_recording_scene_plays() -> void:
 	tree.root.add_child(example)
 	await tree.create_timer(0.5).timeout
 	var text: String = (example.get_node(^"Label") as Label).text
-	expect_true(text.begins_with("64 cubes for 4 s: "), text)
+	expect_true(text.begins_with("64 cubes, 4 s: "), text)
 	example.free()

@@ -86,7 +86,7 @@ func test_a_kind_is_chosen_and_added_by_clicks() -> void:
 	var menu := _demo.find_child("Adding", true, false) as MenuButton
 	menu.get_popup().index_pressed.emit(5)
 	expect_equal(
-		(_demo.find_child("Keys", true, false) as Label).text.begins_with("Click to add: Sphere"),
+		(_demo.find_child("Keys", true, false) as Label).text.begins_with("Click: add Sphere"),
 		true,
 		"hint"
 	)
