@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace net_test {
@@ -16,7 +17,7 @@ namespace net_test {
 using harness::LinkSettings;
 using harness::SimulatedLink;
 
-/// A receiver, the links between it and the sender, and observations of both.
+/// A receiver, the links between it and the sender, and what was observed of them.
 struct RemoteEnd {
 	RemoteEnd(uint64_t seed, const LinkSettings &link, size_t max_bodies = 1000) :
 			receiver(std::make_unique<net::Receiver>(max_bodies)), down(link, seed), up(link, seed + 1000) {}
@@ -33,7 +34,7 @@ struct RemoteEnd {
 	SimulatedLink up;
 	std::vector<uint8_t> bytes_sent; // to the receiver, if SimulatedSession::keeps_bytes
 	size_t largest_packet = 0;
-	std::set<uint8_t> kinds; // first bytes of packets other than chunks
+	std::set<uint8_t> items; // first bytes of packets that do not begin with a chunk
 	double ready_at = -1.0;
 	double media_time = -1e9;
 	int steps_back = 0;
@@ -76,7 +77,7 @@ public:
 			end.bytes_sent.insert(end.bytes_sent.end(), bytes, bytes + (keeps_bytes ? packet.size : 0));
 			end.largest_packet = std::max(end.largest_packet, packet.size);
 			if (bytes[0] >= 0xc0) {
-				end.kinds.insert(bytes[0]);
+				end.items.insert(bytes[0]);
 			}
 			end.down.send(now, bytes, packet.size);
 		}
@@ -103,8 +104,8 @@ public:
 		const double time = origin + end.receiver->media_time();
 		double worst = 0.0;
 		for (const auto &body : bodies) {
-			PoseD shown;
-			worst = std::max(worst, end.receiver->pose(body.first, shown) ? error_share(shown, body.second.path(time), grid) : 1e9);
+			const std::optional<PoseD> shown = end.receiver->pose(body.first);
+			worst = std::max(worst, shown ? error_share(*shown, body.second.path(time), grid) : 1e9);
 		}
 		return worst;
 	}
@@ -117,21 +118,22 @@ public:
 	double origin = 100.0; // the time of the sender's first observation, where its media time is 0
 	bool keeps_bytes = false;
 	bool takes_events = true;
-	int answers_rejected = 0;
+	int acks_rejected = 0;
 	int packets_rejected = 0;
 
 private:
 	void step_end(uint32_t id, RemoteEnd &end) {
 		// The receiver's clock is not the sender's.
 		const double receiver_now = now + 5000.0;
-		// Sums of ticks are rounded: what arrives at this tick may be due a little later.
+		// Sums of ticks are rounded: a packet of this tick may be due slightly later.
 		const double due = now + 1e-9;
 		while (const std::optional<harness::Delivery> packet = end.down.receive(due)) {
-			packets_rejected += end.receiver->accept(packet->bytes.data(), packet->bytes.size(), receiver_now) != nullptr;
+			packets_rejected += end.receiver->accept(packet->bytes.data(), packet->bytes.size(), receiver_now) ? 0 : 1;
 		}
-		std::vector<uint8_t> answer;
-		if (end.receiver->take_ack(answer, receiver_now)) {
-			end.up.send(now, answer.data(), answer.size());
+		std::vector<uint8_t> ack;
+		end.receiver->take_ack(ack, receiver_now);
+		if (!ack.empty()) {
+			end.up.send(now, ack.data(), ack.size());
 		}
 		end.receiver->advance(receiver_now);
 		if (takes_events) {
@@ -144,11 +146,11 @@ private:
 			end.media_time = end.receiver->media_time();
 		}
 		for (const auto &body : bodies) {
-			PoseD pose;
-			end.not_finite += end.receiver->pose(body.first, pose) && !cga_test::is_finite(pose) ? 1 : 0;
+			const std::optional<PoseD> pose = end.receiver->pose(body.first);
+			end.not_finite += pose && !cga_test::is_finite(*pose) ? 1 : 0;
 		}
 		while (const std::optional<harness::Delivery> received = end.up.receive(due)) {
-			answers_rejected += sender->accept(id, received->bytes.data(), received->bytes.size(), now) != nullptr;
+			acks_rejected += sender->accept(id, received->bytes.data(), received->bytes.size(), now) ? 0 : 1;
 		}
 	}
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace bench {
 
@@ -41,9 +42,12 @@ public:
 		for (; _next < _trace.order.size() && next_time() <= media_time; ++_next) {
 			const SampleIndex &index = _trace.order[_next];
 			const uint32_t id = _trace.bodies[index.body].id;
-			cga::Pose<double> pose;
-			if (receiver.pose_at(id, next_time(), pose) || receiver.pose(id, pose)) {
-				_errors.add(lever_distance(pose, _trace.sample(index).pose), _motion[index.body][index.sample]);
+			std::optional<cga::Pose<double>> pose = receiver.pose_at(id, next_time());
+			if (!pose) {
+				pose = receiver.pose(id);
+			}
+			if (pose) {
+				_errors.add(lever_distance(*pose, _trace.sample(index).pose), _motion[index.body][index.sample]);
 			} else {
 				++_unseen;
 			}
@@ -86,7 +90,7 @@ public:
 			_result.bytes_sent += packet.size;
 			++_result.packets_sent;
 			if (packet.size > size_t(net::MAX_PACKET_BYTES)) {
-				note("it has more than MAX_PACKET_BYTES", "the sender sent a packet that is too large");
+				note(net::PacketError::TOO_LONG, "the sender sent an invalid packet");
 			}
 		}
 	}
@@ -111,7 +115,8 @@ public:
 				_delays.push_back(time - media_time);
 			}
 		}
-		if (_receiver.take_ack(_ack, now)) {
+		_receiver.take_ack(_ack, now);
+		if (!_ack.empty()) {
 			_ack_bytes += _ack.size();
 			_up.send(time, _ack.data(), _ack.size());
 		}
@@ -132,9 +137,9 @@ public:
 	}
 
 private:
-	void note(const char *error, const char *what) {
-		if (error != nullptr && _result.problem.empty()) {
-			_result.problem = std::string(what) + ": " + error;
+	void note(const net::PacketResult &result, const char *what) {
+		if (!result && _result.problem.empty()) {
+			_result.problem = std::string(what) + ": " + net::describe(result.error());
 		}
 	}
 

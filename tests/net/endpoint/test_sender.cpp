@@ -19,7 +19,7 @@ PoseD at(double x) {
 
 } // namespace
 
-TEST_CASE("sender: bodies, poses and receivers that cannot be are refused") {
+TEST_CASE("sender: invalid bodies, poses and receivers are rejected") {
 	Sender sender{ StreamSettings() };
 	for (const bool with_receiver : { false, true }) {
 		if (with_receiver) {
@@ -47,39 +47,41 @@ TEST_CASE("sender: bodies, poses and receivers that cannot be are refused") {
 	CHECK(sender.packets().empty());
 }
 
-TEST_CASE("sender: answers from strangers and random answers change nothing for others") {
+TEST_CASE("sender: acknowledgements from unknown peers and random ones do not affect other receivers") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 5);
 	RemoteEnd &end = session.add_receiver(1);
 	session.add_receiver(2);
 	session.run(2.0);
-	const uint8_t wish = 0xc2;
-	CHECK(std::string(session.sender->accept(99, &wish, 1, session.now)) == "the answer comes from nobody that poses are sent to");
+	const uint8_t request = 0xc2;
+	const PacketResult result = session.sender->accept(99, &request, 1, session.now);
+	REQUIRE_FALSE(result);
+	CHECK(result.error() == PacketError::UNKNOWN_RECEIVER);
 	cga_test::Random random(91);
-	end.kinds.clear();
+	end.items.clear();
 	double worst = 0.0;
 	session.run(4.0, [&] {
 		for (int i = 0; i < 10; ++i) {
-			std::vector<uint8_t> answer(size_t(random.uniform(0.0, 20.0)));
-			for (uint8_t &byte : answer) {
+			std::vector<uint8_t> ack(size_t(random.uniform(0.0, 20.0)));
+			for (uint8_t &byte : ack) {
 				byte = uint8_t(random.uniform(0.0, 256.0));
 			}
-			if (!answer.empty()) {
-				const uint8_t kinds[] = { 0xc0, 0xc1, 0xc2, 0xd0, answer[0] };
-				answer[0] = kinds[i % 5];
+			if (!ack.empty()) {
+				const uint8_t kinds[] = { 0xc0, 0xc1, 0xc2, 0xd0, ack[0] };
+				ack[0] = kinds[i % 5];
 			}
-			(void)session.sender->accept(2, answer.data(), answer.size(), session.now);
+			(void)session.sender->accept(2, ack.data(), ack.size(), session.now);
 		}
 		worst = std::max(worst, session.error(end));
 	});
 	CHECK(worst <= 1.3);
-	CHECK(end.kinds.count(0xe0) == 0); // no state
-	// The one whose answers they pretended to be recovers.
+	CHECK(end.items.count(0xe0) == 0); // no snapshot
+	// The receiver in whose name they were sent recovers.
 	session.run(6.0);
 	CHECK(session.error(*session.ends[2]) <= 1.3);
 }
 
-TEST_CASE("sender: a late receiver sees everything within two round trips and a tick, at no cost to others") {
+TEST_CASE("sender: a late receiver shows all bodies within two round trips and a tick, at no cost to others") {
 	size_t bytes[2] = { 0, 0 };
 	for (const bool with_late : { false, true }) {
 		SimulatedSession session;
@@ -87,7 +89,7 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 		add_smooth_bodies(session, 40);
 		RemoteEnd &first = session.add_receiver(1, { 0.05 });
 		session.run(3.0);
-		first.kinds.clear();
+		first.items.clear();
 		const size_t before = first.bytes_sent.size();
 		double worst = 0.0;
 		if (with_late) {
@@ -96,27 +98,25 @@ TEST_CASE("sender: a late receiver sees everything within two round trips and a 
 			session.run(0.2 + SimulatedSession::TICK, [&] { worst = std::max(worst, session.error(first)); });
 			CHECK(late.receiver->is_ready());
 			CHECK(late.ready_at - joined <= 0.2 + SimulatedSession::TICK + 1e-6);
-			std::vector<uint32_t> ids;
-			late.receiver->bodies(ids);
-			CHECK(ids.size() == 40);
+			CHECK(late.receiver->bodies().size() == 40);
 			CHECK(session.error(late) < 1e9);
 			session.run(1.0, [&] { worst = std::max(worst, session.error(first)); });
 			CHECK(session.error(late) <= 1.3);
 			CHECK(late.steps_back == 0);
-			CHECK(late.kinds.count(0xe0) == 1);
+			CHECK(late.items.count(0xe0) == 1);
 		} else {
 			session.run(1.2 + SimulatedSession::TICK);
 		}
 		CHECK(worst <= 1.3);
-		CHECK(first.kinds.count(0xe0) == 0); // no state for it
+		CHECK(first.items.count(0xe0) == 0); // no snapshot for it
 		bytes[with_late] = first.bytes_sent.size() - before;
 	}
-	// Windows may be shorter while little is known of the new line, and one more ends at the state: nothing else.
+	// Only that windows may be shorter while the new link has not been measured, and that one more ends at the snapshot.
 	CHECK(bytes[1] < bytes[0] * 2);
 	CHECK(bytes[0] > 300);
 }
 
-TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to nothing, until it is back") {
+TEST_CASE("sender: a removed receiver gets no packets; a silent one only probes, until it is back") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 8);
 	RemoteEnd &quiet = session.add_receiver(1);
@@ -133,13 +133,13 @@ TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to
 	CHECK(session.sender->statistics(1).bytes_sent - before <= 30);
 	CHECK(worst <= 1.3);
 	const int steps_back = quiet.steps_back;
-	uint64_t most_in_tick = 0;
+	uint64_t max_in_tick = 0;
 	uint64_t sent = session.sender->statistics(1).bytes_sent;
 	session.run(2.0, [&] {
-		most_in_tick = std::max(most_in_tick, session.sender->statistics(1).bytes_sent - sent);
+		max_in_tick = std::max(max_in_tick, session.sender->statistics(1).bytes_sent - sent);
 		sent = session.sender->statistics(1).bytes_sent;
 	});
-	CHECK(most_in_tick < 8000); // a state, not all that was missed
+	CHECK(max_in_tick < 8000); // a snapshot, not all missed windows
 	CHECK(session.error(quiet) <= 1.3);
 	CHECK(quiet.steps_back == steps_back);
 	CHECK(steps_back == 0);
@@ -152,7 +152,7 @@ TEST_CASE("sender: one that leaves gets nothing more, one that is silent next to
 	CHECK(session.sender->statistics(1).bytes_sent == 0);
 }
 
-TEST_CASE("sender: it is found again after an outage at the join, one-way outages, a new receiver, a new sender") {
+TEST_CASE("sender: receivers recover from outages at the join, one-way outages, a new receiver and a new sender") {
 	struct Row {
 		std::string name;
 		double down_from, down_until, up_from, up_until; // outages, from the start
@@ -161,14 +161,14 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 	const double never = 1e9;
 	for (const Row &row : {
 				 Row{ "nothing for 4 s at the join", 0.0, 4.0, 0.0, 4.0, never, never },
-				 Row{ "no answers for 4 s at the join", never, never, 0.0, 4.0, never, never },
+				 Row{ "no acks for 4 s at the join", never, never, 0.0, 4.0, never, never },
 				 Row{ "cut off in the middle of the join", 0.1, 4.5, 0.1, 4.5, never, never },
-				 Row{ "no answers for 5 s", never, never, 3.0, 8.0, never, never },
+				 Row{ "no acks for 5 s", never, never, 3.0, 8.0, never, never },
 				 Row{ "no packets for 5 s", 3.0, 8.0, never, never, never, never },
 				 Row{ "nothing for 25 s", 3.0, 28.0, 3.0, 28.0, never, never },
 				 Row{ "a new receiver behind the same address", never, never, never, never, 3.0, never },
 				 Row{ "a new sender", never, never, never, never, never, 3.0 },
-				 Row{ "a new sender while a state arrives", 0.02, 0.5, never, never, never, 0.3 },
+				 Row{ "a new sender while a snapshot arrives", 0.02, 0.5, never, never, never, 0.3 },
 				 Row{ "a new sender soon", never, never, never, never, never, 0.5 },
 		 }) {
 		SimulatedSession session;
@@ -185,7 +185,7 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 		}
 		bool receiver_replaced = false;
 		bool sender_replaced = false;
-		// When a second without an error began. (Later ones come as windows lengthen again.)
+		// When the first second without an error began. (Later errors occur as windows lengthen again.)
 		double good_from = -1.0;
 		double recovered = 1e9;
 		session.run(fixed - start + 8.0, [&] {
@@ -212,7 +212,7 @@ TEST_CASE("sender: it is found again after an outage at the join, one-way outage
 	}
 }
 
-TEST_CASE("sender: settings may change while it runs") {
+TEST_CASE("sender: settings can change at any time") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 8);
 	RemoteEnd &end = session.add_receiver(1, { 0.03, 0.01 });
@@ -259,7 +259,7 @@ TEST_CASE("sender: a still scene costs a few bytes a second") {
 	CHECK(session.sender->moving_count() == 0);
 }
 
-TEST_CASE("sender: an hour of sleep is no flood") {
+TEST_CASE("sender: after an hour of sleep there is no flood of packets") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 3);
 	RemoteEnd &end = session.add_receiver(1);
@@ -273,7 +273,7 @@ TEST_CASE("sender: an hour of sleep is no flood") {
 	CHECK(end.steps_back == 0);
 }
 
-TEST_CASE("sender: long round trips, from the start or later, are measured, and nothing is sent twice for them") {
+TEST_CASE("sender: long round trips, from the start or later, are measured and cause no retransmissions") {
 	for (const double delay : { 0.01, 0.15, 0.3, 0.5 }) {
 		for (const bool from_start : { true, false }) {
 			SimulatedSession session;

@@ -97,10 +97,9 @@ public:
 	}
 
 	[[nodiscard]] ServerLoad result() {
-		cga::Pose<double> pose;
 		for (const Client &client : _clients) {
 			for (size_t i = 0; i < _load.bodies && _problem.empty(); ++i) {
-				_problem = client.receiver.pose(uint32_t(i), pose) ? "" : "a receiver does not show body " + std::to_string(i);
+				_problem = client.receiver.pose(uint32_t(i)) ? "" : "a receiver does not show body " + std::to_string(i);
 			}
 		}
 		return { _seconds / _load.seconds, double(_bytes) / _load.seconds, double(_packets) / _load.seconds, _problem };
@@ -116,7 +115,7 @@ private:
 		}
 		for (size_t i = 0; i < _poses.size(); ++i) {
 			if (!_sender.observe(uint32_t(i), time, _poses[i])) {
-				note("the sender rejected a pose");
+				note_problem("the sender rejected a pose");
 			}
 		}
 		_sender.flush(time);
@@ -127,14 +126,21 @@ private:
 			note(client.receiver.accept(delivery->bytes.data(), delivery->bytes.size(), time));
 		}
 		client.receiver.advance(time);
-		if (client.receiver.take_ack(_ack, time)) {
+		client.receiver.take_ack(_ack, time);
+		if (!_ack.empty()) {
 			client.up.send(time, _ack.data(), _ack.size());
 		}
 	}
 
-	void note(const char *error) {
-		if (error != nullptr && _problem.empty()) {
-			_problem = error;
+	void note(const net::PacketResult &result) {
+		if (!result) {
+			note_problem(net::describe(result.error()));
+		}
+	}
+
+	void note_problem(const char *problem) {
+		if (_problem.empty()) {
+			_problem = problem;
 		}
 	}
 
