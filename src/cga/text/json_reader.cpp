@@ -10,10 +10,6 @@ namespace {
 constexpr size_t MAX_NESTING = 256;
 constexpr std::string_view REPLACEMENT_CHARACTER = "\xef\xbf\xbd";
 
-constexpr bool is_digit(char character) {
-	return character >= '0' && character <= '9';
-}
-
 void append_utf8(std::string &text, uint32_t code) {
 	if (code < 0x80) {
 		text += char(code);

@@ -1,5 +1,7 @@
 #include "cga/text/number_text.hpp"
 
+#include "cga/text/utf8.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -21,9 +23,6 @@ bool is_plain(double value) {
 }
 
 #ifdef __cpp_lib_to_chars
-constexpr bool is_digit(char character) {
-	return character >= '0' && character <= '9';
-}
 
 // Whether a decimal outside the range of double is too small for it rather than too large: the power of ten of its first
 // nonzero digit is below zero.

@@ -8,6 +8,10 @@
 
 namespace cga {
 
+[[nodiscard]] constexpr bool is_digit(uint32_t code) {
+	return code >= '0' && code <= '9';
+}
+
 struct Character {
 	uint32_t code = 0;
 	size_t length = 1; // bytes

@@ -232,6 +232,11 @@ Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value) {
 	return all;
 }
 
+bool is_finite(const LiteralValue &value) {
+	const std::vector<double> components = components_of(value);
+	return std::all_of(components.begin(), components.end(), [](double component) { return std::isfinite(component); });
+}
+
 bool is_same(const LiteralValue &left, const LiteralValue &right) {
 	const std::vector<double> before = components_of(left);
 	const std::vector<double> after = components_of(right);

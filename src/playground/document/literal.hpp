@@ -72,6 +72,8 @@ struct Literal {
 // Merges literals of one number each into one literal.
 [[nodiscard]] Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value);
 
+[[nodiscard]] bool is_finite(const LiteralValue &value);
+
 // Whether two values of the same type are equal. Vectors and rotations come from the engine and are compared in single
 // precision.
 [[nodiscard]] bool is_same(const LiteralValue &left, const LiteralValue &right);

@@ -19,8 +19,7 @@ std::string missing_entry(const std::string &name, const EntryIndex &index) {
 			names.push_back(known.first);
 		}
 	}
-	const std::string closest(closest_name(name, names));
-	return closest.empty() ? message : message + "; did you mean '" + closest + "'?";
+	return message + suggestion(name, names);
 }
 
 } // namespace playground

@@ -222,19 +222,6 @@ const Parameter *find(const std::vector<Parameter> &parameters, std::string_view
 	return found == parameters.end() ? nullptr : &*found;
 }
 
-bool is_finite(const LiteralValue &value) {
-	if (const double *number = std::get_if<double>(&value)) {
-		return std::isfinite(*number);
-	}
-	if (const cga::Vector3<double> *vector = std::get_if<cga::Vector3<double>>(&value)) {
-		return std::isfinite(vector->x) && std::isfinite(vector->y) && std::isfinite(vector->z);
-	}
-	if (const cga::Quaternion<double> *rotation = std::get_if<cga::Quaternion<double>>(&value)) {
-		return std::isfinite(rotation->x + rotation->y + rotation->z + rotation->w);
-	}
-	return std::get_if<cga::Multivector>(&value)->is_finite();
-}
-
 } // namespace
 
 std::vector<Argument> arguments_of(std::string_view text) {

@@ -154,8 +154,7 @@ private:
 		for (const auto &variable : _known) {
 			names.push_back(variable.first);
 		}
-		const std::string closest(closest_name(name, names));
-		return fail(node, "unknown name '" + name + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
+		return fail(node, "unknown name '" + name + "'" + suggestion(name, names));
 	}
 
 	bool call(const Node &node) {

@@ -3,6 +3,7 @@
 #include "cga/algebra/blade.hpp"
 #include "cga/text/number_text.hpp"
 #include "cga/text/text_error.hpp"
+#include "cga/text/utf8.hpp"
 #include "playground/expression/names.hpp"
 
 #include <optional>
@@ -10,10 +11,6 @@
 namespace playground {
 
 namespace {
-
-constexpr bool is_digit(char character) {
-	return character >= '0' && character <= '9';
-}
 
 struct Symbol {
 	std::string_view text;
@@ -81,7 +78,7 @@ Token Lexer::next() {
 	if (_position >= _text.size()) {
 		return { TokenKind::END, _text.size(), 0, 0.0 };
 	}
-	if (is_digit(at(_position)) || (at(_position) == '.' && is_digit(at(_position + 1)))) {
+	if (cga::is_digit(at(_position)) || (at(_position) == '.' && cga::is_digit(at(_position + 1)))) {
 		return read_number();
 	}
 	if (const size_t length = name_length(_text.substr(_position)); length > 0) {
@@ -142,7 +139,7 @@ Token Lexer::read_symbol() {
 
 size_t Lexer::digits_from(size_t offset) const {
 	size_t end = offset;
-	while (is_digit(at(end))) {
+	while (cga::is_digit(at(end))) {
 		++end;
 	}
 	return end - offset;

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double PI = 3.14159265358979323846;
 
-constexpr bool is_digit(uint32_t code) {
-	return code >= '0' && code <= '9';
-}
-
 struct CodeRange {
 	uint32_t first, last;
 };
@@ -56,7 +52,7 @@ bool is_letter(uint32_t code) {
 
 // "e" and digits, valid or not.
 bool looks_like_blade(std::string_view name) {
-	return name.size() > 1 && name[0] == 'e' && std::all_of(name.begin() + 1, name.end(), [](char digit) { return is_digit(uint8_t(digit)); });
+	return name.size() > 1 && name[0] == 'e' && std::all_of(name.begin() + 1, name.end(), [](char digit) { return cga::is_digit(uint8_t(digit)); });
 }
 
 // The Damerau-Levenshtein distance: bytes deleted, inserted, replaced, and adjacent ones swapped.
@@ -95,7 +91,7 @@ size_t name_length(std::string_view text) {
 	size_t length = 0;
 	while (length < text.size()) {
 		const cga::Character character = cga::character_at(text, length);
-		if (!character.is_valid || !(is_letter(character.code) || (length > 0 && is_digit(character.code)))) {
+		if (!character.is_valid || !(is_letter(character.code) || (length > 0 && cga::is_digit(character.code)))) {
 			break;
 		}
 		length += character.length;
@@ -152,6 +148,11 @@ std::string_view closest_name(std::string_view name, const std::vector<std::stri
 		}
 	}
 	return closest;
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string_view> &candidates) {
+	const std::string closest(closest_name(name, candidates));
+	return closest.empty() ? closest : "; did you mean '" + closest + "'?";
 }
 
 } // namespace playground

@@ -229,8 +229,7 @@ private:
 		for (const Function &function : functions()) {
 			names.push_back(function.name);
 		}
-		const std::string closest(closest_name(text, names));
-		fail(name, "unknown function '" + text + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
+		fail(name, "unknown function '" + text + "'" + suggestion(text, names));
 	}
 
 	void fail_count(const Pending &call, size_t count) {

@@ -93,17 +93,6 @@ std::optional<Drag> dragged_length(const FreeObject &object, const Handle &start
 	return on_grid > 0.0 ? std::optional<Drag>(Drag{ start.key, on_grid }) : std::nullopt;
 }
 
-bool is_finite(const LiteralValue &value) {
-	if (const cga::Multivector *multivector = std::get_if<cga::Multivector>(&value)) {
-		return multivector->is_finite();
-	}
-	if (const Vector *vector = std::get_if<Vector>(&value)) {
-		return std::isfinite(vector->x + vector->y + vector->z);
-	}
-	const double *number = std::get_if<double>(&value);
-	return !number || std::isfinite(*number);
-}
-
 } // namespace
 
 std::optional<Drag> drag(const Document &document, std::string_view name, const Handle &start, const ViewRay &ray, const Steps &steps) {
