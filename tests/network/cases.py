@@ -86,7 +86,7 @@ def clients_quit_with_a_message_when_the_server_stops(run):
     run.server.process.send_signal(signal.SIGKILL)
     run.server.process.wait()
     wait_until(lambda: not client.is_running(), 20, "the client did not quit")
-    expect("The server has closed the session or cannot be reached." in client.log(), f"the client's last line: {client.last_line()}")
+    expect("The connection to the server was lost." in client.log(), f"the client's last line: {client.last_line()}")
     expect(client.process.returncode == 0, f"the client's exit code is {client.process.returncode}")
     client.check_log()
 
@@ -110,7 +110,7 @@ def invalid_arguments_and_used_ports_are_reported(run):
     expect("SCRIPT ERROR" not in second.log(), "the second server failed with a script error")
     invalid = run.start_client("--cubes=many")
     wait_until(lambda: not invalid.is_running(), START_SECONDS, "the client with an invalid argument did not quit")
-    expect(invalid.process.returncode == 2 and re.search(r"--cubes=many: use a number", invalid.log()) is not None,
+    expect(invalid.process.returncode == 2 and re.search(r"--cubes=many is invalid: use a number", invalid.log()) is not None,
            f"invalid argument: {invalid.process.returncode}, {invalid.last_line()}")
 
 
