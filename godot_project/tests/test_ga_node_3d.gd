@@ -21,7 +21,7 @@ func test_a_multivector_of_its_own() -> void:
 	_build()
 	_node.multivector = Multivector.sphere(Vector3(1, 2, 3), 2.0)
 	expect_true(
-		_node.describe().begins_with("sphere, radius 2, centre (1, 2, 3)"), _node.describe()
+		_node.describe().begins_with("sphere, radius 2, center (1, 2, 3)"), _node.describe()
 	)
 	_node.ipns = true
 	_node.multivector = _node.multivector.dual()

@@ -57,11 +57,11 @@ func test_errors_stay_local() -> void:
 		"error of a"
 	)
 	expect_equal(_scene.get_error("b"), "column 3: 'a' has an error", "error of b")
-	expect_equal(_scene.get_error("c"), "column 1: 'b' has an error, because of 'a'", "error of c")
+	expect_equal(_scene.get_error("c"), "column 1: 'b' has an error, caused by 'a'", "error of c")
 	expect_equal(_scene.get_value("d").coefficients[0], 3.0, "d")
 	_scene.set_expression("a", "c")
 	expect_equal(
-		_scene.get_error("a"), "column 1: 'c' depends on 'a': a -> c -> b -> a", "error of a"
+		_scene.get_error("a"), "column 1: circular dependency a -> c -> b -> a", "error of a"
 	)
 	_scene.set_expression("a", "1")
 	expect_equal(_scene.get_value("c").coefficients[0], 3.0, "c")
@@ -95,7 +95,7 @@ func test_an_expression_is_described_without_adding_it() -> void:
 	)
 	expect_equal(
 		_scene.describe_expression("norm(s)", "a")["error"],
-		"column 6: 's' depends on 'a': a -> s -> a",
+		"column 6: circular dependency a -> s -> a",
 		"error as a"
 	)
 	expect_equal(
@@ -122,9 +122,9 @@ func test_renaming_and_removing() -> void:
 func test_invalid_calls_are_refused() -> void:
 	_scene.add_entry("a", "1")
 	_changes.clear()
-	expect_error("GAScene.add_entry: there is an entry 'a' already.")
+	expect_error("GAScene.add_entry: an entry 'a' already exists.")
 	expect_equal(_scene.add_entry("a", "2"), ERR_INVALID_PARAMETER, "adding again")
-	expect_error("GAScene.add_entry: 'e12' has a fixed value; choose another name.")
+	expect_error("GAScene.add_entry: 'e12' is a constant; choose another name.")
 	expect_equal(_scene.add_entry("e12", "2"), ERR_INVALID_PARAMETER, "adding e12")
 	expect_error("GAScene.remove_entry: there is no entry 'b'.")
 	expect_equal(_scene.remove_entry("b"), ERR_INVALID_PARAMETER, "removing b")

@@ -83,7 +83,7 @@ func test_a_broken_text_loads_what_it_can() -> void:
 		'{"version": 1, "entries": [\n{"name": "a", "expression": "1"},\n'
 		+ '{"name": "b", "expression": },\n{"name": "c", "expression": "a + 1"}\n]}'
 	)
-	var place := "line 3, column 29: entry 'b' skipped: expected a text in double quotes, found '}'"
+	var place := "line 3, column 29: entry 'b' skipped: expected a string in double quotes, found '}'"
 	expect_error(
 		"GAScene.load_json: parts of the text could not be read; the rest was loaded:\n%s." % place
 	)
@@ -98,7 +98,7 @@ func test_a_text_that_is_not_a_scene_changes_nothing() -> void:
 	expect_error(
 		(
 			"GAScene.load_json: the text is not a document; the scene is unchanged:\n"
-			+ "column 1: expected '{' of a document, or '[' of 32 coefficients, found 'h'."
+			+ "column 1: expected '{' before a document or '[' before 32 coefficients, found 'h'."
 		)
 	)
 	expect_equal(_scene.load_json("hello"), ERR_PARSE_ERROR, "loading")
@@ -108,7 +108,7 @@ func test_a_text_that_is_not_a_scene_changes_nothing() -> void:
 func test_multivectors_of_ganja_are_pasted() -> void:
 	var array := Multivector.sphere(Vector3.RIGHT, 2.0).to_json()
 	expect_equal(_scene.load_json(array), OK, "loading an array")
-	expect_equal(_scene.get_description("x1"), "sphere, radius 2, centre (1, 0, 0)", "description")
+	expect_equal(_scene.get_description("x1"), "sphere, radius 2, center (1, 0, 0)", "description")
 	expect_equal(_scene.add_entry("pasted", array), OK, "pasting an array")
 	expect_equal(
 		_scene.get_value("pasted").coefficients, _scene.get_value("x1").coefficients, "coefficients"
@@ -126,7 +126,7 @@ func test_attributes() -> void:
 	expect_equal(_scene.set_entry_attribute("ball", "color", null), OK, "resetting the color")
 	expect_equal(_scene.get_entry_attribute("ball", "color"), "", "color")
 	expect_error(
-		"GAScene.set_entry_attribute: the attribute 'color' is written as #rrggbb or #rrggbbaa."
+		"GAScene.set_entry_attribute: the attribute 'color' must have the form #rrggbb or #rrggbbaa."
 	)
 	expect_equal(
 		_scene.set_entry_attribute("ball", "color", "red"), ERR_INVALID_PARAMETER, "a color by name"

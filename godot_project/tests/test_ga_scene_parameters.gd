@@ -48,9 +48,7 @@ func test_dragging_rewrites_the_literals() -> void:
 
 func test_invalid_parameters_are_refused() -> void:
 	_scene.add_entry("s", "sphere(e1, 1.5)")
-	expect_error(
-		"GAScene.set_parameter: sphere: The radius is not a positive number; give one above zero."
-	)
+	expect_error("GAScene.set_parameter: sphere: the radius must be a finite number above zero.")
 	expect_equal(
 		_scene.set_parameter("s", "radius", -1.0), ERR_INVALID_PARAMETER, "a negative radius"
 	)
@@ -58,7 +56,7 @@ func test_invalid_parameters_are_refused() -> void:
 		"GAScene.set_parameter: the expression has no parameter 'size'; it has center, radius."
 	)
 	expect_equal(_scene.set_parameter("s", "size", 1.0), ERR_INVALID_PARAMETER, "an unknown key")
-	expect_error("GAScene.set_parameter: the parameter 'center' is a vector, not a number.")
+	expect_error("GAScene.set_parameter: the parameter 'center' must be a vector, not a number.")
 	expect_equal(_scene.set_parameter("s", "center", 1.0), ERR_INVALID_PARAMETER, "a wrong type")
 	expect_error(
 		(

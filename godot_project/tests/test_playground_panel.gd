@@ -16,13 +16,13 @@ func test_an_expression_is_typed() -> void:
 	await wait_frames(1)
 	expect_equal(
 		(_part("Typing/Words") as Label).text,
-		"column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is still open",
+		"column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is not closed",
 		"error while typing"
 	)
 	Hands.type(_window(), ")")
 	Hands.press_key(_window(), KEY_ENTER)
 	expect_equal(_names(), ["s"], "entries")
-	expect_equal(_scene().get_description("s"), "sphere, radius 2, centre (1, 0, 0)", "description")
+	expect_equal(_scene().get_description("s"), "sphere, radius 2, center (1, 0, 0)", "description")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_names(), [], "entries after undo, with the line still having the focus")
 

@@ -1,42 +1,70 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace cga {
 
-// Why there is no value: a sentence without its period that says what was wrong and what to do about it. A literal:
-// only the pointer is kept.
-struct Failure {
-	const char *reason;
-};
-
-// A value, or the reason why there is none. Both convert to it, so that a function returns either:
+// A value, or the error that explains why there is none. Both convert to it:
 //
-//   return Failure{ "A null vector has no inverse; scale or move it first" };
-template <class T>
+//   Result<Pose<double>, MatrixError> to_pose(...) {
+//       if (determinant < 0.0) {
+//           return MatrixError::MIRRORED;
+//       }
+//       return pose;
+//   }
+//
+// E is an enum with a function `describe`, or a struct with a message. Where there is only one reason, use
+// std::optional instead. A Result that is ignored is a warning.
+template <class T, class E>
 class [[nodiscard]] Result {
+	static_assert(!std::is_same_v<T, E>, "A value and an error of the same type cannot be told apart");
+
 public:
 	constexpr Result(T value) :
 			_value(std::move(value)) {}
-	constexpr Result(Failure failure) :
-			_error(failure.reason) {}
+	constexpr Result(E error) :
+			_error(std::move(error)) {}
+	// An error converts where its type does.
+	template <class F, class = std::enable_if_t<std::is_convertible_v<F, E>>>
+	constexpr Result(const Result<T, F> &other) :
+			_value(other ? std::optional<T>(*other) : std::nullopt), _error(other ? std::nullopt : std::optional<E>(other.error())) {}
 
 	[[nodiscard]] constexpr bool has_value() const noexcept { return _value.has_value(); }
-	constexpr explicit operator bool() const noexcept { return _value.has_value(); }
+	constexpr explicit operator bool() const noexcept { return has_value(); }
 
-	// Only where there is a value.
-	[[nodiscard]] constexpr const T &operator*() const noexcept { return *_value; }
+	// Precondition: has_value().
+	[[nodiscard]] constexpr const T &operator*() const & noexcept { return *_value; }
+	[[nodiscard]] constexpr T &operator*() & noexcept { return *_value; }
+	[[nodiscard]] constexpr T &&operator*() && noexcept { return *std::move(_value); }
 	[[nodiscard]] constexpr const T *operator->() const noexcept { return &*_value; }
+	[[nodiscard]] constexpr T *operator->() noexcept { return &*_value; }
 
-	// Why there is no value; empty text where there is one.
-	[[nodiscard]] constexpr const char *error() const noexcept { return _error; }
-	// The failure itself, to hand on as a Result of another type; only where there is no value.
-	[[nodiscard]] constexpr Failure failure() const noexcept { return { _error }; }
+	// Precondition: !has_value(). To propagate it as another Result: `return result.error();`
+	[[nodiscard]] constexpr const E &error() const noexcept { return *_error; }
 
 private:
 	std::optional<T> _value;
-	const char *_error = "";
+	std::optional<E> _error;
+};
+
+// Success without a value, which `return {};` makes, or an error.
+template <class E>
+class [[nodiscard]] Result<void, E> {
+public:
+	constexpr Result() = default;
+	constexpr Result(E error) :
+			_error(std::move(error)) {}
+
+	[[nodiscard]] constexpr bool has_value() const noexcept { return !_error.has_value(); }
+	constexpr explicit operator bool() const noexcept { return has_value(); }
+
+	// Precondition: !has_value().
+	[[nodiscard]] constexpr const E &error() const noexcept { return *_error; }
+
+private:
+	std::optional<E> _error;
 };
 
 } // namespace cga

@@ -2,6 +2,9 @@
 // n rows of 12 floats (a MultiMesh's transforms) out.
 
 #include "kernel_input.hpp"
+#include "load_and_store_avx2.hpp"
+
+#include "cga/platform/compiler.hpp"
 
 #if __has_include(<eigen3/Eigen/Geometry>)
 #include <eigen3/Eigen/Geometry>
@@ -13,10 +16,6 @@
 #include <glm/gtx/quaternion.hpp> // length2, which dual_quaternion.hpp uses and does not include
 
 #include <glm/gtx/dual_quaternion.hpp>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 #include <cmath>
 
@@ -34,7 +33,7 @@ struct GlmSlerp {
 	}
 };
 
-/// The cheapest correct blend of separate parts: normalised lerp the short way round.
+/// The cheapest correct blend of separate parts: normalized lerp the short way round.
 struct GlmNlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -173,25 +172,7 @@ void in_blocks(benchmark::State &state, cga::Mode mode, cga::InstructionSet set)
 	});
 }
 
-#if defined(__x86_64__)
-// The bytes that a linear blend reads and writes, in the same places and as wide, with nothing computed.
-__attribute__((target("avx2"))) void load_and_store(const cga::PoseBlock *blocks, size_t block_count, float *rows) {
-	for (size_t block = 0; block < block_count; ++block) {
-		const float *source = blocks[block].from_rotation[0];
-		float *destination = rows + block * 96;
-#pragma GCC unroll 20
-		for (int row = 0; row < 20; ++row) {
-			const __m256 value = _mm256_load_ps(source + 8 * row);
-			if (row < 12) {
-				_mm_storeu_ps(destination + 8 * row, _mm256_castps256_ps128(value));
-				_mm_storeu_ps(destination + 8 * row + 4, _mm256_extractf128_ps(value, 1));
-			} else {
-				asm volatile("" ::"x"(value));
-			}
-		}
-	}
-}
-
+#if CGA_X86_64
 void loads_and_stores(benchmark::State &state) {
 	const size_t count = size_t(state.range(0));
 	const std::vector<cga::PoseBlock> blocks = random_blocks(count);
@@ -215,7 +196,7 @@ const bool registered = [] {
 #endif
 	}
 	add("interpolate_screw", "glm_dual_quaternion_screw", one_by_one<GlmDualQuaternionScrew>);
-#if defined(__x86_64__)
+#if CGA_X86_64
 	if (cga::best_instruction_set() == cga::InstructionSet::AVX2_FMA) {
 		add("interpolate_linear", "loads_and_stores", loads_and_stores);
 	}

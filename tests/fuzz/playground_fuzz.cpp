@@ -32,26 +32,24 @@ void demand(bool condition, const char *what, const std::string &text) {
 void demand_sound(const playground::Document &document, const std::string &text) {
 	for (size_t index = 0; index < document.size(); ++index) {
 		const playground::Entry &entry = document.at(index);
-		demand(entry.outcome.value.has_value() == entry.outcome.error.empty(), "neither a value nor an error, or both", text);
-		demand(!entry.outcome.value || entry.outcome.value->is_finite(), "a value is not finite", text);
+		demand(entry.value || !entry.value.error().message.empty(), "neither a value nor an error", text);
+		demand(!entry.value || entry.value->is_finite(), "a value is not finite", text);
 		demand(!playground::describe(entry).empty(), "no description", text);
 	}
 }
 
-// In a document where the names that it may use stand for something, and everything that is done with entries.
+// Evaluates, edits and renames in a document that defines the names of the seeds.
 void fuzz_expression(const std::string &text) {
 	playground::Document document;
-	document.add("a", "point(1, 2, 3)");
-	document.add("r", "2");
-	document.add("x", text);
-	document.add("after", "x + a");
+	demand(document.add("a", "point(1, 2, 3)") && document.add("r", "2") && document.add("x", text) && document.add("after", "x + a"), "an entry is refused", text);
 	demand_sound(document, text);
 	for (const playground::Parameter &parameter : playground::parameters_of(text)) {
-		const playground::Rewritten same = playground::with_parameter(text, parameter.name, parameter.literal.value);
-		demand(same.error.empty() && same.text == text, "setting a parameter to what it is changes the text", text);
+		const cga::Result<std::string, playground::Error> same = playground::with_parameter(text, parameter.name, parameter.literal.value);
+		demand(same && *same == text, "setting a parameter to what it is changes the text", text);
 	}
-	document.rename("a", "renamed");
-	document.rename("renamed", "a");
+	if (document.rename("a", "renamed")) {
+		demand(document.rename("renamed", "a").has_value(), "an entry cannot be renamed back", text);
+	}
 	demand(document.find("x")->text == playground::pasted_expression(text), "renaming there and back changes the text", text);
 	demand_sound(document, text);
 }
@@ -64,11 +62,11 @@ void fuzz_parameter(const std::string &text) {
 		} else if (cga::Vector3<double> *vector = std::get_if<cga::Vector3<double>>(&value)) {
 			*vector = *vector * 0.3 + cga::Vector3<double>(-1.0, 0.0, 1e-5);
 		}
-		const playground::Rewritten rewritten = playground::with_parameter(text, parameter.name, value);
-		demand(rewritten.error.empty() || rewritten.text.empty(), "both an error and a text", text);
-		if (rewritten.error.empty()) {
-			const size_t count = playground::parameters_of(rewritten.text).size();
-			demand(count > 0, "a parameter was set, and is gone", text + "\n" + rewritten.text);
+		const cga::Result<std::string, playground::Error> changed = playground::with_parameter(text, parameter.name, value);
+		demand(changed || !changed.error().message.empty(), "neither a text nor an error", text);
+		if (changed) {
+			const size_t count = playground::parameters_of(*changed).size();
+			demand(count > 0, "a parameter was set, and is gone", text + "\n" + *changed);
 		}
 	}
 }
@@ -77,14 +75,13 @@ void fuzz_document(const std::string &text) {
 	const playground::LoadedDocument loaded = playground::read_document(text);
 	demand(loaded.is_document || !loaded.errors.empty(), "no document, and no reason", text);
 	playground::Document document;
-	document.restore(loaded.state);
-	demand(document.state() == loaded.state, "a document that was read is not taken as it is", text);
+	demand(document.restore(loaded.state) && document.state() == loaded.state, "a document that was read is not taken as it is", text);
 	demand_sound(document, text);
 	const playground::LoadedDocument again = playground::read_document(playground::to_json(document.state()));
 	demand(again.errors.empty() && again.state == loaded.state, "a document that was written is read differently", text);
 	if (document.size() > 1) {
-		document.rename(std::string(document.at(0).name), "renamed");
-		document.remove(std::string(document.at(1).name));
+		(void)document.rename(std::string(document.at(0).name), "renamed"); // refused if the name is taken
+		demand(document.remove(std::string(document.at(1).name)).has_value(), "an entry cannot be removed", text);
 		demand_sound(document, text);
 	}
 }
@@ -138,6 +135,7 @@ constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's entry point
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 	if (size > 0) {
 		const std::string text(reinterpret_cast<const char *>(bytes) + 1, size - 1);

@@ -100,9 +100,9 @@ inline double error_share(const PoseD &shown, const PoseD &truth, const net::Str
 	const Vector3D offset = shown.translation - truth.translation;
 	double worst = glm::length(offset);
 	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0), Vector3D(0, 0, 1) }) {
-		worst = std::max(worst, glm::length(offset + grid.lever * (shown.rotation * axis - truth.rotation * axis)));
+		worst = std::max(worst, glm::length(offset + grid.lever_arm * (shown.rotation * axis - truth.rotation * axis)));
 	}
-	worst += grid.lever * std::abs(shown.scale - truth.scale);
+	worst += grid.lever_arm * std::abs(shown.scale - truth.scale);
 	return worst / (net::StreamGrid::TOLERANCE * grid.position);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -30,13 +30,13 @@ inline void store_multivector(const Multivector &multivector, double *numbers) {
 	std::copy(multivector.coefficients().begin(), multivector.coefficients().end(), numbers);
 }
 
-inline void store_result(const cga::Result<Multivector> &result, double *numbers, const char **reason) {
+inline void store_result(const cga::MultivectorResult &result, double *numbers, const char **reason) {
 	if (result) {
 		store_multivector(*result, numbers);
 		*reason = nullptr;
 	} else {
 		std::fill_n(numbers, BLADE_COUNT, std::numeric_limits<double>::quiet_NaN());
-		*reason = result.error();
+		*reason = cga::describe(result.error());
 	}
 }
 

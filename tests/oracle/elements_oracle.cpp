@@ -2,9 +2,9 @@
 
 #include "elements.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
@@ -17,26 +17,26 @@ namespace {
 
 struct Unary {
 	const char *name;
-	Result<Multivector> (*function)(const Multivector &);
+	MultivectorResult (*function)(const Multivector &);
 };
 
 struct Binary {
 	const char *name;
-	Result<Multivector> (*function)(const Multivector &, const Multivector &);
+	MultivectorResult (*function)(const Multivector &, const Multivector &);
 };
 
-Result<Multivector> truth(bool value) {
+MultivectorResult truth(bool value) {
 	return Multivector::scalar(value ? 1.0 : 0.0);
 }
 
 constexpr Unary UNARY[] = {
-	{ "reverse", [](const Multivector &x) -> Result<Multivector> { return x.reverse(); } },
-	{ "grade involution", [](const Multivector &x) -> Result<Multivector> { return x.grade_involution(); } },
-	{ "clifford conjugate", [](const Multivector &x) -> Result<Multivector> { return x.clifford_conjugate(); } },
-	{ "dual", [](const Multivector &x) -> Result<Multivector> { return x.dual(); } },
-	{ "undual", [](const Multivector &x) -> Result<Multivector> { return x.undual(); } },
-	{ "norm squared", [](const Multivector &x) -> Result<Multivector> { return Multivector::scalar(x.norm_squared()); } },
-	{ "norm", [](const Multivector &x) -> Result<Multivector> { return Multivector::scalar(x.norm()); } },
+	{ "reverse", [](const Multivector &x) -> MultivectorResult { return x.reverse(); } },
+	{ "grade involution", [](const Multivector &x) -> MultivectorResult { return x.grade_involution(); } },
+	{ "clifford conjugate", [](const Multivector &x) -> MultivectorResult { return x.clifford_conjugate(); } },
+	{ "dual", [](const Multivector &x) -> MultivectorResult { return x.dual(); } },
+	{ "undual", [](const Multivector &x) -> MultivectorResult { return x.undual(); } },
+	{ "norm squared", [](const Multivector &x) -> MultivectorResult { return Multivector::scalar(x.norm_squared()); } },
+	{ "norm", [](const Multivector &x) -> MultivectorResult { return Multivector::scalar(x.norm()); } },
 	{ "inverse", [](const Multivector &x) { return inverse(x); } },
 	{ "normalized", [](const Multivector &x) { return normalized(x); } },
 	{ "exp", [](const Multivector &x) { return exp(x); } },
@@ -48,17 +48,17 @@ constexpr Unary UNARY[] = {
 };
 
 constexpr Binary BINARY[] = {
-	{ "geometric product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.geometric_product(b); } },
-	{ "outer product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.outer_product(b); } },
-	{ "inner product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.inner_product(b); } },
-	{ "left contraction", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.left_contraction(b); } },
-	{ "right contraction", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.right_contraction(b); } },
-	{ "scalar product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return Multivector::scalar(a.scalar_product(b)); } },
-	{ "regressive product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.regressive_product(b); } },
-	{ "commutator product", [](const Multivector &a, const Multivector &b) -> Result<Multivector> { return a.commutator_product(b); } },
-	{ "sandwich", [](const Multivector &versor, const Multivector &x) -> Result<Multivector> {
+	{ "geometric product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.geometric_product(b); } },
+	{ "outer product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.outer_product(b); } },
+	{ "inner product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.inner_product(b); } },
+	{ "left contraction", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.left_contraction(b); } },
+	{ "right contraction", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.right_contraction(b); } },
+	{ "scalar product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return Multivector::scalar(a.scalar_product(b)); } },
+	{ "regressive product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.regressive_product(b); } },
+	{ "commutator product", [](const Multivector &a, const Multivector &b) -> MultivectorResult { return a.commutator_product(b); } },
+	{ "sandwich", [](const Multivector &versor, const Multivector &x) -> MultivectorResult {
 		 const std::optional<Multivector> image = versor.sandwich(x);
-		 return image ? Result<Multivector>(*image) : Failure{ "no versor" };
+		 return image ? MultivectorResult(*image) : MultivectorResult(AlgebraError::NOT_A_VERSOR);
 	 } },
 	// The second is the exponent, a number.
 	{ "power", [](const Multivector &versor, const Multivector &exponent) { return power(versor, exponent[0]); } },

@@ -32,51 +32,51 @@ private:
 struct Constructor {
 	const char *name;
 	int numbers;
-	Result<Multivector> (*function)(Reader &);
+	MultivectorResult (*function)(Reader &);
 };
 
 struct Incidence {
 	const char *name;
-	Result<Multivector> (*function)(const Multivector &, const Multivector &);
+	MultivectorResult (*function)(const Multivector &, const Multivector &);
 };
 
 // Arguments are read into names first: a call evaluates its arguments in any order.
 constexpr Constructor CONSTRUCTORS[] = {
-	{ "point", 3, [](Reader &in) -> Result<Multivector> { return point(in.vector()); } },
-	{ "flat_point", 3, [](Reader &in) -> Result<Multivector> { return flat_point(in.vector()); } },
-	{ "point_pair", 6, [](Reader &in) -> Result<Multivector> {
+	{ "point", 3, [](Reader &in) -> MultivectorResult { return point(in.vector()); } },
+	{ "flat_point", 3, [](Reader &in) -> MultivectorResult { return flat_point(in.vector()); } },
+	{ "point_pair", 6, [](Reader &in) -> MultivectorResult {
 		 const Vector a = in.vector(), b = in.vector();
 		 return point_pair(a, b);
 	 } },
-	{ "line", 6, [](Reader &in) -> Result<Multivector> {
+	{ "line", 6, [](Reader &in) -> MultivectorResult {
 		 const Vector position = in.vector(), direction = in.vector();
 		 return line(position, direction);
 	 } },
-	{ "line_through", 6, [](Reader &in) -> Result<Multivector> {
+	{ "line_through", 6, [](Reader &in) -> MultivectorResult {
 		 const Vector a = in.vector(), b = in.vector();
 		 return line_through(a, b);
 	 } },
-	{ "circle", 7, [](Reader &in) -> Result<Multivector> {
+	{ "circle", 7, [](Reader &in) -> MultivectorResult {
 		 const Vector center = in.vector(), normal = in.vector();
 		 return circle(center, normal, in.number());
 	 } },
-	{ "circle_through", 9, [](Reader &in) -> Result<Multivector> {
+	{ "circle_through", 9, [](Reader &in) -> MultivectorResult {
 		 const Vector a = in.vector(), b = in.vector(), c = in.vector();
 		 return circle_through(a, b, c);
 	 } },
-	{ "plane", 4, [](Reader &in) -> Result<Multivector> {
+	{ "plane", 4, [](Reader &in) -> MultivectorResult {
 		 const Vector normal = in.vector();
 		 return plane(normal, in.number());
 	 } },
-	{ "plane_through", 9, [](Reader &in) -> Result<Multivector> {
+	{ "plane_through", 9, [](Reader &in) -> MultivectorResult {
 		 const Vector a = in.vector(), b = in.vector(), c = in.vector();
 		 return plane_through(a, b, c);
 	 } },
-	{ "sphere", 4, [](Reader &in) -> Result<Multivector> {
+	{ "sphere", 4, [](Reader &in) -> MultivectorResult {
 		 const Vector center = in.vector();
 		 return sphere(center, in.number());
 	 } },
-	{ "sphere_through", 12, [](Reader &in) -> Result<Multivector> {
+	{ "sphere_through", 12, [](Reader &in) -> MultivectorResult {
 		 const Vector a = in.vector(), b = in.vector(), c = in.vector(), d = in.vector();
 		 return sphere_through(a, b, c, d);
 	 } },

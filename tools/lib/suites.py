@@ -55,6 +55,7 @@ def algebra_programs():
 SUITES = (
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
+    Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
     Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),

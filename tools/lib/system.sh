@@ -52,6 +52,9 @@ missing_for() {
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev
             ;;
+        package)
+            command -v cmake >/dev/null || echo cmake
+            ;;
         display)
             command -v Xvfb >/dev/null || echo xvfb
             ;;

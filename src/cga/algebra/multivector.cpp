@@ -3,6 +3,8 @@
 #include "cga/algebra/geometric_product_avx2.hpp"
 #include "cga/algebra/multivector_product.hpp"
 #include "cga/algebra/null_basis.hpp"
+#include "cga/platform/compiler.hpp"
+#include "cga/platform/processor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +32,14 @@ Multivector times_pseudoscalar(const Multivector &x, int sign) {
 	}
 	return result;
 }
+
+#if CGA_X86_64
+Multivector multiply_avx2(const Multivector &left, const Multivector &right) {
+	Multivector product;
+	geometric_product_avx2(&left.coefficients()[0], &right.coefficients()[0], &product[0]);
+	return product;
+}
+#endif
 
 // `x` with a sign for each grade.
 template <class SignOfGrade>
@@ -107,10 +117,10 @@ Multivector &Multivector::operator*=(double factor) {
 }
 
 Multivector Multivector::geometric_product(const Multivector &right) const {
-#if defined(CGA_HAS_AVX2_PRODUCT)
-	static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-	if (has_avx2) {
-		return avx2::geometric_product(*this, right);
+#if CGA_X86_64
+	static const bool HAS_AVX2 = processor_features().avx2;
+	if (HAS_AVX2) {
+		return multiply_avx2(*this, right);
 	}
 #endif
 	return multiply<Product::GEOMETRIC>(*this, right);

@@ -2,7 +2,7 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "cga/algebra/product_table.hpp"
-#include "cga/flatten.hpp"
+#include "cga/platform/compiler.hpp"
 
 #include <utility>
 
@@ -17,14 +17,14 @@ namespace detail {
 
 // The product of coefficients of a left blade and of what makes it the result.
 template <size_t result, size_t left>
-CGA_FLATTEN double term(const Multivector &a, const Multivector &b) {
+CGA_ALWAYS_INLINE double term(const Multivector &a, const Multivector &b) {
 	constexpr int LEFT_INDEX = BLADE_INDICES[left];
 	constexpr int RIGHT_INDEX = BLADE_INDICES[left ^ result];
 	return a[LEFT_INDEX] * b[RIGHT_INDEX];
 }
 
 template <int sign>
-CGA_FLATTEN void add_signed(double &sum, double value) {
+CGA_ALWAYS_INLINE void add_signed(double &sum, double value) {
 	if constexpr (sign > 0) {
 		sum += value;
 	} else {
@@ -35,7 +35,7 @@ CGA_FLATTEN void add_signed(double &sum, double value) {
 // Adds the terms of two left blades that differ in e4 and e5, as a pair. Terms that the product leaves out are not in
 // its code.
 template <Product product, size_t result, size_t left>
-CGA_FLATTEN void add_pair(double &sum, const Multivector &a, const Multivector &b) {
+CGA_ALWAYS_INLINE void add_pair(double &sum, const Multivector &a, const Multivector &b) {
 	constexpr size_t OTHER = left ^ (E4_BIT | E5_BIT);
 	constexpr int SIGN = SIGN_TABLE<product>[left][result];
 	constexpr int OTHER_SIGN = SIGN_TABLE<product>[OTHER][result];
@@ -52,14 +52,14 @@ CGA_FLATTEN void add_pair(double &sum, const Multivector &a, const Multivector &
 
 // `lefts` are the blades without e5, one of each pair.
 template <Product product, size_t result, size_t... lefts>
-CGA_FLATTEN double sum_terms(const Multivector &a, const Multivector &b, std::index_sequence<lefts...>) {
+CGA_ALWAYS_INLINE double sum_terms(const Multivector &a, const Multivector &b, std::index_sequence<lefts...>) {
 	double sum = 0.0;
 	(add_pair<product, result, lefts>(sum, a, b), ...);
 	return sum;
 }
 
 template <Product product, size_t... results>
-CGA_FLATTEN Multivector multiply_unrolled(const Multivector &a, const Multivector &b, std::index_sequence<results...>) {
+CGA_ALWAYS_INLINE Multivector multiply_unrolled(const Multivector &a, const Multivector &b, std::index_sequence<results...>) {
 	Multivector whole;
 	((whole[BLADE_INDICES[results]] = sum_terms<product, results>(a, b, std::make_index_sequence<BLADE_COUNT / 2>())), ...);
 	return whole;

@@ -1,5 +1,6 @@
 #include "cga/batch/pose_block.hpp"
 
+#include "cga/batch/lane_access.hpp"
 #include "cga/motor/axis_angle.hpp"
 #include "cga/motor/pose_motion.hpp"
 #include "cga/motor/similarity_phi.hpp"
@@ -12,27 +13,6 @@
 namespace cga {
 
 namespace {
-
-void store(PoseBlock::Row (&rows)[4], int lane, const Quaternion<float> &quaternion) {
-	rows[0][lane] = quaternion.w;
-	rows[1][lane] = quaternion.x;
-	rows[2][lane] = quaternion.y;
-	rows[3][lane] = quaternion.z;
-}
-
-void store(PoseBlock::Row (&rows)[3], int lane, const Vector3<float> &vector) {
-	rows[0][lane] = vector.x;
-	rows[1][lane] = vector.y;
-	rows[2][lane] = vector.z;
-}
-
-Quaternion<float> load(const PoseBlock::Row (&rows)[4], int lane) {
-	return { rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
-}
-
-Vector3<float> load(const PoseBlock::Row (&rows)[3], int lane) {
-	return { rows[0][lane], rows[1][lane], rows[2][lane] };
-}
 
 // A shift that the kernels can still multiply and add within float's range.
 float bounded(double shift) {
@@ -72,15 +52,15 @@ void prepare(PoseBlock &block, int lane) {
 	const Pose<double> to = pose_cast<double>(block.get_to(lane));
 	const PoseMotion motion = motion_between(from, to);
 	const Vector3<double> turn_vector = vector_part(motion.turn);
-	store(block.shift, lane, bounded(motion.shift));
+	store_lane(block.shift, lane, bounded(motion.shift));
 	block.shrinking[lane] = float(2.0 - 2.0 * motion.turn.w);
-	store(block.bend, lane, bounded(motion.shift * motion.turn.w + glm::cross(motion.shift, turn_vector)));
+	store_lane(block.bend, lane, bounded(motion.shift * motion.turn.w + glm::cross(motion.shift, turn_vector)));
 	set_hemisphere(block, lane, float(motion.hemisphere));
 
 	const double sine = detail::length(turn_vector);
 	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.turn.w) : 0.0;
 	block.half_angle[lane] = float(half_angle);
-	store(block.axis, lane, sine > 0.0 ? Vector3<float>(turn_vector / sine) : Vector3<float>(0.0f));
+	store_lane(block.axis, lane, sine > 0.0 ? Vector3<float>(turn_vector / sine) : Vector3<float>(0.0f));
 
 	const bool positive = from.scale > 0.0 && to.scale > 0.0;
 	const double log_scale = positive ? std::log(to.scale / from.scale) : 0.0;
@@ -97,15 +77,15 @@ void prepare(PoseBlock &block, int lane) {
 }
 
 void store_from(PoseBlock &block, int lane, const Pose<float> &from) {
-	store(block.from_rotation, lane, unit_rotation(from.rotation));
-	store(block.from_translation, lane, from.translation);
+	store_lane(block.from_rotation, lane, unit_rotation(from.rotation));
+	store_lane(block.from_translation, lane, from.translation);
 	block.from_scale[lane] = from.scale;
 }
 
 void store_to(PoseBlock &block, int lane, const Pose<float> &to) {
-	store(block.to_rotation, lane, unit_rotation(to.rotation));
+	store_lane(block.to_rotation, lane, unit_rotation(to.rotation));
 	block.hemisphere[lane] = 1.0f;
-	store(block.to_translation, lane, to.translation);
+	store_lane(block.to_translation, lane, to.translation);
 	block.to_scale[lane] = to.scale;
 }
 
@@ -134,11 +114,11 @@ void PoseBlock::set_to(int lane, const Pose<float> &to) noexcept {
 }
 
 Pose<float> PoseBlock::get_from(int lane) const noexcept {
-	return { load(from_translation, lane), load(from_rotation, lane), from_scale[lane] };
+	return { load_lane(from_translation, lane), load_lane(from_rotation, lane), from_scale[lane] };
 }
 
 Pose<float> PoseBlock::get_to(int lane) const noexcept {
-	return { load(to_translation, lane), load(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
+	return { load_lane(to_translation, lane), load_lane(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
 }
 
 } // namespace cga

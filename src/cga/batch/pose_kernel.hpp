@@ -1,8 +1,7 @@
 #pragma once
 
 #include "cga/batch/float_math.hpp"
-#include "cga/batch/pose_block.hpp"
-#include "cga/batch/row_transpose.hpp"
+#include "cga/batch/row_columns.hpp"
 
 #include <limits>
 
@@ -10,6 +9,8 @@
 // are inlined into functions that are compiled for several instruction sets (instruction_set.hpp).
 
 namespace cga::kernel {
+
+namespace {
 
 // One body between its poses: what the basis and the origin are made of.
 struct LanePose {
@@ -22,7 +23,7 @@ struct LanePose {
 // q = (1 - a) q_from + a q_to,  |q|^2 = (1 - a)^2 + a^2 + 2 a (1 - a) turn_w = 1 - a (1 - a) (2 - 2 turn_w)
 // t = a (a d + (1 - a) e) / |q|^2     (d the shift, e = turn_w d + d x turn_v the bend)
 // and the scale by itself: interpolate_linear() in interpolate.cpp, with A q_from = q.
-CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
+CGA_ALWAYS_INLINE LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float rest = 1.0f - a;
 	LanePose pose;
 	pose.scale = rest * block.from_scale[lane] + a * block.to_scale[lane];
@@ -41,7 +42,7 @@ CGA_FLATTEN LanePose linear_lane(const PoseBlock &block, int lane, float a) noex
 }
 
 // q = A q_from, of unit length.
-CGA_FLATTEN void set_rotation(LanePose &pose, const PoseBlock &block, int lane, float w, float x, float y, float z) noexcept {
+CGA_ALWAYS_INLINE void set_rotation(LanePose &pose, const PoseBlock &block, int lane, float w, float x, float y, float z) noexcept {
 	const float fw = block.from_rotation[0][lane];
 	const float fx = block.from_rotation[1][lane];
 	const float fy = block.from_rotation[2][lane];
@@ -54,7 +55,7 @@ CGA_FLATTEN void set_rotation(LanePose &pose, const PoseBlock &block, int lane, 
 }
 
 // turn^a = (cos(a theta/2), n sin(a theta/2)), t = a d, and the scale by itself.
-CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float a) noexcept {
+CGA_ALWAYS_INLINE LanePose separate_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
 	LanePose pose;
 	set_rotation(pose, block, lane, half.cosine, half.sine * block.axis[0][lane], half.sine * block.axis[1][lane], half.sine * block.axis[2][lane]);
@@ -66,7 +67,7 @@ CGA_FLATTEN LanePose separate_lane(const PoseBlock &block, int lane, float a) no
 }
 
 // x kept where doubling it stays within float; not even inf - inf gets through, since comparisons with NaN are false.
-CGA_FLATTEN float saturated(float x) noexcept {
+CGA_ALWAYS_INLINE float saturated(float x) noexcept {
 	constexpr float LARGEST = std::numeric_limits<float>::max() / 4.0f;
 	return float_math::max(float_math::min(x, LARGEST), -LARGEST);
 }
@@ -77,7 +78,7 @@ CGA_FLATTEN float saturated(float x) noexcept {
 //   t = c_along d_along + Re c d_across + Im c (n x d)     (d the shift)
 //   s = s_from exp(a sigma)
 // The division was done when the pose was set. Where it is by zero, c = a.
-CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float a) noexcept {
+CGA_ALWAYS_INLINE LanePose screw_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
 	const float_math::Exponential growth = float_math::exponential(a * block.log_scale[lane]);
 	const float real = growth.minus_one - 2.0f * growth.value * half.sine * half.sine;
@@ -103,11 +104,11 @@ CGA_FLATTEN LanePose screw_lane(const PoseBlock &block, int lane, float a) noexc
 	return pose;
 }
 
-template <Mode mode>
-CGA_FLATTEN LanePose lane_pose(const PoseBlock &block, int lane, float a) noexcept {
-	if constexpr (mode == Mode::LINEAR) {
+template <Mode MODE>
+CGA_ALWAYS_INLINE LanePose lane_pose(const PoseBlock &block, int lane, float a) noexcept {
+	if constexpr (MODE == Mode::LINEAR) {
 		return linear_lane(block, lane, a);
-	} else if constexpr (mode == Mode::SCREW) {
+	} else if constexpr (MODE == Mode::SCREW) {
 		return screw_lane(block, lane, a);
 	} else {
 		return separate_lane(block, lane, a);
@@ -115,24 +116,24 @@ CGA_FLATTEN LanePose lane_pose(const PoseBlock &block, int lane, float a) noexce
 }
 
 // What a weight is clamped to: the way between the poses, for SCREW the range in which sin_cos() is good.
-template <Mode mode>
-CGA_FLATTEN float allowed_weight(float weight) noexcept {
-	constexpr float LOWEST = mode == Mode::SCREW ? -1000.0f : 0.0f;
-	constexpr float HIGHEST = mode == Mode::SCREW ? 1000.0f : 1.0f;
+template <Mode MODE>
+CGA_ALWAYS_INLINE float clamped_weight(float weight) noexcept {
+	constexpr float LOWEST = MODE == Mode::SCREW ? -1000.0f : 0.0f;
+	constexpr float HIGHEST = MODE == Mode::SCREW ? 1000.0f : 1.0f;
 	return float_math::max(LOWEST, float_math::min(HIGHEST, weight));
 }
 
 // Only extrapolation can leave the range of float.
-template <Mode mode>
-CGA_FLATTEN float origin(float from, float shift) noexcept {
-	return mode == Mode::SCREW ? saturated(from + shift) : from + shift;
+template <Mode MODE>
+CGA_ALWAYS_INLINE float origin(float from, float shift) noexcept {
+	return MODE == Mode::SCREW ? saturated(from + shift) : from + shift;
 }
 
 // basis = s R(q), with the squares of q divided by |q|^2. `weight_of(lane)` is an allowed one.
-template <Mode mode, class WeightOf>
-CGA_FLATTEN void interpolate_block(const PoseBlock &block, WeightOf weight_of, RowColumns &columns) noexcept {
+template <Mode MODE, class WeightOf>
+CGA_ALWAYS_INLINE void interpolate_block(const PoseBlock &block, WeightOf weight_of, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
-		const LanePose pose = lane_pose<mode>(block, lane, weight_of(lane));
+		const LanePose pose = lane_pose<MODE>(block, lane, weight_of(lane));
 		const float w = pose.w;
 		const float x = pose.x;
 		const float y = pose.y;
@@ -144,16 +145,18 @@ CGA_FLATTEN void interpolate_block(const PoseBlock &block, WeightOf weight_of, R
 		columns[0][lane] = (pose.scale - ty * y) - tz * z;
 		columns[1][lane] = tx * y - tz * w;
 		columns[2][lane] = tx * z + ty * w;
-		columns[3][lane] = origin<mode>(block.from_translation[0][lane], pose.shift_x);
+		columns[3][lane] = origin<MODE>(block.from_translation[0][lane], pose.shift_x);
 		columns[4][lane] = tx * y + tz * w;
 		columns[5][lane] = (pose.scale - tx * x) - tz * z;
 		columns[6][lane] = ty * z - tx * w;
-		columns[7][lane] = origin<mode>(block.from_translation[1][lane], pose.shift_y);
+		columns[7][lane] = origin<MODE>(block.from_translation[1][lane], pose.shift_y);
 		columns[8][lane] = tx * z - ty * w;
 		columns[9][lane] = ty * z + tx * w;
 		columns[10][lane] = (pose.scale - tx * x) - ty * y;
-		columns[11][lane] = origin<mode>(block.from_translation[2][lane], pose.shift_z);
+		columns[11][lane] = origin<MODE>(block.from_translation[2][lane], pose.shift_z);
 	}
 }
+
+} // namespace
 
 } // namespace cga::kernel

@@ -21,11 +21,12 @@ Pose<float> pose_from_row(const float *row) noexcept {
 		}
 	}
 	const Vector3<double> translation(row[3], row[7], row[11]);
-	Pose<double> pose;
-	if (matrix_to_pose(linear, translation, pose) != MatrixFault::NONE) {
-		pose.translation = translation;
+	if (const Result<Pose<double>, MatrixError> pose = matrix_to_pose(linear, translation)) {
+		return pose_cast<float>(*pose);
 	}
-	return pose_cast<float>(pose);
+	Pose<float> moved;
+	moved.translation = Vector3<float>(translation);
+	return moved;
 }
 
 } // namespace cga

@@ -1,40 +1,43 @@
 #pragma once
 
 #include "cga/motor/pose.hpp"
+#include "cga/result.hpp"
 
 #include <glm/mat3x3.hpp>
 
 namespace cga {
 
 // Why a matrix is not the linear part of a pose.
-enum class MatrixFault {
-	NONE,
+enum class MatrixError {
 	NOT_FINITE,
-	NO_SIZE, // no volume: a column is zero or in the span of the others
+	SINGULAR, // a column is zero or in the span of the others
 	MIRRORED, // negative determinant
-	NOT_UNIFORM, // scaled differently along its axes, or sheared
+	NON_UNIFORM, // scaled differently along its axes, or sheared
 };
 
-// Columns may differ in length, and their cosines from zero, by this much: what float matrices collect over many
-// products is far smaller, and what people mean by non-uniform scale is larger.
+// What is wrong with the transform and what to do, as the end of a sentence: "has scale zero ...".
+[[nodiscard]] const char *describe(MatrixError error) noexcept;
+
+// The relative difference in length of columns, and the cosine of their angles, that still count as a uniform scale: far above
+// the rounding errors that float matrices accumulate, and below any intended non-uniform scale.
 inline constexpr double UNIFORMITY = 1e-3;
 
 // The pose x -> translation + linear x, if `linear` is a rotation times a positive scale. The scale is the cube root
-// of the determinant. On a fault `pose` is left alone.
+// of the determinant.
 template <class T>
-[[nodiscard]] MatrixFault matrix_to_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation, Pose<T> &pose) noexcept;
+Result<Pose<T>, MatrixError> matrix_to_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation) noexcept;
 
-// The pose nearest to x -> translation + linear x: of all rotations times a scale, the one that differs least from
-// `linear` in the sum of squares of the entries. Never NOT_UNIFORM; the other faults are as above.
+// The pose nearest to x -> translation + linear x: the rotation times scale closest to `linear` in the Frobenius norm. The
+// errors are those of matrix_to_pose, except NON_UNIFORM.
 template <class T>
-[[nodiscard]] MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation, Pose<T> &pose) noexcept;
+Result<Pose<T>, MatrixError> matrix_to_nearest_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation) noexcept;
 
-// Rotation times scale: column i is where the pose carries the i-th axis, without the translation.
+// Rotation times scale: column i is the image of axis i, without the translation.
 template <class T>
 [[nodiscard]] glm::mat<3, 3, T> linear_of_pose(const Pose<T> &pose) noexcept;
 
-extern template MatrixFault matrix_to_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
-extern template MatrixFault matrix_to_nearest_pose(const glm::mat<3, 3, double> &, const Vector3<double> &, Pose<double> &) noexcept;
+extern template Result<Pose<double>, MatrixError> matrix_to_pose(const glm::mat<3, 3, double> &, const Vector3<double> &) noexcept;
+extern template Result<Pose<double>, MatrixError> matrix_to_nearest_pose(const glm::mat<3, 3, double> &, const Vector3<double> &) noexcept;
 extern template glm::mat<3, 3, double> linear_of_pose(const Pose<double> &) noexcept;
 
 } // namespace cga

@@ -10,26 +10,26 @@
 namespace cga {
 
 enum class Kind {
-	scalar,
-	point,
-	point_pair,
-	circle,
-	sphere,
-	flat_point,
-	line,
-	plane,
-	direction, // what parallel lines or planes share; e_inf, which has no direction vector, too
-	tangent, // a round of radius zero: a point with a direction, or with the normal of a plane
-	rotor, // about an axis through the origin; about others it is a motor
-	translator,
-	dilator,
-	motor,
-	none, // no blade and no motor, zero, the pseudoscalar, not finite
+	SCALAR,
+	POINT,
+	POINT_PAIR,
+	CIRCLE,
+	SPHERE,
+	FLAT_POINT,
+	LINE,
+	PLANE,
+	DIRECTION, // what parallel lines or planes share; e_inf, which has no direction vector, too
+	TANGENT, // a round of radius zero: a point with a direction, or with the normal of a plane
+	ROTOR, // about an axis through the origin; about others it is a motor
+	TRANSLATOR,
+	DILATOR,
+	MOTOR,
+	NONE, // no blade and no motor, zero, the pseudoscalar, not finite
 };
 
 // What an element is, geometrically. Only what applies has a value; lengths in metres, directions of unit length.
 struct Classification {
-	Kind kind = Kind::none;
+	Kind kind = Kind::NONE;
 	// The convention in which it is that: the one asked for, unless the element is nothing but a dual there (n + k e_inf
 	// is a plane in IPNS, and no set of points in OPNS).
 	bool ipns = false;
@@ -50,7 +50,7 @@ struct Classification {
 //   e_inf ^ X = 0, e_inf . X = 0   direction
 //   e_inf ^ X = 0                  flat: F from D, foot Q F^-1
 //   e_inf . X = 0                  dual flat
-//   else                           round: E from R, centre (A - D) E^-1, r^2 = 2 Q E^-1 + (c along E)^2 - (c across E)^2
+//   else                           round: E from R, center (A - D) E^-1, r^2 = 2 Q E^-1 + (c along E)^2 - (c across E)^2
 //
 // A round is tangent (a point at grade 1) where r^2 is within rounding of zero. What rounding is grows with the distance
 // from the origin, as coefficients hold c^2: some centimetres of radius at 1 km, some 100 m at 100 km.
@@ -59,7 +59,7 @@ struct Classification {
 // "point_pair": the kind as api and users write it.
 [[nodiscard]] const char *name_of(Kind kind);
 
-// One line: "circle, radius 1.5, centre (0, 1, 0), normal (0, 0, 1)", "imaginary point pair, ...", "dual plane, ...",
+// One line: "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)", "imaginary point pair, ...", "dual plane, ...",
 // "not a blade (residual 0.02)".
 [[nodiscard]] std::string describe(const Classification &classification);
 

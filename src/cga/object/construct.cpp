@@ -18,11 +18,6 @@ using Vector = Vector3<double>;
 // Differences of positions this small, relative to the positions, are rounding.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
-constexpr Failure NOT_FINITE{ "A coordinate is not finite; give finite numbers" };
-constexpr Failure NO_DIRECTION{ "The direction or normal is zero; give a vector with a length" };
-constexpr Failure NO_RADIUS{ "The radius is not a positive number; give one above zero" };
-constexpr Failure COINCIDENT{ "Two of the points coincide; give different points" };
-
 double largest(const Vector &v) {
 	return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
@@ -44,9 +39,9 @@ bool coincide(const Vector &a, const Vector &b) {
 	return largest(b - a) <= ROUNDING * std::max(largest(a), largest(b));
 }
 
-Result<Multivector> checked(const Multivector &x) {
+MultivectorResult checked(const Multivector &x) {
 	if (!x.is_finite()) {
-		return Failure{ "The object is too far away or too large for double; keep lengths below 1e100 metres" };
+		return AlgebraError::OBJECT_OVERFLOW;
 	}
 	return x;
 }
@@ -57,31 +52,31 @@ Multivector volume() {
 
 // The round with this attitude, or why there is none.
 template <class Attitude>
-Result<Multivector> round_of(const Vector &center, const Vector &axis, double radius, double sign, Attitude attitude) {
+MultivectorResult round_of(const Vector &center, const Vector &axis, double radius, double sign, Attitude attitude) {
 	const std::optional<Vector> u = unit(axis);
 	if (!is_finite(center) || !is_finite(axis)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!u) {
-		return NO_DIRECTION;
+		return AlgebraError::ZERO_DIRECTION;
 	}
 	if (!(radius > 0.0) || !std::isfinite(radius)) {
-		return NO_RADIUS;
+		return AlgebraError::RADIUS_NOT_POSITIVE;
 	}
 	return checked(round_blade(center, attitude(*u), sign * radius * radius));
 }
 
 template <class Attitude>
-Result<Multivector> tangent_of(const Vector &position, const Vector &axis, Attitude attitude) {
+MultivectorResult tangent_of(const Vector &position, const Vector &axis, Attitude attitude) {
 	const std::optional<Vector> u = unit(axis);
 	if (!is_finite(position) || !is_finite(axis)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
-	return u ? checked(round_blade(position, attitude(*u), 0.0)) : NO_DIRECTION;
+	return u ? checked(round_blade(position, attitude(*u), 0.0)) : AlgebraError::ZERO_DIRECTION;
 }
 
 // Made at a point that it goes through, and moved: however large it is, it stays near its points.
-Result<Multivector> round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
+MultivectorResult round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
 	return checked(from_parts(round_parts(translated(RoundParameters{ to_center, {}, attitude, 0.0 }, a))));
 }
 
@@ -97,50 +92,50 @@ double area_rounding(const Vector &a, const Vector &u, const Vector &v) {
 
 } // namespace
 
-Result<Multivector> flat_point(const Vector &position) {
+MultivectorResult flat_point(const Vector &position) {
 	if (!is_finite(position)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	return checked(flat_blade(position, Multivector::scalar(1.0)));
 }
 
-Result<Multivector> point_pair(const Vector &a, const Vector &b) {
+MultivectorResult point_pair(const Vector &a, const Vector &b) {
 	if (!is_finite(a) || !is_finite(b)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b)) {
-		return COINCIDENT;
+		return AlgebraError::COINCIDENT_POINTS;
 	}
 	const Vector half = 0.5 * (b - a);
 	return checked(round_blade(a + half, euclidean(b - a), glm::dot(half, half)));
 }
 
-Result<Multivector> line(const Vector &position, const Vector &direction) {
+MultivectorResult line(const Vector &position, const Vector &direction) {
 	const std::optional<Vector> u = unit(direction);
 	if (!is_finite(position) || !is_finite(direction)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
-	return u ? checked(flat_blade(position, euclidean(*u))) : NO_DIRECTION;
+	return u ? checked(flat_blade(position, euclidean(*u))) : AlgebraError::ZERO_DIRECTION;
 }
 
-Result<Multivector> line_through(const Vector &a, const Vector &b) {
+MultivectorResult line_through(const Vector &a, const Vector &b) {
 	if (!is_finite(a) || !is_finite(b)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
-	return coincide(a, b) ? COINCIDENT : checked(flat_blade(a, euclidean(b - a)));
+	return coincide(a, b) ? AlgebraError::COINCIDENT_POINTS : checked(flat_blade(a, euclidean(b - a)));
 }
 
-Result<Multivector> circle(const Vector &center, const Vector &normal, double radius) {
+MultivectorResult circle(const Vector &center, const Vector &normal, double radius) {
 	return round_of(center, normal, radius, 1.0, plane_across);
 }
 
 // With u = b - a, v = c - a, n = u x v: center - a = (v^2 n x u + u^2 v x n) / (2 n^2).
-Result<Multivector> circle_through(const Vector &a, const Vector &b, const Vector &c) {
+MultivectorResult circle_through(const Vector &a, const Vector &b, const Vector &c) {
 	if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b) || coincide(a, c) || coincide(b, c)) {
-		return COINCIDENT;
+		return AlgebraError::COINCIDENT_POINTS;
 	}
 	const Vector u = b - a, v = c - a, n = glm::cross(u, v);
 	if (largest(n) <= area_rounding(a, u, v)) {
@@ -150,39 +145,39 @@ Result<Multivector> circle_through(const Vector &a, const Vector &b, const Vecto
 	return round_through(a, to_center, plane_across(n));
 }
 
-Result<Multivector> plane(const Vector &normal, double distance) {
+MultivectorResult plane(const Vector &normal, double distance) {
 	const std::optional<Vector> n = unit(normal);
 	if (!is_finite(normal) || !std::isfinite(distance)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!n) {
-		return NO_DIRECTION;
+		return AlgebraError::ZERO_DIRECTION;
 	}
 	return checked(from_parts({ {}, volume() * distance, {}, -plane_across(*n) }));
 }
 
-Result<Multivector> plane_through(const Vector &a, const Vector &b, const Vector &c) {
+MultivectorResult plane_through(const Vector &a, const Vector &b, const Vector &c) {
 	if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	const Vector u = b - a, v = c - a, n = glm::cross(u, v);
 	if (largest(n) <= area_rounding(a, u, v)) {
-		return Failure{ "The points are on one line, which many planes hold; give three that make a triangle" };
+		return AlgebraError::COLLINEAR_POINTS;
 	}
 	return checked(flat_blade(a, plane_across(n)));
 }
 
-Result<Multivector> sphere(const Vector &center, double radius) {
+MultivectorResult sphere(const Vector &center, double radius) {
 	return round_of(center, Vector(1.0, 0.0, 0.0), radius, 1.0, [](const Vector &) { return volume(); });
 }
 
 // With u, v, w from a to the others and V = u . (v x w): center - a = (u^2 v x w + v^2 w x u + w^2 u x v) / (2 V).
-Result<Multivector> sphere_through(const Vector &a, const Vector &b, const Vector &c, const Vector &d) {
+MultivectorResult sphere_through(const Vector &a, const Vector &b, const Vector &c, const Vector &d) {
 	if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) {
-		return NOT_FINITE;
+		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b) || coincide(a, c) || coincide(a, d) || coincide(b, c) || coincide(b, d) || coincide(c, d)) {
-		return COINCIDENT;
+		return AlgebraError::COINCIDENT_POINTS;
 	}
 	const double size = std::max({ largest(b - a), largest(c - a), largest(d - a) });
 	const Vector u = (b - a) / size, v = (c - a) / size, w = (d - a) / size;
@@ -194,43 +189,43 @@ Result<Multivector> sphere_through(const Vector &a, const Vector &b, const Vecto
 		return round_through(a, to_center, volume() * (volume_of_edges * size * size * size));
 	}
 	if (largest(across) <= rounding) {
-		return Failure{ "The points are on one circle or line, which many spheres hold; give four that do not share one" };
+		return AlgebraError::CONCYCLIC_POINTS;
 	}
 	return checked(flat_blade(a, plane_across(across * (0.5 * std::pow(size, 4.0)))));
 }
 
-Result<Multivector> imaginary_point_pair(const Vector &center, const Vector &direction, double radius) {
+MultivectorResult imaginary_point_pair(const Vector &center, const Vector &direction, double radius) {
 	return round_of(center, direction, radius, -1.0, along);
 }
 
-Result<Multivector> imaginary_circle(const Vector &center, const Vector &normal, double radius) {
+MultivectorResult imaginary_circle(const Vector &center, const Vector &normal, double radius) {
 	return round_of(center, normal, radius, -1.0, plane_across);
 }
 
-Result<Multivector> imaginary_sphere(const Vector &center, double radius) {
+MultivectorResult imaginary_sphere(const Vector &center, double radius) {
 	return round_of(center, Vector(1.0, 0.0, 0.0), radius, -1.0, [](const Vector &) { return volume(); });
 }
 
-Result<Multivector> tangent_along(const Vector &position, const Vector &direction) {
+MultivectorResult tangent_along(const Vector &position, const Vector &direction) {
 	return tangent_of(position, direction, along);
 }
 
-Result<Multivector> tangent_across(const Vector &position, const Vector &normal) {
+MultivectorResult tangent_across(const Vector &position, const Vector &normal) {
 	return tangent_of(position, normal, plane_across);
 }
 
-Result<Multivector> direction(const Vector &vector) {
+MultivectorResult direction(const Vector &vector) {
 	const std::optional<Vector> u = unit(vector);
 	if (!u) {
-		return is_finite(vector) ? NO_DIRECTION : NOT_FINITE;
+		return is_finite(vector) ? AlgebraError::ZERO_DIRECTION : AlgebraError::NOT_FINITE;
 	}
 	return from_parts({ {}, euclidean(*u), {}, {} });
 }
 
-Result<Multivector> direction_across(const Vector &normal) {
+MultivectorResult direction_across(const Vector &normal) {
 	const std::optional<Vector> n = unit(normal);
 	if (!n) {
-		return is_finite(normal) ? NO_DIRECTION : NOT_FINITE;
+		return is_finite(normal) ? AlgebraError::ZERO_DIRECTION : AlgebraError::NOT_FINITE;
 	}
 	return from_parts({ {}, plane_across(*n), {}, {} });
 }

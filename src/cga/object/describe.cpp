@@ -15,7 +15,7 @@ const char *name_of(Kind kind) {
 }
 
 std::string describe(const Classification &found) {
-	if (found.kind == Kind::none) {
+	if (found.kind == Kind::NONE) {
 		return found.residual > 0.0 ? "not a blade (residual " + readable(found.residual) + ")" : "no object";
 	}
 	std::string text = name_of(found.kind);
@@ -27,7 +27,7 @@ std::string describe(const Classification &found) {
 		text += ", radius " + readable(*found.radius);
 	}
 	if (found.center) {
-		text += (found.radius ? ", centre " : ", at ") + readable(*found.center, found.radius.value_or(0.0));
+		text += (found.radius ? ", center " : ", at ") + readable(*found.center, found.radius.value_or(0.0));
 	}
 	if (found.distance) {
 		text += ", distance " + readable(*found.distance);

@@ -32,22 +32,22 @@ Multivector of_size_one(const ConformalParts &parts) {
 	return null * (1.0 / null.max_abs());
 }
 
-Result<Blades> enter(const Multivector &a, const Multivector &b, LocalFrame::Purpose purpose) {
+Result<Blades, AlgebraError> enter(const Multivector &a, const Multivector &b, LocalFrame::Purpose purpose) {
 	if (!a.is_finite() || !b.is_finite()) {
-		return Failure{ "An element has a coefficient that is not finite; give finite ones" };
+		return AlgebraError::NOT_FINITE;
 	}
 	const std::optional<int> grade_a = single_grade(a), grade_b = single_grade(b);
 	if (!grade_a || !is_blade(a)) {
-		return Failure{ "The first element is no blade (an outer product of vectors, other than zero), so it is no object" };
+		return AlgebraError::FIRST_NOT_A_BLADE;
 	}
 	if (!grade_b || !is_blade(b)) {
-		return Failure{ "The second element is no blade (an outer product of vectors, other than zero), so it is no object" };
+		return AlgebraError::SECOND_NOT_A_BLADE;
 	}
 	const Multivector first = a.times_power_of_two(-std::ilogb(a.max_abs())), second = b.times_power_of_two(-std::ilogb(b.max_abs()));
 	const LocalFrame frame(first, *grade_a, second, *grade_b, purpose);
 	const Blades blades{ frame, of_size_one(frame.enter(first, *grade_a)), of_size_one(frame.enter(second, *grade_b)), *grade_a, *grade_b };
 	if (!blades.a.is_finite() || !blades.b.is_finite()) {
-		return Failure{ "The objects are too far away or too different in size for double; move them nearer to each other" };
+		return AlgebraError::OBJECTS_TOO_FAR_APART;
 	}
 	return blades;
 }
@@ -171,7 +171,7 @@ ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double 
 }
 
 // A result of grade k in the null basis, out of the frame.
-Result<Multivector> left(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double touching) {
+MultivectorResult left(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double touching) {
 	const Multivector null = x.grade(k);
 	if (!(null.max_abs() > 0.0)) {
 		return Multivector();
@@ -179,7 +179,7 @@ Result<Multivector> left(const Blades &blades, const Multivector &x, int k, doub
 	const ConformalParts parts = cleaned(parts_of_null(unit(null)), k, flatness, rounding, touching);
 	const Multivector result = blades.frame.leave(parts, k);
 	if (!result.is_finite()) {
-		return Failure{ "The result is too far away or too large for double; move the objects nearer to the origin" };
+		return AlgebraError::RESULT_OVERFLOW;
 	}
 	return result;
 }
@@ -191,15 +191,15 @@ struct Factors {
 
 // What `image` makes of the factors, which has the grade of the first. What a versor makes of a point or tangent is one.
 template <class Image>
-Result<Multivector> image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::image);
+MultivectorResult image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::IMAGE);
 	if (!blades) {
-		return blades.failure();
+		return blades.error();
 	}
 	const Multivector x = from_null_coefficients(blades->a.coefficients()), factor = from_null_coefficients(blades->b.coefficients());
 	const std::optional<Multivector> inverse = factor.inverse_of_versor();
 	if (!inverse) {
-		return Failure{ "The second element is null (a point, a tangent or a direction), so it has no inverse to project or reflect with" };
+		return AlgebraError::SECOND_IS_NULL;
 	}
 	const Multivector result = image(Factors{ x, factor, *inverse });
 	const ConformalParts parts = parts_of_null(blades->a);
@@ -210,35 +210,35 @@ Result<Multivector> image_of(const Multivector &a, const Multivector &b, bool by
 
 } // namespace
 
-Result<Multivector> meet(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
+MultivectorResult meet(const Multivector &a, const Multivector &b) {
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
-		return blades.failure();
+		return blades.error();
 	}
 	const Span found = span(*blades);
 	const double rounding = blades->frame.rounding();
 	return left(*blades, found.meet, found.meet_grade, blades->frame.flatness(), rounding, rounding);
 }
 
-Result<Multivector> join(const Multivector &a, const Multivector &b) {
-	const Result<Blades> blades = enter(a, b, LocalFrame::Purpose::incidence);
+MultivectorResult join(const Multivector &a, const Multivector &b) {
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
 	if (!blades) {
-		return blades.failure();
+		return blades.error();
 	}
 	const Span found = span(*blades);
 	const double rounding = blades->frame.rounding();
 	return left(*blades, found.join, found.join_grade, blades->frame.flatness(), rounding, rounding);
 }
 
-Result<Multivector> project_onto(const Multivector &x, const Multivector &onto) {
+MultivectorResult project_onto(const Multivector &x, const Multivector &onto) {
 	return image_of(x, onto, false, [](const Factors &in) { return in.a.left_contraction(in.b).geometric_product(in.inverse); });
 }
 
-Result<Multivector> reject_from(const Multivector &x, const Multivector &from) {
+MultivectorResult reject_from(const Multivector &x, const Multivector &from) {
 	return image_of(x, from, false, [](const Factors &in) { return in.a.outer_product(in.b).geometric_product(in.inverse); });
 }
 
-Result<Multivector> reflect_in(const Multivector &x, const Multivector &mirror) {
+MultivectorResult reflect_in(const Multivector &x, const Multivector &mirror) {
 	return image_of(x, mirror, true, [](const Factors &in) { return in.b.dual().sandwich(in.a).value_or(Multivector()); });
 }
 

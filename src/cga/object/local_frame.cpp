@@ -112,7 +112,7 @@ LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivec
 	double size = main.radius;
 	if (main.is_round && other.is_round) {
 		// A point has no size of its own.
-		const bool is_point = main.radius == 0.0 && purpose == Purpose::incidence;
+		const bool is_point = main.radius == 0.0 && purpose == Purpose::INCIDENCE;
 		size = std::max(is_point ? other.radius : main.radius, other.seen.gap());
 	} else if (!main.is_round) {
 		size = std::max(main.distance(), other.distance());

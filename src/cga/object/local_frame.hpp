@@ -19,8 +19,8 @@ class LocalFrame {
 public:
 	// What the frame is for: to say what objects share, or to compute an image of the first, where nothing is decided.
 	enum class Purpose {
-		incidence,
-		image
+		INCIDENCE,
+		IMAGE,
 	};
 
 	LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose);

@@ -13,7 +13,6 @@ namespace {
 constexpr size_t MAX_JSON_LENGTH = 65536;
 constexpr std::string_view COEFFICIENTS = "coefficients";
 
-// Reads from the start to the end of the text; the first thing that is wrong is kept and stops all further reading.
 class Reader {
 public:
 	explicit Reader(std::string_view text) :
@@ -21,7 +20,7 @@ public:
 
 	TextResult<Multivector> read() {
 		if (_text.size() > MAX_JSON_LENGTH) {
-			return text_error(_text, MAX_JSON_LENGTH, "expected the end of the text, which may have 65,536 bytes; this one has " + std::to_string(_text.size()));
+			return text_error(_text, MAX_JSON_LENGTH, "the text is too long: it has " + std::to_string(_text.size()) + " bytes, and at most " + std::to_string(MAX_JSON_LENGTH) + " are accepted");
 		}
 		if (_reader.next_is('{')) {
 			read_object();
@@ -43,58 +42,61 @@ private:
 			if (_reader.next_is(']')) {
 				return _reader.fail(_reader.position(), "expected 32 numbers, found the end of the array after " + std::to_string(index));
 			}
-			if ((index > 0 && !_reader.take(',', "',' or ']'")) || !_reader.read_number(_value[index])) {
+			if (index > 0 && !_reader.take(',', "',' or ']'")) {
 				return false;
 			}
+			const std::optional<double> number = _reader.read_number();
+			if (!number) {
+				return false;
+			}
+			_value[index] = *number;
 		}
 		return _reader.take(']', "']' after 32 numbers");
-	}
-
-	// A key and the colon after it.
-	bool read_key(std::string &key, size_t &offset) {
-		if (!_reader.next_is('"')) {
-			return _reader.fail_expected("a key in double quotes");
-		}
-		offset = _reader.position();
-		return _reader.read_string(key) && _reader.take(':', "':' after the key");
 	}
 
 	bool read_object() {
 		_reader.take('{', "'{'");
 		std::bitset<BLADE_COUNT> seen;
 		while (!seen.all()) {
-			std::string key;
-			size_t offset = 0;
 			if (seen.any() && _reader.next_is('}')) {
 				return _reader.fail(_reader.position(), "expected 32 numbers, found the end of the object after " + std::to_string(seen.count()));
 			}
-			if ((seen.any() && !_reader.take(',', "',' or '}'")) || !read_key(key, offset)) {
+			if (seen.any() && !_reader.take(',', "',' or '}'")) {
 				return false;
 			}
-			if (key == COEFFICIENTS && seen.none()) {
+			if (!_reader.next_is('"')) {
+				return _reader.fail_expected("a key in double quotes");
+			}
+			const size_t offset = _reader.position();
+			const std::optional<std::string> key = _reader.read_string();
+			if (!key || !_reader.take(':', "':' after the key")) {
+				return false;
+			}
+			if (*key == COEFFICIENTS && seen.none()) {
 				return read_array() && _reader.take('}', "'}' after the coefficients");
 			}
-			const std::optional<int> index = index_of_key(key);
+			const std::optional<int> index = index_of_key(*key);
 			if (!index) {
-				return _reader.fail(offset, seen.any() ? "expected a key \"0\" to \"31\"" : "expected the key \"coefficients\" or \"0\" to \"31\"");
+				return _reader.fail(offset, seen.any() ? "expected a key from \"0\" to \"31\"" : "expected the key \"coefficients\" or keys from \"0\" to \"31\"");
 			}
 			if (seen[size_t(*index)]) {
-				return _reader.fail(offset, "expected each key once; \"" + std::to_string(*index) + "\" stood before");
+				return _reader.fail(offset, "the key \"" + std::to_string(*index) + "\" occurs twice");
 			}
-			seen.set(size_t(*index));
-			if (!_reader.read_number(_value[*index])) {
+			const std::optional<double> number = _reader.read_number();
+			if (!number) {
 				return false;
 			}
+			seen.set(size_t(*index));
+			_value[*index] = *number;
 		}
 		return _reader.take('}', "'}' after 32 numbers");
 	}
 
-	// "0" .. "31", without leading zeros.
+	// "0" .. "31" without leading zeros; empty for anything else.
 	static std::optional<int> index_of_key(std::string_view key) {
 		int index = -1;
-		const char *end = key.data() + key.size();
-		const bool is_number = std::from_chars(key.data(), end, index).ptr == end;
-		if (!is_number || index < 0 || index >= BLADE_COUNT || key != std::to_string(index)) {
+		std::from_chars(key.data(), key.data() + key.size(), index);
+		if (index < 0 || index >= BLADE_COUNT || key != std::to_string(index)) {
 			return std::nullopt;
 		}
 		return index;

@@ -82,95 +82,100 @@ bool JsonReader::take_one_of(std::string_view characters) {
 }
 
 // -? (0 | [1-9][0-9]*) (. [0-9]+)? ([eE] [+-]? [0-9]+)?
-bool JsonReader::read_number(double &value) {
+std::optional<double> JsonReader::read_number() {
+	const auto expected = [this](const char *what) {
+		fail_expected(what);
+		return std::nullopt;
+	};
 	const char first = next_character();
 	const size_t start = _position;
 	if (_error || (first != '-' && !is_digit(first))) {
-		return fail_expected("a number");
+		return expected("a number");
 	}
 	take_one_of("-");
 	if (!take_one_of("0") && take_digits() == 0) {
-		return fail_expected("a digit");
+		return expected("a digit");
 	}
 	if (take_one_of(".") && take_digits() == 0) {
-		return fail_expected("a digit after the decimal point");
+		return expected("a digit after the decimal point");
 	}
 	if (take_one_of("eE")) {
 		take_one_of("+-");
 		if (take_digits() == 0) {
-			return fail_expected("a digit of the exponent");
+			return expected("a digit of the exponent");
 		}
 	}
-	const std::optional<double> read = cga::read_number(_text.substr(start, _position - start));
-	if (!read) {
-		return fail(start, "expected a number that a double can hold (up to 1.8e308); this one is too large");
+	const std::optional<double> value = cga::read_number(_text.substr(start, _position - start));
+	if (!value) {
+		fail(start, "the number is too large; at most 1.8e308 is accepted");
 	}
-	value = *read;
-	return true;
+	return value;
 }
 
-bool JsonReader::read_string(std::string &value) {
-	if (!take('"', "a text in double quotes")) {
-		return false;
+std::optional<std::string> JsonReader::read_string() {
+	if (!take('"', "a string in double quotes")) {
+		return std::nullopt;
 	}
-	value.clear();
+	std::string value;
 	while (_position < _text.size() && _text[_position] != '"') {
 		if (_text[_position] == '\\') {
-			if (!read_escape(value)) {
-				return false;
+			const std::optional<uint32_t> code = read_escape();
+			if (!code) {
+				return std::nullopt;
 			}
+			append_utf8(value, *code);
 			continue;
 		}
 		const Character character = character_at(_text, _position);
 		if (!character.is_valid || character.code < 0x20) {
-			return fail(_position, "expected a character or '\"', found " + describe_character(_text, _position));
+			fail_expected("a character or '\"'");
+			return std::nullopt;
 		}
 		value.append(_text, _position, character.length);
 		_position += character.length;
 	}
-	return take('"', "'\"' at the end of the text");
+	return take('"', "'\"' at the end of the string") ? std::optional<std::string>(std::move(value)) : std::nullopt;
 }
 
-// At a backslash.
-bool JsonReader::read_escape(std::string &value) {
+// At a backslash. Returns the code point.
+std::optional<uint32_t> JsonReader::read_escape() {
 	constexpr std::string_view LETTERS = "\"\\/bfnrt";
 	constexpr std::string_view MEANINGS = "\"\\/\b\f\n\r\t";
 	const size_t start = _position++;
 	const char letter = _position < _text.size() ? _text[_position] : '\0';
 	if (const size_t index = LETTERS.find(letter); letter != '\0' && index != std::string_view::npos) {
-		value += MEANINGS[index];
 		++_position;
-		return true;
+		return uint32_t(MEANINGS[index]);
 	}
-	uint32_t code = 0;
-	if (letter != 'u' || (++_position, !read_hexadecimal(code))) {
-		return fail(start, "expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u and four hexadecimal digits");
+	_position += letter == 'u' ? 1 : 0;
+	const std::optional<uint32_t> code = letter == 'u' ? read_hexadecimal() : std::nullopt;
+	if (!code) {
+		fail(start, "expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\u and four hexadecimal digits");
+		return std::nullopt;
 	}
-	if (code >= 0xd800 && code < 0xdc00 && _text.substr(_position, 2) == "\\u") {
-		uint32_t low = 0;
+	if (*code < 0xd800 || *code >= 0xe000) {
+		return code;
+	}
+	if (*code < 0xdc00 && _text.substr(_position, 2) == "\\u") {
 		_position += 2;
-		if (read_hexadecimal(low) && low >= 0xdc00 && low < 0xe000) {
-			append_utf8(value, 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00));
-			return true;
+		if (const std::optional<uint32_t> low = read_hexadecimal(); low && *low >= 0xdc00 && *low < 0xe000) {
+			return 0x10000 + ((*code - 0xd800) << 10) + (*low - 0xdc00);
 		}
 	}
-	if (code >= 0xd800 && code < 0xe000) {
-		return fail(start, "expected a character; this is half of a UTF-16 pair");
-	}
-	append_utf8(value, code);
-	return true;
+	fail(start, "expected a character, found an unpaired UTF-16 surrogate");
+	return std::nullopt;
 }
 
-bool JsonReader::read_hexadecimal(uint32_t &code) {
-	code = 0;
+std::optional<uint32_t> JsonReader::read_hexadecimal() {
+	uint32_t code = 0;
 	for (int digit = 0; digit < 4; ++digit, ++_position) {
 		const size_t value = _position < _text.size() ? std::string_view("0123456789abcdefABCDEF").find(_text[_position]) : std::string_view::npos;
 		if (value == std::string_view::npos) {
-			return false;
+			return std::nullopt;
 		}
 		code = code << 4 | uint32_t(value < 16 ? value : value - 6);
 	}
-	return true;
+	return code;
 }
 
 bool JsonReader::take_word(std::string_view word) {
@@ -182,13 +187,11 @@ bool JsonReader::take_word(std::string_view word) {
 	return true;
 }
 
-bool JsonReader::read_boolean(bool &value) {
+std::optional<bool> JsonReader::read_boolean() {
 	if (take_word("true")) {
-		value = true;
 		return true;
 	}
-	value = false;
-	return take_word("false") || fail_expected("true or false");
+	return take_word("false") || fail_expected("true or false") ? std::optional<bool>(false) : std::nullopt;
 }
 
 bool JsonReader::read_null() {
@@ -196,22 +199,19 @@ bool JsonReader::read_null() {
 }
 
 bool JsonReader::skip_value() {
-	std::string open; // the brackets that wait for their ends
-	std::string text;
-	double number = 0.0;
-	bool boolean = false;
+	std::string open; // unclosed brackets
 	do {
 		const char first = next_character();
 		if (first == '[' || first == '{') {
 			if (open.size() >= MAX_NESTING) {
-				return fail(_position, "expected a simpler value; more than 256 brackets inside each other here");
+				return fail(_position, "the value is nested too deeply; at most " + std::to_string(MAX_NESTING) + " levels are accepted");
 			}
 			open += first;
 			++_position;
-		} else if (first == '"' ? !read_string(text) : (first == 't' || first == 'f' ? !read_boolean(boolean) : (first == 'n' ? !read_null() : !read_number(number)))) {
+		} else if (first == '"' ? !read_string() : (first == 't' || first == 'f' ? !read_boolean() : (first == 'n' ? !read_null() : !read_number()))) {
 			return false;
 		}
-		// What may stand between two values: the ends of brackets, a comma, a key.
+		// Between two values: closing brackets, a comma, a key.
 		bool is_first = first == '[' || first == '{';
 		while (!open.empty() && next_is(open.back() == '[' ? ']' : '}')) {
 			++_position;
@@ -221,7 +221,7 @@ bool JsonReader::skip_value() {
 		if (!open.empty() && !is_first && !take(',', open.back() == '[' ? "',' or ']'" : "',' or '}'")) {
 			return false;
 		}
-		if (!open.empty() && open.back() == '{' && !(read_string(text) && take(':', "':' after the key"))) {
+		if (!open.empty() && open.back() == '{' && !(read_string() && take(':', "':' after the key"))) {
 			return false;
 		}
 	} while (!open.empty());

@@ -7,55 +7,58 @@
 #include <string>
 #include <string_view>
 
-// Reads JSON piece by piece, as whoever knows what should stand there asks for it.
+// A pull parser for JSON: the caller asks for the value it expects next.
 
 namespace cga {
 
-// The first thing that is wrong is kept with its place, and every reading after it fails. Texts need not be UTF-8;
-// strings that are read from them are.
+// The first error is kept, and every call after it fails. The text may contain invalid UTF-8; strings read from it do
+// not.
 class JsonReader {
 public:
 	explicit JsonReader(std::string_view text) :
 			_text(text) {}
 
+	// In bytes from the start of the text.
 	[[nodiscard]] size_t position() const { return _position; }
 	[[nodiscard]] const std::optional<TextError> &error() const { return _error; }
-	// Goes on reading elsewhere; what was wrong is forgotten.
+	// Clears the error and continues at another place.
 	void restart_at(size_t position);
 
-	// The next character that is no white space, which stays; 0 at the end.
+	// Skips white space and returns the next character without consuming it; 0 at the end.
 	char next_character();
 	[[nodiscard]] bool next_is(char character) { return next_character() == character; }
 	[[nodiscard]] bool is_at_end();
 
-	// Takes the character, or fails with "expected <what>, found ...".
+	// Consumes the character, or fails with "expected <what>, found ...".
 	bool take(char character, const std::string &what);
-	// A number by JSON's grammar: no nan, no hexadecimal, no leading plus. One too large for a double is an error.
-	bool read_number(double &value);
-	// With all escapes; an error for control characters, for what is no UTF-8 and for halves of UTF-16 pairs.
-	bool read_string(std::string &value);
-	bool read_boolean(bool &value);
+	// These are empty, or false, after an error.
+	// A number by JSON's grammar: no NaN, no hexadecimal, no leading plus. One too large for a double is an error.
+	std::optional<double> read_number();
+	// Resolves all escapes. Control characters, invalid UTF-8 and unpaired surrogates are errors.
+	std::optional<std::string> read_string();
+	std::optional<bool> read_boolean();
 	bool read_null();
-	// Any value, passed over; brackets up to MAX_NESTING deep.
+	// Skips a value of any type. Nesting deeper than MAX_NESTING is an error.
 	bool skip_value();
 
+	// Both return false. An earlier error stays.
 	bool fail(size_t offset, std::string message);
-	// "expected <what>, found ...", here.
+	// "expected <what>, found ...", at the current position.
 	bool fail_expected(const std::string &what);
 
 private:
 	size_t take_digits();
 	bool take_one_of(std::string_view characters);
 	bool take_word(std::string_view word);
-	bool read_escape(std::string &value);
-	bool read_hexadecimal(uint32_t &code);
+	std::optional<uint32_t> read_escape();
+	std::optional<uint32_t> read_hexadecimal();
 
 	std::string_view _text;
 	size_t _position = 0;
 	std::optional<TextError> _error;
 };
 
-// `text` between double quotes, with what JSON wants to be escaped; bytes that are no UTF-8 become U+FFFD.
+// Appends `text` as a JSON string: quoted and escaped. Each invalid byte of UTF-8 becomes U+FFFD.
 void append_json_string(std::string &json, std::string_view text);
 
 } // namespace cga

@@ -11,7 +11,7 @@ namespace cga {
 
 namespace {
 
-// Outside of this range numbers are written with an exponent.
+// Numbers outside this range are written with an exponent.
 constexpr double MIN_PLAIN = 1e-4;
 constexpr double MAX_PLAIN = 1e15;
 
@@ -25,8 +25,8 @@ constexpr bool is_digit(char character) {
 	return character >= '0' && character <= '9';
 }
 
-// Whether a decimal that no double is close to is too small for one, rather than too large: by the place of its first
-// digit other than zero and the sign of its exponent, of which one outweighs the other by hundreds.
+// Whether a decimal outside the range of double is too small for it rather than too large: the power of ten of its first
+// nonzero digit is below zero.
 bool is_too_small(std::string_view decimal) {
 	const size_t mark = decimal.find_first_of("eE");
 	const std::string_view digits = decimal.substr(0, mark);
@@ -77,7 +77,7 @@ std::optional<double> read_number_by_stream(std::string_view decimal) {
 	stream.imbue(std::locale::classic());
 	double value = 0.0;
 	stream >> value;
-	// What is too large fails; the value is then the largest one.
+	// Overflow sets failbit.
 	return stream.fail() ? std::nullopt : std::optional<double>(value);
 }
 

@@ -4,21 +4,21 @@
 #include <string>
 #include <string_view>
 
-// Numbers in decimal, the same whatever the process's locale says about decimal points.
+// Decimal numbers, independent of the locale.
 
 namespace cga {
 
 // Appends the shortest decimal that reads back as the same double: "0.1", "-2", "100000", "1e+20", "1.5e-07". An
-// exponent always has a sign, which tells it from a blade's name. Finite values by contract.
+// exponent always has a sign, which distinguishes it from the name of a blade. Precondition: the value is finite.
 void append_number(std::string &text, double value);
 
-// The double closest to a decimal number: digits with at most one point, an exponent, a minus (the caller has seen to
-// that). Smaller than any double is zero; empty if it is larger than any.
+// The double closest to a decimal number. Precondition: an optional minus, digits with at most one point, an optional
+// exponent. Zero on underflow, empty on overflow.
 [[nodiscard]] std::optional<double> read_number(std::string_view decimal);
 
 namespace detail {
 
-// The same two by way of streams, for standard libraries without <charconv> for doubles (GCC 9 and 10).
+// Both with streams, for standard libraries without <charconv> for doubles (GCC 9 and 10).
 void append_number_by_stream(std::string &text, double value);
 [[nodiscard]] std::optional<double> read_number_by_stream(std::string_view decimal);
 

@@ -6,7 +6,7 @@
 
 namespace cga {
 
-// Smaller parts of a vector are what is left of zero after some operations.
+// Smaller components, relative to the vector, are rounding errors of zero.
 static constexpr double ROUNDING = 1e-12;
 
 std::string readable(double value) {

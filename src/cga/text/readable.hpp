@@ -4,12 +4,12 @@
 
 #include <string>
 
-// Numbers for people to read: six digits, not what a reader needs to get the same number back.
+// Numbers for display: six significant digits, so that reading them back loses precision.
 
 namespace cga {
 
 [[nodiscard]] std::string readable(double value);
-// "(0, 1, 0.5)". Components that beside the largest of them, or beside `size`, are rounding are 0.
+// "(0, 1, 0.5)". Components below 1e-12 of the largest, or of `size` if that is larger, are written as 0.
 [[nodiscard]] std::string readable(const Vector3<double> &vector, double size = 0.0);
 
 } // namespace cga

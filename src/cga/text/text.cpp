@@ -11,7 +11,7 @@ namespace cga {
 
 namespace {
 
-// How one kind of text writes the parts of a sum.
+// How a format writes the parts of a term.
 struct Style {
 	std::string (*number)(double);
 	std::string (*blade)(int index, bool null_basis); // "" for the scalar
@@ -35,7 +35,7 @@ std::string latex_number(double value) {
 	return text.substr(0, mark) + " \\times 10^{" + sign + text.substr(exponent) + "}";
 }
 
-// A blade as the outer product of a blade of unlike digits, "12", and of e_inf and e_o, joined by `wedge`.
+// In the null basis, the outer product of a Euclidean blade, e_inf and e_o, joined by `wedge`.
 std::string blade_text(int index, bool null_basis, std::string_view before, std::string_view after, std::string_view infinity, std::string_view origin, std::string_view wedge) {
 	const BladeName name = blade_name(index);
 	std::string digits(name.view().substr(1));

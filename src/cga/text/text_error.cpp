@@ -13,7 +13,7 @@ std::string TextError::describe() const {
 
 TextError text_error(std::string_view text, size_t offset, std::string message) {
 	const std::string_view before = text.substr(0, std::min(offset, text.size()));
-	const size_t line_start = before.rfind('\n') + 1; // 0 where there is none
+	const size_t line_start = before.rfind('\n') + 1; // npos + 1 = 0 on the first line
 	TextError error;
 	error.message = std::move(message);
 	error.offset = before.size();

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <string_view>
 
-// Characters of texts in UTF-8, of which nothing is trusted.
+// Decodes UTF-8 that may be invalid.
 
 namespace cga {
 
 struct Character {
 	uint32_t code = 0;
 	size_t length = 1; // bytes
-	bool is_valid = true; // if not: one byte that begins no character
+	bool is_valid = true; // false: a single byte that starts no valid character
 };
 
-// The character at a byte offset inside of the text.
+// The character at a byte offset. Precondition: offset < text.size().
 [[nodiscard]] constexpr Character character_at(std::string_view text, size_t offset) {
 	const unsigned lead = uint8_t(text[offset]);
 	if (lead < 0x80) {
@@ -33,13 +33,13 @@ struct Character {
 		}
 		code = code << 6 | (byte & 0x3f);
 	}
-	// No second way to write a character, no half of a UTF-16 pair, none beyond the last.
+	// Refuse overlong encodings, surrogates and codes beyond U+10FFFF.
 	constexpr uint32_t SMALLEST[] = { 0, 0, 0x80, 0x800, 0x10000 };
 	const bool is_valid = code >= SMALLEST[length] && !(code >= 0xd800 && code <= 0xdfff) && code <= 0x10ffff;
 	return is_valid ? Character{ code, length, true } : invalid;
 }
 
-// Bytes that are no UTF-8 count as a character each.
+// Each invalid byte counts as one character.
 [[nodiscard]] constexpr int character_count(std::string_view text) {
 	int count = 0;
 	for (size_t offset = 0; offset < text.size(); offset += character_at(text, offset).length) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "cga/flatten.hpp"
+#include "cga/algebra/null_coefficients.hpp"
+#include "cga/platform/compiler.hpp"
 #include "cga/typed/kernel.hpp"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ private:
 namespace detail {
 
 template <class Kernel, size_t INDEX, class Result, class Left, class Right>
-CGA_FLATTEN constexpr void add_term(Result &result, const Left &left, const Right &right) noexcept {
+CGA_ALWAYS_INLINE constexpr void add_term(Result &result, const Left &left, const Right &right) noexcept {
 	constexpr Term TERM = Kernel::TERMS[INDEX];
 	if constexpr (TERM.sign > 0) {
 		result.coefficients[TERM.result] += left.coefficients[TERM.left] * right.coefficients[TERM.right];
@@ -130,7 +131,7 @@ CGA_FLATTEN constexpr void add_term(Result &result, const Left &left, const Righ
 }
 
 template <class Kernel, class Result, class Left, class Right, size_t... INDICES>
-CGA_FLATTEN constexpr void add_terms(Result &result, const Left &left, const Right &right, std::index_sequence<INDICES...>) noexcept {
+CGA_ALWAYS_INLINE constexpr void add_terms(Result &result, const Left &left, const Right &right, std::index_sequence<INDICES...>) noexcept {
 	(add_term<Kernel, INDICES>(result, left, right), ...);
 }
 

@@ -115,9 +115,9 @@ Multivector exp_by_series(const Multivector &x) {
 
 } // namespace
 
-Result<Multivector> exp(const Multivector &x) {
+MultivectorResult exp(const Multivector &x) {
 	if (!x.is_finite()) {
-		return Failure{ "The element has a coefficient that is not finite, so it has no exponential" };
+		return AlgebraError::NOT_FINITE;
 	}
 	// A number commutes with everything: exp(k + X) = exp(k) exp(X).
 	const double number = x[0];
@@ -126,7 +126,7 @@ Result<Multivector> exp(const Multivector &x) {
 	const Multivector without_number = rest == rest.grade(2) ? exp_of_bivector(rest) : exp_by_series(rest);
 	const Multivector result = number == 0.0 ? without_number : without_number * std::exp(number);
 	if (!result.is_finite()) {
-		return Failure{ "The exponential leaves the range of double: make the element smaller" };
+		return AlgebraError::EXPONENTIAL_OVERFLOW;
 	}
 	return result;
 }

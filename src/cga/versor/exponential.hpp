@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 namespace cga {
 
@@ -17,6 +17,6 @@ namespace cga {
 //
 // The exponential of a bivector is a versor of unit weight. An error where X is not finite or exp(X) leaves the range
 // of double.
-Result<Multivector> exp(const Multivector &x);
+MultivectorResult exp(const Multivector &x);
 
 } // namespace cga

@@ -88,12 +88,12 @@ Multivector log_of_unit_versor(const Multivector &versor) {
 
 } // namespace
 
-Result<Multivector> log(const Multivector &versor) {
+MultivectorResult log(const Multivector &versor) {
 	if (!versor.is_finite()) {
-		return Failure{ "The element has a coefficient that is not finite, so it has no logarithm" };
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!(versor.max_abs() > 0.0)) {
-		return Failure{ "Zero has no logarithm" };
+		return AlgebraError::ZERO_HAS_NO_LOGARITHM;
 	}
 	// At unit size, squares neither overflow nor vanish.
 	const int exponent = std::ilogb(versor.max_abs());
@@ -101,10 +101,10 @@ Result<Multivector> log(const Multivector &versor) {
 	const bool versor_of_some_kind = is_versor(scaled);
 	std::optional<WeightedMotorLog> motor = motor_log(scaled, MOTOR_ROUNDING);
 	if (!motor && !versor_of_some_kind) {
-		return Failure{ "The element is no versor (a product of vectors that are not null), or its weight is lost in the rounding of its coefficients, so it has no logarithm; normalized() makes a versor of a noisy one" };
+		return AlgebraError::NOT_A_VERSOR;
 	}
 	if (!motor && scaled.is_odd()) {
-		return Failure{ "An odd versor (a reflection, an inversion) has no logarithm: no continuous motion reaches it" };
+		return AlgebraError::ODD_HAS_NO_LOGARITHM;
 	}
 	if (motor) {
 		Multivector result = to_multivector(motor->log);
@@ -113,15 +113,15 @@ Result<Multivector> log(const Multivector &versor) {
 	}
 	const double weight_squared = scaled.norm_squared();
 	if (weight_squared < 0.0) {
-		return Failure{ "An even versor with negative M M~ (one real and one imaginary inversion) has no logarithm: no continuous motion reaches it" };
+		return AlgebraError::NEGATIVE_HAS_NO_LOGARITHM;
 	}
-	const Result<Multivector> unit = normalized(scaled);
+	const MultivectorResult unit = normalized(scaled);
 	if (!unit) {
 		return unit;
 	}
 	Multivector result = log_of_unit_versor((*unit)[0] < 0.0 ? -*unit : *unit);
 	if (!result.is_finite()) {
-		return Failure{ "The versor's coefficients are too large for its logarithm" };
+		return AlgebraError::LOGARITHM_OVERFLOW;
 	}
 	result[0] = log_of_weight(std::sqrt(weight_squared), exponent);
 	return result;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 namespace cga {
 
@@ -22,6 +22,6 @@ namespace cga {
 //
 // Every such versor has one. An error for odd versors and for even ones with M M~ < 0, which no continuous motion
 // reaches; for what is no versor; for what is not finite.
-Result<Multivector> log(const Multivector &versor);
+MultivectorResult log(const Multivector &versor);
 
 } // namespace cga

@@ -27,12 +27,12 @@ std::optional<Multivector> nearest_versor(const Multivector &x, double a, const 
 
 } // namespace
 
-Result<Multivector> normalized(const Multivector &x) {
+MultivectorResult normalized(const Multivector &x) {
 	if (!x.is_finite()) {
-		return Failure{ "The element has a coefficient that is not finite, so it cannot be normalised" };
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!(x.max_abs() > 0.0)) {
-		return Failure{ "Zero cannot be normalised: no multiple of it has norm 1" };
+		return AlgebraError::ZERO_HAS_NO_NORM;
 	}
 	// At unit size, squares neither overflow nor vanish.
 	const Multivector unit = x.times_power_of_two(-std::ilogb(x.max_abs()));
@@ -48,7 +48,7 @@ Result<Multivector> normalized(const Multivector &x) {
 		const std::optional<Motor<double>> motor = to_motor(unit);
 		const double motor_weight = motor ? motor->norm_squared() : 0.0;
 		if (!(motor_weight > std::numeric_limits<double>::min())) {
-			return Failure{ "The element is null (its norm is zero), so no multiple of it has norm 1; points, e_inf, tangents and directions are null: scale them by what they mean, a point to -e_inf . X = 1" };
+			return AlgebraError::NULL_HAS_NO_NORM;
 		}
 		return unit * (1.0 / std::sqrt(motor_weight));
 	}

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 namespace cga {
 
@@ -14,6 +14,6 @@ namespace cga {
 //
 // An error for null elements (norm zero within rounding: points, e_inf, tangents, directions), zero, and what is not
 // finite.
-Result<Multivector> normalized(const Multivector &x);
+MultivectorResult normalized(const Multivector &x);
 
 } // namespace cga

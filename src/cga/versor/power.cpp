@@ -1,7 +1,7 @@
 #include "cga/versor/power.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
@@ -31,27 +31,27 @@ Multivector whole_power(const Multivector &versor, long exponent) {
 }
 
 // Of a versor that has no logarithm, as its unit and its weight.
-Result<Multivector> power_by_products(const Multivector &versor, double exponent) {
+MultivectorResult power_by_products(const Multivector &versor, double exponent) {
 	if (std::abs(exponent) > MAX_WHOLE_EXPONENT) {
-		return Failure{ "A versor without logarithm has whole powers up to 1e9 only" };
+		return AlgebraError::EXPONENT_TOO_LARGE;
 	}
-	const Result<Multivector> unit = normalized(versor);
+	const MultivectorResult unit = normalized(versor);
 	if (!unit) {
 		return unit;
 	}
-	const Result<Multivector> factor = exponent < 0.0 ? inverse(*unit) : unit;
+	const MultivectorResult factor = exponent < 0.0 ? inverse(*unit) : unit;
 	if (!factor) {
 		return factor;
 	}
 	return whole_power(*factor, std::lround(std::abs(exponent))) * std::pow(versor.norm(), exponent);
 }
 
-Result<Multivector> power_without_check(const Multivector &versor, double exponent) {
-	const Result<Multivector> logarithm = log(versor);
+MultivectorResult power_without_check(const Multivector &versor, double exponent) {
+	const MultivectorResult logarithm = log(versor);
 	if (logarithm) {
 		const Multivector multiple = *logarithm * exponent;
 		if (!multiple.is_finite()) {
-			return Failure{ "The power leaves the range of double: the exponent is too large" };
+			return AlgebraError::POWER_OVERFLOW;
 		}
 		return exp(multiple);
 	}
@@ -59,25 +59,25 @@ Result<Multivector> power_without_check(const Multivector &versor, double expone
 		return logarithm;
 	}
 	if (exponent != std::nearbyint(exponent)) {
-		return Failure{ "An odd versor, or an even one with negative M M~, has whole powers only: no continuous motion reaches it" };
+		return AlgebraError::FRACTIONAL_POWER;
 	}
 	return power_by_products(versor, exponent);
 }
 
 } // namespace
 
-Result<Multivector> power(const Multivector &versor, double exponent) {
+MultivectorResult power(const Multivector &versor, double exponent) {
 	if (!std::isfinite(exponent)) {
-		return Failure{ "The exponent is not finite" };
+		return AlgebraError::EXPONENT_NOT_FINITE;
 	}
-	const Result<Multivector> result = power_without_check(versor, exponent);
+	const MultivectorResult result = power_without_check(versor, exponent);
 	if (result && !result->is_finite()) {
-		return Failure{ "The power leaves the range of double: use a smaller exponent or a versor of unit weight" };
+		return AlgebraError::POWER_OVERFLOW;
 	}
 	return result;
 }
 
-Result<Multivector> sqrt(const Multivector &versor) {
+MultivectorResult sqrt(const Multivector &versor) {
 	return power(versor, 0.5);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
-#include "cga/result.hpp"
 
 namespace cga {
 
@@ -12,10 +12,10 @@ namespace cga {
 // Versors without a logarithm (odd ones, even ones with M M~ < 0) have their whole powers, which are products: M M M,
 // M^-1 M^-1; an error for other exponents. An error for what is no versor, what is not finite, and where the result
 // leaves the range of double.
-Result<Multivector> power(const Multivector &versor, double exponent);
+MultivectorResult power(const Multivector &versor, double exponent);
 
 // power(M, 1/2), which is normalised(1 + M) for unit M with a scalar part that is not negative. The square of the
 // result is M or -M. The same errors.
-Result<Multivector> sqrt(const Multivector &versor);
+MultivectorResult sqrt(const Multivector &versor);
 
 } // namespace cga

@@ -97,7 +97,7 @@ const playground::Entry *GANode3D::find_entry() const {
 const cga::Multivector *GANode3D::find_value() const {
 	if (draws_entry()) {
 		const playground::Entry *entry = find_entry();
-		return entry && entry->outcome.value ? &*entry->outcome.value : nullptr;
+		return entry && entry->value ? &*entry->value : nullptr;
 	}
 	return _multivector.is_valid() ? &_multivector->get_value() : nullptr;
 }

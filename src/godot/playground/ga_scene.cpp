@@ -29,7 +29,11 @@ static PackedStringArray to_strings(const std::vector<std::string> &texts) {
 }
 
 static Ref<Multivector> value_of(const playground::Entry &entry) {
-	return entry.outcome.value ? Multivector::make(*entry.outcome.value) : Ref<Multivector>();
+	return entry.value ? Multivector::make(*entry.value) : Ref<Multivector>();
+}
+
+static String error_of(const playground::Entry &entry) {
+	return entry.value ? String() : to_godot(entry.value.error().message);
 }
 
 const playground::Entry *GAScene::find(const String &name, const char *method) const {
@@ -38,10 +42,10 @@ const playground::Entry *GAScene::find(const String &name, const char *method) c
 	return entry;
 }
 
-Error GAScene::finish(const playground::Change &change, const char *method) {
-	ERR_FAIL_COND_V_MSG(!change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", method, to_godot(change.error)));
-	if (!change.names.empty()) {
-		emit_signal("entries_changed", to_strings(change.names));
+Error GAScene::finish(const playground::ChangeResult &change, const char *method) {
+	ERR_FAIL_COND_V_MSG(!change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", method, to_godot(change.error().message)));
+	if (!change->empty()) {
+		emit_signal("entries_changed", to_strings(*change));
 	}
 	emit_changed();
 	return godot::OK;
@@ -104,7 +108,7 @@ Ref<Multivector> GAScene::get_value(const String &name) const {
 
 String GAScene::get_error(const String &name) const {
 	const playground::Entry *entry = find(name, "get_error");
-	return entry ? to_godot(entry->outcome.error) : String();
+	return entry ? error_of(*entry) : String();
 }
 
 String GAScene::get_description(const String &name) const {
@@ -131,14 +135,15 @@ Ref<Multivector> GAScene::evaluate(const String &expression) const {
 Dictionary GAScene::describe_expression(const String &text, const StringName &as_entry) const {
 	const playground::Entry entry = _document.trial_entry(to_utf8(as_entry), to_utf8(text));
 	Dictionary result;
-	result["value"] = entry.outcome.value ? godot::Variant(value_of(entry)) : godot::Variant();
-	result["description"] = entry.outcome.value ? to_godot(playground::describe(entry)) : String();
-	result["error"] = to_godot(entry.outcome.error);
+	result["value"] = entry.value ? godot::Variant(value_of(entry)) : godot::Variant();
+	result["description"] = entry.value ? to_godot(playground::describe(entry)) : String();
+	result["error"] = error_of(entry);
 	return result;
 }
 
 String GAScene::get_name_error(const String &name) const {
-	return to_godot(_document.new_name_error(to_utf8(name)));
+	const cga::Result<void, playground::Error> checked = _document.check_new_name(to_utf8(name));
+	return checked ? String() : to_godot(checked.error().message);
 }
 
 String GAScene::to_json() const {

@@ -76,7 +76,7 @@ private:
 	// Null, with an error message in the name of that method, if there is no such entry.
 	const playground::Entry *find(const godot::String &name, const char *method) const;
 	// Emits the signals of an accepted change, or reports why it was refused.
-	godot::Error finish(const playground::Change &change, const char *method);
+	godot::Error finish(const playground::ChangeResult &change, const char *method);
 	godot::Error load(const godot::String &text, const char *member);
 
 	playground::Document _document;

@@ -87,7 +87,7 @@ static Dictionary to_dictionary(const Handle &handle) {
 	Dictionary dictionary;
 	dictionary["key"] = to_godot(handle.key);
 	dictionary["motion"] = MOTIONS[int(handle.constraint.motion)];
-	dictionary["place"] = to_godot(handle.constraint.place);
+	dictionary["place"] = to_godot(handle.constraint.position);
 	dictionary["center"] = to_godot(handle.constraint.center);
 	dictionary["axis"] = to_godot(handle.constraint.axis);
 	dictionary["stem"] = to_godot(handle.stem);
@@ -114,7 +114,7 @@ static std::optional<Handle> to_handle(const Dictionary &dictionary) {
 		is_complete = is_complete && is_finite(vector);
 		return to_glm(vector);
 	};
-	handle.constraint.place = read("place");
+	handle.constraint.position = read("place");
 	handle.constraint.center = read("center");
 	handle.constraint.axis = read("axis");
 	handle.stem = read("stem");
@@ -160,7 +160,7 @@ Error GAScene::drag_handle(const String &name, const Dictionary &handle, const V
 	if (!drag) {
 		return godot::ERR_SKIP;
 	}
-	const playground::Change change = _document.set_parameter(entry->name, drag->parameter, drag->value);
+	const playground::ChangeResult change = _document.set_parameter(entry->name, drag->parameter, drag->value);
 	// A drag may reach values that are refused, such as a radius below zero; that is no mistake of the caller.
 	return change ? finish(change, "drag_handle") : godot::ERR_SKIP;
 }

@@ -34,21 +34,21 @@ AttributeValue default_attribute(std::string_view key) {
 	return {};
 }
 
-std::string attribute_error(std::string_view key, const AttributeValue &value) {
+cga::Result<void, Error> check_attribute(std::string_view key, const AttributeValue &value) {
 	if (key.empty() || key.size() > MAX_KEY_LENGTH || !std::all_of(key.begin(), key.end(), is_key_character)) {
-		return "the key of an attribute has letters, digits, '_', '-', '.' and '/' only, 1 to 64 of them";
+		return Error("the key of an attribute must consist of 1 to 64 letters, digits, '_', '-', '.' or '/'");
 	}
 	const AttributeValue standard = default_attribute(key);
 	if (standard.index() != 0 && value.index() != 0 && standard.index() != value.index()) {
-		return "the attribute '" + std::string(key) + "' is " + TYPE_NAMES[standard.index()] + ", not " + TYPE_NAMES[value.index()];
+		return Error("the attribute '" + std::string(key) + "' must be " + TYPE_NAMES[standard.index()] + ", not " + TYPE_NAMES[value.index()]);
 	}
 	const std::string *text = std::get_if<std::string>(&value);
 	if (key == "color" && text && !is_color(*text)) {
-		return "the attribute 'color' is written as #rrggbb or #rrggbbaa";
+		return Error("the attribute 'color' must have the form #rrggbb or #rrggbbaa");
 	}
 	const double *number = std::get_if<double>(&value);
 	if (number && !std::isfinite(*number)) {
-		return "the attribute '" + std::string(key) + "' is not finite";
+		return Error("the attribute '" + std::string(key) + "' must be finite");
 	}
 	return {};
 }

@@ -9,7 +9,7 @@ namespace playground {
 
 namespace {
 
-// Walks are told apart by number, so that no entry has to be cleared before one.
+// Each traversal has its own number, so that marks need not be cleared.
 std::atomic<uint64_t> last_visit = 0;
 
 bool contains(const std::vector<Entry *> &entries, const Entry *entry) {
@@ -42,7 +42,6 @@ void connect(Entry &entry, const EntryIndex &index) {
 		Entry *dependency = found == index.end() ? nullptr : found->second;
 		entry.dependencies.push_back(dependency);
 		if (dependency) {
-			// Variables are named once each, so that no dependent comes twice.
 			dependency->dependents.push_back(&entry);
 		}
 	}
@@ -71,7 +70,7 @@ std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entrie
 	struct Step {
 		Entry *entry;
 		size_t next; // dependency
-		int lowest; // the first reached entry that this one leads back to
+		int lowest; // the lowest mark reachable from here (Tarjan's lowlink)
 	};
 	const uint64_t visit = ++last_visit;
 	for (Entry *entry : entries) {
@@ -80,7 +79,7 @@ std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entrie
 	}
 	std::vector<Component> components;
 	std::vector<Step> path;
-	std::vector<Entry *> open; // reached, in no component yet; marked with their place in it
+	std::vector<Entry *> open; // reached but not in a component yet; each is marked with its index here
 	const auto reach = [&path, &open](Entry *entry) {
 		entry->mark = int(open.size());
 		path.push_back({ entry, 0, entry->mark });
@@ -126,7 +125,7 @@ std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entrie
 }
 
 std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component) {
-	// Breadth first, in the order of the variables; each with the one it was reached from.
+	// Breadth-first search; `origin` maps each entry to its predecessor.
 	std::map<const Entry *, const Entry *> origin;
 	std::vector<const Entry *> reached = { &entry };
 	for (size_t index = 0; index < reached.size(); ++index) {

@@ -4,29 +4,29 @@
 
 #include <vector>
 
-// Which entries an entry is computed from. Walks keep their place on a stack of their own, so that no chain is too long.
+// The graph of entries and the entries they refer to. Traversals use an explicit stack, so that long chains are safe.
 
 namespace playground {
 
-// Looks the expression's variables up, and tells those that are found; what was connected before is not any more.
+// Replaces the dependencies of the entry by the entries its expression refers to, and registers it as their dependent.
 void connect(Entry &entry, const EntryIndex &index);
-// Takes the entry out of the dependents of others.
+// Clears the dependencies of the entry and removes it from their dependents.
 void disconnect(Entry &entry);
 
-// `entries` and all that depend on them, each once.
+// `entries` and all entries that depend on them, each once.
 [[nodiscard]] std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries);
 
-// Entries that refer to each other in a circle, or one alone.
+// A strongly connected component: entries in a cycle, or a single entry.
 struct Component {
 	std::vector<Entry *> members;
 	bool is_cycle = false;
 };
 
-// The entries in an order of evaluation: components after those they depend on. Dependencies outside of `entries` are left
-// out. (Tarjan, Depth-first search and linear graph algorithms, 1972.)
+// The components in topological order: each after those it depends on. Dependencies outside `entries` are ignored.
+// (Tarjan, Depth-first search and linear graph algorithms, 1972.)
 [[nodiscard]] std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entries);
 
-// The shortest way from an entry of a cycle back to itself: a, b, c for a -> b -> c -> a.
+// The shortest path from an entry of a cycle back to itself: a, b, c for a -> b -> c -> a.
 [[nodiscard]] std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component);
 
 } // namespace playground

@@ -18,11 +18,11 @@ constexpr double DEGREES = 180.0 / 3.14159265358979323846;
 std::string motion(const cga::Pose<double> &pose) {
 	std::string text;
 	if (glm::length(pose.translation) > 0.0) {
-		text += ", by " + cga::readable(pose.translation);
+		text += ", translation " + cga::readable(pose.translation);
 	}
 	const cga::Vector3<double> sines(pose.rotation.x, pose.rotation.y, pose.rotation.z);
 	const double size = glm::length(sines);
-	// A turn too small for the six digits is none.
+	// Smaller angles round to zero in six digits.
 	if (size > 1e-9) {
 		const double sign = pose.rotation.w < 0.0 ? -1.0 : 1.0;
 		text += ", " + cga::readable(2.0 * std::atan2(size, std::abs(pose.rotation.w)) * DEGREES) + " degrees about " + cga::readable(sines * (sign / size));
@@ -36,22 +36,22 @@ std::string motion(const cga::Pose<double> &pose) {
 } // namespace
 
 std::string describe(const Entry &entry) {
-	if (!entry.outcome.value) {
-		return "error: " + entry.outcome.error;
+	if (!entry.value) {
+		return "error: " + entry.value.error().message;
 	}
-	const cga::Multivector &value = *entry.outcome.value;
-	// No object, and still what a slider may be at.
+	const cga::Multivector &value = *entry.value;
+	// Zero represents no object, but a slider may produce it.
 	if (value == cga::Multivector()) {
 		return "number 0";
 	}
 	const cga::Classification found = cga::classify(value, is_set(entry.attributes, "ipns"));
 	switch (found.kind) {
-		case cga::Kind::scalar:
+		case cga::Kind::SCALAR:
 			return "number " + cga::readable(value[0]);
-		case cga::Kind::rotor:
-		case cga::Kind::translator:
-		case cga::Kind::dilator:
-		case cga::Kind::motor: {
+		case cga::Kind::ROTOR:
+		case cga::Kind::TRANSLATOR:
+		case cga::Kind::DILATOR:
+		case cga::Kind::MOTOR: {
 			const std::optional<cga::Motor<double>> motor = cga::to_motor(value);
 			const std::optional<cga::Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
 			return cga::name_of(found.kind) + (pose ? motion(*pose) : std::string());

@@ -18,12 +18,8 @@ namespace playground {
 
 namespace {
 
-Change refused(std::string error) {
-	return { std::move(error), {} };
-}
-
-Change no_entry(std::string_view name) {
-	return refused("there is no entry '" + std::string(name) + "'");
+Error no_entry(std::string_view name) {
+	return "there is no entry '" + std::string(name) + "'";
 }
 
 } // namespace
@@ -59,18 +55,16 @@ std::vector<std::string> Document::dependents_of(std::string_view name) const {
 	return names;
 }
 
-std::string Document::new_name_error(std::string_view name) const {
-	if (std::string error = name_error(name); !error.empty()) {
-		return error;
+cga::Result<void, Error> Document::check_new_name(std::string_view name) const {
+	if (find(name)) {
+		return Error("an entry '" + std::string(name) + "' already exists");
 	}
-	return find(name) ? "there is an entry '" + std::string(name) + "' already" : std::string();
+	return check_name(name);
 }
 
 void Document::set_text(Entry &entry, std::string_view text) {
 	entry.text = text;
-	cga::TextResult<Expression> expression = parse(text);
-	entry.expression = expression ? std::optional<Expression>(*expression) : std::nullopt;
-	entry.syntax_error = expression ? std::string() : expression.error().describe();
+	entry.expression = parse(text);
 	connect(entry, _index);
 }
 
@@ -84,61 +78,61 @@ std::vector<Entry *> Document::entries_that_lack_others() const {
 	return found;
 }
 
-Change Document::change(const std::vector<Entry *> &stale, std::vector<std::string> names) {
-	const std::set<std::string> came_or_went(names.begin(), names.end());
+ChangeResult Document::change(const std::vector<Entry *> &stale, std::vector<std::string> names) {
+	const std::set<std::string> added_or_removed(names.begin(), names.end());
 	for (const Entry *entry : reevaluate(stale, _index)) {
-		if (came_or_went.count(entry->name) == 0) {
+		if (added_or_removed.count(entry->name) == 0) {
 			names.push_back(entry->name);
 		}
 	}
-	return { {}, std::move(names) };
+	return names;
 }
 
-Change Document::add(std::string_view name, std::string_view text, size_t index) {
-	if (std::string error = new_name_error(name); !error.empty()) {
-		return refused(std::move(error));
+ChangeResult Document::add(std::string_view name, std::string_view text, size_t index) {
+	if (const cga::Result<void, Error> checked = check_new_name(name); !checked) {
+		return checked.error();
 	}
 	if (_entries.size() >= MAX_ENTRIES) {
-		return refused("a document has at most " + std::to_string(MAX_ENTRIES) + " entries");
+		return Error("a document has at most " + std::to_string(MAX_ENTRIES) + " entries");
 	}
 	auto added = std::make_unique<Entry>();
 	Entry &entry = *added;
 	entry.name = name;
 	_entries.insert(_entries.begin() + ptrdiff_t(std::min(index, _entries.size())), std::move(added));
 	_index.emplace(entry.name, &entry);
-	// Those that waited for the name, and those that might have meant it.
+	// Entries that referred to the name, and those whose error may now suggest it.
 	std::vector<Entry *> stale = entries_that_lack_others();
-	for (Entry *waiting : stale) {
-		connect(*waiting, _index);
+	for (Entry *lacking : stale) {
+		connect(*lacking, _index);
 	}
 	set_text(entry, pasted_expression(text));
 	stale.push_back(&entry);
 	return change(stale, { entry.name });
 }
 
-Change Document::set_expression(std::string_view name, std::string_view text) {
+ChangeResult Document::set_expression(std::string_view name, std::string_view text) {
 	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
 	}
 	const std::string expression = pasted_expression(text);
 	if (entry->text == expression) {
-		return {};
+		return std::vector<std::string>();
 	}
 	set_text(*entry, expression);
 	return change({ entry });
 }
 
-Change Document::rename(std::string_view from, std::string_view to) {
+ChangeResult Document::rename(std::string_view from, std::string_view to) {
 	Entry *entry = own_entry(from);
 	if (!entry) {
 		return no_entry(from);
 	}
 	if (from == to) {
-		return {};
+		return std::vector<std::string>();
 	}
-	if (std::string error = new_name_error(to); !error.empty()) {
-		return refused(std::move(error));
+	if (const cga::Result<void, Error> checked = check_new_name(to); !checked) {
+		return checked.error();
 	}
 	std::vector<std::pair<Entry *, std::string>> rewritten;
 	for (const std::unique_ptr<Entry> &candidate : _entries) {
@@ -147,7 +141,7 @@ Change Document::rename(std::string_view from, std::string_view to) {
 		}
 		std::string text = candidate->expression ? candidate->expression->renamed(from, to) : with_variable_renamed(candidate->text, from, to);
 		if (text.size() > MAX_TEXT_LENGTH && candidate->text.size() <= MAX_TEXT_LENGTH) {
-			return refused("the expression of '" + candidate->name + "' would become longer than " + std::to_string(MAX_TEXT_LENGTH) + " bytes; choose a shorter name");
+			return Error("the expression of '" + candidate->name + "' would become longer than " + std::to_string(MAX_TEXT_LENGTH) + " bytes; choose a shorter name");
 		}
 		if (text != candidate->text) {
 			rewritten.emplace_back(candidate.get(), std::move(text));
@@ -158,8 +152,8 @@ Change Document::rename(std::string_view from, std::string_view to) {
 	entry->name = to;
 	_index.emplace(entry->name, entry);
 	std::vector<Entry *> stale = entries_that_lack_others();
-	for (Entry *waiting : stale) {
-		connect(*waiting, _index);
+	for (Entry *lacking : stale) {
+		connect(*lacking, _index);
 	}
 	for (const auto &[dependent, text] : rewritten) {
 		set_text(*dependent, text);
@@ -169,7 +163,7 @@ Change Document::rename(std::string_view from, std::string_view to) {
 	return change(stale, { old_name, entry->name });
 }
 
-Change Document::remove(std::string_view name) {
+ChangeResult Document::remove(std::string_view name) {
 	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
@@ -184,13 +178,13 @@ Change Document::remove(std::string_view name) {
 	return change(entries_that_lack_others(), { old_name });
 }
 
-Change Document::move(std::string_view name, size_t index) {
+ChangeResult Document::move(std::string_view name, size_t index) {
 	const size_t from = index_of(name);
 	if (from == size()) {
 		return no_entry(name);
 	}
 	if (index >= size()) {
-		return refused("the index " + std::to_string(index) + " is not in 0.." + std::to_string(size() - 1));
+		return Error("the index " + std::to_string(index) + " is outside 0.." + std::to_string(size() - 1));
 	}
 	const auto place = [this](size_t at) { return _entries.begin() + ptrdiff_t(at); };
 	if (from < index) {
@@ -198,42 +192,42 @@ Change Document::move(std::string_view name, size_t index) {
 	} else {
 		std::rotate(place(index), place(from), place(from + 1));
 	}
-	return {};
+	return std::vector<std::string>();
 }
 
-Change Document::set_parameter(std::string_view name, std::string_view parameter, const LiteralValue &value) {
+ChangeResult Document::set_parameter(std::string_view name, std::string_view parameter, const LiteralValue &value) {
 	const Entry *entry = find(name);
 	if (!entry) {
 		return no_entry(name);
 	}
-	Rewritten rewritten = with_parameter(entry->text, parameter, value);
-	if (!rewritten.error.empty()) {
-		return refused(std::move(rewritten.error));
+	const cga::Result<std::string, Error> text = with_parameter(entry->text, parameter, value);
+	if (!text) {
+		return text.error();
 	}
-	if (const cga::TextResult<cga::Multivector> result = evaluate(rewritten.text); !result && entry->outcome.value) {
-		return refused(result.error().message);
+	if (const cga::TextResult<cga::Multivector> result = evaluate(*text); !result && entry->value) {
+		return Error(result.error().message);
 	}
-	return set_expression(name, rewritten.text);
+	return set_expression(name, *text);
 }
 
-Change Document::set_attribute(std::string_view name, std::string_view key, const AttributeValue &value) {
+ChangeResult Document::set_attribute(std::string_view name, std::string_view key, const AttributeValue &value) {
 	Entry *entry = own_entry(name);
 	if (!entry) {
 		return no_entry(name);
 	}
-	if (std::string error = attribute_error(key, value); !error.empty()) {
-		return refused(std::move(error));
+	if (const cga::Result<void, Error> checked = check_attribute(key, value); !checked) {
+		return checked.error();
 	}
 	playground::set_attribute(entry->attributes, key, value);
-	return {};
+	return std::vector<std::string>();
 }
 
-Change Document::set_document_attribute(std::string_view key, const AttributeValue &value) {
-	if (std::string error = attribute_error(key, value); !error.empty()) {
-		return refused(std::move(error));
+ChangeResult Document::set_document_attribute(std::string_view key, const AttributeValue &value) {
+	if (const cga::Result<void, Error> checked = check_attribute(key, value); !checked) {
+		return checked.error();
 	}
 	playground::set_attribute(_attributes, key, value);
-	return {};
+	return std::vector<std::string>();
 }
 
 DocumentState Document::state() const {
@@ -245,7 +239,7 @@ DocumentState Document::state() const {
 	return state;
 }
 
-Change Document::restore(const DocumentState &state) {
+ChangeResult Document::restore(const DocumentState &state) {
 	std::map<std::string, std::unique_ptr<Entry>, std::less<>> old;
 	for (std::unique_ptr<Entry> &entry : _entries) {
 		entry->dependencies.clear();
@@ -258,30 +252,30 @@ Change Document::restore(const DocumentState &state) {
 	_attributes = state.attributes;
 	std::vector<std::string> names;
 	std::vector<Entry *> all;
-	for (const EntryState &wanted : state.entries) {
-		if (!new_name_error(wanted.name).empty() || size() >= MAX_ENTRIES) {
+	for (const EntryState &saved : state.entries) {
+		if (!check_new_name(saved.name) || size() >= MAX_ENTRIES) {
 			continue;
 		}
-		const auto found = old.find(wanted.name);
+		const auto found = old.find(saved.name);
 		const bool is_new = found == old.end();
 		_entries.push_back(is_new ? std::make_unique<Entry>() : std::move(found->second));
 		Entry &entry = *_entries.back();
 		if (is_new) {
-			names.push_back(wanted.name);
-			entry.name = wanted.name;
+			names.push_back(saved.name);
+			entry.name = saved.name;
 		} else {
 			old.erase(found);
 		}
-		entry.attributes = wanted.attributes;
+		entry.attributes = saved.attributes;
 		_index.emplace(entry.name, &entry);
 		all.push_back(&entry);
-		if (is_new || entry.text != wanted.text) {
-			// Connected below, when all names are there.
-			set_text(entry, wanted.text);
+		if (is_new || entry.text != saved.text) {
+			// Connected again below, when all entries exist.
+			set_text(entry, saved.text);
 		}
 	}
-	for (const auto &gone : old) {
-		names.push_back(gone.first);
+	for (const auto &removed : old) {
+		names.push_back(removed.first);
 	}
 	for (Entry *entry : all) {
 		entry->dependents.clear();
@@ -301,10 +295,10 @@ cga::TextResult<cga::Multivector> Document::evaluate(std::string_view text) cons
 	std::vector<const cga::Multivector *> values;
 	for (const std::string &name : expression->variables()) {
 		const Entry *entry = find(name);
-		if (!entry || !entry->outcome.value) {
-			return cga::text_error(text, expression->first_use(values.size()).offset, entry ? "'" + name + "' has an error; " + entry->outcome.error : missing_entry(name, _index));
+		if (!entry || !entry->value) {
+			return cga::text_error(text, expression->first_use(values.size()).offset, entry ? "'" + name + "' has an error; " + entry->value.error().message : missing_entry(name, _index));
 		}
-		values.push_back(&*entry->outcome.value);
+		values.push_back(&*entry->value);
 	}
 	return playground::evaluate(*expression, values);
 }

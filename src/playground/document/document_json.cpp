@@ -45,7 +45,7 @@ public:
 
 	LoadedDocument read() {
 		if (_text.size() > MAX_DOCUMENT_LENGTH) {
-			add_error(cga::text_error(_text, 0, "a document has at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " bytes").describe());
+			add_error(cga::text_error(_text, 0, "the document is too long; at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " bytes are accepted").describe());
 		} else if (_reader.next_is('[')) {
 			read_multivectors();
 		} else if (_reader.next_is('{')) {
@@ -56,10 +56,10 @@ public:
 			report_error();
 			_loaded.is_document = _has_format || _has_entries;
 			if (!_loaded.is_document && _loaded.errors.empty()) {
-				add_error("column 1: expected the key \"entries\" with the entries of the document");
+				add_error("column 1: expected the key \"entries\" in the document");
 			}
 		} else {
-			_reader.fail_expected("'{' of a document, or '[' of 32 coefficients");
+			_reader.fail_expected("'{' before a document or '[' before 32 coefficients");
 			report_error();
 		}
 		return std::move(_loaded);
@@ -70,7 +70,7 @@ private:
 		if (_loaded.errors.size() < MAX_ERRORS) {
 			_loaded.errors.push_back(std::move(error));
 		} else if (_loaded.errors.size() == MAX_ERRORS) {
-			_loaded.errors.push_back("and more");
+			_loaded.errors.push_back("further errors are not listed");
 		}
 	}
 
@@ -84,7 +84,7 @@ private:
 		add_error(cga::text_error(_text, offset, std::move(message)).describe());
 	}
 
-	// Calls `read_member` with each key; false as soon as something is wrong.
+	// Calls `read_member` with each key; false at the first error.
 	template <class ReadMember>
 	bool read_object(ReadMember read_member) {
 		if (!_reader.take('{', "'{'")) {
@@ -92,8 +92,11 @@ private:
 		}
 		bool is_first = true;
 		while (!_reader.next_is('}')) {
-			std::string key;
-			if ((!is_first && !_reader.take(',', "',' or '}'")) || !_reader.read_string(key) || !_reader.take(':', "':' after the key") || !read_member(key)) {
+			if (!is_first && !_reader.take(',', "',' or '}'")) {
+				return false;
+			}
+			const std::optional<std::string> key = _reader.read_string();
+			if (!key || !_reader.take(':', "':' after the key") || !read_member(*key)) {
 				return false;
 			}
 			is_first = false;
@@ -117,61 +120,63 @@ private:
 	}
 
 	bool read_format() {
-		std::string format;
 		_reader.next_character();
 		const size_t place = _reader.position();
-		if (!_reader.read_string(format)) {
+		const std::optional<std::string> format = _reader.read_string();
+		if (!format) {
 			return false;
 		}
-		_has_format = format == FORMAT;
-		return _has_format || _reader.fail(place, "expected the format \"" + std::string(FORMAT) + "\"; this is another file");
+		_has_format = *format == FORMAT;
+		return _has_format || _reader.fail(place, "expected the format \"" + std::string(FORMAT) + "\"; this file has another format");
 	}
 
 	bool read_version() {
-		double version = 0.0;
 		_reader.next_character();
 		const size_t place = _reader.position();
-		if (!_reader.read_number(version)) {
+		const std::optional<double> version = _reader.read_number();
+		if (!version) {
 			return false;
 		}
-		if (!(version >= 1.0) || version != std::floor(version)) {
-			report_at(place, "expected a version, which is a whole number from 1 on");
-		} else if (version > DOCUMENT_VERSION) {
-			report_at(place, "the document is of a newer version than " + std::to_string(DOCUMENT_VERSION) + ", the newest that this one reads; update GA-Godot");
+		if (!(*version >= 1.0) || *version != std::floor(*version)) {
+			report_at(place, "the version must be an integer of at least 1");
+		} else if (*version > DOCUMENT_VERSION) {
+			report_at(place, "the document has a newer version than " + std::to_string(DOCUMENT_VERSION) + ", the latest that this GA-Godot reads; update GA-Godot");
 		}
 		return true;
 	}
 
-	bool read_attribute(AttributeValue &value) {
-		const char first = _reader.next_character();
-		if (first == '"') {
-			return _reader.read_string(value.emplace<std::string>());
+	// Empty after an error. An array or an object is reported and read as no value.
+	std::optional<AttributeValue> read_attribute() {
+		const auto value = [](auto read) { return read ? std::optional<AttributeValue>(*read) : std::nullopt; };
+		switch (_reader.next_character()) {
+			case '"':
+				return value(_reader.read_string());
+			case 't':
+			case 'f':
+				return value(_reader.read_boolean());
+			case 'n':
+				return _reader.read_null() ? std::optional<AttributeValue>(AttributeValue()) : std::nullopt;
+			case '[':
+			case '{':
+				report_at(_reader.position(), "expected a string, a number, true, false or null as attribute");
+				return _reader.skip_value() ? std::optional<AttributeValue>(AttributeValue()) : std::nullopt;
+			default:
+				return value(_reader.read_number());
 		}
-		if (first == 't' || first == 'f') {
-			return _reader.read_boolean(value.emplace<bool>());
-		}
-		if (first == 'n') {
-			return _reader.read_null();
-		}
-		if (first == '[' || first == '{') {
-			report_at(_reader.position(), "expected a text, a number, true, false or null as attribute");
-			return _reader.skip_value();
-		}
-		return _reader.read_number(value.emplace<double>());
 	}
 
 	bool read_attributes(Attributes &attributes, const std::string &owner) {
 		return read_object([this, &attributes, &owner](const std::string &key) {
 			_reader.next_character();
 			const size_t place = _reader.position();
-			AttributeValue value;
-			if (!read_attribute(value)) {
+			const std::optional<AttributeValue> value = read_attribute();
+			if (!value) {
 				return false;
 			}
-			if (const std::string error = attribute_error(key, value); !error.empty()) {
-				report_at(place, "attribute of " + owner + " skipped: " + error);
+			if (const cga::Result<void, Error> checked = check_attribute(key, *value); !checked) {
+				report_at(place, "attribute of " + owner + " skipped: " + checked.error().message);
 			} else {
-				set_attribute(attributes, key, value);
+				set_attribute(attributes, key, *value);
 			}
 			return true;
 		});
@@ -200,7 +205,7 @@ private:
 		return _reader.take(']', "']'");
 	}
 
-	// Goes on at the next entry behind what is broken. No text between quotes has such a beginning within.
+	// Continues at the next entry after an error. No string contains `{"name"`, because its quotes would be escaped.
 	bool find_entry(size_t from) {
 		for (size_t start = _text.find('{', from); start != std::string_view::npos; start = _text.find('{', start + 1)) {
 			_reader.restart_at(start + 1);
@@ -217,44 +222,50 @@ private:
 		_reader.next_character();
 		const size_t place = _reader.position();
 		EntryState entry;
-		bool has_text = false;
-		const bool is_read = read_object([this, &entry, &has_text](const std::string &key) {
+		std::optional<std::string> text;
+		const bool is_read = read_object([this, &entry, &text](const std::string &key) {
 			if (key == "name") {
-				return _reader.read_string(entry.name);
+				std::optional<std::string> name = _reader.read_string();
+				entry.name = std::move(name).value_or("");
+				return !_reader.error();
 			}
 			if (key == "expression") {
-				has_text = true;
-				return _reader.read_string(entry.text);
+				text = _reader.read_string();
+				return text.has_value();
 			}
 			if (key == "attributes") {
 				return read_attributes(entry.attributes, "'" + entry.name + "'");
 			}
 			return _reader.skip_value();
 		});
-		const std::string what = name_error(entry.name).empty() ? "entry '" + entry.name + "'" : "entry";
+		const std::string what = check_name(entry.name) ? "entry '" + entry.name + "'" : "entry";
 		if (!is_read) {
 			const cga::TextError error = *_reader.error();
 			_reader.restart_at(error.offset);
 			_reader.fail(error.offset, what + " skipped: " + error.message);
-		} else if (const std::string error = entry_error(entry, has_text); !error.empty()) {
-			report_at(place, what + " skipped: " + error);
+		} else if (const cga::Result<void, Error> checked = check_entry(entry.name, text.has_value()); !checked) {
+			report_at(place, what + " skipped: " + checked.error().message);
 		} else {
+			entry.text = *std::move(text);
 			_names.insert(entry.name);
 			_loaded.state.entries.push_back(std::move(entry));
 		}
 	}
 
-	std::string entry_error(const EntryState &entry, bool has_text) const {
-		if (std::string error = name_error(entry.name); !error.empty()) {
-			return error;
+	cga::Result<void, Error> check_entry(const std::string &name, bool has_text) const {
+		if (const cga::Result<void, Error> checked = check_name(name); !checked) {
+			return checked;
 		}
 		if (!has_text) {
-			return "it has no expression";
+			return Error("it has no expression");
 		}
-		if (_names.count(entry.name) > 0) {
-			return "there is an entry of that name before it";
+		if (_names.count(name) > 0) {
+			return Error("an earlier entry has the same name");
 		}
-		return _names.size() < Document::MAX_ENTRIES ? std::string() : "a document has at most " + std::to_string(Document::MAX_ENTRIES) + " entries";
+		if (_names.size() >= Document::MAX_ENTRIES) {
+			return Error("a document has at most " + std::to_string(Document::MAX_ENTRIES) + " entries");
+		}
+		return {};
 	}
 
 	// At '[': an array of 32 numbers, or an array of such arrays.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-// Documents as text. The format, of which `tests/playground/document/test_document_json.cpp` has an example:
+// Documents as JSON; tests/playground/document/test_document_json.cpp has an example. The format:
 //
 //   {
 //     "format": "ga_godot_scene",
@@ -18,26 +18,26 @@
 //     ]
 //   }
 //
-// Entries stand in the order of the document; "attributes" may be missing. Keys that are unknown are passed over.
+// Entries are in the order of the document. "attributes" is optional. Unknown keys are ignored.
 
 namespace playground {
 
 inline constexpr int DOCUMENT_VERSION = 1;
 inline constexpr size_t MAX_DOCUMENT_LENGTH = 16 << 20; // bytes
 
-// One entry a line, so that changes to it are changes of one line.
+// Writes one entry per line, so that a changed entry is a changed line in version control.
 [[nodiscard]] std::string to_json(const DocumentState &state);
 
 struct LoadedDocument {
-	DocumentState state; // of what could be read
-	std::vector<std::string> errors; // what could not, and where: "line 7, column 3: entry 'b' skipped: ..."
-	bool is_document = false; // whether the text is a document at all, as far as it goes
+	DocumentState state; // everything that could be read
+	std::vector<std::string> errors; // everything that could not: "line 7, column 3: entry 'b' skipped: ..."
+	bool is_document = false; // whether the text is a document, even a broken one
 };
 
-// Reads what it can of any text: an entry that is broken is skipped, and reading goes on behind it. A version that is newer
-// is an error, and read as this one.
+// Reads as much as it can: an invalid entry is skipped, with an error. A newer version is an error, and is read as this
+// version.
 //
-// An array of 32 numbers, as ganja.js writes a multivector, or an array of such arrays is a document, too: entries x1, x2, ..
+// An array of 32 numbers, as ganja.js writes a multivector, or an array of such arrays is a document with entries x1, x2, ...
 // with these coefficients.
 [[nodiscard]] LoadedDocument read_document(std::string_view text);
 

@@ -7,7 +7,7 @@
 
 namespace playground {
 
-// What is saved of an entry.
+// The saved part of an entry.
 struct EntryState {
 	std::string name;
 	std::string text;
@@ -16,10 +16,10 @@ struct EntryState {
 	friend bool operator==(const EntryState &left, const EntryState &right) { return left.name == right.name && left.text == right.text && left.attributes == right.attributes; }
 };
 
-// What is saved of a document: all that its values follow from.
+// The saved part of a document: everything except the values, which are recomputed.
 struct DocumentState {
 	std::vector<EntryState> entries;
-	Attributes attributes; // of the document as a whole, open keys
+	Attributes attributes; // of the document itself
 
 	friend bool operator==(const DocumentState &left, const DocumentState &right) { return left.entries == right.entries && left.attributes == right.attributes; }
 	friend bool operator!=(const DocumentState &left, const DocumentState &right) { return !(left == right); }

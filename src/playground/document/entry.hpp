@@ -1,48 +1,49 @@
 #pragma once
 
 #include "cga/algebra/multivector.hpp"
+#include "cga/text/text_error.hpp"
 #include "playground/document/attributes.hpp"
 #include "playground/expression/expression.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace playground {
 
-// What came out of an entry's expression: a value, or an error and where it comes from.
-struct Outcome {
-	std::optional<cga::Multivector> value;
-	std::string error; // "column 3: ..."; empty where there is a value
-	std::string cause; // the entry whose own fault the error is: this one, or one it depends on
-	bool is_cycle = false; // the error is that it depends on itself
-
-	// Bit for bit: what is computed from equal outcomes is equal.
-	[[nodiscard]] bool is_same_as(const Outcome &other) const;
+// Why an entry has no value.
+struct EntryError {
+	std::string message; // "column 3: ..."
+	std::string cause; // the name of the entry where the error arose: this one, or one it depends on
+	bool is_cycle = false; // the entry depends on itself
 };
 
-// A named expression of a document, with what it was computed to be.
+using EntryValue = cga::Result<cga::Multivector, EntryError>;
+
+// Compares coefficients bit for bit, so that the same value gives the same results.
+[[nodiscard]] bool is_same(const EntryValue &left, const EntryValue &right);
+
+// A named expression of a document and its value.
 struct Entry {
 	std::string name;
-	std::string text; // of the expression, as it was typed
+	std::string text; // of the expression, as typed
 	Attributes attributes;
 
-	std::optional<Expression> expression; // none where the text is none
-	std::string syntax_error; // why it is none
-	Outcome outcome;
+	cga::TextResult<Expression> expression = cga::TextError();
+	EntryValue value = EntryError();
 
-	// As expression->variables(), null where the document has no such entry.
+	// The entries that expression->variables() name, null where the document has none.
 	std::vector<Entry *> dependencies;
-	// Those whose dependencies have this one, each once.
+	// The entries that have this one as dependency, each once.
 	std::vector<Entry *> dependents;
 
-	// The number of the last walk over the graph that came by, and what it noted here.
+	// The number of the last graph traversal that visited this entry, and its mark.
 	uint64_t visit = 0;
 	int mark = 0;
 
+	// Whether the expression refers to a name that has no entry.
 	[[nodiscard]] bool lacks_dependency() const;
 };
 

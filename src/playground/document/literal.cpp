@@ -26,7 +26,7 @@ bool is_in(std::string_view name, std::initializer_list<std::string_view> names)
 	return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// A sum of products of numbers and basis blades, at least in its tokens.
+// Whether all tokens could belong to a sum of products of numbers and basis blades.
 bool has_only_blades(const TokenRange &range) {
 	for (size_t index = 0; index < range.size(); ++index) {
 		const TokenKind kind = range[index].kind;
@@ -98,11 +98,10 @@ std::optional<Literal> list_literal(const TokenRange &range) {
 	Literal literal{ Literal::NUMBERS, *value, {} };
 	cga::JsonReader reader(range.text());
 	reader.take('[', "'['");
-	double number = 0.0;
 	do {
 		reader.next_character();
 		const size_t start = reader.position();
-		reader.read_number(number);
+		reader.read_number();
 		literal.spans.push_back({ range.span().offset + start, reader.position() - start });
 	} while (reader.next_is(',') && reader.take(',', "','"));
 	return literal;
@@ -225,8 +224,8 @@ std::optional<Literal> multivector_literal(const TokenRange &range) {
 	return value ? std::optional<Literal>(Literal{ Literal::BLADES, *value, { range.span() } }) : std::nullopt;
 }
 
-Literal joined(const std::vector<Literal> &numbers, LiteralValue value) {
-	Literal all{ Literal::NUMBERS, std::move(value), {} };
+Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value) {
+	Literal all{ Literal::NUMBERS, value, {} };
 	for (const Literal &number : numbers) {
 		all.spans.insert(all.spans.end(), number.spans.begin(), number.spans.end());
 	}

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-// Values that are written out in an expression, and where, so that they can be written anew.
+// Literals in expressions and their places in the text, so that a new value can replace them.
 
 namespace playground {
 
@@ -21,7 +21,7 @@ struct TextSpan {
 	size_t length = 0;
 };
 
-// Tokens of a text, one after the other.
+// Consecutive tokens of a text.
 class TokenRange {
 public:
 	TokenRange(std::string_view text, const Token *first, const Token *last) :
@@ -30,16 +30,16 @@ public:
 	[[nodiscard]] size_t size() const { return size_t(_last - _first); }
 	[[nodiscard]] const Token &operator[](size_t index) const { return _first[index]; }
 	[[nodiscard]] TokenRange part(size_t from, size_t to) const { return { _text, _first + from, _first + to }; }
-	// The text of a token, and from the first to the last token.
+	// The text of one token, and of all from the first to the last.
 	[[nodiscard]] std::string_view text(size_t index) const { return _text.substr(_first[index].offset, _first[index].length); }
 	[[nodiscard]] std::string_view text() const;
 	[[nodiscard]] TextSpan span() const;
 	[[nodiscard]] std::string_view whole_text() const { return _text; }
 	[[nodiscard]] bool is(size_t index, TokenKind kind) const { return index < size() && _first[index].kind == kind; }
 
-	// For `name(...)` from end to end the ranges of its arguments; empty for all else.
+	// If the range is a single call `name(...)`, the ranges of its arguments; otherwise empty.
 	[[nodiscard]] std::vector<TokenRange> arguments() const;
-	// The index behind the bracket that closes the one at `open`.
+	// The index after the parenthesis that closes the one at `open`; size() + 1 if it is not closed.
 	[[nodiscard]] size_t behind_bracket(size_t open) const;
 
 private:
@@ -48,16 +48,16 @@ private:
 	const Token *_last;
 };
 
-// Empty where a character is not of the language.
+// Empty if a token is invalid.
 [[nodiscard]] std::vector<Token> tokens_of(std::string_view text);
 
 struct Literal {
 	enum Form {
-		NUMBERS, // each number of the value stands in a span of its own
-		DEGREES, // one number, within deg()
+		NUMBERS, // each number of the value has its own span
+		DEGREES, // one number inside deg()
 		SUM, // of e1, e2, e3, in one span
 		BLADES, // a sum of any blades, in one span
-		ROTOR, // a call of rotor() belongs there
+		ROTOR, // one span, to be replaced by a call of rotor()
 	} form = NUMBERS;
 	LiteralValue value;
 	std::vector<TextSpan> spans;
@@ -69,10 +69,10 @@ struct Literal {
 [[nodiscard]] std::optional<Literal> vector_literal(const TokenRange &range);
 // [32 numbers]; 1 + 2 e12 - 0.5 einf
 [[nodiscard]] std::optional<Literal> multivector_literal(const TokenRange &range);
-// The numbers of literals, as spans of one.
-[[nodiscard]] Literal joined(const std::vector<Literal> &numbers, LiteralValue value);
+// Merges literals of one number each into one literal.
+[[nodiscard]] Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value);
 
-// Whether two values of a type are the same to whoever sets them: vectors and rotations, which come from the engine, in single
+// Whether two values of the same type are equal. Vectors and rotations come from the engine and are compared in single
 // precision.
 [[nodiscard]] bool is_same(const LiteralValue &left, const LiteralValue &right);
 
@@ -81,9 +81,9 @@ struct TextEdit {
 	std::string text;
 };
 
-// What writes another value, of the same type; numbers that stay the same stay as they were typed.
+// The edits that write another value of the same type. Numbers that do not change stay as typed.
 [[nodiscard]] std::vector<TextEdit> edits_for(const Literal &literal, const LiteralValue &value);
-// The spans do not overlap.
+// Applies the edits. Precondition: the spans do not overlap.
 [[nodiscard]] std::string edited(std::string_view text, std::vector<TextEdit> edits);
 
 } // namespace playground

@@ -5,7 +5,7 @@
 
 namespace playground {
 
-// A suggestion is looked for among as many entries: the time it takes grows with them.
+// Larger documents get no suggestions: the search takes time proportional to the number of entries.
 static constexpr size_t MAX_SUGGESTIONS = 100;
 
 std::string missing_entry(const std::string &name, const EntryIndex &index) {
@@ -20,7 +20,7 @@ std::string missing_entry(const std::string &name, const EntryIndex &index) {
 		}
 	}
 	const std::string closest(closest_name(name, names));
-	return closest.empty() ? message : message + "; did you mean '" + closest + "'" + "?";
+	return closest.empty() ? message : message + "; did you mean '" + closest + "'?";
 }
 
 } // namespace playground

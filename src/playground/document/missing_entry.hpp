@@ -6,7 +6,7 @@
 
 namespace playground {
 
-// What to say where an expression refers to a name that no entry has, and which was probably meant.
+// The error message for a reference to a name without entry, with a suggestion if a similar name exists.
 [[nodiscard]] std::string missing_entry(const std::string &name, const EntryIndex &index);
 
 } // namespace playground

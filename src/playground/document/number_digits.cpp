@@ -12,7 +12,7 @@ namespace {
 
 constexpr int DRAGGED_DIGITS = 7;
 constexpr size_t TYPED_DIGITS = 10;
-// Powers of ten up to this one are exact in a double, so that dividing by them gives the nearest decimal.
+// The largest exponent whose power of ten is exact in a double, so that dividing by it gives the nearest decimal.
 constexpr int MAX_EXACT_POWER = 22;
 
 std::string shortest(double value) {
@@ -21,7 +21,7 @@ std::string shortest(double value) {
 	return text;
 }
 
-// Without leading and trailing zeros, point and exponent.
+// The number of significant digits, without trailing zeros.
 size_t digit_count(std::string_view text) {
 	size_t count = 0;
 	size_t zeros = 0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view ROTATION = "rotation";
 
-// Functions that make an object of parameters, and what their x, y, z are together.
+// A function that constructs an object from parameters, and the name of the vector that its x, y, z form.
 struct Constructor {
 	std::string_view name;
 	std::string_view of_three;
@@ -53,7 +53,7 @@ constexpr Constructor CONSTRUCTORS[] = {
 
 constexpr std::string_view WRAPPERS[] = { "dual", "undual", "reverse", "normalized", "normalize" };
 
-// Without signs, duals and brackets around it.
+// Strips signs, duals and parentheses.
 TokenRange unwrapped(TokenRange range) {
 	for (;;) {
 		const TokenKind first = range.size() > 1 ? range[0].kind : TokenKind::END;
@@ -83,13 +83,13 @@ std::vector<std::string_view> split(std::string_view parameters) {
 	return names;
 }
 
-// Null if none is called.
+// Null if the range calls no constructor.
 const Constructor *constructor_of(const TokenRange &call) {
 	const auto found = std::find_if(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), [&call](const Constructor &candidate) { return call.size() > 0 && call.text(0) == candidate.name; });
 	return found == std::end(CONSTRUCTORS) ? nullptr : found;
 }
 
-// The overload that is called, as far as that can be told: what is computed from variables may be anything.
+// The first overload that may be meant: an argument with variables may have any kind.
 const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange> &arguments) {
 	const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
 	if (!function) {
@@ -112,7 +112,7 @@ const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange
 	return nullptr;
 }
 
-// Axis and angle of a rotation, nearest to the ones that it had, so that a turn does not flip its axis.
+// Axis and angle of a rotation. Of the two choices, the axis on the side of the old one.
 std::pair<cga::Vector3<double>, double> axis_and_angle(cga::Quaternion<double> rotation, const cga::Vector3<double> &old_axis) {
 	const cga::Vector3<double> sines(rotation.x, rotation.y, rotation.z);
 	const double size = glm::length(sines);
@@ -202,7 +202,7 @@ private:
 		}
 	}
 
-	// Of an axis and an angle, both found just now: the same as a quaternion, without a place of its own.
+	// If the last two parameters are axis and angle, adds their quaternion, which has no span of its own.
 	void add_rotation() {
 		if (found.size() < 2 || found[found.size() - 2].name != "axis" || found.back().name != "angle") {
 			return;
@@ -268,7 +268,7 @@ std::vector<Parameter> parameters_of(std::string_view text) {
 	return std::move(collector.found);
 }
 
-Rewritten with_parameter(std::string_view text, std::string_view name, const LiteralValue &value) {
+cga::Result<std::string, Error> with_parameter(std::string_view text, std::string_view name, const LiteralValue &value) {
 	constexpr const char *TYPES[] = { "a number", "a vector", "a rotation", "32 coefficients" };
 	const std::vector<Parameter> parameters = parameters_of(text);
 	const Parameter *parameter = find(parameters, name);
@@ -277,21 +277,21 @@ Rewritten with_parameter(std::string_view text, std::string_view name, const Lit
 		for (const Parameter &known : parameters) {
 			names += (names.empty() ? "; it has " : ", ") + known.name;
 		}
-		return { "the expression has no parameter '" + std::string(name) + "'" + (names.empty() ? "; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)" : names), {} };
+		return Error("the expression has no parameter '" + std::string(name) + "'" + (names.empty() ? "; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)" : names));
 	}
 	if (parameter->literal.value.index() != value.index()) {
-		return { "the parameter '" + parameter->name + "' is " + TYPES[parameter->literal.value.index()] + ", not " + TYPES[value.index()], {} };
+		return Error("the parameter '" + parameter->name + "' must be " + TYPES[parameter->literal.value.index()] + ", not " + TYPES[value.index()]);
 	}
 	if (!is_finite(value)) {
-		return { "the parameter '" + parameter->name + "' must be finite", {} };
+		return Error("the parameter '" + parameter->name + "' must be finite");
 	}
 	if (is_same(parameter->literal.value, value)) {
-		return { {}, std::string(text) };
+		return std::string(text);
 	}
 	if (!parameter->literal.spans.empty()) {
-		return { {}, edited(text, edits_for(parameter->literal, value)) };
+		return edited(text, edits_for(parameter->literal, value));
 	}
-	// The rotation of an axis and an angle.
+	// A rotation given as axis and angle.
 	const Literal &axis = find(parameters, "axis")->literal;
 	const Literal &angle = find(parameters, "angle")->literal;
 	const auto [new_axis, new_angle] = axis_and_angle(*std::get_if<cga::Quaternion<double>>(&value), *std::get_if<cga::Vector3<double>>(&axis.value));
@@ -299,7 +299,7 @@ Rewritten with_parameter(std::string_view text, std::string_view name, const Lit
 	for (TextEdit &edit : edits_for(angle, new_angle)) {
 		edits.push_back(std::move(edit));
 	}
-	return { {}, edited(text, std::move(edits)) };
+	return edited(text, std::move(edits));
 }
 
 } // namespace playground

@@ -5,8 +5,8 @@
 
 namespace playground {
 
-// The expression that is meant by a text from elsewhere: what JSON.stringify makes of a ganja.js element, an object with
-// keys "0".."31" or "coefficients", becomes the list of its 32 numbers. All else stays as it is.
+// Converts pasted text to an expression: a ganja.js element as JSON.stringify writes it, an object with the keys "0".."31"
+// or "coefficients", becomes a list of 32 numbers. Any other text is returned as it is.
 [[nodiscard]] std::string pasted_expression(std::string_view text);
 
 } // namespace playground

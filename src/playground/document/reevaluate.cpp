@@ -12,73 +12,77 @@ namespace playground {
 
 namespace {
 
-// A way round through more entries is not described.
+// Longer cycles are not spelled out.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
 
 std::string quoted(const std::string &name) {
 	return "'" + name + "'";
 }
 
-Outcome own_fault(const Entry &entry, std::string error) {
-	return { std::nullopt, std::move(error), entry.name, false };
+EntryError own_error(const Entry &entry, const cga::TextError &error) {
+	return { error.describe(), entry.name, false };
 }
 
-// Where the expression first refers to its variable.
-Outcome fault_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
-	return { std::nullopt, cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
+// At the first occurrence of a variable.
+EntryError error_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
+	return { cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
 }
 
-Outcome evaluated(const Entry &entry, const EntryIndex &index) {
+EntryValue evaluated(const Entry &entry, const EntryIndex &index) {
 	if (!entry.expression) {
-		return own_fault(entry, entry.syntax_error);
+		return own_error(entry, entry.expression.error());
 	}
 	std::vector<const cga::Multivector *> values;
 	values.reserve(entry.dependencies.size());
 	for (size_t variable = 0; variable < entry.dependencies.size(); ++variable) {
 		const Entry *dependency = entry.dependencies[variable];
 		if (!dependency) {
-			return fault_at(entry, variable, missing_entry(entry.expression->variables()[variable], index), entry.name);
+			return error_at(entry, variable, missing_entry(entry.expression->variables()[variable], index), entry.name);
 		}
-		if (!dependency->outcome.value) {
-			const std::string &cause = dependency->outcome.cause;
-			const std::string origin = cause == dependency->name ? "" : ", because of " + quoted(cause);
-			return fault_at(entry, variable, quoted(dependency->name) + " has an error" + origin, cause);
+		if (!dependency->value) {
+			const std::string &cause = dependency->value.error().cause;
+			const std::string origin = cause == dependency->name ? "" : ", caused by " + quoted(cause);
+			return error_at(entry, variable, quoted(dependency->name) + " has an error" + origin, cause);
 		}
-		values.push_back(&*dependency->outcome.value);
+		values.push_back(&*dependency->value);
 	}
-	cga::TextResult<cga::Multivector> result = evaluate(*entry.expression, values);
-	return result ? Outcome{ *result, {}, {}, false } : own_fault(entry, result.error().describe());
+	const cga::TextResult<cga::Multivector> result = evaluate(*entry.expression, values);
+	return result ? EntryValue(*result) : own_error(entry, result.error());
 }
 
-Outcome cycle_fault(const Entry &entry, const Component &component) {
-	size_t variable = 0;
+EntryError cycle_error(const Entry &entry, const Component &component) {
+	const auto error = [&entry](size_t variable, std::string message) {
+		EntryError found = error_at(entry, variable, std::move(message), entry.name);
+		found.is_cycle = true;
+		return found;
+	};
 	const auto is_member = [&component](const Entry *candidate) {
 		return candidate && std::find(component.members.begin(), component.members.end(), candidate) != component.members.end();
 	};
 	if (component.members.size() > MAX_CYCLE_DESCRIBED) {
-		variable = size_t(std::find_if(entry.dependencies.begin(), entry.dependencies.end(), is_member) - entry.dependencies.begin());
-		return fault_at(entry, variable, quoted(entry.dependencies[variable]->name) + " depends on " + quoted(entry.name) + ", in a cycle of " + std::to_string(component.members.size()) + " entries", entry.name);
+		const size_t variable = size_t(std::find_if(entry.dependencies.begin(), entry.dependencies.end(), is_member) - entry.dependencies.begin());
+		return error(variable, "circular dependency of " + std::to_string(component.members.size()) + " entries through " + quoted(entry.dependencies[variable]->name));
 	}
 	const std::vector<const Entry *> cycle = shortest_cycle(entry, component);
 	const Entry *next = cycle.size() > 1 ? cycle[1] : &entry;
-	variable = size_t(std::find(entry.dependencies.begin(), entry.dependencies.end(), next) - entry.dependencies.begin());
+	const size_t variable = size_t(std::find(entry.dependencies.begin(), entry.dependencies.end(), next) - entry.dependencies.begin());
 	if (next == &entry) {
-		return fault_at(entry, variable, quoted(entry.name) + " refers to itself", entry.name);
+		return error(variable, quoted(entry.name) + " refers to itself");
 	}
-	std::string way;
+	std::string path;
 	for (const Entry *step : cycle) {
-		way += step->name + " -> ";
+		path += step->name + " -> ";
 	}
-	return fault_at(entry, variable, quoted(next->name) + " depends on " + quoted(entry.name) + ": " + way + entry.name, entry.name);
+	return error(variable, "circular dependency " + path + entry.name);
 }
 
 } // namespace
 
-bool Outcome::is_same_as(const Outcome &other) const {
-	if (value.has_value() != other.value.has_value() || error != other.error || cause != other.cause || is_cycle != other.is_cycle) {
-		return false;
+bool is_same(const EntryValue &left, const EntryValue &right) {
+	if (left && right) {
+		return std::memcmp(left->coefficients().data(), right->coefficients().data(), sizeof(cga::Multivector::Coefficients)) == 0;
 	}
-	return !value || std::memcmp(value->coefficients().data(), other.value->coefficients().data(), sizeof(cga::Multivector::Coefficients)) == 0;
+	return !left && !right && left.error().message == right.error().message && left.error().cause == right.error().cause && left.error().is_cycle == right.error().is_cycle;
 }
 
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index) {
@@ -98,15 +102,15 @@ std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const Entry
 	std::vector<Entry *> changed;
 	for (const Component &component : components) {
 		for (Entry *entry : component.members) {
-			if (!component.is_cycle && !entry->outcome.is_cycle && entry->mark != STALE && std::none_of(entry->dependencies.begin(), entry->dependencies.end(), has_changed)) {
+			const bool was_cycle = !entry->value && entry->value.error().is_cycle;
+			if (!component.is_cycle && !was_cycle && entry->mark != STALE && std::none_of(entry->dependencies.begin(), entry->dependencies.end(), has_changed)) {
 				continue;
 			}
-			Outcome outcome = component.is_cycle ? cycle_fault(*entry, component) : evaluated(*entry, index);
-			outcome.is_cycle = component.is_cycle;
-			const bool is_same = outcome.is_same_as(entry->outcome);
-			entry->mark = is_same ? UNCHANGED : CHANGED;
-			if (!is_same) {
-				entry->outcome = std::move(outcome);
+			EntryValue value = component.is_cycle ? cycle_error(*entry, component) : evaluated(*entry, index);
+			const bool is_unchanged = is_same(value, entry->value);
+			entry->mark = is_unchanged ? UNCHANGED : CHANGED;
+			if (!is_unchanged) {
+				entry->value = std::move(value);
 				changed.push_back(entry);
 			}
 		}

@@ -6,11 +6,10 @@
 
 namespace playground {
 
-// Computes `entries` anew, and of what depends on them only what can have changed: entries of which a dependency has another
-// value or error than before. Returns those whose value or error changed, dependencies first.
+// Recomputes `entries` and those of their dependents that can have changed: a dependency has a new value or error. Returns
+// the entries whose value or error changed, dependencies first.
 //
-// What is wrong stays with its entry: a text that is no expression, a name that is none, a cycle, a function without result.
-// An entry that depends on a broken one says which.
+// An entry with an error does not stop the others; the error of an entry that depends on it names it.
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index);
 
 } // namespace playground

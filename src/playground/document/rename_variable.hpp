@@ -5,8 +5,8 @@
 
 namespace playground {
 
-// As Expression::renamed, of a text that is no expression (yet): wherever the name stands, but for where a function is
-// called, up to the first character that is not of the language.
+// Expression::renamed for a text that does not parse: renames every occurrence except calls, up to the first invalid
+// token.
 [[nodiscard]] std::string with_variable_renamed(std::string_view text, std::string_view from, std::string_view to);
 
 } // namespace playground

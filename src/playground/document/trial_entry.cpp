@@ -38,14 +38,12 @@ Entry Document::trial_entry(std::string_view name, std::string_view text) const 
 	if (const Entry *entry = find(name)) {
 		trial.attributes = entry->attributes;
 	}
-	if (const auto expression = parse(trial.text)) {
-		trial.expression = *expression;
+	trial.expression = parse(trial.text);
+	if (trial.expression) {
 		for (const std::string &variable : trial.expression->variables()) {
 			const auto found = _index.find(variable);
 			trial.dependencies.push_back(found == _index.end() ? nullptr : found->second);
 		}
-	} else {
-		trial.syntax_error = expression.error().describe();
 	}
 	std::vector<const Entry *> reached = { &trial };
 	std::unordered_set<const Entry *> seen;

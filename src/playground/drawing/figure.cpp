@@ -74,50 +74,50 @@ Figure figure_of(const cga::Multivector &x, bool ipns) {
 	const double radius = found.radius.value_or(1.0);
 	figure.label_place = center;
 	switch (found.kind) {
-		case Kind::point:
+		case Kind::POINT:
 			figure.parts.push_back({ Form::point, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
 			break;
-		case Kind::flat_point:
+		case Kind::FLAT_POINT:
 			figure.parts.push_back({ Form::flat_point, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
 			break;
-		case Kind::point_pair:
+		case Kind::POINT_PAIR:
 			figure.parts.push_back({ Form::pair, between(center, *found.direction, radius), 1.0, false });
 			figure.label_place = center + radius * *found.direction;
 			break;
-		case Kind::line:
+		case Kind::LINE:
 			figure.parts.push_back({ Form::line, along(center, *found.direction), 1.0, false });
 			break;
-		case Kind::circle:
+		case Kind::CIRCLE:
 			figure.parts.push_back({ Form::ring, around(center, *found.normal, radius), radius, false });
 			figure.label_place = radius < LARGE_RADIUS ? top_of(center, *found.normal, radius) : figure.parts[0].placement.origin;
 			break;
-		case Kind::sphere:
+		case Kind::SPHERE:
 			figure.parts.push_back({ Form::globe, globe(center, radius), points_inward(x, found.ipns) ? -radius : radius, false });
 			figure.label_place = figure.parts[0].placement.origin;
 			break;
-		case Kind::plane:
+		case Kind::PLANE:
 			figure.label_place = *found.normal * *found.distance;
 			figure.parts.push_back({ Form::plane, across(*figure.label_place, *found.normal), 1.0, false });
 			figure.parts.push_back({ Form::normal, across(*figure.label_place, *found.normal), 1.0, false });
 			break;
-		case Kind::tangent:
+		case Kind::TANGENT:
 			figure.parts.push_back({ found.direction ? Form::tangent_along : Form::tangent_across, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
 			break;
-		case Kind::direction:
+		case Kind::DIRECTION:
 			if (found.direction || found.normal) {
 				figure.parts.push_back({ found.direction ? Form::direction_along : Form::direction_across, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
 			}
 			break;
-		case Kind::rotor:
-		case Kind::translator:
-		case Kind::dilator:
-		case Kind::motor:
+		case Kind::ROTOR:
+		case Kind::TRANSLATOR:
+		case Kind::DILATOR:
+		case Kind::MOTOR:
 			figure.dual = false;
 			figure.label_place.reset();
 			add_motor(figure, x);
 			break;
-		case Kind::scalar:
-		case Kind::none:
+		case Kind::SCALAR:
+		case Kind::NONE:
 			break;
 	}
 	if (figure.parts.empty()) {

@@ -1,6 +1,6 @@
 #include "playground/expression/evaluate.hpp"
 
-#include "cga/algebra/inverse.hpp"
+#include "cga/versor/inverse.hpp"
 #include "playground/expression/functions.hpp"
 #include "playground/expression/names.hpp"
 #include "playground/expression/parser.hpp"
@@ -20,11 +20,11 @@ bool is_number(const Multivector &x) {
 	return is_of_kind(x, ArgumentKind::NUMBER);
 }
 
-// By a number exactly, coefficient by coefficient; by all else as X Y^-1.
-cga::Result<Multivector> divide(const Multivector &left, const Multivector &right) {
+// Division by a number is exact in each coefficient; any other quotient is X Y^-1.
+FunctionResult divide(const Multivector &left, const Multivector &right) {
 	if (is_number(right)) {
 		if (right[0] == 0.0) {
-			return cga::Failure{ "division by zero" };
+			return Error("division by zero");
 		}
 		Multivector quotient = left;
 		for (int index = 0; index < cga::BLADE_COUNT; ++index) {
@@ -32,14 +32,14 @@ cga::Result<Multivector> divide(const Multivector &left, const Multivector &righ
 		}
 		return quotient;
 	}
-	const cga::Result<Multivector> inverse = cga::inverse(right);
+	const cga::MultivectorResult inverse = cga::inverse(right);
 	if (!inverse) {
-		return inverse;
+		return Error(inverse.error());
 	}
 	return left.geometric_product(*inverse);
 }
 
-cga::Result<Multivector> binary(NodeKind kind, const Multivector &left, const Multivector &right) {
+FunctionResult binary(NodeKind kind, const Multivector &left, const Multivector &right) {
 	switch (kind) {
 		case NodeKind::ADD:
 			return left + right;
@@ -67,10 +67,10 @@ std::string ordinal(size_t index) {
 	return std::string(ORDINALS[index]);
 }
 
-// Computes node by node, with the values that wait for what takes them on a stack.
+// Evaluates the nodes in order, on a stack of values.
 class Evaluation {
 public:
-	// `values` as the expression's variables(), null for those that `known` lacks.
+	// `values` in the order of the expression's variables(), null where unknown; `known` supplies suggestions for those.
 	Evaluation(const Expression &expression, const std::vector<const Multivector *> &values, const Variables &known) :
 			_expression(expression), _values(values), _known(known) {
 		_stack.reserve(size_t(expression.stack_size()));
@@ -105,9 +105,9 @@ private:
 		return value;
 	}
 
-	bool push(const Node &node, const cga::Result<Multivector> &result) {
+	bool push(const Node &node, const FunctionResult &result) {
 		if (!result) {
-			return fail(node, result.error());
+			return fail(node, result.error().message);
 		}
 		_stack.push_back(*result);
 		return true;
@@ -170,12 +170,12 @@ private:
 		if (!overload) {
 			return fail_arguments(node, function, arguments);
 		}
-		const cga::Result<Multivector> result = overload->call(Arguments(arguments));
+		const FunctionResult result = overload->call(Arguments(arguments));
 		_stack.resize(_stack.size() - node.arguments);
-		return result ? push(node, result) : fail(node, std::string(function.name) + ": " + result.error());
+		return result ? push(node, result) : fail(node, std::string(function.name) + ": " + result.error().message);
 	}
 
-	// How many arguments from the first on are what the overload asks for.
+	// The number of leading arguments that match the overload.
 	static size_t fitting_arguments(const Overload &overload, const Multivector *arguments) {
 		size_t index = 0;
 		while (index < overload.count && is_of_kind(arguments[index], overload.kinds[index])) {
@@ -184,7 +184,7 @@ private:
 		return index;
 	}
 
-	// Names the first argument that no overload can take, by those that come furthest.
+	// Reports the first argument that does not fit, judged by the overloads that match the most arguments before it.
 	bool fail_arguments(const Node &node, const Function &function, const Multivector *arguments) {
 		size_t furthest = 0;
 		std::vector<const Overload *> candidates;
@@ -204,7 +204,7 @@ private:
 		std::string signatures;
 		for (const Overload *overload : candidates) {
 			const std::string kind(kind_text(overload->kinds[furthest]));
-			// "a point or a vector" says "a vector" as well.
+			// "a point or a vector" already includes "a vector".
 			if (kind.find(kinds) != std::string::npos) {
 				kinds = kind;
 			} else if (kinds.find(kind) == std::string::npos) {
@@ -240,8 +240,8 @@ cga::TextResult<Multivector> evaluate(const Expression &expression, const std::v
 
 cga::TextResult<Multivector> evaluate(std::string_view text, const Variables &variables) {
 	for (const auto &variable : variables) {
-		if (const std::string error = name_error(variable.first); !error.empty()) {
-			return cga::text_error(text, 0, "a variable has a wrong name: " + error);
+		if (const cga::Result<void, Error> checked = check_name(variable.first); !checked) {
+			return cga::text_error(text, 0, "invalid variable name: " + checked.error().message);
 		}
 	}
 	const cga::TextResult<Expression> expression = parse(text);

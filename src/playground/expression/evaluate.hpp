@@ -12,17 +12,17 @@
 
 namespace playground {
 
-// What names stand for; plain numbers as Multivector::scalar. Names are as names.hpp's name_error allows them.
+// Values by name; numbers are Multivector::scalar. check_name() in names.hpp accepts each name.
 using Variables = std::map<std::string, cga::Multivector, std::less<>>;
 
-// The value of an expression: always finite. An error names the column of the unknown variable, of the function or
-// operator that has no result, or of the variable that is not finite.
+// The value of an expression, always finite. An error gives the column of the unknown variable, of the function or
+// operator without a result, or of the variable that is not finite.
 [[nodiscard]] cga::TextResult<cga::Multivector> evaluate(const Expression &expression, const Variables &variables);
 
-// The same with values in the order of the expression's variables(), none of them null.
+// As above, with values in the order of the expression's variables(), none of them null.
 [[nodiscard]] cga::TextResult<cga::Multivector> evaluate(const Expression &expression, const std::vector<const cga::Multivector *> &values);
 
-// The same from its text. A variable with a name that an expression cannot refer to is an error at column 1.
+// As above, from the text. A variable whose name check_name() refuses is an error at column 1.
 [[nodiscard]] cga::TextResult<cga::Multivector> evaluate(std::string_view text, const Variables &variables = {});
 
 } // namespace playground

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-// A parsed expression: what parser.hpp makes of a text and evaluate.hpp computes with.
+// A parsed expression: parser.hpp creates it from text, evaluate.hpp computes its value.
 
 namespace playground {
 
 enum class NodeKind : uint8_t {
 	NUMBER, // `number`
-	CONSTANT, // a name with a fixed value; `index` into Expression::constants()
+	CONSTANT, // a named constant or a list of coefficients; `index` into Expression::constants()
 	VARIABLE, // `index` into Expression::variables()
 	NEGATE,
 	REVERSE,
@@ -30,8 +30,7 @@ enum class NodeKind : uint8_t {
 	CALL, // `index` into functions() (functions.hpp); its `arguments` begin at argument_offsets()[first_argument]...
 };
 
-// One step of the computation. `offset` and `length` (bytes) are the part of the text that an error names: the
-// literal, the name or the operator.
+// One step of the evaluation. `offset` and `length` (bytes) locate the literal, name or operator, for errors.
 struct Node {
 	NodeKind kind = NodeKind::NUMBER;
 	uint8_t arguments = 0;
@@ -42,33 +41,33 @@ struct Node {
 	double number = 0.0;
 };
 
-// A place where the text refers to a variable.
+// An occurrence of a variable in the text.
 struct NameUse {
 	uint16_t variable = 0; // index into Expression::variables()
 	uint32_t offset = 0; // bytes
 	int column = 1; // from 1, characters
 };
 
-// The nodes stand in the order of evaluation (postfix): operands before what takes them, the result last.
+// The nodes are in postfix order: operands before their operator, the result last.
 class Expression {
 public:
 	[[nodiscard]] const std::string &text() const { return _text; }
 	[[nodiscard]] const std::vector<Node> &nodes() const { return _nodes; }
-	// The names of variables that it refers to, each once, in the order in which they first appear.
+	// The names of its variables, each once, in order of first occurrence.
 	[[nodiscard]] const std::vector<std::string> &variables() const { return _variables; }
-	// Where it refers to them, from left to right.
+	// All occurrences of variables, from left to right.
 	[[nodiscard]] const std::vector<NameUse> &uses() const { return _uses; }
-	// Where it first refers to one of variables().
+	// The first occurrence of variables()[variable].
 	[[nodiscard]] const NameUse &first_use(size_t variable) const;
-	// The values of the constants that it uses.
+	// The constants that it uses, one for each occurrence.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
-	// Where the arguments of calls begin, in bytes; those of one call follow each other.
+	// The offsets of all arguments of calls, in bytes; those of one call are adjacent.
 	[[nodiscard]] const std::vector<uint32_t> &argument_offsets() const { return _argument_offsets; }
-	// The values that evaluation holds at once, at most.
+	// The largest number of values on the evaluation stack.
 	[[nodiscard]] int stack_size() const { return _stack_size; }
 
 	[[nodiscard]] bool refers_to(std::string_view variable) const;
-	// The text with another name wherever it refers to `from`; all else stays as it was typed.
+	// The text with each occurrence of variable `from` renamed; everything else stays as typed.
 	[[nodiscard]] std::string renamed(std::string_view from, std::string_view to) const;
 
 private:

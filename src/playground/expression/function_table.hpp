@@ -2,7 +2,7 @@
 
 #include "playground/expression/functions.hpp"
 
-// The parts of the table that functions() puts together, one source file for each subject.
+// The tables that functions() merges, one source file per subject.
 
 namespace playground {
 
@@ -13,16 +13,16 @@ struct FunctionTable {
 
 // Numbers from numbers: sin, min, deg_to_rad, ...
 [[nodiscard]] FunctionTable number_functions();
-// Between two motors.
+// Interpolation between two motors.
 [[nodiscard]] FunctionTable interpolation_functions();
-// Points, lines, circles, planes, spheres, and what they have to do with each other.
+// Geometric objects and operations on them.
 [[nodiscard]] FunctionTable object_functions();
-// Products, parts, conjugations, norms.
+// Products, grades, conjugations, norms.
 [[nodiscard]] FunctionTable product_functions();
-// Translators, rotors, dilators, motors; exp, log and powers; what a motor does.
+// Translators, rotors, dilators, motors; exp, log and powers; applying and taking apart motors.
 [[nodiscard]] FunctionTable versor_functions();
 
-// What the tables are written with.
+// Abbreviations for the tables.
 
 inline constexpr ArgumentKind X = ArgumentKind::ANY;
 inline constexpr ArgumentKind N = ArgumentKind::NUMBER;
@@ -31,13 +31,11 @@ inline constexpr ArgumentKind P = ArgumentKind::LOCATION;
 inline constexpr ArgumentKind R = ArgumentKind::ROTATION;
 inline constexpr ArgumentKind M = ArgumentKind::MOTOR;
 
-using Outcome = cga::Result<cga::Multivector>;
-
-[[nodiscard]] inline Outcome number(double value) {
+[[nodiscard]] inline FunctionResult number(double value) {
 	return cga::Multivector::scalar(value);
 }
 
-[[nodiscard]] inline Outcome truth(bool value) {
+[[nodiscard]] inline FunctionResult truth(bool value) {
 	return number(value ? 1.0 : 0.0);
 }
 

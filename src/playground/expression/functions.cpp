@@ -2,7 +2,6 @@
 
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "playground/expression/function_table.hpp"
 
 #include <algorithm>
@@ -15,12 +14,12 @@ namespace {
 
 using cga::Multivector;
 
-// Coefficients below this fraction of the largest are the rounding of zero.
+// Coefficients below this fraction of the largest count as zero.
 constexpr double ROUNDING = 1e-12;
-// A point's square is the difference of squares of its coefficients: below this fraction of them it is zero.
+// The square of a point is a sum of squares with mixed signs: below this fraction of their absolute sum it counts as zero.
 constexpr double NULL_ROUNDING = 1e-13;
 
-// Whether only the coefficients that `is_kept` names are other than zero within rounding.
+// Whether all coefficients outside `is_kept` are zero within rounding.
 template <class IsKept>
 bool has_only(const Multivector &x, IsKept is_kept) {
 	const double largest = x.max_abs() * ROUNDING;
@@ -72,6 +71,7 @@ std::vector<Function> collect(std::initializer_list<FunctionTable> tables) {
 		}
 	}
 	std::vector<Function> functions;
+	functions.reserve(by_name.size());
 	for (auto &entry : by_name) {
 		functions.push_back(std::move(entry.second));
 	}
@@ -110,24 +110,24 @@ bool Function::takes(size_t count) const {
 	return std::any_of(overloads.begin(), overloads.end(), [count](const Overload *overload) { return overload->count == count; });
 }
 
-size_t Function::most_arguments() const {
+size_t Function::max_arguments() const {
 	return (*std::max_element(overloads.begin(), overloads.end(), [](const Overload *left, const Overload *right) { return left->count < right->count; }))->count;
 }
 
 std::string Function::counts() const {
 	std::string text;
-	const size_t most = most_arguments();
-	for (size_t count = 1; count <= most; ++count) {
+	const size_t max = max_arguments();
+	for (size_t count = 1; count <= max; ++count) {
 		if (takes(count)) {
-			text += (text.empty() ? "" : (count == most ? " or " : ", ")) + std::to_string(count);
+			text += (text.empty() ? "" : (count == max ? " or " : ", ")) + std::to_string(count);
 		}
 	}
-	return text + (most == 1 ? " argument" : " arguments");
+	return text + (max == 1 ? " argument" : " arguments");
 }
 
 const std::vector<Function> &functions() {
-	static const std::vector<Function> all = collect({ number_functions(), product_functions(), versor_functions(), interpolation_functions(), object_functions() });
-	return all;
+	static const std::vector<Function> ALL = collect({ number_functions(), product_functions(), versor_functions(), interpolation_functions(), object_functions() });
+	return ALL;
 }
 
 std::optional<size_t> find_function(std::string_view name) {

@@ -2,8 +2,8 @@
 
 #include "cga/algebra/multivector.hpp"
 #include "cga/motor/pose.hpp"
-#include "cga/result.hpp"
 #include "cga/vector.hpp"
+#include "playground/expression/error.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-// The functions of the expression language: one table, which the parser, the evaluator, the guide's test and the
-// editor's help read.
+// The functions of the expression language: one table for the parser, the evaluator, the test of the guide and the
+// editor's help.
 
 namespace playground {
 
-// What an argument has to be.
+// What an argument must be.
 enum class ArgumentKind {
 	ANY, // any multivector, numbers included
 	NUMBER, // a scalar
@@ -29,7 +29,7 @@ enum class ArgumentKind {
 
 inline constexpr size_t MAX_ARGUMENTS = 4;
 
-// The arguments of a call, of the kinds that the overload asks for.
+// The arguments of a call. Each accessor requires the matching kind.
 class Arguments {
 public:
 	explicit Arguments(const cga::Multivector *values) :
@@ -39,24 +39,26 @@ public:
 	[[nodiscard]] double number(size_t index) const { return _values[index][0]; }
 	[[nodiscard]] cga::Vector3<double> vector(size_t index) const;
 	[[nodiscard]] cga::Vector3<double> location(size_t index) const;
-	// Of unit length.
+	// A unit quaternion.
 	[[nodiscard]] cga::Quaternion<double> rotation(size_t index) const;
 	[[nodiscard]] cga::Pose<double> pose(size_t index) const;
-	// Three numbers from `index` on.
+	// The numbers at index, index + 1, index + 2.
 	[[nodiscard]] cga::Vector3<double> numbers(size_t index) const;
 
 private:
 	const cga::Multivector *_values;
 };
 
-// One way to call a function.
+using FunctionResult = cga::Result<cga::Multivector, Error>;
+
+// One signature of a function.
 struct Overload {
 	std::string_view name;
 	std::string_view parameters; // "center, radius"
 	size_t count; // of parameters
 	std::array<ArgumentKind, MAX_ARGUMENTS> kinds;
-	cga::Result<cga::Multivector> (*call)(const Arguments &);
-	std::string_view meaning; // one line
+	FunctionResult (*call)(const Arguments &);
+	std::string_view meaning; // one line, for the guide and the editor's help
 
 	// "sphere(center, radius)"
 	[[nodiscard]] std::string signature() const;
@@ -64,21 +66,22 @@ struct Overload {
 
 struct Function {
 	std::string_view name;
-	std::vector<const Overload *> overloads; // the first whose kinds fit is called
+	std::vector<const Overload *> overloads; // the first whose kinds match is called
 
 	[[nodiscard]] bool takes(size_t count) const;
-	[[nodiscard]] size_t most_arguments() const;
+	[[nodiscard]] size_t max_arguments() const;
 	// "2, 3 or 4 arguments"
 	[[nodiscard]] std::string counts() const;
 };
 
-// All functions, in the order of their names.
+// All functions, sorted by name.
 [[nodiscard]] const std::vector<Function> &functions();
 // The index in functions().
 [[nodiscard]] std::optional<size_t> find_function(std::string_view name);
 
-// Whether a value is of a kind, and the kind in words ("a number").
+// Within rounding.
 [[nodiscard]] bool is_of_kind(const cga::Multivector &value, ArgumentKind kind);
+// For error messages: "a number".
 [[nodiscard]] std::string_view kind_text(ArgumentKind kind);
 
 } // namespace playground

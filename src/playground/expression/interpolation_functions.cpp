@@ -7,17 +7,17 @@ namespace playground {
 
 namespace {
 
-// Of unit weight, as MultivectorLerp.interpolate gives it.
+// Of unit weight, as MultivectorLerp.interpolate returns.
 template <cga::Mode MODE>
-Outcome interpolate(const Arguments &arguments) {
+FunctionResult interpolate(const Arguments &arguments) {
 	const cga::Pose<double> pose = cga::interpolate(arguments.pose(0), arguments.pose(1), arguments.number(2), MODE);
 	return cga::to_multivector(cga::Motor<double>::from_pose(pose));
 }
 
 constexpr Overload TABLE[] = {
-	{ "interpolate_linear", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::LINEAR>, "between two motors: their coefficients blended, the scale by itself; t from 0 to 1" },
-	{ "interpolate_screw", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SCREW>, "between two motors: a part t of the screw from one to the other, or a multiple" },
-	{ "interpolate_separate", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SEPARATE>, "between two motors: translation, rotation and scale each by itself; t from 0 to 1" },
+	{ "interpolate_linear", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::LINEAR>, "blends the coefficients of two motors, and the scale separately; t in 0..1" },
+	{ "interpolate_screw", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SCREW>, "the fraction or multiple t of the screw motion between two motors" },
+	{ "interpolate_separate", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SEPARATE>, "blends translation, rotation and scale of two motors separately; t in 0..1" },
 };
 
 } // namespace

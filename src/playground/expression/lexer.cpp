@@ -37,7 +37,7 @@ constexpr Symbol SYMBOLS[] = {
 	{ ",", TokenKind::COMMA },
 };
 
-// What comes along when formulas are copied from elsewhere, and what to write instead.
+// Characters of other notations, common in copied formulas, and what to write instead.
 struct Replacement {
 	std::string_view text;
 	std::string_view instead;
@@ -55,14 +55,14 @@ constexpr Replacement REPLACEMENTS[] = {
 	{ "∞", "write 'einf' for the point at infinity" },
 	{ "<", "write '<<' for the left contraction" },
 	{ ">", "write '>>' for the right contraction" },
-	{ "=", "an expression has no '='" },
-	{ "%", "an expression has no '%'" },
+	{ "=", "an expression has no assignment or comparison" },
+	{ "%", "there is no remainder operator" },
 	{ ";", "write ',' between arguments" },
 	{ "]", "write '(' and ')'" },
 	{ "{", "write '(' and ')'" },
 	{ "}", "write '(' and ')'" },
-	{ "\"", "an expression has no quotes" },
-	{ "'", "an expression has no quotes" },
+	{ "\"", "an expression has no strings" },
+	{ "'", "an expression has no strings" },
 };
 
 bool starts_with(std::string_view text, std::string_view start) {
@@ -90,8 +90,8 @@ Token Lexer::next() {
 	return read_symbol();
 }
 
-// digits [. digits] [(e | E) [+ | -] digits]. An exponent after a small e needs its sign where its digits name a
-// blade: 1e12 could be 1 e12 or 1e+12, and no reader should have to know which.
+// digits [. digits] [(e | E) [+ | -] digits]. After a lower-case e, an exponent whose digits name a blade needs a sign:
+// 1e12 could mean 1 e12 or 1e+12.
 Token Lexer::read_number() {
 	size_t end = _position + digits_from(_position);
 	if (at(end) == '.') {
@@ -108,12 +108,12 @@ Token Lexer::read_number() {
 		if (digits > 0 && !has_sign && cga::parse_blade(_text.substr(mark, end - mark))) {
 			const std::string mantissa(_text.substr(_position, mark - _position));
 			const std::string exponent(_text.substr(mark + 1, digits));
-			return fail(_position, "'" + mantissa + "e" + exponent + "' can be read as a number and as a blade; write '" + mantissa + "e+" + exponent + "' or '" + mantissa + " e" + exponent + "'");
+			return fail(_position, "'" + mantissa + "e" + exponent + "' is ambiguous: write '" + mantissa + "e+" + exponent + "' for the number or '" + mantissa + " e" + exponent + "' for the blade");
 		}
 	}
 	const std::optional<double> number = cga::read_number(_text.substr(_position, end - _position));
 	if (!number) {
-		return fail(_position, "expected a number up to 1.8e308; this one is too large");
+		return fail(_position, "the number is too large; at most 1.8e308 is accepted");
 	}
 	Token token = take(TokenKind::NUMBER, end - _position);
 	token.number = *number;

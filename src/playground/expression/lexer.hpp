@@ -26,7 +26,7 @@ enum class TokenKind : uint8_t {
 	OPEN, // (
 	CLOSE, // )
 	COMMA, // ,
-	LIST, // [ ... ], whose numbers the lexer does not look at; up to the end of the text where no ] follows
+	LIST, // [ ... ], not parsed here; extends to the end of the text if there is no ]
 	END, // of the text
 	INVALID, // Lexer::error() says why
 };
@@ -43,9 +43,9 @@ public:
 	explicit Lexer(std::string_view text) :
 			_text(text) {}
 
-	// The next token; END again and again after the last, INVALID again and again after the first that is wrong.
+	// The next token. After the last it is always END, after the first invalid one always INVALID.
 	[[nodiscard]] Token next();
-	// What is wrong with an INVALID token, at its offset.
+	// Why the token is INVALID; empty before that.
 	[[nodiscard]] const std::string &error() const { return _error; }
 
 private:

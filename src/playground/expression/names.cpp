@@ -19,8 +19,9 @@ struct CodeRange {
 	uint32_t first, last;
 };
 
-// Beyond ASCII all characters are letters but these: controls, signs, spaces, arrows, operators, symbols, private ones.
-constexpr CodeRange NO_LETTERS[] = {
+// Beyond ASCII every character counts as a letter except these: controls, spaces, punctuation, operators, symbols and
+// private use.
+constexpr CodeRange NON_LETTERS[] = {
 	{ 0x80, 0xa9 },
 	{ 0xab, 0xb4 },
 	{ 0xb6, 0xb9 },
@@ -50,17 +51,17 @@ bool is_letter(uint32_t code) {
 	if (code < 0x80) {
 		return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == '_';
 	}
-	return std::none_of(std::begin(NO_LETTERS), std::end(NO_LETTERS), [code](const CodeRange &range) { return code >= range.first && code <= range.last; });
+	return std::none_of(std::begin(NON_LETTERS), std::end(NON_LETTERS), [code](const CodeRange &range) { return code >= range.first && code <= range.last; });
 }
 
-// "e" and digits, whether a blade has that name or not.
+// "e" and digits, valid or not.
 bool looks_like_blade(std::string_view name) {
 	return name.size() > 1 && name[0] == 'e' && std::all_of(name.begin() + 1, name.end(), [](char digit) { return is_digit(uint8_t(digit)); });
 }
 
-// The typing errors between two short names: letters left out, added or changed, and neighbours exchanged.
-size_t typing_errors(std::string_view left, std::string_view right) {
-	// Three rows of the table of distances between beginnings of both names.
+// The Damerau-Levenshtein distance: bytes deleted, inserted, replaced, and adjacent ones swapped.
+size_t edit_distance(std::string_view left, std::string_view right) {
+	// The last three rows of the table of distances between prefixes.
 	std::array<std::array<size_t, MAX_NAME_LENGTH + 1>, 3> rows{};
 	for (size_t j = 0; j <= right.size(); ++j) {
 		rows[0][j] = j;
@@ -112,23 +113,23 @@ std::optional<cga::Multivector> constant(std::string_view name) {
 	return cga::Multivector::basis(name == "ei" ? "einf" : name);
 }
 
-std::string name_error(std::string_view name) {
+cga::Result<void, Error> check_name(std::string_view name) {
 	const std::string quoted = "'" + std::string(name) + "'";
 	if (name.empty()) {
-		return "a name has at least one letter";
+		return Error("a name must have at least one character");
 	}
 	if (name_length(name) != name.size()) {
-		// Not quoted: it may be anything.
-		return "a name has letters, digits and underscores only and does not begin with a digit";
+		// Not quoted: it may contain any bytes.
+		return Error("a name may have only letters, digits and underscores, and may not begin with a digit");
 	}
 	if (size_t(cga::character_count(name)) > MAX_NAME_LENGTH) {
-		return quoted + " is too long; names have at most " + std::to_string(MAX_NAME_LENGTH) + " characters";
+		return Error(quoted + " is too long; a name may have at most " + std::to_string(MAX_NAME_LENGTH) + " characters");
 	}
 	if (constant(name)) {
-		return quoted + " has a fixed value; choose another name";
+		return Error(quoted + " is a constant; choose another name");
 	}
 	if (looks_like_blade(name)) {
-		return quoted + " is no basis blade; after e come different digits 1 to 5";
+		return Error(quoted + " is not a basis blade; use distinct digits 1 to 5 after 'e'");
 	}
 	return {};
 }
@@ -138,15 +139,15 @@ std::string_view closest_name(std::string_view name, const std::vector<std::stri
 	if (name.size() > MAX_NAME_LENGTH) {
 		return closest;
 	}
-	// A third of the letters may be wrong, and a name of two letters still has a near one.
+	// At most a third of the bytes may differ, or one byte of a short name.
 	size_t fewest = std::max<size_t>(1, name.size() / 3) + 1;
 	for (const std::string_view candidate : candidates) {
 		if (candidate.size() > MAX_NAME_LENGTH || candidate.size() < 2) {
 			continue;
 		}
-		const size_t errors = lower_case(candidate) == lower_case(name) ? 0 : typing_errors(name, candidate);
-		if (errors < fewest) {
-			fewest = errors;
+		const size_t distance = lower_case(candidate) == lower_case(name) ? 0 : edit_distance(name, candidate);
+		if (distance < fewest) {
+			fewest = distance;
 			closest = candidate;
 		}
 	}

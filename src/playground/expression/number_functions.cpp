@@ -1,5 +1,7 @@
 #include "playground/expression/function_table.hpp"
 
+#include "cga/text/readable.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,61 +9,59 @@ namespace playground {
 
 namespace {
 
-using cga::Failure;
-
 constexpr double RADIANS_PER_DEGREE = 3.14159265358979323846 / 180.0;
 
 // A function of the standard library of one number.
-template <double (*function)(double)>
-Outcome of_number(const Arguments &arguments) {
-	return number(function(arguments.number(0)));
+template <double (*FUNCTION)(double)>
+FunctionResult of_number(const Arguments &arguments) {
+	return number(FUNCTION(arguments.number(0)));
 }
 
-template <size_t count, bool is_less>
-Outcome extreme(const Arguments &arguments) {
+template <size_t COUNT, bool IS_LESS>
+FunctionResult extreme(const Arguments &arguments) {
 	double result = arguments.number(0);
-	for (size_t index = 1; index < count; ++index) {
-		result = is_less ? std::min(result, arguments.number(index)) : std::max(result, arguments.number(index));
+	for (size_t index = 1; index < COUNT; ++index) {
+		result = IS_LESS ? std::min(result, arguments.number(index)) : std::max(result, arguments.number(index));
 	}
 	return number(result);
 }
 
-Outcome inverse_trigonometric(double (*function)(double), double value) {
+FunctionResult inverse_trigonometric(double (*function)(double), double value) {
 	if (!(std::abs(value) <= 1.0)) {
-		return Failure{ "The number must lie between -1 and 1" };
+		return Error("expected a number in -1..1, not " + cga::readable(value));
 	}
 	return number(function(value));
 }
 
-Outcome square_root(const Arguments &arguments) {
+FunctionResult square_root(const Arguments &arguments) {
 	if (arguments.number(0) < 0.0) {
-		return Failure{ "A negative number has no square root" };
+		return Error("expected a number of at least 0, not " + cga::readable(arguments.number(0)));
 	}
 	return number(std::sqrt(arguments.number(0)));
 }
 
-Outcome logarithm(const Arguments &arguments) {
+FunctionResult logarithm(const Arguments &arguments) {
 	if (!(arguments.number(0) > 0.0)) {
-		return Failure{ "Only numbers above 0 have a logarithm" };
+		return Error("expected a number above 0, not " + cga::readable(arguments.number(0)));
 	}
 	return number(std::log(arguments.number(0)));
 }
 
-Outcome power(const Arguments &arguments) {
+FunctionResult power(const Arguments &arguments) {
 	const double base = arguments.number(0);
 	const double exponent = arguments.number(1);
 	if (base == 0.0 && exponent < 0.0) {
-		return Failure{ "Zero has no negative powers" };
+		return Error("zero has no negative powers");
 	}
 	if (base < 0.0 && exponent != std::floor(exponent)) {
-		return Failure{ "A negative number has whole powers only" };
+		return Error("a negative number has integer powers only, not " + cga::readable(exponent));
 	}
 	return number(std::pow(base, exponent));
 }
 
-Outcome clamp(const Arguments &arguments) {
+FunctionResult clamp(const Arguments &arguments) {
 	if (arguments.number(1) > arguments.number(2)) {
-		return Failure{ "The minimum is above the maximum; exchange them" };
+		return Error("the minimum " + cga::readable(arguments.number(1)) + " is above the maximum " + cga::readable(arguments.number(2)) + "; swap them");
 	}
 	return number(std::clamp(arguments.number(0), arguments.number(1), arguments.number(2)));
 }
@@ -78,7 +78,7 @@ double degrees(double radians) {
 	return radians / RADIANS_PER_DEGREE;
 }
 
-// Functions of numbers stand before those of versors with the same name, which numbers are as well.
+// These come before the versor functions of the same name: a number is also a versor.
 constexpr Overload TABLE[] = {
 	{ "sin", "angle", 1, { N }, of_number<std::sin>, "sine of an angle in radians" },
 	{ "cos", "angle", 1, { N }, of_number<std::cos>, "cosine of an angle in radians" },
@@ -96,19 +96,19 @@ constexpr Overload TABLE[] = {
 	{ "power", "x, exponent", 2, { N, N }, power, "x to the power of the exponent" },
 	{ "abs", "x", 1, { N }, of_number<std::fabs>, "absolute value" },
 	{ "sign", "x", 1, { N }, of_number<sign>, "-1, 0 or 1" },
-	{ "floor", "x", 1, { N }, of_number<std::floor>, "the next whole number downwards" },
-	{ "ceil", "x", 1, { N }, of_number<std::ceil>, "the next whole number upwards" },
-	{ "round", "x", 1, { N }, of_number<std::round>, "the nearest whole number" },
-	{ "min", "a, b", 2, { N, N }, extreme<2, true>, "the smallest of the numbers" },
-	{ "min", "a, b, c", 3, { N, N, N }, extreme<3, true>, "the smallest of the numbers" },
-	{ "min", "a, b, c, d", 4, { N, N, N, N }, extreme<4, true>, "the smallest of the numbers" },
-	{ "max", "a, b", 2, { N, N }, extreme<2, false>, "the largest of the numbers" },
-	{ "max", "a, b, c", 3, { N, N, N }, extreme<3, false>, "the largest of the numbers" },
-	{ "max", "a, b, c, d", 4, { N, N, N, N }, extreme<4, false>, "the largest of the numbers" },
-	{ "clamp", "x, minimum, maximum", 3, { N, N, N }, clamp, "x, moved into minimum..maximum" },
+	{ "floor", "x", 1, { N }, of_number<std::floor>, "the largest integer not above x" },
+	{ "ceil", "x", 1, { N }, of_number<std::ceil>, "the smallest integer not below x" },
+	{ "round", "x", 1, { N }, of_number<std::round>, "the nearest integer" },
+	{ "min", "a, b", 2, { N, N }, extreme<2, true>, "the smallest of its arguments" },
+	{ "min", "a, b, c", 3, { N, N, N }, extreme<3, true>, "the smallest of its arguments" },
+	{ "min", "a, b, c, d", 4, { N, N, N, N }, extreme<4, true>, "the smallest of its arguments" },
+	{ "max", "a, b", 2, { N, N }, extreme<2, false>, "the largest of its arguments" },
+	{ "max", "a, b, c", 3, { N, N, N }, extreme<3, false>, "the largest of its arguments" },
+	{ "max", "a, b, c, d", 4, { N, N, N, N }, extreme<4, false>, "the largest of its arguments" },
+	{ "clamp", "x, minimum, maximum", 3, { N, N, N }, clamp, "x, limited to minimum..maximum" },
 	{ "deg_to_rad", "degrees", 1, { N }, of_number<radians>, "an angle in radians" },
 	{ "rad_to_deg", "radians", 1, { N }, of_number<degrees>, "an angle in degrees" },
-	{ "deg", "degrees", 1, { N }, of_number<radians>, "the same as deg_to_rad, to be read as a unit: deg(90)" },
+	{ "deg", "degrees", 1, { N }, of_number<radians>, "an angle in radians, as deg_to_rad: deg(90)" },
 };
 
 } // namespace

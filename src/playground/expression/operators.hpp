@@ -5,16 +5,16 @@
 
 #include <optional>
 
-// What the symbols of an expression stand for, and how tight they bind.
+// The operators of the expression language and their precedence.
 
 namespace playground {
 
 struct BinaryOperator {
 	NodeKind kind;
-	int level; // the higher, the tighter it binds
+	int level; // precedence: a higher level binds tighter
 };
 
-// Levels of parser.hpp's grammar: sum 1, product 2, inner 3, outer 4, prefix 5, and a number before a name 6.
+// The levels of the grammar in parser.hpp: sum 1, product 2, inner 3, outer 4, prefix 5, and a number before a name 6.
 inline constexpr int PREFIX_LEVEL = 5;
 inline constexpr int NUMBER_LEVEL = 6;
 
@@ -56,7 +56,7 @@ inline constexpr int NUMBER_LEVEL = 6;
 	}
 }
 
-// The values that a node takes from the stack.
+// The number of values that a node pops from the stack.
 [[nodiscard]] constexpr int operand_count(const Node &node) {
 	switch (node.kind) {
 		case NodeKind::NUMBER:

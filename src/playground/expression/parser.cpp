@@ -13,8 +13,8 @@
 
 namespace playground {
 
-// Dijkstra's shunting yard: operators wait on a stack of their own until what binds tighter is done, so that no
-// function calls itself and a text of any shape needs only as much memory as MAX_DEPTH allows.
+// Dijkstra's shunting yard: pending operators are kept on an explicit stack of at most MAX_DEPTH, so that no text can
+// exhaust the call stack.
 class Parser {
 public:
 	explicit Parser(std::string_view text) :
@@ -25,7 +25,7 @@ public:
 	cga::TextResult<Expression> parse() {
 		const std::string_view text = _expression._text;
 		if (text.size() > MAX_TEXT_LENGTH) {
-			return cga::text_error(text, MAX_TEXT_LENGTH, "expected the end; an expression has at most " + std::to_string(MAX_TEXT_LENGTH) + " bytes");
+			return cga::text_error(text, MAX_TEXT_LENGTH, "the expression is too long; at most " + std::to_string(MAX_TEXT_LENGTH) + " bytes are accepted");
 		}
 		advance();
 		while (!_error && !_is_complete) {
@@ -45,8 +45,8 @@ public:
 	}
 
 private:
-	// What waits: an operator for its right side, a bracket for its end.
-	struct Waiting {
+	// A pending operator (its right operand is not complete) or an open parenthesis.
+	struct Pending {
 		enum Kind {
 			OPERATOR,
 			GROUP,
@@ -75,9 +75,9 @@ private:
 		if (!_wants_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN || _token.kind == TokenKind::LIST)) {
 			message += "; write '*' to multiply";
 		}
-		const auto open = std::find_if(_waiting.rbegin(), _waiting.rend(), [](const Waiting &waiting) { return waiting.kind != Waiting::OPERATOR; });
-		if (_token.kind == TokenKind::END && open != _waiting.rend()) {
-			message += "; the '(' at column " + std::to_string(cga::text_error(_expression._text, open->token.offset, {}).column) + " is still open";
+		const auto open = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.kind != Pending::OPERATOR; });
+		if (_token.kind == TokenKind::END && open != _pending.rend()) {
+			message += "; the '(' at column " + std::to_string(cga::text_error(_expression._text, open->token.offset, {}).column) + " is not closed";
 		}
 		fail(_token, std::move(message));
 	}
@@ -90,23 +90,23 @@ private:
 		return node;
 	}
 
-	void wait(Waiting waiting) {
-		if (_waiting.size() >= MAX_DEPTH) {
-			fail(waiting.token, "expected a simpler expression; more than " + std::to_string(MAX_DEPTH) + " operators and brackets inside each other here");
+	void push_pending(Pending pending) {
+		if (_pending.size() >= MAX_DEPTH) {
+			fail(pending.token, "the expression is nested too deeply; at most " + std::to_string(MAX_DEPTH) + " levels are accepted");
 			return;
 		}
-		_waiting.push_back(std::move(waiting));
+		_pending.push_back(std::move(pending));
 	}
 
 	void read_operand() {
 		const Token token = _token;
 		if (const std::optional<NodeKind> prefix = prefix_operator(token.kind)) {
-			wait({ Waiting::OPERATOR, PREFIX_LEVEL, node_at(*prefix, token), token, {} });
+			push_pending({ Pending::OPERATOR, PREFIX_LEVEL, node_at(*prefix, token), token, {} });
 			advance();
 		} else if (token.kind == TokenKind::PLUS) {
 			advance();
 		} else if (token.kind == TokenKind::OPEN) {
-			wait({ Waiting::GROUP, 0, {}, token, {} });
+			push_pending({ Pending::GROUP, 0, {}, token, {} });
 			advance();
 		} else if (token.kind == TokenKind::NUMBER) {
 			read_number();
@@ -134,18 +134,18 @@ private:
 		if (_token.kind != TokenKind::NAME && _token.kind != TokenKind::OPEN) {
 			return;
 		}
-		// The product with what follows. After a division, "1/2 e12" would be 1/(2 e12), which few expect.
-		const auto before = std::find_if(_waiting.rbegin(), _waiting.rend(), [](const Waiting &waiting) { return waiting.level != PREFIX_LEVEL; });
-		if (before != _waiting.rend() && before->kind == Waiting::OPERATOR && before->node.kind == NodeKind::DIVIDE) {
+		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which few expect.
+		const auto before = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.level != PREFIX_LEVEL; });
+		if (before != _pending.rend() && before->kind == Pending::OPERATOR && before->node.kind == NodeKind::DIVIDE) {
 			const std::string divisor = text_of(token);
-			fail(_token, "expected an operator; '/ " + divisor + " ...' can be read in two ways, write '/ " + divisor + " * ...' or '/ (" + divisor + " ...)'");
+			fail(_token, "expected an operator; '/ " + divisor + " ...' is ambiguous: write '/ " + divisor + " * ...' or '/ (" + divisor + " ...)'");
 			return;
 		}
-		wait({ Waiting::OPERATOR, NUMBER_LEVEL, node_at(NodeKind::GEOMETRIC, token), token, {} });
+		push_pending({ Pending::OPERATOR, NUMBER_LEVEL, node_at(NodeKind::GEOMETRIC, token), token, {} });
 		_wants_operand = true;
 	}
 
-	// All 32 coefficients, in ganja.js's form.
+	// All 32 coefficients, in the format of ganja.js.
 	void read_coefficients(const Token &token) {
 		const cga::TextResult<cga::Multivector> value = cga::from_json(text_of(token));
 		if (!value) {
@@ -170,8 +170,8 @@ private:
 		const std::string name = text_of(token);
 		if (const std::optional<cga::Multivector> value = constant(name)) {
 			add_constant(token, *value);
-		} else if (const std::string error = name_error(name); !error.empty()) {
-			fail(token, error);
+		} else if (const cga::Result<void, Error> checked = check_name(name); !checked) {
+			fail(token, checked.error().message);
 			return;
 		} else {
 			Node node = node_at(NodeKind::VARIABLE, token);
@@ -191,7 +191,7 @@ private:
 		return found->second;
 	}
 
-	// The column at offsets that grow from call to call: each character is counted once.
+	// The column at an offset not below that of the last call, so that each character is counted only once.
 	int column_at(size_t offset) {
 		while (_counted < offset) {
 			const cga::Character character = cga::character_at(_expression._text, _counted);
@@ -210,19 +210,19 @@ private:
 		}
 		Node node = node_at(NodeKind::CALL, name);
 		node.index = uint16_t(*function);
-		Waiting call{ Waiting::CALL, 0, node, _token, {} };
+		Pending call{ Pending::CALL, 0, node, _token, {} };
 		advance();
 		call.argument_offsets.push_back(uint32_t(_token.offset));
-		wait(std::move(call));
+		push_pending(std::move(call));
 		if (!_error && _token.kind == TokenKind::CLOSE) {
-			fail_count(_waiting.back(), 0);
+			fail_count(_pending.back(), 0);
 		}
 	}
 
 	void fail_unknown_function(const Token &name) {
 		const std::string text = text_of(name);
 		if (constant(text)) {
-			fail(name, "'" + text + "' is no function; write '*' to multiply");
+			fail(name, "'" + text + "' is not a function; write '*' to multiply");
 			return;
 		}
 		std::vector<std::string_view> names;
@@ -233,63 +233,63 @@ private:
 		fail(name, "unknown function '" + text + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
 	}
 
-	void fail_count(const Waiting &call, size_t count) {
+	void fail_count(const Pending &call, size_t count) {
 		const Function &function = functions()[call.node.index];
 		Token name = call.token;
 		name.offset = call.node.offset;
-		const std::string given = count > function.most_arguments() ? "more" : (count == 0 ? "none" : std::to_string(count));
+		const std::string given = count > function.max_arguments() ? "more" : std::to_string(count);
 		fail(name, std::string(function.name) + " takes " + function.counts() + ", not " + given);
 	}
 
-	// An operator, the end of an argument, of a bracket or of all.
+	// Expects an operator, a comma, a closing parenthesis or the end.
 	void read_after_operand() {
 		if (const std::optional<BinaryOperator> binary = binary_operator(_token.kind)) {
 			finish_operators(binary->level);
-			wait({ Waiting::OPERATOR, binary->level, node_at(binary->kind, _token), _token, {} });
+			push_pending({ Pending::OPERATOR, binary->level, node_at(binary->kind, _token), _token, {} });
 			_wants_operand = true;
 			advance();
 			return;
 		}
 		finish_operators(0);
-		if (_token.kind == TokenKind::COMMA && is_inside(Waiting::CALL)) {
+		if (_token.kind == TokenKind::COMMA && is_inside(Pending::CALL)) {
 			read_comma();
-		} else if (_token.kind == TokenKind::CLOSE && !_waiting.empty()) {
+		} else if (_token.kind == TokenKind::CLOSE && !_pending.empty()) {
 			read_close();
-		} else if (_token.kind == TokenKind::END && _waiting.empty()) {
+		} else if (_token.kind == TokenKind::END && _pending.empty()) {
 			_is_complete = true;
-		} else if (is_inside(Waiting::CALL)) {
+		} else if (is_inside(Pending::CALL)) {
 			fail_expected("')', ',' or an operator");
-		} else if (is_inside(Waiting::GROUP)) {
+		} else if (is_inside(Pending::GROUP)) {
 			fail_expected("')' or an operator");
 		} else {
 			fail_expected("an operator or the end");
 		}
 	}
 
-	bool is_inside(typename Waiting::Kind kind) const { return !_waiting.empty() && _waiting.back().kind == kind; }
+	bool is_inside(typename Pending::Kind kind) const { return !_pending.empty() && _pending.back().kind == kind; }
 
-	// Computes what waits and binds at least as tight as an operator of `level`.
+	// Emits the pending operators that bind at least as tightly as `level`.
 	void finish_operators(int level) {
-		while (is_inside(Waiting::OPERATOR) && _waiting.back().level >= level) {
-			_expression._nodes.push_back(_waiting.back().node);
-			_waiting.pop_back();
+		while (is_inside(Pending::OPERATOR) && _pending.back().level >= level) {
+			_expression._nodes.push_back(_pending.back().node);
+			_pending.pop_back();
 		}
 	}
 
 	void read_comma() {
-		Waiting &call = _waiting.back();
+		Pending &call = _pending.back();
 		advance();
 		call.argument_offsets.push_back(uint32_t(_token.offset));
-		if (call.argument_offsets.size() > functions()[call.node.index].most_arguments()) {
+		if (call.argument_offsets.size() > functions()[call.node.index].max_arguments()) {
 			fail_count(call, call.argument_offsets.size());
 		}
 		_wants_operand = true;
 	}
 
 	void read_close() {
-		const Waiting bracket = std::move(_waiting.back());
-		_waiting.pop_back();
-		if (bracket.kind == Waiting::CALL) {
+		const Pending bracket = std::move(_pending.back());
+		_pending.pop_back();
+		if (bracket.kind == Pending::CALL) {
 			const size_t count = bracket.argument_offsets.size();
 			if (!functions()[bracket.node.index].takes(count)) {
 				fail_count(bracket, count);
@@ -316,7 +316,7 @@ private:
 	Lexer _lexer;
 	Token _token;
 	Expression _expression;
-	std::vector<Waiting> _waiting;
+	std::vector<Pending> _pending;
 	std::optional<cga::TextError> _error;
 	std::map<std::string, uint16_t> _variable_indices;
 	size_t _counted = 0;

@@ -1,8 +1,10 @@
 #include "playground/expression/function_table.hpp"
 
 #include "cga/motor/axis_angle.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
+#include "cga/text/readable.hpp"
 #include "cga/versor/exponential.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/power.hpp"
@@ -16,111 +18,115 @@ namespace playground {
 
 namespace {
 
-using cga::Failure;
 using cga::Multivector;
 using cga::Pose;
 using cga::Quaternion;
 using cga::Vector3;
 
-constexpr const char *NO_MOTOR = "Expected a motor: a product of translators, rotors and dilators";
+constexpr const char *NOT_A_MOTOR = "expected a motor (a product of translators, rotors and dilators)";
 
 double largest(double a, double b, double c) {
 	return std::max({ std::abs(a), std::abs(b), std::abs(c) });
 }
 
-Outcome rotor_of_axis(const Arguments &arguments) {
+Error scale_error(double scale) {
+	return "the scale must be above 0, not " + cga::readable(scale);
+}
+
+FunctionResult rotor_of_axis(const Arguments &arguments) {
 	const Vector3<double> axis = arguments.vector(0);
 	const double angle = arguments.number(1);
 	const double size = largest(axis.x, axis.y, axis.z);
 	if (size == 0.0) {
-		return Failure{ "The axis has length zero; give a direction" };
+		return Error("the axis is zero; pass a vector of any other length");
 	}
-	// Brought near 1 first, so that squares neither overflow nor vanish.
+	// Scaled first, so that the squares neither overflow nor underflow.
 	const Vector3<double> sines = glm::normalize(axis / size) * std::sin(0.5 * angle);
 	return cga::rotor({ std::cos(0.5 * angle), sines.x, sines.y, sines.z });
 }
 
 // In the order of Godot's Quaternion(x, y, z, w).
-Outcome rotor_of_quaternion(const Arguments &arguments) {
+FunctionResult rotor_of_quaternion(const Arguments &arguments) {
 	const Vector3<double> imaginary = arguments.numbers(0);
 	const double real = arguments.number(3);
 	const double size = std::max(largest(imaginary.x, imaginary.y, imaginary.z), std::abs(real));
 	if (size == 0.0) {
-		return Failure{ "A quaternion of length zero is no rotation" };
+		return Error("the quaternion is zero; no rotation is (0, 0, 0, 1)");
 	}
 	return cga::rotor(glm::normalize(Quaternion<double>(real / size, imaginary.x / size, imaginary.y / size, imaginary.z / size)));
 }
 
-Outcome dilator(const Arguments &arguments) {
-	if (!(arguments.number(0) > 0.0)) {
-		return Failure{ "The scale must be above 0" };
+FunctionResult dilator(const Arguments &arguments) {
+	const double scale = arguments.number(0);
+	if (!(scale > 0.0)) {
+		return scale_error(scale);
 	}
-	return cga::dilator(arguments.number(0));
+	return cga::dilator(scale);
 }
 
 // T R D
-Outcome motor(const Vector3<double> &translation, const Quaternion<double> &rotation, double scale) {
+FunctionResult motor(const Vector3<double> &translation, const Quaternion<double> &rotation, double scale) {
 	if (!(scale > 0.0)) {
-		return Failure{ "The scale must be above 0" };
+		return scale_error(scale);
 	}
 	return cga::to_multivector(cga::Motor<double>::from_pose({ translation, rotation, scale }));
 }
 
-Outcome rigid_motor(const Arguments &arguments) {
+FunctionResult rigid_motor(const Arguments &arguments) {
 	return motor(arguments.vector(0), arguments.rotation(1), 1.0);
 }
 
-Outcome scaled_motor(const Arguments &arguments) {
+FunctionResult scaled_motor(const Arguments &arguments) {
 	return motor(arguments.vector(0), arguments.rotation(1), arguments.number(2));
 }
 
-// What `part` takes from the pose of a motor.
+// `part` of the pose of a motor.
 template <class Part>
-Outcome of_pose(const Multivector &x, Part part) {
+FunctionResult of_pose(const Multivector &x, Part part) {
 	const std::optional<cga::Motor<double>> motor = cga::to_motor(x);
 	const std::optional<Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
 	if (!pose) {
-		return Failure{ NO_MOTOR };
+		return Error(NOT_A_MOTOR);
 	}
 	return part(*pose);
 }
 
-Outcome transform_point(const Arguments &arguments) {
+FunctionResult transform_point(const Arguments &arguments) {
 	const std::optional<cga::Motor<double>> motor = cga::to_motor(arguments[0]);
 	if (!motor) {
-		return Failure{ NO_MOTOR };
+		return Error(NOT_A_MOTOR);
 	}
 	return cga::euclidean(motor->transform_point(arguments.location(1)));
 }
 
-Outcome sandwich(const Arguments &arguments) {
+FunctionResult sandwich(const Arguments &arguments) {
 	const std::optional<Multivector> moved = arguments[0].sandwich(arguments[1]);
 	if (!moved) {
-		return Failure{ "Expected a versor: a product of vectors that has an inverse" };
+		return Error("expected a versor (a product of non-null vectors)");
 	}
 	return *moved;
 }
 
 constexpr Overload TABLE[] = {
-	{ "translator", "offset", 1, { V }, [](const Arguments &a) -> Outcome { return cga::translator(a.vector(0)); }, "moves by a vector" },
-	{ "translator", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> Outcome { return cga::translator(a.numbers(0)); }, "moves by (x, y, z)" },
-	{ "rotor", "axis, angle", 2, { V, N }, rotor_of_axis, "turns about an axis through the origin, by radians, right-handed" },
-	{ "rotor", "x, y, z, w", 4, { N, N, N, N }, rotor_of_quaternion, "turns by a quaternion, in the order of Godot's Quaternion" },
-	{ "dilator", "scale", 1, { N }, dilator, "scales about the origin" },
-	{ "motor", "translation, rotor", 2, { V, R }, rigid_motor, "turns, then moves" },
-	{ "motor", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "scales, then turns, then moves" },
-	{ "motor_from", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "the same as motor" },
+	{ "translator", "offset", 1, { V }, [](const Arguments &a) -> FunctionResult { return cga::translator(a.vector(0)); }, "translates by a vector" },
+	{ "translator", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::translator(a.numbers(0)); }, "translates by (x, y, z)" },
+	{ "rotor", "axis, angle", 2, { V, N }, rotor_of_axis, "rotates about an axis through the origin by an angle in radians, right-handed" },
+	{ "rotor", "x, y, z, w", 4, { N, N, N, N }, rotor_of_quaternion, "rotates by a quaternion, in the order of Godot's Quaternion" },
+	{ "dilator", "scale", 1, { N }, dilator, "scales from the origin" },
+	{ "motor", "translation, rotor", 2, { V, R }, rigid_motor, "rotates, then translates" },
+	{ "motor", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "scales, then rotates, then translates" },
+	{ "motor_from", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "as motor" },
 
-	{ "exp", "x", 1, { X }, [](const Arguments &a) { return cga::exp(a[0]); }, "exponential; of a bivector a versor" },
-	{ "log", "versor", 1, { X }, [](const Arguments &a) { return cga::log(a[0]); }, "logarithm of a versor, the short way round" },
-	{ "sqrt", "versor", 1, { X }, [](const Arguments &a) { return cga::sqrt(a[0]); }, "half of a versor's motion" },
-	{ "power", "versor, exponent", 2, { X, N }, [](const Arguments &a) { return cga::power(a[0], a.number(1)); }, "a part or a multiple of a versor's motion" },
+	{ "exp", "x", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::exp(a[0]); }, "the exponential; of a bivector, a versor" },
+	{ "log", "versor", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::log(a[0]); }, "the logarithm of a versor, along the shortest rotation" },
+	{ "sqrt", "versor", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::sqrt(a[0]); }, "the versor of half the motion" },
+	{ "power", "versor, exponent", 2, { X, N }, [](const Arguments &a) -> FunctionResult { return cga::power(a[0], a.number(1)); }, "the versor of a fraction or a multiple of the motion" },
 
-	{ "sandwich", "versor, x", 2, { X, X }, sandwich, "the versor applied to x: M x / M, with the sign right for odd versors" },
-	{ "transform_point", "motor, point", 2, { X, P }, transform_point, "where a motor carries a point, as a vector" },
-	{ "get_translation", "motor", 1, { X }, [](const Arguments &a) { return of_pose(a[0], [](const Pose<double> &pose) -> Outcome { return cga::euclidean(pose.translation); }); }, "the translation of a motor, as a vector" },
-	{ "get_rotation", "motor", 1, { X }, [](const Arguments &a) { return of_pose(a[0], [](const Pose<double> &pose) -> Outcome { return cga::rotor(pose.rotation); }); }, "the rotation of a motor, as a rotor" },
-	{ "get_scale", "motor", 1, { X }, [](const Arguments &a) { return of_pose(a[0], [](const Pose<double> &pose) { return number(pose.scale); }); }, "the scale of a motor, a number" },
+	{ "sandwich", "versor, x", 2, { X, X }, sandwich, "x transformed by a versor: M x / M, with the sign corrected for odd versors" },
+	{ "transform_point", "motor, point", 2, { X, P }, transform_point, "the image of a point under a motor, as a vector" },
+	{ "get_translation", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) -> FunctionResult { return cga::euclidean(pose.translation); }); }, "the translation of a motor, as a vector" },
+	{ "get_rotation", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) -> FunctionResult { return cga::rotor(pose.rotation); }); }, "the rotation of a motor, as a rotor" },
+	{ "get_scale", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) { return number(pose.scale); }); }, "the scale of a motor, a number" },
 };
 
 } // namespace

@@ -11,13 +11,13 @@ namespace playground::handles {
 
 namespace {
 
-using Place = std::optional<Vector>;
+using Position = std::optional<Vector>;
 
 constexpr double TURN = 6.283185307179586;
-// Of the sine or cosine of an angle between directions: below it they count as along or across each other.
+// Directions count as parallel or perpendicular below this sine or cosine of their angle.
 constexpr double MIN_SINE = 1e-6;
 
-Place on_plane(const ViewRay &ray, const Constraint &constraint) {
+Position on_plane(const ViewRay &ray, const Constraint &constraint) {
 	const double size = cga::detail::length(ray.view);
 	if (!(size > 0.0)) {
 		return std::nullopt;
@@ -27,25 +27,25 @@ Place on_plane(const ViewRay &ray, const Constraint &constraint) {
 	if (!(std::abs(cosine) > MIN_SINE)) {
 		return std::nullopt;
 	}
-	const double depth = glm::dot(constraint.place - ray.origin, normal) / cosine;
-	return depth > 0.0 ? Place(ray.origin + ray.direction * depth) : std::nullopt;
+	const double depth = glm::dot(constraint.position - ray.origin, normal) / cosine;
+	return depth > 0.0 ? Position(ray.origin + ray.direction * depth) : std::nullopt;
 }
 
-Place on_line(const ViewRay &ray, const Constraint &constraint) {
+Position on_line(const ViewRay &ray, const Constraint &constraint) {
 	const Vector &axis = constraint.axis;
 	const double cosine = glm::dot(ray.direction, axis);
 	const double across = 1.0 - cosine * cosine;
 	if (!(across > MIN_SINE * MIN_SINE)) {
 		return std::nullopt;
 	}
-	const Vector between = ray.origin - constraint.place;
+	const Vector between = ray.origin - constraint.position;
 	const double along = (glm::dot(between, axis) - cosine * glm::dot(between, ray.direction)) / across;
-	const Vector place = constraint.place + axis * along;
-	return glm::dot(place - ray.origin, ray.direction) > 0.0 ? Place(place) : std::nullopt;
+	const Vector position = constraint.position + axis * along;
+	return glm::dot(position - ray.origin, ray.direction) > 0.0 ? Position(position) : std::nullopt;
 }
 
-Place on_sphere(const ViewRay &ray, const Constraint &constraint) {
-	const double radius = glm::length(constraint.place - constraint.center);
+Position on_sphere(const ViewRay &ray, const Constraint &constraint) {
+	const double radius = glm::length(constraint.position - constraint.center);
 	const Vector to_center = constraint.center - ray.origin;
 	const double nearest = glm::dot(to_center, ray.direction);
 	const Vector beside = ray.direction * nearest - to_center;
@@ -54,32 +54,32 @@ Place on_sphere(const ViewRay &ray, const Constraint &constraint) {
 		return std::nullopt;
 	}
 	if (distance >= radius) {
-		return nearest > 0.0 ? Place(constraint.center + beside * (radius / distance)) : std::nullopt;
+		return nearest > 0.0 ? Position(constraint.center + beside * (radius / distance)) : std::nullopt;
 	}
 	const double half = std::sqrt((radius - distance) * (radius + distance));
-	const bool is_behind = glm::dot(constraint.place - constraint.center, ray.direction) > 0.0;
+	const bool is_behind = glm::dot(constraint.position - constraint.center, ray.direction) > 0.0;
 	const double depth = is_behind || nearest - half <= 0.0 ? nearest + half : nearest - half;
-	return depth > 0.0 ? Place(ray.origin + ray.direction * depth) : std::nullopt;
+	return depth > 0.0 ? Position(ray.origin + ray.direction * depth) : std::nullopt;
 }
 
-// The distance of a circle's points to the ray, by their angle from where the handle is.
+// The distance between the ray and a point of the circle, as a function of its angle from the handle.
 class CircleDistance {
 public:
 	CircleDistance(const ViewRay &ray, const Constraint &circle) :
-			_ray(ray), _circle(circle), _x(circle.place - circle.center) {
+			_ray(ray), _circle(circle), _x(circle.position - circle.center) {
 		_x -= circle.axis * glm::dot(_x, circle.axis);
 		_y = glm::cross(circle.axis, _x);
 	}
 
 	[[nodiscard]] double radius() const { return glm::length(_x); }
-	[[nodiscard]] Vector place(double angle) const { return _circle.center + _x * std::cos(angle) + _y * std::sin(angle); }
-	// Infinite behind the eye.
+	[[nodiscard]] Vector point(double angle) const { return _circle.center + _x * std::cos(angle) + _y * std::sin(angle); }
+	// Infinite for points behind the eye.
 	[[nodiscard]] double at(double angle) const {
-		const Vector to = place(angle) - _ray.origin;
+		const Vector to = point(angle) - _ray.origin;
 		const double depth = glm::dot(to, _ray.direction);
 		return depth > 0.0 ? glm::length(to - _ray.direction * depth) : HUGE_VAL;
 	}
-	// The least one near an angle.
+	// The angle of the local minimum within `step` of an angle, by ternary search.
 	[[nodiscard]] double refined(double angle, double step) const {
 		constexpr int REFINEMENTS = 90;
 		double low = angle - step, high = angle + step;
@@ -96,8 +96,8 @@ private:
 	Vector _x, _y;
 };
 
-// A circle seen from the side is met twice: what counts is then the place nearer to the one where it is.
-Place on_circle(const ViewRay &ray, const Constraint &constraint) {
+// Seen from the side, the circle has two closest points: choose the one nearer to the handle.
+Position on_circle(const ViewRay &ray, const Constraint &constraint) {
 	const CircleDistance distance(ray, constraint);
 	const double radius = distance.radius();
 	if (!(radius > 0.0)) {
@@ -108,7 +108,8 @@ Place on_circle(const ViewRay &ray, const Constraint &constraint) {
 	double best_angle = 0.0, best = HUGE_VAL;
 	for (int i = 0; i < SAMPLES; ++i) {
 		// 0, 1, -1, 2, -2, ...
-		const double angle = STEP * ((i + 1) / 2) * (i % 2 == 1 ? 1 : -1);
+		const int step = i % 2 == 1 ? (i + 1) / 2 : -i / 2;
+		const double angle = STEP * step;
 		const double here = distance.at(angle);
 		if (!std::isfinite(here) || here > distance.at(angle - STEP) || here > distance.at(angle + STEP)) {
 			continue;
@@ -119,34 +120,34 @@ Place on_circle(const ViewRay &ray, const Constraint &constraint) {
 			best_angle = refined;
 		}
 	}
-	return std::isfinite(best) ? Place(distance.place(best_angle)) : std::nullopt;
+	return std::isfinite(best) ? Position(distance.point(best_angle)) : std::nullopt;
 }
 
 } // namespace
 
-Place place_under(const ViewRay &ray, const Constraint &constraint) {
+Position position_on(const ViewRay &ray, const Constraint &constraint) {
 	const double length = cga::detail::length(ray.direction);
 	if (!(length > 0.0) || !std::isfinite(length)) {
 		return std::nullopt;
 	}
 	const ViewRay unit{ ray.origin, ray.direction / length, ray.view };
-	Place place;
+	Position position;
 	switch (constraint.motion) {
 		case Motion::FREE:
-			place = on_plane(unit, constraint);
+			position = on_plane(unit, constraint);
 			break;
 		case Motion::LINE:
-			place = on_line(unit, constraint);
+			position = on_line(unit, constraint);
 			break;
 		case Motion::CIRCLE:
-			place = on_circle(unit, constraint);
+			position = on_circle(unit, constraint);
 			break;
 		case Motion::SPHERE:
-			place = on_sphere(unit, constraint);
+			position = on_sphere(unit, constraint);
 			break;
 	}
-	// Written so that NaN is none.
-	return place && cga::detail::length(*place) <= FARTHEST ? place : std::nullopt;
+	// NaN fails the comparison.
+	return position && cga::detail::length(*position) <= MAX_DISTANCE ? position : std::nullopt;
 }
 
 } // namespace playground::handles

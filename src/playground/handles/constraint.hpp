@@ -4,30 +4,31 @@
 
 #include <optional>
 
-// Where something can be dragged to.
+// The positions that a handle can be dragged to.
 
 namespace playground::handles {
 
 enum class Motion {
-	FREE, // in the plane through it across the view
-	LINE, // along `axis`
-	CIRCLE, // about `center`, across `axis`
-	SPHERE, // about `center`
+	FREE, // in the plane through it perpendicular to the view
+	LINE, // the line through it along `axis`
+	CIRCLE, // around `center`, perpendicular to `axis`
+	SPHERE, // around `center`
 };
 
 struct Constraint {
 	Motion motion = Motion::FREE;
-	Vector place{ 0.0 };
+	Vector position{ 0.0 }; // of the handle, meters
 	Vector center{ 0.0 };
-	Vector axis{ 0.0 }; // unit, where the motion has one
+	Vector axis{ 0.0 }; // unit vector, for LINE and CIRCLE
 };
 
-// Beyond this distance from the origin, in metres, nothing is dragged: near a vanishing point a pixel is any distance.
-inline constexpr double FARTHEST = 1e9;
+// Handles are not dragged beyond this distance from the origin, in meters: near a vanishing point a pixel spans any
+// distance.
+inline constexpr double MAX_DISTANCE = 1e9;
 
-// The place that lies on the ray, in front of the eye, or if none does, that is nearest to it. Of a sphere that the ray
-// meets twice the place on the side on which it is now. Empty where that is no place, or any: with a ray along the line or
-// the plane, a circle or sphere without radius, behind the eye, beyond FARTHEST, not finite.
-[[nodiscard]] std::optional<Vector> place_under(const ViewRay &ray, const Constraint &constraint);
+// The allowed position closest to the ray, in front of the eye. Where the ray meets a sphere twice, the position on the same
+// side as the current one. Empty if there is none, or no single one: for a ray along the line or plane, a circle or sphere of
+// radius zero, and positions behind the eye, beyond MAX_DISTANCE or not finite.
+[[nodiscard]] std::optional<Vector> position_on(const ViewRay &ray, const Constraint &constraint);
 
 } // namespace playground::handles

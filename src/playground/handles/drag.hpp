@@ -11,16 +11,15 @@
 
 namespace playground::handles {
 
-// What Document::set_parameter takes.
+// A new value of a parameter, for Document::set_parameter.
 struct Drag {
 	std::string parameter;
 	LiteralValue value;
 };
 
-// What an entry has to become for a handle to come under the mouse: `start` is the handle as it was when the person took hold of
-// it, so that planes across the view, grids and lengths of arms stay those of the start. Without steps the ray passes
-// through the handle afterwards, or as near as the motion permits. Empty where nothing can follow: the entry has no such
-// handle any more, the ray leads nowhere (constraint.hpp), a radius would be none.
+// The parameter change that moves a handle to the ray, as close as its constraint and the steps permit. `start` is the handle
+// at the beginning of the drag, which fixes the view plane, the grid and the lengths of arms. Empty if the handle cannot
+// follow: it does not exist any more, the ray gives no position (constraint.hpp), or a radius would not be positive.
 [[nodiscard]] std::optional<Drag> drag(const Document &document, std::string_view name, const Handle &start, const ViewRay &ray, const Steps &steps = {});
 
 } // namespace playground::handles

@@ -1,7 +1,7 @@
 #include "playground/handles/free_object.hpp"
 
+#include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "playground/expression/functions.hpp"
 
 #include <glm/geometric.hpp>
@@ -14,12 +14,12 @@ namespace playground::handles {
 
 std::optional<FreeObject> FreeObject::find(const Document &document, std::string_view name) {
 	const Entry *entry = document.find(name);
-	return entry && entry->outcome.value ? std::optional<FreeObject>(FreeObject(document, *entry)) : std::nullopt;
+	return entry && entry->value ? std::optional<FreeObject>(FreeObject(document, *entry)) : std::nullopt;
 }
 
 FreeObject::FreeObject(const Document &document, const Entry &entry) :
-		_document(&document), _parameters(parameters_of(entry.text)), _arguments(arguments_of(entry.text)), _classification(cga::classify(*entry.outcome.value, is_set(entry.attributes, "ipns"))) {
-	const std::optional<cga::Motor<double>> motor = cga::to_motor(*entry.outcome.value);
+		_document(&document), _parameters(parameters_of(entry.text)), _arguments(arguments_of(entry.text)), _classification(cga::classify(*entry.value, is_set(entry.attributes, "ipns"))) {
+	const std::optional<cga::Motor<double>> motor = cga::to_motor(*entry.value);
 	_pose = motor ? motor->to_pose() : std::nullopt;
 	if (_pose && !is_as_written(*_pose)) {
 		_pose.reset();

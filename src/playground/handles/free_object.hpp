@@ -12,24 +12,26 @@
 
 namespace playground::handles {
 
-// An entry with a value: what can be set of it, and what it is.
+// An entry with a value: its parameters and its classification.
 class FreeObject {
 public:
-	// Empty if there is no such entry, or it has no value.
+	// Empty if the entry does not exist or has an error.
 	static std::optional<FreeObject> find(const Document &document, std::string_view name);
 
+	// Whether it is a parameter (parameters.hpp).
 	[[nodiscard]] bool can_set(std::string_view parameter) const { return literal(parameter) != nullptr; }
 
-	// Of a parameter, or of an argument that is computed. Numbers: `number`.
+	// The value of a parameter or of a computed argument; empty if there is none of this type.
 	[[nodiscard]] std::optional<Vector> vector(std::string_view name) const;
 	[[nodiscard]] std::optional<double> number(std::string_view name) const;
+	// Null if there is no such parameter.
 	[[nodiscard]] const cga::Quaternion<double> *rotation() const;
-	// Of a list or a sum of blades, without the duals around it.
+	// The coefficients of a list or a sum of blades, before any dual is applied; null if there are none.
 	[[nodiscard]] const cga::Multivector *coefficients() const;
 	[[nodiscard]] bool has_argument(std::string_view name) const;
 
 	[[nodiscard]] const cga::Classification &classification() const { return _classification; }
-	// If it is a motor, and not the inverse of the one that is written.
+	// The pose of a motor; empty for the inverse of the motor that is written.
 	[[nodiscard]] const std::optional<cga::Pose<double>> &pose() const { return _pose; }
 
 private:

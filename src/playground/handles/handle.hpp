@@ -6,17 +6,18 @@
 
 namespace playground::handles {
 
-// What a person takes hold of to change a number or a vector of an object.
+// A point in the viewport that changes a parameter of an object when dragged.
 struct Handle {
-	std::string key; // what it changes: "center", "radius", ...; "object" for the place of the whole
+	std::string key; // the parameter: "center", "radius", ...; "object" for the position of the whole
 	Constraint constraint;
-	// Where the line to it begins; the place itself if it needs none.
+	// The start of the line drawn to it; its own position if there is no line.
 	Vector stem{ 0.0 };
-	// The tip of an arm of one metre from `stem`, which may be drawn longer or shorter: of the place only its direction counts.
+	// Whether it is the tip of an arm of one meter from `stem`. Only its direction matters, so that the arm may be drawn with
+	// another length.
 	bool is_arm = false;
-	// The one that follows when the object itself is dragged.
+	// Whether dragging the object itself drags this handle.
 	bool moves_body = false;
-	// From the place to the point of the object that was taken hold of, which is to stay under the mouse.
+	// The offset from its position to the grabbed point of the object, which is kept under the mouse.
 	Vector grab{ 0.0 };
 };
 

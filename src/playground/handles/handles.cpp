@@ -15,7 +15,7 @@ namespace playground::handles {
 
 namespace {
 
-constexpr double ARM = 1.0; // metres
+constexpr double ARM = 1.0; // meters
 
 std::optional<Vector> unit(const std::optional<Vector> &vector) {
 	const double size = vector ? cga::detail::length(*vector) : 0.0;
@@ -59,30 +59,31 @@ private:
 		found.push_back({ std::move(key), constraint, stem, is_arm, moves_body, Vector(0.0) });
 	}
 
-	void add_free(const char *key, const Vector &place, const Vector &stem, bool moves_body) {
-		add(key, { Motion::FREE, place, {}, {} }, stem, false, moves_body);
+	void add_free(const char *key, const Vector &position, const Vector &stem, bool moves_body) {
+		add(key, { Motion::FREE, position, {}, {} }, stem, false, moves_body);
 	}
 
 	void add_point(const char *key, bool moves_body) {
-		const std::optional<Vector> place = _object.can_set(key) ? _object.vector(key) : std::nullopt;
-		if (place) {
-			add_free(key, *place, *place, moves_body);
+		const std::optional<Vector> position = _object.can_set(key) ? _object.vector(key) : std::nullopt;
+		if (position) {
+			add_free(key, *position, *position, moves_body);
 		}
 	}
 
-	// Of point(t, 1, u) and sphere(t, 1, u, r) the one that is not computed. With two a person could not tell which.
+	// The single coordinate of point(t, 1, u) or sphere(t, 1, u, r) that is not computed. Two handles at one point could not be
+	// told apart.
 	void add_coordinate() {
-		const std::optional<Vector> &place = _object.classification().center;
+		const std::optional<Vector> &position = _object.classification().center;
 		const char *only = nullptr;
 		int count = 0;
 		for (const char *key : { "x", "y", "z" }) {
 			only = _object.can_set(key) ? key : only;
 			count += _object.can_set(key) ? 1 : 0;
 		}
-		if (place && count == 1 && !_object.has_argument("distance")) {
+		if (position && count == 1 && !_object.has_argument("distance")) {
 			Vector axis(0.0);
 			axis[only[0] - 'x'] = 1.0;
-			add(only, { Motion::LINE, *place, {}, axis }, *place, false, true);
+			add(only, { Motion::LINE, *position, {}, axis }, *position, false, true);
 		}
 	}
 
@@ -90,11 +91,11 @@ private:
 		add(key, { Motion::SPHERE, from + direction * ARM, from, direction }, from, true, false);
 	}
 
-	// Of rounds, lines and tangents.
+	// The center of a round, or the point of a line or tangent.
 	[[nodiscard]] std::optional<Vector> middle() const {
 		for (const char *key : { "center", "point" }) {
-			if (const std::optional<Vector> place = _object.vector(key)) {
-				return place;
+			if (const std::optional<Vector> position = _object.vector(key)) {
+				return position;
 			}
 		}
 		return _object.classification().center;
@@ -115,14 +116,14 @@ private:
 		}
 		Vector outward = _right;
 		if (const std::optional<Vector> direction = unit(_object.vector("direction"))) {
-			// The other end has the tip of the direction.
+			// Opposite to the handle of the direction.
 			outward = -*direction;
 		} else if (const std::optional<Vector> normal = unit(_object.vector("normal"))) {
 			const Vector across = _right - *normal * glm::dot(*normal, _right);
 			outward = glm::length(across) > 0.1 ? glm::normalize(across) : drawing::across(*center, *normal).x;
 		}
-		const Vector place = *center + outward * *_object.number("radius");
-		add("radius", { Motion::LINE, place, {}, outward }, *center, false, false);
+		const Vector position = *center + outward * *_object.number("radius");
+		add("radius", { Motion::LINE, position, {}, outward }, *center, false, false);
 	}
 
 	void add_normal() {
@@ -136,7 +137,7 @@ private:
 			}
 			return;
 		}
-		// The distance stays, so that the plane turns about the origin, and the arm points away from it.
+		// The distance is kept, so that the plane rotates around the origin. The arm points away from the origin.
 		const double distance = _object.number("distance").value_or(0.0);
 		const double side = distance < 0.0 ? -1.0 : 1.0;
 		const Vector foot = *normal * distance;
@@ -157,13 +158,13 @@ private:
 		}
 		add_turn(pose);
 		if (_object.can_set("scale")) {
-			// Between the frame's axes, apart from what is on them.
+			// On the diagonal of the frame, away from the handles on its axes.
 			const Vector along = pose.rotation * glm::normalize(Vector(1.0));
 			add("scale", { Motion::LINE, pose.translation + along * (drawing::FRAME_SIZE * pose.scale), {}, along }, pose.translation, false, false);
 		}
 	}
 
-	// Beside the frame that is carried, where the helix ends if its axis passes through.
+	// At the end of the helix that is drawn around the axis.
 	void add_turn(const cga::Pose<double> &pose) {
 		const cga::Quaternion<double> *rotation = _object.rotation();
 		std::optional<Vector> axis = unit(_object.vector("axis"));
@@ -188,7 +189,7 @@ private:
 
 	void add_object() {
 		const cga::Classification &object = _object.classification();
-		if (object.kind == cga::Kind::plane) {
+		if (object.kind == cga::Kind::PLANE) {
 			const Vector foot = *object.normal * *object.distance;
 			add("object", { Motion::LINE, foot, {}, *object.normal }, foot, false, true);
 		} else if (object.center) {
@@ -209,8 +210,8 @@ std::vector<Handle> handles_of(const Document &document, std::string_view name, 
 	}
 	HandleCollector collector(*object, right);
 	collector.collect();
-	// Numbers beyond what can be dragged to.
-	const auto is_far = [](const Handle &handle) { return !(cga::detail::length(handle.constraint.place) <= FARTHEST && cga::detail::length(handle.stem) <= FARTHEST); };
+	// Handles outside the draggable range.
+	const auto is_far = [](const Handle &handle) { return !(cga::detail::length(handle.constraint.position) <= MAX_DISTANCE && cga::detail::length(handle.stem) <= MAX_DISTANCE); };
 	collector.found.erase(std::remove_if(collector.found.begin(), collector.found.end(), is_far), collector.found.end());
 	return std::move(collector.found);
 }

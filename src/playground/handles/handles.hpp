@@ -8,20 +8,20 @@
 
 namespace playground::handles {
 
-// The handles of an entry, of what can be set of it (parameters.hpp). Of
+// The handles of an entry, for its parameters (parameters.hpp):
 //
-//   points, and each point that something goes through   position, a, b, c, d: free
-//   such as point(t, 1, u), of which one is free         y: along the axis
-//   spheres, circles, imaginary pairs                    center: free; radius: along a line; normal, direction: the tip of an arm
-//   planes                                               distance: along the normal; normal: the tip of an arm, about the origin
-//   lines, tangents                                      point: free; direction, normal: the tip of an arm
+//   points, and points that define other objects         position, a, b, c, d: free
+//   points with one free coordinate: point(t, 1, u)      y: along the axis
+//   spheres, circles, imaginary pairs                    center: free; radius: along a line; normal, direction: tip of an arm
+//   planes                                               distance: along the normal; normal: tip of an arm, around the origin
+//   lines, tangents                                      point: free; direction, normal: tip of an arm
 //   translators, vectors                                 offset, vector: free, from the origin
-//   rotors, motors, dilators                             translation: free; axis: the tip of an arm; angle: on a circle about
-//                                                        it; scale: along the diagonal of the frame that is carried
-//   objects written as a list or a sum of blades         object: free, of planes along the normal
+//   rotors, motors, dilators                             translation: free; axis: tip of an arm; angle: on a circle around
+//                                                        it; scale: along the diagonal of the transformed frame
+//   objects written as a list or a sum of blades         object: free; planes along the normal
 //
-// `right` is where the radius of a sphere is taken hold of, seen from its centre; of a circle as near to it as it gets. None
-// of what has no value, is computed, or has no place.
+// `right` is the direction from the center of a sphere to its radius handle; for a circle the closest direction in its plane.
+// Empty for entries without value, without parameters or without a position.
 [[nodiscard]] std::vector<Handle> handles_of(const Document &document, std::string_view name, const Vector &right = Vector(1.0, 0.0, 0.0));
 
 } // namespace playground::handles

@@ -6,11 +6,11 @@ namespace playground::handles {
 
 using Vector = cga::Vector3<double>;
 
-// What is seen through a place of the screen, in metres of the space that the objects live in.
+// The ray through a point of the screen, in meters, in the space of the objects.
 struct ViewRay {
-	Vector origin; // the eye; of a parallel view a point of the screen's plane
-	Vector direction; // of any length but zero
-	Vector view; // across the planes in which handles move freely: where the camera looks to, or up to stay on a level
+	Vector origin; // the eye, or a point on the screen plane in an orthogonal view
+	Vector direction; // any length except zero
+	Vector view; // normal of the planes in which handles move freely: the view direction, or up to keep the height
 };
 
 } // namespace playground::handles

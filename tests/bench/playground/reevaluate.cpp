@@ -31,7 +31,9 @@ playground::DocumentState chain() {
 
 playground::Document document_of_chain() {
 	playground::Document document;
-	document.restore(chain());
+	if (!document.restore(chain())) {
+		std::abort();
+	}
 	return document;
 }
 
@@ -43,8 +45,8 @@ void reevaluate_chain(benchmark::State &bench) {
 	playground::Document document = document_of_chain();
 	int step = 0;
 	for ([[maybe_unused]] auto _ : bench) {
-		const playground::Change change = document.set_parameter("p0", "position", dragged(++step));
-		if (change.names.size() != document.size()) {
+		const playground::ChangeResult change = document.set_parameter("p0", "position", dragged(++step));
+		if (!change || change->size() != document.size()) {
 			std::abort();
 		}
 	}
@@ -53,11 +55,13 @@ void reevaluate_chain(benchmark::State &bench) {
 // The last of the chain: what does not depend on it costs nothing.
 void reevaluate_end(benchmark::State &bench) {
 	playground::Document document = document_of_chain();
-	document.set_expression("p50", "point(0.3, 0.2, 0.1)");
+	if (!document.set_expression("p50", "point(0.3, 0.2, 0.1)")) {
+		std::abort();
+	}
 	int step = 0;
 	for ([[maybe_unused]] auto _ : bench) {
-		const playground::Change change = document.set_parameter("p50", "position", dragged(++step));
-		if (change.names.size() != 4) {
+		const playground::ChangeResult change = document.set_parameter("p50", "position", dragged(++step));
+		if (!change || change->size() != 4) {
 			std::abort();
 		}
 	}

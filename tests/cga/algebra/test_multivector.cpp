@@ -3,7 +3,7 @@
 #include "../random_poses.hpp"
 #include "cga/algebra/multivector_product.hpp"
 #include "cga/algebra/product_table.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
 
 #include <doctest/doctest.h>
 
@@ -158,9 +158,9 @@ TEST_CASE("a term that a product leaves out takes no part, not even where it wou
 }
 
 TEST_CASE("involutions by grade") {
-	const int REVERSE[] = { 1, 1, -1, -1, 1, 1 };
-	const int INVOLUTION[] = { 1, -1, 1, -1, 1, -1 };
-	const int CONJUGATE[] = { 1, -1, -1, 1, 1, -1 };
+	constexpr int REVERSE[] = { 1, 1, -1, -1, 1, 1 };
+	constexpr int INVOLUTION[] = { 1, -1, 1, -1, 1, -1 };
+	constexpr int CONJUGATE[] = { 1, -1, -1, 1, 1, -1 };
 	for (int index = 0; index < BLADE_COUNT; ++index) {
 		const Multivector x = Multivector::basis_blade(index, 3.0);
 		const int k = blade_grade(index);

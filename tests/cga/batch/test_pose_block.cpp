@@ -88,6 +88,7 @@ TEST_CASE("a weight for each body, beyond the ends too") {
 	const Bodies bodies = random_bodies(52, 1003, 0.0);
 	Random random(53);
 	std::vector<float> weights;
+	weights.reserve(bodies.from.size());
 	for (size_t body = 0; body < bodies.from.size(); ++body) {
 		weights.push_back(float(random.uniform(-0.25, 1.25)));
 	}

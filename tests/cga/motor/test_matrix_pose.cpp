@@ -11,7 +11,7 @@ namespace {
 
 using cga::linear_of_pose;
 using cga::matrix_to_pose;
-using cga::MatrixFault;
+using cga::MatrixError;
 using cga::Pose;
 
 glm::dmat3 diagonal(double x, double y, double z) {
@@ -22,15 +22,28 @@ glm::dmat3 diagonal(double x, double y, double z) {
 	return matrix;
 }
 
-MatrixFault fault_of(const glm::dmat3 &linear, const glm::dvec3 &translation = glm::dvec3(0.0)) {
-	Pose<double> pose;
-	pose.scale = 7.0;
-	const MatrixFault fault = matrix_to_pose(linear, translation, pose);
-	if (fault != MatrixFault::NONE) {
-		CHECK(pose.scale == 7.0);
-		CHECK(pose.rotation.w == 1.0);
-	}
-	return fault;
+Pose<double> pose_of(const glm::dmat3 &linear, const glm::dvec3 &translation = glm::dvec3(0.0)) {
+	const cga::Result<Pose<double>, MatrixError> pose = matrix_to_pose(linear, translation);
+	REQUIRE_MESSAGE(pose, describe(pose.error()));
+	return *pose;
+}
+
+Pose<double> nearest_pose_of(const glm::dmat3 &linear, const glm::dvec3 &translation) {
+	const cga::Result<Pose<double>, MatrixError> pose = cga::matrix_to_nearest_pose(linear, translation);
+	REQUIRE_MESSAGE(pose, describe(pose.error()));
+	return *pose;
+}
+
+MatrixError error_of(const glm::dmat3 &linear, const glm::dvec3 &translation = glm::dvec3(0.0)) {
+	const cga::Result<Pose<double>, MatrixError> pose = matrix_to_pose(linear, translation);
+	REQUIRE_FALSE(pose);
+	return pose.error();
+}
+
+MatrixError nearest_error_of(const glm::dmat3 &linear) {
+	const cga::Result<Pose<double>, MatrixError> pose = cga::matrix_to_nearest_pose(linear, glm::dvec3(0.0));
+	REQUIRE_FALSE(pose);
+	return pose.error();
 }
 
 } // namespace
@@ -39,8 +52,7 @@ TEST_CASE("a pose goes into a matrix and comes back") {
 	cga_test::Random random(7);
 	for (int i = 0; i < 2000; i++) {
 		const Pose<double> pose = random.pose();
-		Pose<double> back;
-		REQUIRE(matrix_to_pose(linear_of_pose(pose), pose.translation, back) == MatrixFault::NONE);
+		const Pose<double> back = pose_of(linear_of_pose(pose), pose.translation);
 		CHECK(back.translation == pose.translation);
 		CHECK(std::abs(back.scale / pose.scale - 1.0) < 1e-14);
 		CHECK(std::abs(std::abs(glm::dot(back.rotation, pose.rotation)) - 1.0) < 1e-14);
@@ -65,39 +77,37 @@ TEST_CASE("column i of a pose's matrix is where it carries axis i") {
 
 TEST_CASE("scales far from 1") {
 	for (const double scale : { 1e-150, 1e-38, 1e-3, 1e3, 1e38, 1e150 }) {
-		Pose<double> pose;
-		REQUIRE(matrix_to_pose(diagonal(scale, scale, scale), glm::dvec3(0.0), pose) == MatrixFault::NONE);
+		const Pose<double> pose = pose_of(diagonal(scale, scale, scale));
 		CHECK(std::abs(pose.scale / scale - 1.0) < 1e-14);
 		CHECK(pose.rotation.w == 1.0);
 	}
 }
 
-TEST_CASE("small unevenness is taken for rounding, and the scale is the cube root of the determinant") {
-	Pose<double> pose;
-	REQUIRE(matrix_to_pose(diagonal(2.0, 2.001, 2.0), glm::dvec3(0.0), pose) == MatrixFault::NONE);
+TEST_CASE("a small deviation from uniform scale counts as rounding, and the scale is the cube root of the determinant") {
+	const Pose<double> pose = pose_of(diagonal(2.0, 2.001, 2.0));
 	CHECK(std::abs(pose.scale - std::cbrt(2.0 * 2.001 * 2.0)) < 1e-14);
 }
 
-TEST_CASE("what is no pose is named, and leaves the pose alone") {
+TEST_CASE("matrices that are no pose") {
 	const double infinity = std::numeric_limits<double>::infinity();
 	const double nan = std::numeric_limits<double>::quiet_NaN();
-	CHECK(fault_of(diagonal(1.0, 1.0, 1.0)) == MatrixFault::NONE);
-	CHECK(fault_of(diagonal(nan, 1.0, 1.0)) == MatrixFault::NOT_FINITE);
-	CHECK(fault_of(diagonal(1.0, 1.0, infinity)) == MatrixFault::NOT_FINITE);
-	CHECK(fault_of(diagonal(1.0, 1.0, 1.0), glm::dvec3(0.0, nan, 0.0)) == MatrixFault::NOT_FINITE);
-	CHECK(fault_of(diagonal(0.0, 0.0, 0.0)) == MatrixFault::NO_SIZE);
-	CHECK(fault_of(diagonal(1.0, 0.0, 1.0)) == MatrixFault::NO_SIZE);
-	CHECK(fault_of(diagonal(-1.0, 1.0, 1.0)) == MatrixFault::MIRRORED);
-	CHECK(fault_of(diagonal(-1.0, -1.0, -1.0)) == MatrixFault::MIRRORED);
-	CHECK(fault_of(diagonal(1.0, 2.0, 1.0)) == MatrixFault::NOT_UNIFORM);
-	CHECK(fault_of(diagonal(1.0, 1.002, 1.0)) == MatrixFault::NOT_UNIFORM);
+	CHECK(matrix_to_pose(diagonal(1.0, 1.0, 1.0), glm::dvec3(0.0)));
+	CHECK(error_of(diagonal(nan, 1.0, 1.0)) == MatrixError::NOT_FINITE);
+	CHECK(error_of(diagonal(1.0, 1.0, infinity)) == MatrixError::NOT_FINITE);
+	CHECK(error_of(diagonal(1.0, 1.0, 1.0), glm::dvec3(0.0, nan, 0.0)) == MatrixError::NOT_FINITE);
+	CHECK(error_of(diagonal(0.0, 0.0, 0.0)) == MatrixError::SINGULAR);
+	CHECK(error_of(diagonal(1.0, 0.0, 1.0)) == MatrixError::SINGULAR);
+	CHECK(error_of(diagonal(-1.0, 1.0, 1.0)) == MatrixError::MIRRORED);
+	CHECK(error_of(diagonal(-1.0, -1.0, -1.0)) == MatrixError::MIRRORED);
+	CHECK(error_of(diagonal(1.0, 2.0, 1.0)) == MatrixError::NON_UNIFORM);
+	CHECK(error_of(diagonal(1.0, 1.002, 1.0)) == MatrixError::NON_UNIFORM);
 	glm::dmat3 flat(1.0);
 	flat[2] = flat[0] + flat[1];
-	CHECK(fault_of(flat) == MatrixFault::NO_SIZE);
+	CHECK(error_of(flat) == MatrixError::SINGULAR);
 	glm::dmat3 sheared(1.0);
 	sheared[1] = glm::dvec3(std::sin(0.01), std::cos(0.01), 0.0);
-	CHECK(fault_of(sheared) == MatrixFault::NOT_UNIFORM);
-	CHECK(fault_of(diagonal(-1.0, -1.0, 1.0)) == MatrixFault::NONE); // half a turn about z
+	CHECK(error_of(sheared) == MatrixError::NON_UNIFORM);
+	CHECK(matrix_to_pose(diagonal(-1.0, -1.0, 1.0), glm::dvec3(0.0))); // half a turn about z
 }
 
 TEST_CASE("the nearest pose: no rotation and scale near by differs less") {
@@ -106,8 +116,7 @@ TEST_CASE("the nearest pose: no rotation and scale near by differs less") {
 		const Pose<double> stretched = random.pose();
 		glm::dmat3 linear = linear_of_pose(stretched) * diagonal(random.uniform(0.2, 3.0), random.uniform(0.2, 3.0), random.uniform(0.2, 3.0));
 		linear[0] += 0.1 * linear[1];
-		Pose<double> nearest;
-		REQUIRE(cga::matrix_to_nearest_pose(linear, stretched.translation, nearest) == MatrixFault::NONE);
+		const Pose<double> nearest = nearest_pose_of(linear, stretched.translation);
 		CHECK(nearest.translation == stretched.translation);
 		const auto distance = [&](const Pose<double> &pose) {
 			const glm::dmat3 difference = linear_of_pose(pose) - linear;
@@ -126,16 +135,12 @@ TEST_CASE("the nearest pose of a pose's matrix is that pose") {
 	cga_test::Random random(9);
 	for (int i = 0; i < 200; i++) {
 		const Pose<double> pose = random.pose();
-		Pose<double> nearest, exact;
-		REQUIRE(cga::matrix_to_nearest_pose(linear_of_pose(pose), pose.translation, nearest) == MatrixFault::NONE);
-		REQUIRE(matrix_to_pose(linear_of_pose(pose), pose.translation, exact) == MatrixFault::NONE);
+		const Pose<double> nearest = nearest_pose_of(linear_of_pose(pose), pose.translation);
+		const Pose<double> exact = pose_of(linear_of_pose(pose), pose.translation);
 		CHECK(nearest.rotation == exact.rotation);
 		CHECK(nearest.scale == exact.scale);
 	}
-	Pose<double> left;
-	left.scale = 7.0;
-	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, 2.0, -1.0), glm::dvec3(0.0), left) == MatrixFault::MIRRORED);
-	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, 0.0, 1.0), glm::dvec3(0.0), left) == MatrixFault::NO_SIZE);
-	CHECK(cga::matrix_to_nearest_pose(diagonal(1.0, std::nan(""), 1.0), glm::dvec3(0.0), left) == MatrixFault::NOT_FINITE);
-	CHECK(left.scale == 7.0);
+	CHECK(nearest_error_of(diagonal(1.0, 2.0, -1.0)) == MatrixError::MIRRORED);
+	CHECK(nearest_error_of(diagonal(1.0, 0.0, 1.0)) == MatrixError::SINGULAR);
+	CHECK(nearest_error_of(diagonal(1.0, std::nan(""), 1.0)) == MatrixError::NOT_FINITE);
 }

@@ -1,8 +1,8 @@
 #include "cga/motor/motor.hpp"
 
 #include "../random_poses.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 
 #include <doctest/doctest.h>
 

@@ -17,13 +17,13 @@ constexpr int CASES = 1000;
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
 // How far `x` is from a multiple of `wanted` with the same sign, relative to it.
-double difference(const Result<Multivector> &x, const Multivector &wanted) {
-	REQUIRE_MESSAGE(x, x.error());
+double difference(const MultivectorResult &x, const Multivector &wanted) {
+	REQUIRE_MESSAGE(x, describe(x.error()));
 	return (*x - wanted).max_abs() / wanted.max_abs();
 }
 
-bool refused(const Result<Multivector> &x) {
-	return !x && !std::string(x.error()).empty();
+bool refused(const MultivectorResult &x) {
+	return !x && !std::string(describe(x.error())).empty();
 }
 
 } // namespace
@@ -62,7 +62,7 @@ TEST_CASE("points on an object have outer product zero with it") {
 TEST_CASE("a sphere through nearly coplanar points, however large, stays near them") {
 	for (double height = 1.0; height > 1e-8; height *= 0.1) {
 		const Vector3D a(0.4, 0.3, 0.0), b(1.0, 0.1, 0.0), c(0.3, 1.1, 0.0), d(-0.7, 0.6, height);
-		const Result<Multivector> through = sphere_through(a, b, c, d);
+		const MultivectorResult through = sphere_through(a, b, c, d);
 		REQUIRE(through);
 		const Multivector sphere = *through * (1.0 / through->max_abs());
 		for (const Vector3D &on : { a, b, c, d }) {

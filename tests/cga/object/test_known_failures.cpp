@@ -24,10 +24,10 @@ TEST_CASE("crossing lines meet in a point (zero by the fixed pseudoscalar)") {
 		const Vector3D v = glm::normalize(glm::cross(u, random.vector(1.0)));
 		const Multivector a = *line(p - u, u), b = *line(p + 2.0 * v, v);
 		CHECK(a.regressive_product(b).max_abs() < 1e-14 * (1.0 + glm::dot(p, p)));
-		const Result<Multivector> shared = meet(a, b);
+		const MultivectorResult shared = meet(a, b);
 		REQUIRE(shared);
 		const Classification found = classify(*shared);
-		CHECK(found.kind == Kind::flat_point);
+		CHECK(found.kind == Kind::FLAT_POINT);
 		REQUIRE(found.center);
 		CHECK(glm::length(*found.center - p) < 1e-12);
 	}
@@ -52,20 +52,20 @@ TEST_CASE("planes, spheres and circles have their names (clifford's interpret_mu
 	for (int repeat = 0; repeat < CASES; ++repeat) {
 		const Vector3D p = random.vector(2.0), n = glm::normalize(random.vector(1.0));
 		const double radius = random.uniform(0.1, 3.0);
-		CHECK(classify(*plane(n, radius)).kind == Kind::plane);
-		CHECK(classify(plane(n, radius)->dual(), true).kind == Kind::plane);
-		CHECK(classify(*sphere(p, radius)).kind == Kind::sphere);
-		CHECK(classify(sphere(p, radius)->dual(), true).kind == Kind::sphere);
-		CHECK(classify(*circle(p, n, radius)).kind == Kind::circle);
-		CHECK(classify(circle(p, n, radius)->dual(), true).kind == Kind::circle);
+		CHECK(classify(*plane(n, radius)).kind == Kind::PLANE);
+		CHECK(classify(plane(n, radius)->dual(), true).kind == Kind::PLANE);
+		CHECK(classify(*sphere(p, radius)).kind == Kind::SPHERE);
+		CHECK(classify(sphere(p, radius)->dual(), true).kind == Kind::SPHERE);
+		CHECK(classify(*circle(p, n, radius)).kind == Kind::CIRCLE);
+		CHECK(classify(circle(p, n, radius)->dual(), true).kind == Kind::CIRCLE);
 	}
 }
 
 TEST_CASE("one element is a pair in OPNS and a circle in IPNS (grade alone cannot tell)") {
 	const Multivector pair = *point_pair({ 0, 0, -1 }, { 0, 0, 1 });
-	CHECK(classify(pair).kind == Kind::point_pair);
+	CHECK(classify(pair).kind == Kind::POINT_PAIR);
 	const Classification circle_of = classify(pair, true);
-	CHECK(circle_of.kind == Kind::circle);
+	CHECK(circle_of.kind == Kind::CIRCLE);
 	CHECK(circle_of.imaginary);
 	CHECK(*circle_of.radius == doctest::Approx(1.0));
 }

@@ -1,6 +1,7 @@
 #include "cga/typed/null_product.hpp"
 
 #include "cga/algebra/null_basis.hpp"
+#include "cga/algebra/null_coefficients.hpp"
 
 #include <doctest/doctest.h>
 

@@ -92,7 +92,7 @@ TEST_CASE("two spheres meet in the circle that meet() finds, real or imaginary")
 		CHECK(std::abs(typed::squared_radius(shared) - squared_radius) < 1e-9 * (1.0 + 1.0 / squared_distance));
 		CHECK(glm::length(typed::center(shared) - (p + along * (q - p))) < 1e-9 * (1.0 + 1.0 / squared_distance));
 		++(squared_radius > 0.0 ? real : imaginary);
-		const Result<Multivector> general = meet(*sphere(p, r), *sphere(q, s));
+		const MultivectorResult general = meet(*sphere(p, r), *sphere(q, s));
 		REQUIRE(general);
 		if (std::abs(squared_radius) > 1e-3) {
 			CHECK(angle_between_elements(*general, shared.to_multivector()) < 1e-7);
@@ -106,5 +106,5 @@ TEST_CASE("in float, too") {
 	const auto a = typed::point(Vector3<float>(1, 2, 3)), b = typed::point(Vector3<float>(1, 2, 5));
 	CHECK(typed::squared_distance(a, b) == doctest::Approx(4.0f));
 	const typed::Line<float> line = a.outer_product(b).outer_product(typed::infinity<float>());
-	CHECK(classify(line.to_multivector()).kind == Kind::line);
+	CHECK(classify(line.to_multivector()).kind == Kind::LINE);
 }

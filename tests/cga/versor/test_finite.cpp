@@ -1,7 +1,7 @@
-#include "cga/algebra/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
@@ -40,8 +40,8 @@ Multivector random_motor(Random &random) {
 	return to_multivector(Motor<double>::from_pose(pose)) * random_size(random);
 }
 
-void check(const char *name, const Result<Multivector> &result) {
-	const bool sound = result ? result->is_finite() : !std::string(result.error()).empty();
+void check(const char *name, const MultivectorResult &result) {
+	const bool sound = result ? result->is_finite() : !std::string(describe(result.error())).empty();
 	CHECK_MESSAGE(sound, name);
 }
 

@@ -1,7 +1,7 @@
 #include "cga/versor/is_versor.hpp"
 
+#include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "random_versors.hpp"
 
 #include <doctest/doctest.h>

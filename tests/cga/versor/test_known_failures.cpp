@@ -1,5 +1,5 @@
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "cga/versor/exponential.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
@@ -19,8 +19,8 @@ using namespace cga_test;
 namespace {
 
 Multivector log_of(const Multivector &versor) {
-	const Result<Multivector> result = log(versor);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = log(versor);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	return *result;
 }
 

@@ -1,7 +1,7 @@
 #include "cga/versor/logarithm.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "cga/versor/exponential.hpp"
 #include "long_multivector.hpp"
 #include "random_versors.hpp"
@@ -21,8 +21,8 @@ Multivector blade(const char *name) {
 }
 
 Multivector log_of(const Multivector &versor) {
-	const Result<Multivector> result = log(versor);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = log(versor);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	return *result;
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("transversions") {
 
 TEST_CASE("two turns at once, half turns among them") {
 	Random random(119);
-	const double HALF_TURN = PI / 2.0;
+	constexpr double HALF_TURN = PI / 2.0;
 	for (const double first : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
 		for (const double second : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
 			for (const double sign : { 1.0, -1.0 }) {
@@ -188,15 +188,15 @@ TEST_CASE("two turns at once, half turns among them") {
 }
 
 TEST_CASE("what has no logarithm says why") {
-	CHECK(std::string(log(blade("e1")).error()).find("odd versor") != std::string::npos);
-	CHECK(std::string(log(blade("I")).error()).find("odd versor") != std::string::npos);
+	CHECK(log(blade("e1")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
+	CHECK(log(blade("I")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
 	// One real and one imaginary inversion: M M~ = -1.
-	CHECK(std::string(log(blade("e15")).error()).find("negative M M~") != std::string::npos);
-	CHECK(std::string(log(blade("1") + blade("e1")).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(blade("e12") + blade("e34")).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(e_infinity()).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(log(Multivector()).error()).find("Zero") != std::string::npos);
-	CHECK(std::string(log(blade("e12") * std::numeric_limits<double>::infinity()).error()).find("not finite") != std::string::npos);
+	CHECK(log(blade("e15")).error() == AlgebraError::NEGATIVE_HAS_NO_LOGARITHM);
+	CHECK(log(blade("1") + blade("e1")).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(blade("e12") + blade("e34")).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(e_infinity()).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(log(Multivector()).error() == AlgebraError::ZERO_HAS_NO_LOGARITHM);
+	CHECK(log(blade("e12") * std::numeric_limits<double>::infinity()).error() == AlgebraError::NOT_FINITE);
 	Random random(120);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		CHECK_FALSE(log(random_product(random, 1 + repeat % 2 * 2)));

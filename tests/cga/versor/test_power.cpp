@@ -1,8 +1,8 @@
 #include "cga/versor/power.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
 #include "long_multivector.hpp"
@@ -23,8 +23,8 @@ Multivector blade(const char *name) {
 }
 
 Multivector power_of(const Multivector &versor, double exponent) {
-	const Result<Multivector> result = power(versor, exponent);
-	REQUIRE_MESSAGE(result, result.error());
+	const MultivectorResult result = power(versor, exponent);
+	REQUIRE_MESSAGE(result, describe(result.error()));
 	return *result;
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("the square root is power 1/2; its square is the versor, or minus it w
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const double weight = std::pow(10.0, random.uniform(-3.0, 3.0));
 		const Multivector versor = (repeat % 2 == 0 ? random_even_versor(random) : to_multivector(Motor<double>::from_pose(random.pose(2.0)))) * weight;
-		const Result<Multivector> root = cga::sqrt(versor);
+		const MultivectorResult root = cga::sqrt(versor);
 		REQUIRE(root);
 		CHECK(*root == power_of(versor, 0.5));
 		const Multivector expected = versor[0] < 0.0 ? -versor : versor;
@@ -113,12 +113,12 @@ TEST_CASE("numbers") {
 }
 
 TEST_CASE("what is not defined says why") {
-	CHECK(std::string(cga::sqrt(blade("e1")).error()).find("whole powers only") != std::string::npos);
-	CHECK(std::string(power(blade("e15"), 0.3).error()).find("whole powers only") != std::string::npos);
-	CHECK(std::string(power(blade("e1"), 1e10).error()).find("1e9") != std::string::npos);
-	CHECK(std::string(power(e_infinity(), 2.0).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(power(blade("1") + blade("e1"), 2.0).error()).find("no versor") != std::string::npos);
-	CHECK(std::string(power(blade("e12"), std::numeric_limits<double>::quiet_NaN()).error()).find("not finite") != std::string::npos);
+	CHECK(cga::sqrt(blade("e1")).error() == AlgebraError::FRACTIONAL_POWER);
+	CHECK(power(blade("e15"), 0.3).error() == AlgebraError::FRACTIONAL_POWER);
+	CHECK(power(blade("e1"), 1e10).error() == AlgebraError::EXPONENT_TOO_LARGE);
+	CHECK(power(e_infinity(), 2.0).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(power(blade("1") + blade("e1"), 2.0).error() == AlgebraError::NOT_A_VERSOR);
+	CHECK(power(blade("e12"), std::numeric_limits<double>::quiet_NaN()).error() == AlgebraError::EXPONENT_NOT_FINITE);
 	CHECK_FALSE(power(Multivector::scalar(10.0), 1e5));
 	CHECK_FALSE(power(blade("e1") * 10.0, 1e5));
 	CHECK_FALSE(power(Multivector::scalar(1e300), 1e308));

@@ -143,7 +143,7 @@ TEST_CASE("mean magnitude: an average over the last 8 or so, bounded") {
 	for (int i = 0; i < 100; ++i) {
 		mean.add(ResidualModel::LIMIT);
 	}
-	CHECK(mean.value() <= MeanMagnitude::MOST * 256);
+	CHECK(mean.value() <= MeanMagnitude::MAX * 256);
 	mean.set_value(77);
 	CHECK(mean.value() == 77);
 }

@@ -1,6 +1,6 @@
 #include "net/delivery/packet.hpp"
 
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,12 +39,12 @@ Bytes counted(size_t size) {
 Bytes everything() {
 	Bytes packet;
 	const Bytes bytes = counted(20);
-	put_state_part(packet, { 9, 200, 3, 260, bytes.data(), 17 });
+	put_fragment(packet, { 9, 200, 3, 260, bytes.data(), 17 });
 	put_round_trip(packet, 0.25);
 	put_ack(packet, { 77, 0 });
 	put_ack(packet, { 78, 0x8001 });
-	put_state_ack(packet, { 9, 3, 0x80000001u });
-	put_state_wish(packet);
+	put_snapshot_ack(packet, { 9, 3, 0x80000001u });
+	put_snapshot_request(packet);
 	put_chunk(packet, { 5, true, false, 0, bytes.data(), 20 }, false);
 	put_chunk(packet, { 6, false, true, 11, bytes.data(), 5 }, true);
 	return packet;
@@ -83,8 +83,8 @@ TEST_CASE("packet: items take so many bytes and come back") {
 	CHECK(one.chunks[0].size == 4);
 
 	Bytes packet;
-	put_state_part(packet, { 255, 254, 65535, 65535, bytes.data(), 300 });
-	CHECK(packet.size() == 300 + STATE_PART_HEADER);
+	put_fragment(packet, { 255, 254, 65535, 65535, bytes.data(), 300 });
+	CHECK(packet.size() == 300 + FRAGMENT_HEADER);
 	const PacketContent content = read(packet);
 	REQUIRE(content.parts.size() == 1);
 	CHECK(content.parts[0].state == 255);
@@ -94,15 +94,15 @@ TEST_CASE("packet: items take so many bytes and come back") {
 	CHECK(Bytes(content.parts[0].bytes, content.parts[0].bytes + content.parts[0].size) == bytes);
 
 	packet.clear();
-	put_state_wish(packet);
+	put_snapshot_request(packet);
 	CHECK(packet.size() == 1);
-	CHECK(read(packet).wants_state);
+	CHECK(read(packet).requests_snapshot);
 	packet.clear();
-	put_state_ack(packet, { 3, 0x1234, 0xdeadbeefu });
+	put_snapshot_ack(packet, { 3, 0x1234, 0xdeadbeefu });
 	CHECK(packet.size() == 8);
-	CHECK(read(packet).state_acks[0].state == 3);
-	CHECK(read(packet).state_acks[0].next == 0x1234);
-	CHECK(read(packet).state_acks[0].later == 0xdeadbeefu);
+	CHECK(read(packet).snapshot_acks[0].state == 3);
+	CHECK(read(packet).snapshot_acks[0].next == 0x1234);
+	CHECK(read(packet).snapshot_acks[0].later == 0xdeadbeefu);
 }
 
 TEST_CASE("packet: an acknowledgement takes the bytes that its last bit needs") {
@@ -142,8 +142,8 @@ TEST_CASE("packet: several items in one, in any order; nothing is left of the pa
 	CHECK(content.parts.size() == 1);
 	CHECK(content.round_trip == 0.25);
 	CHECK(content.acks.size() == 2);
-	CHECK(content.state_acks.size() == 1);
-	CHECK(content.wants_state);
+	CHECK(content.snapshot_acks.size() == 1);
+	CHECK(content.requests_snapshot);
 	REQUIRE(content.chunks.size() == 2);
 	CHECK(content.chunks[0].size == 20);
 	CHECK(content.chunks[1].size == 5);
@@ -151,7 +151,7 @@ TEST_CASE("packet: several items in one, in any order; nothing is left of the pa
 	PacketContent reused = content;
 	const Bytes wish = { 0xc2 };
 	REQUIRE(read_packet(wish.data(), wish.size(), reused) == nullptr);
-	CHECK(reused.chunks.size() + reused.parts.size() + reused.acks.size() + reused.state_acks.size() == 0);
+	CHECK(reused.chunks.size() + reused.parts.size() + reused.acks.size() + reused.snapshot_acks.size() == 0);
 	CHECK(reused.round_trip == 0.0);
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("packet: random bytes point nowhere outside the packet") {
 		for (const ChunkItem &chunk : content.chunks) {
 			CHECK(is_inside(chunk.bytes, chunk.size));
 		}
-		for (const StatePartItem &part : content.parts) {
+		for (const FragmentItem &part : content.parts) {
 			CHECK(is_inside(part.bytes, part.size));
 		}
 	}

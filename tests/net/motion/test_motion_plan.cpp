@@ -207,10 +207,10 @@ TEST_CASE("motion plan: a body that stops comes to rest and settles to within a 
 	cga_test::Random random(61);
 	for (int i = 0; i < 40; ++i) {
 		const PoseD last = random.rigid_pose(10.0);
-		const Vector3D way = random.vector(3.0);
+		const Vector3D displacement = random.vector(3.0);
 		const Path path = [&](double t) {
 			PoseD pose = last;
-			pose.translation += way * std::min(t - 0.5, 0.0);
+			pose.translation += displacement * std::min(t - 0.5, 0.0);
 			return pose;
 		};
 		const Plan plan;

@@ -7,12 +7,12 @@ using namespace net;
 namespace {
 
 /// A motion along x from `from` by `way` over ticks `begin` to `end`.
-BodyMotion moving(double begin, double end, double from, double way) {
+BodyMotion moving(double begin, double end, double from, double displacement) {
 	BodyMotion motion;
 	motion.segment.begin = begin;
 	motion.segment.length = end - begin;
 	motion.segment.from.translation.x = from;
-	motion.segment.way.x = way;
+	motion.segment.displacement.x = displacement;
 	return motion;
 }
 
@@ -110,5 +110,5 @@ TEST_CASE("motion track: what was shown is forgotten, and memory is bounded thou
 		track.add(moving(i, i + 1, i, 1.0));
 	}
 	CHECK(x_at(track, 4999.5) == 4999.5);
-	CHECK(x_at(track, 0.0) == doctest::Approx(5000.0 - double(MotionTrack::MOST)));
+	CHECK(x_at(track, 0.0) == doctest::Approx(5000.0 - double(MotionTrack::MAX_SEGMENTS)));
 }

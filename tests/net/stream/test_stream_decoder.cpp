@@ -1,6 +1,6 @@
 #include "net/stream/stream_decoder.hpp"
 
-#include "../allocation_counter.hpp"
+#include "../../harness/allocation_counter.hpp"
 #include "../stream_scene.hpp"
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ struct Recording {
 			window.check = encoder.check();
 			scene.end_window();
 			if (i == first - 1) {
-				encoder.encode_state(state);
+				encoder.encode_snapshot(state);
 			} else if (i >= first) {
 				windows.push_back(window);
 			}
@@ -96,7 +96,7 @@ TEST_CASE("stream decoder: spoilt windows are refused without a change but for o
 	const Recording recording(71, 60);
 	std::mt19937 random(1);
 	StreamDecoder decoder(0.005f, 1.4f, 100);
-	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	REQUIRE(decoder.read_snapshot(recording.state.data(), recording.state.size()));
 	std::vector<BodyMotion> motions;
 	int tried = 0;
 	int accepted = 0;
@@ -127,7 +127,7 @@ TEST_CASE("stream decoder: spoilt windows are refused without a change but for o
 TEST_CASE("stream decoder: a wrong check is refused, as is a window out of order") {
 	const Recording recording(72, 30);
 	StreamDecoder decoder(0.005f, 1.4f, 100);
-	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	REQUIRE(decoder.read_snapshot(recording.state.data(), recording.state.size()));
 	std::vector<BodyMotion> motions;
 	int wrong_order = 0;
 	for (size_t i = 0; i + 1 < recording.windows.size(); ++i) {
@@ -151,10 +151,10 @@ TEST_CASE("stream decoder: spoilt states are refused without a change, or hold b
 	int refused = 0;
 	for (int i = 0; i < 2000; ++i) {
 		StreamDecoder decoder(0.005f, 1.4f, 30);
-		REQUIRE(decoder.read_state(other.state.data(), other.state.size()));
+		REQUIRE(decoder.read_snapshot(other.state.data(), other.state.size()));
 		const std::vector<PoseD> before = poses(decoder);
 		const Bytes bytes = spoilt(recording.state, random);
-		if (!decoder.read_state(bytes.data(), bytes.size())) {
+		if (!decoder.read_snapshot(bytes.data(), bytes.size())) {
 			++refused;
 			CHECK(is_same(poses(decoder), before));
 			continue;
@@ -185,16 +185,16 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 		REQUIRE(encoder.add_body(id, 0.0, PoseD()));
 	}
 	Bytes empty_state;
-	encoder.encode_state(empty_state);
+	encoder.encode_snapshot(empty_state);
 	Bytes window;
 	encoder.encode_window(0.0, 1, window);
 	Bytes state;
-	encoder.encode_state(state);
+	encoder.encode_snapshot(state);
 	std::vector<BodyMotion> motions;
 	for (const size_t most : { size_t(49), size_t(50) }) {
 		StreamDecoder decoder(0.005f, 1.4f, most);
-		CHECK(decoder.read_state(state.data(), state.size()) == (most == 50));
-		REQUIRE(decoder.read_state(empty_state.data(), empty_state.size()));
+		CHECK(decoder.read_snapshot(state.data(), state.size()) == (most == 50));
+		REQUIRE(decoder.read_snapshot(empty_state.data(), empty_state.size()));
 		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (most == 50));
 	}
 	// A count of bodies that the bytes cannot hold.
@@ -209,8 +209,8 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	coder.bits(number, INDEX_BITS);
 	coder.finish();
 	StreamDecoder decoder(0.005f, 1.4f, 2000000);
-	const size_t before = live_bytes();
-	CHECK_FALSE(decoder.read_state(liar.data(), liar.size()));
+	const size_t before = harness::live_bytes();
+	CHECK_FALSE(decoder.read_snapshot(liar.data(), liar.size()));
 	std::mt19937 random(4);
 	for (int i = 0; i < 300; ++i) {
 		Bytes bytes(1300);
@@ -219,7 +219,7 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 		}
 		(void)decode(decoder, bytes, uint8_t(i % 16), 0.0, motions);
 	}
-	CHECK(live_bytes() < before + 3000000);
+	CHECK(harness::live_bytes() < before + 3000000);
 }
 
 TEST_CASE("stream: encoder and decoder take no memory in steady state") {
@@ -230,13 +230,13 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 		REQUIRE(encoder.add_body(id, 0.0, all[id % all.size()].path(0.0)));
 	}
 	Bytes bytes;
-	encoder.encode_state(bytes);
-	REQUIRE(decoder.read_state(bytes.data(), bytes.size()));
+	encoder.encode_snapshot(bytes);
+	REQUIRE(decoder.read_snapshot(bytes.data(), bytes.size()));
 	std::vector<BodyMotion> shown;
 	size_t before = 0;
 	for (int window = 0; window < 60; ++window) {
 		if (window == 30) {
-			before = allocation_count();
+			before = harness::allocation_count();
 		}
 		for (int tick = 1; tick <= 12; ++tick) {
 			const double time = window * 12.0 + tick;
@@ -251,5 +251,5 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 			FAIL("the decoder lost the stream");
 		}
 	}
-	CHECK(allocation_count() == before);
+	CHECK(harness::allocation_count() == before);
 }

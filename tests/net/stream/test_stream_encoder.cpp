@@ -21,8 +21,8 @@ struct Link {
 	explicit Link(cga::Mode mode = cga::Mode::SEPARATE) :
 			mode(mode), encoder(0.005f, 1.4f, mode), decoder(0.005f, 1.4f, 1000) {
 		Bytes state;
-		encoder.encode_state(state);
-		REQUIRE(decoder.read_state(state.data(), state.size()));
+		encoder.encode_snapshot(state);
+		REQUIRE(decoder.read_snapshot(state.data(), state.size()));
 	}
 
 	bool window(int ticks) {
@@ -125,10 +125,10 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 		}
 		if (window % 10 == 3) {
 			Bytes state;
-			link.encoder.encode_state(state);
+			link.encoder.encode_snapshot(state);
 			CHECK(state.size() < 8192 / 4 + 96 * scene.bodies.size());
 			others.push_back(std::make_unique<StreamDecoder>(0.005f, 1.4f, 1000));
-			REQUIRE(others.back()->read_state(state.data(), state.size()));
+			REQUIRE(others.back()->read_snapshot(state.data(), state.size()));
 		}
 	}
 }
@@ -138,7 +138,7 @@ TEST_CASE("stream: resting bodies cost a byte or two a window together, moving o
 	for (uint32_t id = 0; id < 200; ++id) {
 		REQUIRE(link.encoder.add_body(id, 0.0, at(double(id))));
 	}
-	CHECK(link.encoder.has_news());
+	CHECK(link.encoder.has_changes());
 	size_t last = 0;
 	for (int window = 0; window < 40; ++window) {
 		for (int i = 1; i <= 12; ++i) {
@@ -149,12 +149,12 @@ TEST_CASE("stream: resting bodies cost a byte or two a window together, moving o
 		REQUIRE(link.window(12));
 		last = link.bytes.size();
 	}
-	CHECK_FALSE(link.encoder.has_news());
+	CHECK_FALSE(link.encoder.has_changes());
 	CHECK(link.encoder.moving_count() == 0);
 	CHECK(last <= 2);
 	// One of them begins to move.
 	CHECK(link.encoder.observe(7, link.end + 1.0, at(7.5)));
-	CHECK(link.encoder.has_news());
+	CHECK(link.encoder.has_changes());
 	REQUIRE(link.window(12));
 	CHECK(link.encoder.moving_count() == 1);
 	CHECK(link.bytes.size() <= 16);
@@ -177,7 +177,7 @@ TEST_CASE("stream: what is not finite or out of range is refused without a chang
 	CHECK_FALSE(link.encoder.add_body(1, 2.0, at(0.0)));
 	CHECK_FALSE(link.encoder.add_body(ID_LIMIT, 2.0, at(0.0)));
 	CHECK_FALSE(link.encoder.jump(2));
-	CHECK_FALSE(link.encoder.has_news());
+	CHECK_FALSE(link.encoder.has_changes());
 	CHECK(link.encoder.body_count() == 1);
 	REQUIRE(link.window(12));
 	CHECK(link.decoder.body_count() == 1);

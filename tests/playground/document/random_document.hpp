@@ -16,8 +16,8 @@ public:
 
 	size_t below(size_t count) { return _engine() % count; }
 
-	template <size_t count>
-	std::string one_of(const char *const (&texts)[count]) { return texts[below(count)]; }
+	template <size_t COUNT>
+	std::string one_of(const char *const (&texts)[COUNT]) { return texts[below(COUNT)]; }
 
 	std::string name() { return one_of({ "a", "b", "c", "d", "e", "f", "g", "h", "point", "größe" }); }
 
@@ -47,7 +47,7 @@ public:
 		}
 	}
 
-	playground::Change change(playground::Document &document) {
+	playground::ChangeResult change(playground::Document &document) {
 		switch (below(10)) {
 			case 0:
 			case 1:

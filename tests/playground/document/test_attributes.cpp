@@ -37,18 +37,18 @@ TEST_CASE("other attributes are open") {
 }
 
 TEST_CASE("what an attribute cannot be") {
-	CHECK(attribute_error("visible", true).empty());
-	CHECK(attribute_error("visible", 1.0) == "the attribute 'visible' is a bool, not a number");
-	CHECK(attribute_error("note", false) == "the attribute 'note' is a string, not a bool");
-	CHECK(attribute_error("visible", {}).empty());
+	CHECK(check_attribute("visible", true));
+	CHECK(check_attribute("visible", 1.0).error().message == "the attribute 'visible' must be a bool, not a number");
+	CHECK(check_attribute("note", false).error().message == "the attribute 'note' must be a string, not a bool");
+	CHECK(check_attribute("visible", {}));
 	for (const char *color : { "", "#102030", "#a0B0c0d0" }) {
-		CHECK(attribute_error("color", std::string(color)).empty());
+		CHECK(check_attribute("color", std::string(color)));
 	}
 	for (const char *color : { "red", "#12345", "#1234567", "102030#", "#10203g" }) {
-		CHECK(attribute_error("color", std::string(color)) == "the attribute 'color' is written as #rrggbb or #rrggbbaa");
+		CHECK(check_attribute("color", std::string(color)).error().message == "the attribute 'color' must have the form #rrggbb or #rrggbbaa");
 	}
-	CHECK(attribute_error("x", std::numeric_limits<double>::infinity()) == "the attribute 'x' is not finite");
+	CHECK(check_attribute("x", std::numeric_limits<double>::infinity()).error().message == "the attribute 'x' must be finite");
 	for (const std::string &key : { std::string(), std::string("a b"), std::string("ä"), std::string(65, 'k') }) {
-		CHECK(attribute_error(key, true) == "the key of an attribute has letters, digits, '_', '-', '.' and '/' only, 1 to 64 of them");
+		CHECK(check_attribute(key, true).error().message == "the key of an attribute must consist of 1 to 64 letters, digits, '_', '-', '.' or '/'");
 	}
 }

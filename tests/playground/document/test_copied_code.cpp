@@ -19,20 +19,21 @@ namespace copied {
 
 TEST_CASE("entries copied as C++ compile, and have the values of the document") {
 	Document document;
-	document.add("A", "point(1, 2, 3)");
-	document.add("for", "sphere(A, 2)");
-	document.add("p", "plane(e2, 1.5)");
-	document.add("c_1", "meet(for, p)");
-	document.add("m", "motor(2 e1, rotor(e3, deg(90)), 1)");
+	REQUIRE(document.add("A", "point(1, 2, 3)"));
+	REQUIRE(document.add("for", "sphere(A, 2)"));
+	REQUIRE(document.add("p", "plane(e2, 1.5)"));
+	REQUIRE(document.add("c_1", "meet(for, p)"));
+	REQUIRE(document.add("m", "motor(2 e1, rotor(e3, deg(90)), 1)"));
 	const std::pair<const char *, cga::Multivector> variables[] = {
 		{ "A", copied::A },
 		{ "for", copied::for_ },
 		{ "c_1", copied::c_1 },
 		{ "m", copied::m },
 	};
-	for (const auto &[name, value] : variables) {
+	for (const auto &each : variables) {
+		const std::string &name = each.first;
 		CAPTURE(name);
-		REQUIRE(document.find(name)->outcome.value);
-		CHECK(value.coefficients() == document.find(name)->outcome.value->coefficients());
+		REQUIRE(document.find(name)->value);
+		CHECK(each.second.coefficients() == document.find(name)->value->coefficients());
 	}
 }

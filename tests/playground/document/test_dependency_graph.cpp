@@ -15,7 +15,7 @@ class Graph {
 public:
 	Graph(std::initializer_list<std::pair<const char *, const char *>> entries) {
 		for (const auto &[name, text] : entries) {
-			_document.add(name, text);
+			REQUIRE(_document.add(name, text));
 		}
 	}
 
@@ -23,6 +23,7 @@ public:
 
 	std::vector<Entry *> all() {
 		std::vector<Entry *> entries;
+		entries.reserve(_document.size());
 		for (size_t index = 0; index < _document.size(); ++index) {
 			entries.push_back(const_cast<Entry *>(&_document.at(index)));
 		}

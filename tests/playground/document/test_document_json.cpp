@@ -21,7 +21,7 @@ const char *const EXAMPLE = R"json({
 )json";
 
 // The errors, a line each.
-std::string told(const Texts &errors) {
+std::string joined(const Texts &errors) {
 	std::string text;
 	for (const std::string &error : errors) {
 		text += (text.empty() ? "" : "\n") + error;
@@ -53,7 +53,7 @@ std::string array(int count) {
 
 TEST_CASE("a document is read and written") {
 	const LoadedDocument loaded = read_document(EXAMPLE);
-	CHECK(told(loaded.errors) == "");
+	CHECK(joined(loaded.errors) == "");
 	CHECK(loaded.is_document);
 	CHECK(names_of(loaded) == Texts{ "a", "b" });
 	CHECK(loaded.state.entries[0].attributes.at("size") == AttributeValue(2.5));
@@ -69,7 +69,7 @@ TEST_CASE("any text survives") {
 	state.entries[0].attributes["note"] = std::string("𝔸 \r\b\f / \\u0041 {\"name\"");
 	state.entries[0].attributes["x"] = 0.1 + 0.2;
 	const LoadedDocument loaded = read_document(to_json(state));
-	CHECK(told(loaded.errors) == "");
+	CHECK(joined(loaded.errors) == "");
 	CHECK(loaded.state == state);
 }
 
@@ -77,21 +77,21 @@ TEST_CASE("bytes that are no text are replaced when they are written") {
 	DocumentState state;
 	state.entries.push_back({ "a", "1 \xff", {} });
 	const LoadedDocument loaded = read_document(to_json(state));
-	CHECK(told(loaded.errors) == "");
+	CHECK(joined(loaded.errors) == "");
 	CHECK(loaded.state.entries[0].text == "1 \xef\xbf\xbd");
 }
 
 TEST_CASE("broken entries are skipped, with their place") {
 	const auto errors = [](const std::string &entries) { return read_document(with_entries(entries)).errors; };
 	const std::string good = "{\"name\": \"z\", \"expression\": \"1\"}";
-	CHECK(told(errors(good)) == "");
-	CHECK(told(errors("{\"expression\": \"1\"}, " + good)) == "column 28: entry skipped: a name has at least one letter");
-	CHECK(told(errors("{\"name\": \"e1\", \"expression\": \"1\"}")) == "column 28: entry skipped: 'e1' has a fixed value; choose another name");
-	CHECK(told(errors("{\"name\": \"a\"}")) == "column 28: entry 'a' skipped: it has no expression");
-	CHECK(told(errors(good + "," + good)) == "column 61: entry 'z' skipped: there is an entry of that name before it");
-	CHECK(told(errors("{\"name\": \"a\", \"expression\": 5}, " + good)) == "column 56: entry 'a' skipped: expected a text in double quotes, found '5'");
-	CHECK(told(errors("17, " + good)) == "column 28: entry skipped: expected '{', found '1'");
-	CHECK(told(errors(good + " " + good)) == "column 61: expected ',' or ']', found '{'\ncolumn 61: entry 'z' skipped: there is an entry of that name before it");
+	CHECK(joined(errors(good)) == "");
+	CHECK(joined(errors("{\"expression\": \"1\"}, " + good)) == "column 28: entry skipped: a name must have at least one character");
+	CHECK(joined(errors("{\"name\": \"e1\", \"expression\": \"1\"}")) == "column 28: entry skipped: 'e1' is a constant; choose another name");
+	CHECK(joined(errors("{\"name\": \"a\"}")) == "column 28: entry 'a' skipped: it has no expression");
+	CHECK(joined(errors(good + "," + good)) == "column 61: entry 'z' skipped: an earlier entry has the same name");
+	CHECK(joined(errors("{\"name\": \"a\", \"expression\": 5}, " + good)) == "column 56: entry 'a' skipped: expected a string in double quotes, found '5'");
+	CHECK(joined(errors("17, " + good)) == "column 28: entry skipped: expected '{', found '1'");
+	CHECK(joined(errors(good + " " + good)) == "column 61: expected ',' or ']', found '{'\ncolumn 61: entry 'z' skipped: an earlier entry has the same name");
 	for (const std::string broken : { "{\"name\": \"a\", \"expression\": \"1}", "{\"name\": \"a\", \"expression\": \"1\", \"x\": [}", "{\"name\": \"\\q\"}", "nonsense", "{\"name\"" }) {
 		const LoadedDocument loaded = read_document("{\"entries\": [\n{\"name\": \"before\", \"expression\": \"1\"},\n" + broken + ",\n" + good + "\n]}");
 		CHECK_MESSAGE(names_of(loaded) == (Texts{ "before", "z" }), broken);
@@ -111,19 +111,19 @@ TEST_CASE("a document that was cut off keeps what is whole") {
 
 TEST_CASE("what is no document, or of another version") {
 	const auto errors = [](const char *text) { return read_document(text).errors; };
-	CHECK(told(errors("")) == "column 1: expected '{' of a document, or '[' of 32 coefficients, found the end");
-	CHECK(told(errors("{}")) == "column 1: expected the key \"entries\" with the entries of the document");
+	CHECK(joined(errors("")) == "column 1: expected '{' before a document or '[' before 32 coefficients, found the end");
+	CHECK(joined(errors("{}")) == "column 1: expected the key \"entries\" in the document");
 	CHECK(!read_document("{\"x\": 1}").is_document);
-	CHECK(told(errors("{\"format\": \"other\", \"entries\": []}")) == "column 12: expected the format \"ga_godot_scene\"; this is another file");
+	CHECK(joined(errors("{\"format\": \"other\", \"entries\": []}")) == "column 12: expected the format \"ga_godot_scene\"; this file has another format");
 	CHECK(!read_document("{\"format\": \"other\", \"entries\": []}").is_document);
-	CHECK(told(errors("{\"version\": 2, \"entries\": []}")) == "column 13: the document is of a newer version than 1, the newest that this one reads; update GA-Godot");
-	CHECK(told(errors("{\"version\": 0.5, \"entries\": []}")) == "column 13: expected a version, which is a whole number from 1 on");
-	CHECK(told(errors("{\"entries\": [], \"later\": {\"a\": [1, {\"b\": null}]}}")) == "");
-	CHECK(told(errors("{\"entries\": []} x")) == "column 17: expected the end, found 'x'");
-	CHECK(told(errors("{\"entries\": [{\"name\": \"a\", \"expression\": \"1\", \"attributes\": {\"visible\": 3, \"x\": [1], \"y\": true}}]}")) == "column 73: attribute of 'a' skipped: the attribute 'visible' is a bool, not a number\ncolumn 81: expected a text, a number, true, false or null as attribute");
+	CHECK(joined(errors("{\"version\": 2, \"entries\": []}")) == "column 13: the document has a newer version than 1, the latest that this GA-Godot reads; update GA-Godot");
+	CHECK(joined(errors("{\"version\": 0.5, \"entries\": []}")) == "column 13: the version must be an integer of at least 1");
+	CHECK(joined(errors("{\"entries\": [], \"later\": {\"a\": [1, {\"b\": null}]}}")) == "");
+	CHECK(joined(errors("{\"entries\": []} x")) == "column 17: expected the end, found 'x'");
+	CHECK(joined(errors("{\"entries\": [{\"name\": \"a\", \"expression\": \"1\", \"attributes\": {\"visible\": 3, \"x\": [1], \"y\": true}}]}")) == "column 73: attribute of 'a' skipped: the attribute 'visible' must be a bool, not a number\ncolumn 81: expected a string, a number, true, false or null as attribute");
 	const std::string deep(100000, '[');
-	CHECK(told(errors(("{\"x\": " + deep).c_str())) == "column 263: expected a simpler value; more than 256 brackets inside each other here");
-	CHECK(told(read_document(std::string(MAX_DOCUMENT_LENGTH + 1, ' ')).errors) == "column 1: a document has at most 16777216 bytes");
+	CHECK(joined(errors(("{\"x\": " + deep).c_str())) == "column 263: the value is nested too deeply; at most 256 levels are accepted");
+	CHECK(joined(read_document(std::string(MAX_DOCUMENT_LENGTH + 1, ' ')).errors) == "column 1: the document is too long; at most 16777216 bytes are accepted");
 }
 
 TEST_CASE("coefficients of ganja.js are a document") {
@@ -131,7 +131,7 @@ TEST_CASE("coefficients of ganja.js are a document") {
 	CHECK(names_of(read_document(" [" + array(32) + ", " + array(32) + "] ")) == Texts{ "x1", "x2" });
 	const LoadedDocument loaded = read_document("[" + array(31) + "," + array(32) + "]");
 	CHECK(names_of(loaded) == Texts{ "x1" });
-	CHECK(told(loaded.errors) == "column 85: multivector skipped: expected 32 numbers, found the end of the array after 31");
-	CHECK(told(read_document("[1, 2]").errors) == "column 6: multivector skipped: expected 32 numbers, found the end of the array after 2");
+	CHECK(joined(loaded.errors) == "column 85: multivector skipped: expected 32 numbers, found the end of the array after 31");
+	CHECK(joined(read_document("[1, 2]").errors) == "column 6: multivector skipped: expected 32 numbers, found the end of the array after 2");
 	CHECK(!read_document("[]").is_document);
 }

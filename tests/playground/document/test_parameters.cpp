@@ -35,8 +35,8 @@ T value_of(const char *text, const char *name) {
 }
 
 std::string changed(const char *text, const char *name, const LiteralValue &value) {
-	const Rewritten rewritten = with_parameter(text, name, value);
-	return rewritten.error.empty() ? rewritten.text : "error: " + rewritten.error;
+	const cga::Result<std::string, Error> result = with_parameter(text, name, value);
+	return result ? *result : "error: " + result.error().message;
 }
 
 } // namespace
@@ -162,7 +162,7 @@ TEST_CASE("coefficients in a list are rewritten one by one") {
 }
 
 TEST_CASE("what a parameter cannot be") {
-	CHECK(changed("sphere(e1, 2)", "center", 1.0) == "error: the parameter 'center' is a vector, not a number");
+	CHECK(changed("sphere(e1, 2)", "center", 1.0) == "error: the parameter 'center' must be a vector, not a number");
 	CHECK(changed("sphere(e1, 2)", "size", 1.0) == "error: the expression has no parameter 'size'; it has center, radius");
 	CHECK(changed("a", "size", 1.0) == "error: the expression has no parameter 'size'; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)");
 	CHECK(changed("sphere(e1, 2)", "radius", std::numeric_limits<double>::infinity()) == "error: the parameter 'radius' must be finite");

@@ -19,14 +19,14 @@ using cga::Multivector;
 
 namespace {
 
-using Outcomes = std::map<std::string, Outcome>;
+using Values = std::map<std::string, EntryValue>;
 
-Outcomes outcomes_of(const Document &document) {
-	Outcomes outcomes;
+Values values_of(const Document &document) {
+	Values values;
 	for (size_t index = 0; index < document.size(); ++index) {
-		outcomes.emplace(document.at(index).name, document.at(index).outcome);
+		values.emplace(document.at(index).name, document.at(index).value);
 	}
-	return outcomes;
+	return values;
 }
 
 // Each entry's value from scratch: none where its text is none, or names what has none, or leads back to it.
@@ -76,16 +76,15 @@ std::map<std::string, std::optional<Multivector>> naive_values(const DocumentSta
 	return values;
 }
 
-std::set<std::string> differences(const Outcomes &before, const Outcomes &after) {
+std::set<std::string> differences(const Values &before, const Values &after) {
 	std::set<std::string> names;
-	for (const auto &[name, outcome] : before) {
+	for (const auto &[name, value] : before) {
 		const auto found = after.find(name);
-		const bool is_same = found != after.end() && found->second.error == outcome.error && found->second.is_same_as(outcome);
-		if (!is_same) {
+		if (found == after.end() || !is_same(found->second, value)) {
 			names.insert(name);
 		}
 	}
-	for (const auto &[name, outcome] : after) {
+	for (const auto &[name, value] : after) {
 		if (before.count(name) == 0) {
 			names.insert(name);
 		}
@@ -106,38 +105,39 @@ TEST_CASE("incremental evaluation is full evaluation, and tells exactly what cha
 		Document document;
 		DocumentState old_state;
 		for (int step = 0; step < 100; ++step) {
-			const Outcomes before = outcomes_of(document);
+			const Values before = values_of(document);
 			const DocumentState state_before = document.state();
 			const bool is_undo = step % 17 == 16;
-			const Change change = is_undo ? document.restore(old_state) : random.change(document);
-			const Outcomes after = outcomes_of(document);
+			const ChangeResult change = is_undo ? document.restore(old_state) : random.change(document);
+			const Values after = values_of(document);
 			CAPTURE(seed);
 			CAPTURE(step);
-			const std::set<std::string> told(change.names.begin(), change.names.end());
-			REQUIRE(told.size() == change.names.size());
-			std::set<std::string> expected = differences(before, after);
+			const std::vector<std::string> names = change ? *change : std::vector<std::string>();
+			const std::set<std::string> reported(names.begin(), names.end());
+			REQUIRE(reported.size() == names.size());
 			if (!change) {
 				++refusals;
 				REQUIRE(document.state() == state_before);
 			}
-			REQUIRE(told == expected);
+			REQUIRE(reported == differences(before, after));
 			Document fresh;
-			fresh.restore(document.state());
+			REQUIRE(fresh.restore(document.state()));
 			const std::map<std::string, std::optional<Multivector>> naive = naive_values(document.state());
-			for (const auto &[name, outcome] : after) {
+			for (const auto &each : after) {
+				const std::string &name = each.first;
+				const EntryValue &value = each.second;
 				CAPTURE(name);
-				REQUIRE(naive.at(name) == outcome.value);
-				REQUIRE(outcome.value.has_value() == outcome.error.empty());
-				REQUIRE(fresh.find(name)->outcome.error == outcome.error);
-				REQUIRE(fresh.find(name)->outcome.is_same_as(outcome));
-				values += outcome.value ? 1 : 0;
-				errors += outcome.value ? 0 : 1;
-				cycles += outcome.is_cycle ? 1 : 0;
+				REQUIRE(naive.at(name) == (value ? std::optional<Multivector>(*value) : std::nullopt));
+				REQUIRE((value || !value.error().message.empty()));
+				REQUIRE(is_same(fresh.find(name)->value, value));
+				values += value ? 1 : 0;
+				errors += value ? 0 : 1;
+				cycles += !value && value.error().is_cycle ? 1 : 0;
 			}
 			const LoadedDocument loaded = read_document(to_json(document.state()));
 			REQUIRE(loaded.errors.empty());
 			REQUIRE(loaded.state == document.state());
-			changes += change.names.empty() ? 0 : 1;
+			changes += names.empty() ? 0 : 1;
 			if (step % 17 == 3) {
 				old_state = document.state();
 			}
@@ -156,16 +156,16 @@ TEST_CASE("a change is undone by the state before it, exactly") {
 	Document document;
 	for (int step = 0; step < 1000; ++step) {
 		const DocumentState state = document.state();
-		const Outcomes before = outcomes_of(document);
-		const Change change = random.change(document);
+		const Values before = values_of(document);
+		const ChangeResult change = random.change(document);
 		if (step % 3 == 0) {
-			Change undone = document.restore(state);
+			std::vector<std::string> undone = *document.restore(state);
 			REQUIRE(document.state() == state);
-			REQUIRE(differences(before, outcomes_of(document)).empty());
-			std::vector<std::string> told = change.names;
-			std::sort(told.begin(), told.end());
-			std::sort(undone.names.begin(), undone.names.end());
-			REQUIRE(told == undone.names);
+			REQUIRE(differences(before, values_of(document)).empty());
+			std::vector<std::string> reported = change ? *change : std::vector<std::string>();
+			std::sort(reported.begin(), reported.end());
+			std::sort(undone.begin(), undone.end());
+			REQUIRE(reported == undone);
 		}
 	}
 }

@@ -1,5 +1,6 @@
 #include "playground/drawing/figure.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/construct.hpp"
 #include "playground/drawing/motor_strokes.hpp"

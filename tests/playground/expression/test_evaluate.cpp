@@ -81,7 +81,7 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 	Multivector not_finite;
 	not_finite[3] = std::numeric_limits<double>::infinity();
 	const Variables variables = { { "fob", Multivector::scalar(1.0) }, { "Sphere1", Multivector::scalar(1.0) }, { "large", Multivector::scalar(most) }, { "bad", not_finite } };
-	const std::vector<std::pair<std::string, std::string>> ERRORS = {
+	const std::vector<std::pair<std::string, std::string>> errors = {
 		{ "1 + foo", "column 5: unknown name 'foo'; did you mean 'fob'?" },
 		{ "sphere1", "column 1: unknown name 'sphere1'; did you mean 'Sphere1'?" },
 		{ "xyz", "column 1: unknown name 'xyz'" },
@@ -108,13 +108,13 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 		{ "sphere(e1, e2)", "column 12: expected a number as second argument of sphere(center, radius)" },
 		{ "circle(e1, e4, 1)", "column 12: expected a point or a vector (of e1, e2, e3) as second argument of circle(center, normal, radius) or circle(a, b, c)" },
 		{ "sphere(einf, 1, 1, 1)", "column 8: expected a number or a point or a vector (of e1, e2, e3) as first argument of sphere(x, y, z, radius) or sphere(a, b, c, d)" },
-		{ "1 + sqrt(-1)", "column 5: sqrt: A negative number has no square root" },
-		{ "dilator(-1)", "column 1: dilator: The scale must be above 0" },
-		{ "grade(e1, 1.5)", "column 1: grade: A grade is a whole number from 0 to 5" },
+		{ "1 + sqrt(-1)", "column 5: sqrt: expected a number of at least 0, not -1" },
+		{ "dilator(-1)", "column 1: dilator: the scale must be above 0, not -1" },
+		{ "grade(e1, 1.5)", "column 1: grade: the grade must be an integer in 0..5, not 1.5" },
 	};
-	for (const auto &[text, error] : ERRORS) {
-		CAPTURE(text);
-		CHECK(error_of(text, variables) == error);
+	for (const auto &each : errors) {
+		CAPTURE(each.first);
+		CHECK(error_of(each.first, variables) == each.second);
 	}
 	// A function's own reason is passed on.
 	CHECK(error_of("1 + inverse(e1 + e5)").find("column 5: inverse: ") == 0);
@@ -124,8 +124,8 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 }
 
 TEST_CASE("a variable that no expression can refer to is an error") {
-	CHECK(error_of("1", { { "e1", Multivector() } }) == "column 1: a variable has a wrong name: 'e1' has a fixed value; choose another name");
-	CHECK(error_of("1", { { "a b", Multivector() } }) == "column 1: a variable has a wrong name: a name has letters, digits and underscores only and does not begin with a digit");
+	CHECK(error_of("1", { { "e1", Multivector() } }) == "column 1: invalid variable name: 'e1' is a constant; choose another name");
+	CHECK(error_of("1", { { "a b", Multivector() } }) == "column 1: invalid variable name: a name may have only letters, digits and underscores, and may not begin with a digit");
 }
 
 TEST_CASE("what to_text writes is read back: the same coefficients") {

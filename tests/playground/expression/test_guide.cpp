@@ -50,23 +50,23 @@ std::string in_table(std::string text) {
 } // namespace
 
 TEST_CASE("every example of the guide does what the guide says") {
-	const std::string ERROR = " error: ";
-	const std::string EQUALS = " = ";
+	const std::string error_mark = " error: ";
+	const std::string equals_mark = " = ";
 	int equalities = 0;
 	int errors = 0;
 	for (const std::string &example : examples()) {
 		CAPTURE(example);
-		if (const size_t error = example.find(ERROR); error != std::string::npos) {
+		if (const size_t error = example.find(error_mark); error != std::string::npos) {
 			const cga::TextResult<Multivector> result = evaluate(example.substr(0, error));
 			REQUIRE_FALSE(result.has_value());
-			CHECK(result.error().describe() == example.substr(error + ERROR.size()));
+			CHECK(result.error().describe() == example.substr(error + error_mark.size()));
 			++errors;
 			continue;
 		}
-		const size_t equals = example.find(EQUALS);
+		const size_t equals = example.find(equals_mark);
 		REQUIRE(equals != std::string::npos);
 		const cga::TextResult<Multivector> left = evaluate(example.substr(0, equals));
-		const cga::TextResult<Multivector> right = evaluate(example.substr(equals + EQUALS.size()));
+		const cga::TextResult<Multivector> right = evaluate(example.substr(equals + equals_mark.size()));
 		REQUIRE_MESSAGE(left.has_value(), left.error().describe());
 		REQUIRE_MESSAGE(right.has_value(), right.error().describe());
 		const double size = std::max({ 1.0, left->max_abs(), right->max_abs() });

@@ -128,7 +128,7 @@ TEST_CASE("brackets and calls") {
 }
 
 TEST_CASE("numbers") {
-	const std::map<std::string, double> NUMBERS = {
+	const std::map<std::string, double> numbers = {
 		{ "0", 0.0 },
 		{ "12", 12.0 },
 		{ "1.5", 1.5 },
@@ -145,18 +145,19 @@ TEST_CASE("numbers") {
 		{ "1e11", 1e11 },
 		{ "1e-999", 0.0 },
 	};
-	for (const auto &[text, value] : NUMBERS) {
+	for (const auto &each : numbers) {
+		const std::string &text = each.first;
 		const cga::TextResult<Expression> expression = parse(text);
 		REQUIRE_MESSAGE(expression.has_value(), text);
 		REQUIRE(expression->nodes().size() == 1);
 		CHECK(expression->nodes()[0].kind == NodeKind::NUMBER);
-		CHECK(expression->nodes()[0].number == value);
+		CHECK(expression->nodes()[0].number == each.second);
 		CHECK(expression->nodes()[0].length == text.size());
 	}
 }
 
 TEST_CASE("an error names the column and what was expected") {
-	const std::vector<std::pair<std::string, std::string>> ERRORS = {
+	const std::vector<std::pair<std::string, std::string>> errors = {
 		{ "", "column 1: expected a number, a name or '(', found the end" },
 		{ "   ", "column 4: expected a number, a name or '(', found the end" },
 		{ "a +", "column 4: expected a number, a name or '(', found the end" },
@@ -174,14 +175,14 @@ TEST_CASE("an error names the column and what was expected") {
 		{ "a!", "column 2: expected an operator or the end, found '!'" },
 		{ "a)", "column 2: expected an operator or the end, found ')'" },
 		{ "a, b", "column 2: expected an operator or the end, found ','" },
-		{ "(a + b", "column 7: expected ')' or an operator, found the end; the '(' at column 1 is still open" },
+		{ "(a + b", "column 7: expected ')' or an operator, found the end; the '(' at column 1 is not closed" },
 		{ "(a, b)", "column 3: expected ')' or an operator, found ','" },
-		{ "sin(a", "column 6: expected ')', ',' or an operator, found the end; the '(' at column 4 is still open" },
+		{ "sin(a", "column 6: expected ')', ',' or an operator, found the end; the '(' at column 4 is not closed" },
 		{ "sin(a b)", "column 7: expected ')', ',' or an operator, found 'b'; write '*' to multiply" },
-		{ "sin(a +", "column 8: expected a number, a name or '(', found the end; the '(' at column 4 is still open" },
+		{ "sin(a +", "column 8: expected a number, a name or '(', found the end; the '(' at column 4 is not closed" },
 		{ "max(a,)", "column 7: expected a number, a name or '(', found ')'" },
 		{ "max(,a)", "column 5: expected a number, a name or '(', found ','" },
-		{ "1 + sin()", "column 5: sin takes 1 argument, not none" },
+		{ "1 + sin()", "column 5: sin takes 1 argument, not 0" },
 		{ "sin(a, b)", "column 1: sin takes 1 argument, not more" },
 		{ "rotor(a)", "column 1: rotor takes 2 or 4 arguments, not 1" },
 		{ "rotor(a, b, c)", "column 1: rotor takes 2 or 4 arguments, not 3" },
@@ -189,20 +190,20 @@ TEST_CASE("an error names the column and what was expected") {
 		{ "foo(1)", "column 1: unknown function 'foo'" },
 		{ "a + snadwich(a, b)", "column 5: unknown function 'snadwich'; did you mean 'sandwich'?" },
 		{ "Sin(a)", "column 1: unknown function 'Sin'; did you mean 'sin'?" },
-		{ "pi(2)", "column 1: 'pi' is no function; write '*' to multiply" },
-		{ "e1(2)", "column 1: 'e1' is no function; write '*' to multiply" },
-		{ "a + e6", "column 5: 'e6' is no basis blade; after e come different digits 1 to 5" },
-		{ "e11", "column 1: 'e11' is no basis blade; after e come different digits 1 to 5" },
-		{ "2e12", "column 1: '2e12' can be read as a number and as a blade; write '2e+12' or '2 e12'" },
-		{ "a + 1.5e3", "column 5: '1.5e3' can be read as a number and as a blade; write '1.5e+3' or '1.5 e3'" },
-		{ "1/2 e12", "column 5: expected an operator; '/ 2 ...' can be read in two ways, write '/ 2 * ...' or '/ (2 ...)'" },
-		{ "1/-2(a)", "column 5: expected an operator; '/ 2 ...' can be read in two ways, write '/ 2 * ...' or '/ (2 ...)'" },
-		{ "1e999", "column 1: expected a number up to 1.8e308; this one is too large" },
+		{ "pi(2)", "column 1: 'pi' is not a function; write '*' to multiply" },
+		{ "e1(2)", "column 1: 'e1' is not a function; write '*' to multiply" },
+		{ "a + e6", "column 5: 'e6' is not a basis blade; use distinct digits 1 to 5 after 'e'" },
+		{ "e11", "column 1: 'e11' is not a basis blade; use distinct digits 1 to 5 after 'e'" },
+		{ "2e12", "column 1: '2e12' is ambiguous: write '2e+12' for the number or '2 e12' for the blade" },
+		{ "a + 1.5e3", "column 5: '1.5e3' is ambiguous: write '1.5e+3' for the number or '1.5 e3' for the blade" },
+		{ "1/2 e12", "column 5: expected an operator; '/ 2 ...' is ambiguous: write '/ 2 * ...' or '/ (2 ...)'" },
+		{ "1/-2(a)", "column 5: expected an operator; '/ 2 ...' is ambiguous: write '/ 2 * ...' or '/ (2 ...)'" },
+		{ "1e999", "column 1: the number is too large; at most 1.8e308 is accepted" },
 		{ ".", "column 1: expected a number, a name or an operator, found '.'" },
 		{ "a # b", "column 3: expected a number, a name or an operator, found '#'" },
 		{ "a < b", "column 3: '<' is not part of the language; write '<<' for the left contraction" },
 		{ "a > b", "column 3: '>' is not part of the language; write '>>' for the right contraction" },
-		{ "x = 2", "column 3: '=' is not part of the language; an expression has no '='" },
+		{ "x = 2", "column 3: '=' is not part of the language; an expression has no assignment or comparison" },
 		{ "ä ∧ b", "column 3: '∧' is not part of the language; write '^' for the outer product" },
 		{ "a ∨ b", "column 3: '∨' is not part of the language; write '&' for the regressive product" },
 		{ "a · b", "column 3: '·' is not part of the language; write '|' for the inner product" },
@@ -210,14 +211,14 @@ TEST_CASE("an error names the column and what was expected") {
 		{ "a ⌋ b", "column 3: '⌋' is not part of the language; write '<<' for the left contraction" },
 		{ "point[1]", "column 6: expected an operator or the end, found '['; write '*' to multiply" },
 		{ "sin(1;2)", "column 6: ';' is not part of the language; write ',' between arguments" },
-		{ "\"e12\"", "column 1: '\"' is not part of the language; an expression has no quotes" },
+		{ "\"e12\"", "column 1: '\"' is not part of the language; an expression has no strings" },
 		{ "a\xff", "column 2: expected a number, a name or an operator, found the byte 0xff" },
 		{ "a\n+ #", "line 2, column 3: expected a number, a name or an operator, found '#'" },
 		{ std::string("a\0b", 3), "column 2: expected a number, a name or an operator, found the control character 0x00" },
 	};
-	for (const auto &[text, error] : ERRORS) {
-		CAPTURE(text);
-		CHECK(structure(text) == error);
+	for (const auto &each : errors) {
+		CAPTURE(each.first);
+		CHECK(structure(each.first) == each.second);
 	}
 }
 
@@ -229,15 +230,15 @@ TEST_CASE("a text of any depth and length ends with an error at once") {
 			text += unit;
 		}
 		CAPTURE(unit);
-		CHECK(structure(text).find("expected a simpler expression; more than 256 operators and brackets inside each other here") != std::string::npos);
+		CHECK(structure(text).find("the expression is nested too deeply; at most 256 levels are accepted") != std::string::npos);
 		for (int repeat = 0; repeat < 3; ++repeat) {
 			text += text;
 		}
-		CHECK(structure(text) == "column 16385: expected the end; an expression has at most 16384 bytes");
+		CHECK(structure(text) == "column 16385: the expression is too long; at most 16384 bytes are accepted");
 	}
 	// As deep and as long as it may be.
 	CHECK(structure(std::string(256, '(') + "a" + std::string(256, ')')) == "a");
-	CHECK(structure(std::string(257, '(') + "a" + std::string(257, ')')) == "column 257: expected a simpler expression; more than 256 operators and brackets inside each other here");
+	CHECK(structure(std::string(257, '(') + "a" + std::string(257, ')')) == "column 257: the expression is nested too deeply; at most 256 levels are accepted");
 	std::string sum = "a";
 	while (sum.size() + 2 <= MAX_TEXT_LENGTH) {
 		sum += "+a";

@@ -24,8 +24,8 @@ public:
 
 	size_t below(size_t count) { return _engine() % count; }
 
-	template <size_t count>
-	std::string one_of(const char *const (&texts)[count]) { return texts[below(count)]; }
+	template <size_t COUNT>
+	std::string one_of(const char *const (&texts)[COUNT]) { return texts[below(COUNT)]; }
 
 	// Right by the grammar; operands and arguments of any kind.
 	std::string make(int depth) {

@@ -39,8 +39,8 @@ std::string dragged(const char *text, const char *key, const ViewRay &ray, const
 	const std::optional<Handle> start = find(document, "x", key);
 	REQUIRE_MESSAGE(start, text, " ", key);
 	if (const std::optional<Drag> result = drag(document, "x", *start, ray, steps)) {
-		const Change change = document.set_parameter("x", result->parameter, result->value);
-		CHECK_MESSAGE(change, change.error);
+		const ChangeResult change = document.set_parameter("x", result->parameter, result->value);
+		CHECK_MESSAGE(change, change.error().message);
 	}
 	return document.find("x")->text;
 }
@@ -52,7 +52,7 @@ TEST_CASE("after a drag the handle is under the mouse") {
 		const char *text;
 		const char *key;
 		Vector target; // on the constraint
-	} CASES[] = {
+	} cases[] = {
 		{ "point(1, 2, 3)", "position", { 1.0, 1.0, 1.0 } },
 		{ "pair(e1, e2)", "b", { 1.0, -1.0, 1.0 } },
 		{ "sphere(e1, 2)", "center", { 0.0, 1.0, 0.0 } },
@@ -74,26 +74,29 @@ TEST_CASE("after a drag the handle is under the mouse") {
 		{ "e2 + 0.5 einf + eo", "object", { 1.0, 1.0, 1.0 } },
 		{ "!-[0, 0,1,0,-0.5,0.5, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0, 0]", "object", { 1.0, 1.0, 1.0 } },
 	};
-	for (const auto &[text, key, target] : CASES) {
+	for (const auto &each : cases) {
+		const char *text = each.text;
+		const char *key = each.key;
+		const Vector &target = each.target;
 		Document document;
 		REQUIRE(document.add("x", text));
 		const std::optional<Handle> found = find(document, "x", key);
 		REQUIRE_MESSAGE(found, std::string(text));
-		const Handle start = *found;
+		const Handle &start = *found;
 		const bool is_free = start.constraint.motion == Motion::FREE;
 		const ViewRay ray = through(target);
 		const std::optional<Drag> result = drag(document, "x", start, ray);
 		REQUIRE_MESSAGE(result, std::string(text), " ", std::string(key));
-		const std::optional<Vector> place = place_under(ray, start.constraint);
+		const std::optional<Vector> place = position_on(ray, start.constraint);
 		REQUIRE(place);
 		CHECK(distance(ray, *place) < 1e-9);
 		CHECK_MESSAGE((is_free || glm::distance(*place, target) < 1e-6), text, " ", key);
-		const Change change = document.set_parameter("x", result->parameter, result->value);
-		REQUIRE_MESSAGE(change, text, " ", key, ": ", change.error);
+		const ChangeResult change = document.set_parameter("x", result->parameter, result->value);
+		REQUIRE_MESSAGE(change, text, " ", key, ": ", change.error().message);
 		const std::optional<Handle> end = find(document, "x", key);
 		REQUIRE_MESSAGE(end, text, " ", key);
 		// Expressions keep seven digits.
-		CHECK_MESSAGE(distance(ray, end->constraint.place) < 3e-6, text, " ", key, " is now ", document.find("x")->text);
+		CHECK_MESSAGE(distance(ray, end->constraint.position) < 3e-6, text, " ", key, " is now ", document.find("x")->text);
 	}
 }
 
@@ -183,8 +186,8 @@ TEST_CASE("everything that depends on it follows") {
 	const Handle start = *find(document, "A", "position");
 	const std::optional<Drag> result = drag(document, "A", start, { { 1.5, 2.0, 10.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, -1.0 } });
 	REQUIRE(result);
-	const Change change = document.set_parameter("A", result->parameter, result->value);
-	CHECK(change.names == std::vector<std::string>{ "A", "s", "l" });
+	const ChangeResult change = document.set_parameter("A", result->parameter, result->value);
+	CHECK(*change == std::vector<std::string>{ "A", "s", "l" });
 	CHECK(document.find("A")->text == "point(1.5, 2, 0)");
 	CHECK(glm::distance(handles_of(document, "s")[0].stem, Vector(1.5, 2.0, 0.0)) < 1e-9);
 }

@@ -80,7 +80,7 @@ TEST_CASE("which handles an expression has") {
 
 TEST_CASE("objects that are written as sums move as a whole") {
 	CHECK(keys("e1 + 0.5 einf + eo") == "object");
-	CHECK(is_near(handle("e2 + 0.5 einf + eo", "object").constraint.place, { 0.0, 1.0, 0.0 }));
+	CHECK(is_near(handle("e2 + 0.5 einf + eo", "object").constraint.position, { 0.0, 1.0, 0.0 }));
 	const Handle plane = handle("2 e1245", "object"); // e1 ^ e2 ^ ... across e3, through the origin
 	CHECK(plane.constraint.motion == Motion::LINE);
 	CHECK(std::abs(plane.constraint.axis.z) == doctest::Approx(1.0));
@@ -100,26 +100,26 @@ TEST_CASE("no handles of what has no place, no value, or is computed") {
 }
 
 TEST_CASE("where they are, and what moves the object") {
-	CHECK(is_near(handle("point(1, 2, 3)", "position").constraint.place, { 1.0, 2.0, 3.0 }));
+	CHECK(is_near(handle("point(1, 2, 3)", "position").constraint.position, { 1.0, 2.0, 3.0 }));
 	CHECK(handle("point(1, 2, 3)", "position").moves_body);
 	CHECK_FALSE(handle("pair(e1, e2)", "a").moves_body);
 	const Handle radius = handle("sphere(A, 2)", "radius", { 0.0, 0.0, -1.0 });
-	CHECK(is_near(radius.constraint.place, { 0.0, 3.0, -2.0 }));
+	CHECK(is_near(radius.constraint.position, { 0.0, 3.0, -2.0 }));
 	CHECK(is_near(radius.stem, { 0.0, 3.0, 0.0 }));
 	// Within the circle's plane, also where the view's right is along the normal.
-	CHECK(is_near(handle("circle(A, e2, 2)", "radius", { 0.6, 0.8, 0.0 }).constraint.place, { 2.0, 3.0, 0.0 }));
-	CHECK(handle("circle(A, e2, 2)", "radius", { 0.0, 1.0, 0.0 }).constraint.place.y == doctest::Approx(3.0));
-	CHECK(is_near(handle("circle(A, 2 e2, 2)", "normal").constraint.place, { 0.0, 4.0, 0.0 }));
-	CHECK(is_near(handle("plane(2 e3, 1.5)", "distance").constraint.place, { 0.0, 0.0, 1.5 }));
-	CHECK(is_near(handle("plane(e3, k)", "normal").constraint.place, { 0.0, 0.0, 3.0 }));
+	CHECK(is_near(handle("circle(A, e2, 2)", "radius", { 0.6, 0.8, 0.0 }).constraint.position, { 2.0, 3.0, 0.0 }));
+	CHECK(handle("circle(A, e2, 2)", "radius", { 0.0, 1.0, 0.0 }).constraint.position.y == doctest::Approx(3.0));
+	CHECK(is_near(handle("circle(A, 2 e2, 2)", "normal").constraint.position, { 0.0, 4.0, 0.0 }));
+	CHECK(is_near(handle("plane(2 e3, 1.5)", "distance").constraint.position, { 0.0, 0.0, 1.5 }));
+	CHECK(is_near(handle("plane(e3, k)", "normal").constraint.position, { 0.0, 0.0, 3.0 }));
 	// Away from the origin, about which it turns.
-	CHECK(is_near(handle("plane(e3, -1)", "normal").constraint.place, { 0.0, 0.0, -2.0 }));
-	CHECK(is_near(handle("line(A, e1)", "direction").constraint.place, { 1.0, 3.0, 0.0 }));
+	CHECK(is_near(handle("plane(e3, -1)", "normal").constraint.position, { 0.0, 0.0, -2.0 }));
+	CHECK(is_near(handle("line(A, e1)", "direction").constraint.position, { 1.0, 3.0, 0.0 }));
 	const char *motor = "motor(e1, rotor(e3, deg(90)), 2)";
-	CHECK(is_near(handle(motor, "translation").constraint.place, { 1.0, 0.0, 0.0 }));
-	CHECK(is_near(handle(motor, "axis").constraint.place, { 1.0, 0.0, 1.0 }));
-	CHECK(is_near(handle(motor, "angle").constraint.place, { 1.0, 0.65, 0.0 }));
+	CHECK(is_near(handle(motor, "translation").constraint.position, { 1.0, 0.0, 0.0 }));
+	CHECK(is_near(handle(motor, "axis").constraint.position, { 1.0, 0.0, 1.0 }));
+	CHECK(is_near(handle(motor, "angle").constraint.position, { 1.0, 0.65, 0.0 }));
 	const double third = 1.0 / std::sqrt(3.0);
-	CHECK(is_near(handle(motor, "scale").constraint.place, { 1.0 - third, third, third }));
-	CHECK(is_near(handle("motor(v, rotor(e3, 1))", "axis").constraint.place, { 0.0, 3.0, 1.0 }));
+	CHECK(is_near(handle(motor, "scale").constraint.position, { 1.0 - third, third, third }));
+	CHECK(is_near(handle("motor(v, rotor(e3, 1))", "axis").constraint.position, { 0.0, 3.0, 1.0 }));
 }

@@ -75,7 +75,7 @@ TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its 
 	for (const char *text : TEXTS) {
 		Document document;
 		REQUIRE(document.add("x", text));
-		REQUIRE_MESSAGE(document.find("x")->outcome.value, std::string(text));
+		REQUIRE_MESSAGE(document.find("x")->value, std::string(text));
 		for (int i = 0; i < 1500; ++i) {
 			const std::vector<Handle> handles = handles_of(document, "x", random.vector());
 			// Dragged beyond where things are dragged to.
@@ -84,7 +84,7 @@ TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its 
 				continue;
 			}
 			for (const Handle &handle : handles) {
-				const Vector sum = handle.constraint.place + handle.stem + handle.constraint.axis;
+				const Vector sum = handle.constraint.position + handle.stem + handle.constraint.axis;
 				REQUIRE_MESSAGE(std::isfinite(sum.x + sum.y + sum.z), document.find("x")->text);
 			}
 			Handle start = handles[random.below(handles.size())];
@@ -97,8 +97,8 @@ TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its 
 				continue;
 			}
 			++done;
-			REQUIRE_MESSAGE(document.find("x")->outcome.value, before, " became ", document.find("x")->text);
-			REQUIRE(document.find("x")->outcome.value->is_finite());
+			REQUIRE_MESSAGE(document.find("x")->value, before, " became ", document.find("x")->text);
+			REQUIRE(document.find("x")->value->is_finite());
 		}
 	}
 	MESSAGE(done, " drags, ", refused, " that led nowhere");

@@ -215,13 +215,13 @@ func _reload() -> void:
 func _check_reloaded() -> void:
 	_expect(
 		_node("Ball").describe(),
-		"sphere, radius 1, centre (-1.5, 0, 0)",
+		"sphere, radius 1, center (-1.5, 0, 0)",
 		"the ball after saving and loading"
 	)
 	_expect(_node("Ball").color, GREEN, "its color after saving and loading")
 	_expect(
 		_node("Circle").describe(),
-		"circle, radius 1, centre (1.5, 0, 0), normal (0, 0, 1)",
+		"circle, radius 1, center (1.5, 0, 0), normal (0, 0, 1)",
 		"the entry after saving and loading"
 	)
 	_expect_seen(0, GREEN, true, "after saving and loading")

@@ -29,7 +29,7 @@ const CASES: Array[PackedStringArray] = [
 		"intersect",
 		"c1",
 		"meet(p, undual(d))",
-		"circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"
+		"circle, radius 1.73205, center (0, 1, 0), normal (0, -1, 0)"
 	],
 	[
 		"p",
@@ -37,14 +37,14 @@ const CASES: Array[PackedStringArray] = [
 		"intersect",
 		"c1",
 		"meet(p, s)",
-		"circle, radius 1.73205, centre (0, 1, 0), normal (0, -1, 0)"
+		"circle, radius 1.73205, center (0, 1, 0), normal (0, -1, 0)"
 	],
 	["A", "p", "project", "B", "project_onto(A ^ einf, p)", "flat point, at (0, 1, 1)"],
 	["A", "n", "project", "B", "project_onto(A ^ einf, undual(n))", "flat point, at (0, 1, 1)"],
 	["l", "p", "project", "l1", "project_onto(l, p)", "line, at (0, 1, 0), direction (1, 0, 0)"],
 	["A", "q", "reflect", "B", "reflect_in(A, q)", "point, at (4, 0, 1)"],
 	["m", "A", "move", "B", "sandwich(m, A)", "point, at (3, 0, 1)"],
-	["d", "m", "move", "s1", "sandwich(m, d)", "dual sphere, radius 2, centre (3, 0, 0)"],
+	["d", "m", "move", "s1", "sandwich(m, d)", "dual sphere, radius 2, center (3, 0, 0)"],
 ]
 
 

@@ -41,7 +41,7 @@ func _close() -> void:
 	dock().open()
 	dock().make_visible()
 	await settle()
-	expect(words_of("s"), "sphere, radius 2, centre (0, 0, 0)", "row after closing and opening")
+	expect(words_of("s"), "sphere, radius 2, center (0, 0, 0)", "row after closing and opening")
 
 
 ## Moves the dock to slots on the left and back.
@@ -55,7 +55,7 @@ func _move() -> void:
 		dock().open()
 		dock().make_visible()
 		await settle()
-		expect(words_of("s"), "sphere, radius 2, centre (0, 0, 0)", "row in slot %d" % slot)
+		expect(words_of("s"), "sphere, radius 2, center (0, 0, 0)", "row in slot %d" % slot)
 	expect_true(dock().get_parent() == home, "the dock back in its slot")
 
 
@@ -80,7 +80,7 @@ func _restart_plugin() -> void:
 		undo()
 	expect(
 		words_of("s"),
-		"sphere, radius 2, centre (0, 0, 0)",
+		"sphere, radius 2, center (0, 0, 0)",
 		"row after undoing steps from before the plugin was off"
 	)
 	Hands.click(part("Objects/plane"))

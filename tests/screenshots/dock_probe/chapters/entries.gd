@@ -39,7 +39,7 @@ func _type() -> void:
 	expect(names(), ["A", "B"], "entries after a wrong line")
 	Hands.type(window(), " 2)")
 	await settle()
-	expect(typed_words().text, "sphere, radius 2, centre (0, 0, 0)", "description while typing")
+	expect(typed_words().text, "sphere, radius 2, center (0, 0, 0)", "description while typing")
 	Hands.press_key(window(), KEY_ENTER)
 	expect(names(), ["A", "B", "s"], "entries after a right line")
 	await settle()
@@ -51,7 +51,7 @@ func _join() -> void:
 	expect(scene().get_expression("pair1"), "join(A, B)", "join of both points")
 	expect(
 		words_of("pair1"),
-		"point pair, radius 0.5, centre (0.5, 0, 0), direction (-1, 0, 0)",
+		"point pair, radius 0.5, center (0.5, 0, 0), direction (-1, 0, 0)",
 		"description of the join"
 	)
 	await settle()
@@ -61,7 +61,7 @@ func _join() -> void:
 	expect(scene().get_expression("B"), "point(0, 4, 0)", "expression edited in place")
 	expect(
 		words_of("pair1"),
-		"point pair, radius 2, centre (0, 2, 0), direction (0, -1, 0)",
+		"point pair, radius 2, center (0, 2, 0), direction (0, -1, 0)",
 		"description of the dependent entry"
 	)
 	await settle()

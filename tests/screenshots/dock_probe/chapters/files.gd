@@ -44,7 +44,7 @@ func _save_and_open(path: String) -> void:
 	await choose_in_file_menu("Open...")
 	await _give_path(path)
 	expect(scene().document, before, "document after opening %s" % path)
-	expect(words_of("s1"), "sphere, radius 1, centre (0, 0, 0)", "row after opening")
+	expect(words_of("s1"), "sphere, radius 1, center (0, 0, 0)", "row after opening")
 	await choose_in_file_menu("Save")
 	expect(scene().document, before, "document after saving what was opened")
 

@@ -22,7 +22,7 @@ func _open_example() -> void:
 	expect(names().slice(0, 4), ["A", "B", "C", "AB"], "entries of an example")
 	expect(
 		words_of("A"),
-		"sphere, radius 1.55, centre (-1.1, 0.7, 0.4)",
+		"sphere, radius 1.55, center (-1.1, 0.7, 0.4)",
 		"description of an example's entry"
 	)
 	expect_true(_description().visible, "the description")

@@ -10,7 +10,7 @@ func run() -> void:
 	await settle()
 	expect(names(), ["A", "k", "s1"], "entries after a restart of the editor")
 	expect(scene().get_entry_attribute("A", "visible"), false, "what was hidden before the restart")
-	expect(words_of("s1"), "sphere, radius 1, centre (0, 0, 0)", "row after a restart")
+	expect(words_of("s1"), "sphere, radius 1, center (0, 0, 0)", "row after a restart")
 	expect(file_name().text, "probe_left.tres*", "name after a restart")
 	expect(document().get(&"path"), PLACE, "path after a restart")
 	expect(

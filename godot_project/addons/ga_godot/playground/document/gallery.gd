@@ -13,11 +13,11 @@ const EXAMPLES: Dictionary[String, String] = {
 	"three_spheres": "Two spheres, three spheres",
 	"reflection": "Reflection in a plane",
 	"inversion": "Inversion in a sphere",
-	"turn_by_two_mirrors": "A turn is two mirrors",
-	"shift_by_two_mirrors": "A shift is two parallel mirrors",
+	"turn_by_two_mirrors": "A rotation is two reflections",
+	"shift_by_two_mirrors": "A translation is two parallel reflections",
 	"cube_between_poses": "A cube between two poses",
-	"blending_methods": "Three ways from pose to pose",
-	"shell": "A motion that turns and scales",
+	"blending_methods": "Three paths between two poses",
+	"shell": "A motion that rotates and scales",
 	"loxodrome": "From pole to pole",
 	"robot_arm": "A robot arm",
 	"two_pencils": "Two pencils",
@@ -28,9 +28,9 @@ const EXAMPLES: Dictionary[String, String] = {
 ## Section titles by the first example of the section.
 const SECTIONS: Dictionary[String, String] = {
 	"circle_through_points": "Objects",
-	"reflection": "Mirrors",
+	"reflection": "Reflections",
 	"cube_between_poses": "Motions",
-	"robot_arm": "Problems and wonders",
+	"robot_arm": "Problems and curiosities",
 }
 
 
