@@ -22,6 +22,7 @@ class WrapperFactory;
 // theirs, and engine objects that C++ has met, which get a wrapper of the deepest class in the build profile that they
 // are, freed together with them. Wrapped must come first among the bases of every class, and with no virtual base.
 class Wrapped {
+	friend class ClassDB;
 	friend class internal::WrapperFactory;
 	friend void internal::post_initialize(Wrapped *p_object);
 
@@ -66,7 +67,7 @@ Object *get_binding(GDExtensionObjectPtr p_object);
 class WrapperFactory {
 public:
 	template <typename T>
-	static Wrapped *create(GDExtensionObjectPtr p_object) { return new (EngineMemory()) T(p_object); }
+	static Wrapped *create(GDExtensionObjectPtr p_object) { return new (EngineMemory{}) T(p_object); }
 
 	static void destroy(Wrapped *p_wrapped);
 };

@@ -92,7 +92,7 @@ private:
 	template <typename T>
 	static GDExtensionObjectPtr create(void *, GDExtensionBool p_notify) {
 		const internal::ConstructionOf<T> construction;
-		T *object = new (internal::EngineMemory()) T;
+		T *object = new (internal::EngineMemory{}) T;
 		if (p_notify) {
 			internal::post_initialize(object);
 		}

@@ -12,7 +12,7 @@ class Wrapped;
 
 namespace internal {
 
-// Chooses the engine's allocator in a new expression: new (EngineMemory()) T.
+// Chooses the engine's allocator in a new expression: new (EngineMemory{}) T.
 struct EngineMemory {};
 
 void *allocate(size_t p_size);
@@ -76,5 +76,5 @@ inline void operator delete(void *p_memory, ::godot::internal::EngineMemory) {
 
 // m_class is a type, optionally with constructor arguments in parentheses.
 #define memnew(m_class) \
-	(::godot::internal::ConstructionOf<std::remove_pointer_t<decltype(new (::godot::internal::EngineMemory()) m_class)>>(), \
-			::godot::internal::finish_construction(new (::godot::internal::EngineMemory()) m_class))
+	(::godot::internal::ConstructionOf<std::remove_pointer_t<decltype(new (::godot::internal::EngineMemory{}) m_class)>>(), \
+			::godot::internal::finish_construction(new (::godot::internal::EngineMemory{}) m_class))
