@@ -95,7 +95,7 @@ func test_an_expression_is_described_without_adding_it() -> void:
 	)
 	expect_equal(
 		_scene.describe_expression("norm(s)", "a")["error"],
-		"column 6: 's' depends on 'a': a -> s -> a",
+		"column 6: circular dependency a -> s -> a",
 		"error as a"
 	)
 	expect_equal(

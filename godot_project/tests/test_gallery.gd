@@ -62,8 +62,10 @@ func test_each_example_has_title_text_camera_and_ranges() -> void:
 		var description: String = scene.get_scene_attribute("description")
 		var sentences := description.count(". ") + 1
 		expect_true(sentences >= 2 and sentences <= 6, "%d sentences in %s" % [sentences, example])
-		expect_true(description.ends_with("."), "the description of %s ends" % example)
-		expect_true(ViewPoint.is_stored_in(scene), "where to look at %s from" % example)
+		expect_true(
+			description.ends_with("."), "the description of %s ends with a period" % example
+		)
+		expect_true(ViewPoint.is_stored_in(scene), "%s has a camera position" % example)
 		for entry in scene.get_names():
 			_expect_a_range(scene, entry, example)
 

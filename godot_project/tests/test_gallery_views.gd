@@ -49,13 +49,13 @@ func test_a_closed_panel_stays_closed_until_the_text_changes() -> void:
 
 func test_the_camera_is_stored_in_the_document() -> void:
 	var scene := GAScene.new()
-	expect_equal(ViewPoint.is_stored_in(scene), false, "told")
+	expect_equal(ViewPoint.is_stored_in(scene), false, "stored before writing")
 	var view := ViewPoint.new()
 	view.from = Vector3(1.25, -2.0, 3.5)
 	view.to = Vector3(0.5, 0.0, -1.0)
 	view.fov = 55.0
 	view.write_to(scene)
-	expect_equal(ViewPoint.is_stored_in(scene), true, "told")
+	expect_equal(ViewPoint.is_stored_in(scene), true, "stored")
 	var copy := GAScene.new()
 	copy.load_json(scene.to_json())
 	var read := ViewPoint.of(copy)
@@ -87,7 +87,7 @@ func test_a_narrow_view_keeps_the_horizontal_extent() -> void:
 		1e-6,
 		"half the width of a square view at 1 m"
 	)
-	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.MAX_FOV, "of no width")
+	expect_true(view.fov_in(Vector2(0, 600)) <= ViewPoint.MAX_FOV, "view of zero width")
 
 
 func test_an_invalid_camera_gives_the_default() -> void:
@@ -141,8 +141,8 @@ func test_invalid_pictures() -> void:
 	)
 	# These tests run headless.
 	var dialog := _open_dialog()
-	var told := await dialog.export_picture()
-	expect_equal(told, "No picture was drawn: drawing requires a display.", "error")
+	var message := await dialog.export_picture()
+	expect_equal(message, "No picture was drawn: drawing requires a display.", "error")
 	var problem: Label = dialog.find_child("Problem", true, false)
 	expect_equal(problem.text, message, "message in the dialog")
 	expect_true(problem.visible and dialog.visible, "the dialog stays open")

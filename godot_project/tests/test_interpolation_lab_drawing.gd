@@ -68,7 +68,7 @@ func test_it_draws_what_is_chosen() -> void:
 	var with_frame := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
 	_lab.set_setting(&"body", "cube")
 	var with_cube := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
-	expect_vector_near(with_cube.get_center(), Vector3.ZERO, 1e-4, "centre of the cube")
+	expect_vector_near(with_cube.get_center(), Vector3.ZERO, 1e-4, "center of the cube")
 	expect_near(with_cube.size.x, 0.522, 1e-4, "edge of the cube")
 	expect_true(with_frame.get_center().x > 0.2, "axes to one side")
 	_lab.set_setting(&"path", false)

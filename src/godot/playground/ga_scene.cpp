@@ -32,6 +32,10 @@ static Ref<Multivector> value_of(const playground::Entry &entry) {
 	return entry.value ? Multivector::make(*entry.value) : Ref<Multivector>();
 }
 
+static String error_of(const playground::Entry &entry) {
+	return entry.value ? String() : to_godot(entry.value.error().message);
+}
+
 const playground::Entry *GAScene::find(const String &name, const char *method) const {
 	const playground::Entry *entry = _document.find(to_utf8(name));
 	ERR_FAIL_NULL_V_MSG(entry, nullptr, vformat("GAScene.%s: there is no entry \"%s\"; get_names() lists the entries.", method, name));
@@ -104,7 +108,7 @@ Ref<Multivector> GAScene::get_value(const String &name) const {
 
 String GAScene::get_error(const String &name) const {
 	const playground::Entry *entry = find(name, "get_error");
-	return entry && !entry->value ? to_godot(entry->value.error().message) : String();
+	return entry ? error_of(*entry) : String();
 }
 
 String GAScene::get_description(const String &name) const {
@@ -133,7 +137,7 @@ Dictionary GAScene::describe_expression(const String &text, const StringName &as
 	Dictionary result;
 	result["value"] = entry.value ? godot::Variant(value_of(entry)) : godot::Variant();
 	result["description"] = entry.value ? to_godot(playground::describe(entry)) : String();
-	result["error"] = entry.value ? String() : to_godot(entry.value.error().message);
+	result["error"] = error_of(entry);
 	return result;
 }
 
