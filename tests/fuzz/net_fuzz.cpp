@@ -101,8 +101,8 @@ struct Recording {
 };
 
 const Recording &recording() {
-	static const Recording made;
-	return made;
+	static const Recording RECORDING;
+	return RECORDING;
 }
 
 /// Takes pieces of an input: a length in two bytes, then as many bytes as there are of it.
