@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-// Differences of positions this small, relative to the positions, are rounding.
+// Differences of positions below this, relative to the positions, are rounding.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
 constexpr Failure NOT_FINITE{ "A coordinate is not finite; give finite numbers" };
@@ -31,7 +31,7 @@ bool is_finite(const Vector &v) {
 	return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Empty for zero and for what is not finite. Scaled first, so that no square overflows or vanishes.
+// Empty for zero and vectors that are not finite. Scales first, so that no square overflows or underflows.
 std::optional<Vector> unit(const Vector &v) {
 	const double size = largest(v);
 	if (!(size > 0.0) || !std::isfinite(size)) {
@@ -46,7 +46,7 @@ bool coincide(const Vector &a, const Vector &b) {
 
 Result<Multivector> checked(const Multivector &x) {
 	if (!x.is_finite()) {
-		return Failure{ "The object is too far away or too large for double; keep lengths below 1e100 metres" };
+		return Failure{ "The object is too far away or too large for double; keep lengths below 1e100 meters" };
 	}
 	return x;
 }
@@ -80,7 +80,7 @@ Result<Multivector> tangent_of(const Vector &position, const Vector &axis, Attit
 	return u ? checked(round_blade(position, attitude(*u), 0.0)) : NO_DIRECTION;
 }
 
-// Made at a point that it goes through, and moved: however large it is, it stays near its points.
+// Constructed relative to a point on it and then translated, so that even a very large round passes through its points.
 Result<Multivector> round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
 	return checked(from_parts(round_parts(translated(RoundParameters{ to_center, {}, attitude, 0.0 }, a))));
 }
@@ -89,7 +89,7 @@ Multivector along(const Vector &u) {
 	return euclidean(u);
 }
 
-// How much of the cross product of differences of these points is rounding.
+// A bound of the rounding error of u x v, u and v being differences of points near a.
 double area_rounding(const Vector &a, const Vector &u, const Vector &v) {
 	const double size = std::max(largest(u), largest(v));
 	return ROUNDING * size * (largest(a) + size);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// The multivectors of the GA-Unity paper: 32 floats on the heap, and where an operation gets the one for its result.
+// The multivectors of the GA-Unity paper: 32 floats on the heap, and the allocation of results.
 
 namespace bench::paper {
 
@@ -19,14 +19,14 @@ struct Element {
 	float &operator[](size_t index) { return coefficients[index]; }
 };
 
-/// What the paper compares with: a new multivector for every operation.
+/// The paper's baseline: allocates a multivector for every operation.
 class Allocating {
 public:
 	Element *take() { return new Element; }
 	void give_back(Element *element) { delete element; }
 };
 
-/// The paper's own: a queue of multivectors, which are zeroed when they come back.
+/// The paper's method: a pool of multivectors, which are zeroed when they are returned.
 class Pool {
 public:
 	Element *take();
@@ -39,7 +39,7 @@ private:
 	size_t _taken = 0;
 };
 
-/// One taken element, given back at the end of its scope.
+/// An element taken from a store and returned at the end of its scope.
 template <class Store>
 class Held {
 public:
@@ -57,7 +57,7 @@ private:
 	Element *_element;
 };
 
-/// result = left right, each of the 1,024 terms (fewer for other products) written out, as the paper's generated code has it.
+/// result = left right, each of the 1,024 terms (fewer for other products) written out, as in the paper's generated code.
 void geometric_product(const Element &left, const Element &right, Element &result);
 /// The fat dot, 454 terms.
 void inner_product(const Element &left, const Element &right, Element &result);
@@ -65,7 +65,7 @@ void inner_product(const Element &left, const Element &right, Element &result);
 void conjugate(const Element &element, Element &result);
 void scale(const Element &element, float factor, Element &result);
 
-/// How many terms a product has.
+/// The number of terms of a product.
 [[nodiscard]] int term_count(cga::Product product);
 
 } // namespace bench::paper

@@ -8,7 +8,7 @@ namespace bench::paper {
 
 namespace {
 
-// Places of blades.
+// Indices of blades.
 enum : size_t {
 	E1 = 1,
 	E2 = 2,
@@ -57,7 +57,7 @@ bool is_blended(size_t index) {
 }
 
 template <class Store>
-void normalise(const Element &element, Element &result, Store &store) {
+void normalize(const Element &element, Element &result, Store &store) {
 	const Held<Store> conjugated(store);
 	conjugate(element, *conjugated);
 	const Held<Store> square(store);
@@ -75,7 +75,7 @@ cga::Quaternion<float> quaternion_of(const Element &rotor, Store &store) {
 template <class Store>
 cga::Vector3<float> translation_of(const Element &translator, Store &store) {
 	const Held<Store> unit(store);
-	normalise(translator, *unit, store);
+	normalize(translator, *unit, store);
 	const Held<Store> minus_origin(store);
 	scale(ORIGIN, -1.0f, *minus_origin);
 	const Held<Store> half(store);
@@ -115,7 +115,7 @@ cga::Pose<float> interpolate(const Ends &ends, float weight, Store &store) {
 	const Held<Store> translator(store);
 	geometric_product(*motor, *reversed, *translator);
 	const Held<Store> unit(store);
-	normalise(*translator, *unit, store);
+	normalize(*translator, *unit, store);
 	pose.translation = translation_of(*unit, store);
 	pose.scale = ends.to_scale * weight + ends.from_scale * (1.0f - weight);
 	return pose;

@@ -6,20 +6,20 @@
 #include <cstddef>
 #include <vector>
 
-// What the GA-Unity paper does for each object in each frame, operation by operation as in its public code, in C++:
+// The GA-Unity paper's method for each object in each frame, operation by operation as in its public code, in C++:
 //
 //   TR = (1 - a) TR1 + a TR2                      15 coefficients
 //   R = TR without e4 and e5                      the quaternion is that of e123 R
-//   T = normalised (TR R~)                        X / sqrt(|(X conj(X))_0|)
-//   t = -2 (normalised T . -e_o)                  the vector part
+//   T = normalized (TR R~)                        X / sqrt(|(X conj(X))_0|)
+//   t = -2 (normalized T . -e_o)                  the vector part
 //
-// which is 4 full geometric products, one inner product, and 14 multivectors taken and given back. The scale is blended
-// by itself. What its code gets wrong (the order of a quaternion's numbers, the weight of the dilator, q and -q) is right
-// here: ends on one hemisphere, TR made without a dilator.
+// which is 4 full geometric products, one inner product, and 14 multivectors taken and returned. The scale is blended
+// separately. The errors of its code (the component order of quaternions, the weight of the dilator, q and -q) are corrected
+// here: the ends are on one hemisphere, and TR has no dilator.
 
 namespace bench::paper {
 
-/// The two ends, as its Start() leaves them.
+/// The two ends, as its Start() computes them.
 struct Ends {
 	Ends(const cga::Pose<float> &from, const cga::Pose<float> &to);
 
@@ -29,7 +29,7 @@ struct Ends {
 	float to_scale;
 };
 
-/// One object in one frame.
+/// The pose of one object in one frame.
 template <class Store>
 [[nodiscard]] cga::Pose<float> interpolate(const Ends &ends, float weight, Store &store);
 

@@ -75,7 +75,7 @@ TEST_CASE("the square root is power 1/2; its square is the versor, or minus it w
 	}
 }
 
-TEST_CASE("the square root of a unit versor of positive scalar part is normalise(1 + M)") {
+TEST_CASE("the square root of a unit versor of positive scalar part is normalize(1 + M)") {
 	Random random(124);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		Multivector versor = repeat % 2 == 0 ? random_even_versor(random) : to_multivector(Motor<double>::from_pose(random.pose(2.0)));
@@ -86,7 +86,7 @@ TEST_CASE("the square root of a unit versor of positive scalar part is normalise
 	}
 }
 
-TEST_CASE("whole powers are products, of odd versors too") {
+TEST_CASE("integer powers are products, also of odd versors") {
 	Random random(125);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const Multivector versor = random_product(random, 1 + repeat % 4);
@@ -112,7 +112,7 @@ TEST_CASE("numbers") {
 	CHECK(power_of(Multivector::scalar(1.0), 1e300) == Multivector::scalar(1.0));
 }
 
-TEST_CASE("what is not defined says why") {
+TEST_CASE("undefined powers give the reason") {
 	CHECK(std::string(cga::sqrt(blade("e1")).error()).find("whole powers only") != std::string::npos);
 	CHECK(std::string(power(blade("e15"), 0.3).error()).find("whole powers only") != std::string::npos);
 	CHECK(std::string(power(blade("e1"), 1e10).error()).find("1e9") != std::string::npos);

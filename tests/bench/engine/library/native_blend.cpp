@@ -13,7 +13,7 @@ using godot::Node3D;
 using godot::Transform3D;
 using godot::TypedArray;
 
-// Scale 1: what the benchmark's scene has.
+// Scale 1, as in the benchmark's scene.
 static cga::Pose<float> pose_of(const Transform3D &p_transform) {
 	glm::mat3 basis;
 	for (int row = 0; row < 3; row++) {

@@ -11,8 +11,8 @@
 
 namespace bench {
 
-/// Moves nodes between two poses each, in C++, by one of the rivals' methods: one call a frame for all nodes, which spares
-/// the rivals what a script or a component for each object costs them.
+/// Moves each node between two poses, in C++, by one of the compared methods: one call a frame for all nodes, without the cost
+/// of a script or component for each object.
 class NativeBlend : public godot::RefCounted {
 	GDCLASS(NativeBlend, godot::RefCounted)
 
@@ -22,9 +22,9 @@ public:
 	void blend_paper_pooled(double p_weight);
 	/// The paper's method with a new multivector for every operation.
 	void blend_paper_allocating(double p_weight);
-	/// Position and scale mixed, rotation by slerp, with GLM.
+	/// Lerp of position and scale, slerp of rotation, with GLM.
 	void blend_glm_slerp(double p_weight);
-	/// No blend: sets the first pose again. What setting transforms costs.
+	/// No blend: sets the first pose again, to measure the cost of setting transforms.
 	void set_only(double p_weight);
 
 protected:

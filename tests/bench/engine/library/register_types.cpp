@@ -3,7 +3,7 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>
 
-// The library of tools/bench engine: rivals in C++. No part of the addon.
+// The library of tools/bench engine: the compared methods in C++. Not part of the addon.
 
 static void initialize(godot::ModuleInitializationLevel p_level) {
 	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
