@@ -6,7 +6,7 @@ import time
 from pose_error import compare_by_tick, percentile
 from pose_record import PoseRecord, ROW_FLOATS, lever_distance, moving_bodies
 
-# Bounds in metres, where the tolerance is 5 mm. A share may be outside: a busy machine is late now and then.
+# Bounds in meters, where the tolerance is 5 mm. A share may be outside: a busy machine is late now and then.
 MOVING_BOUND = 0.006
 MOVING_SHARE = 0.96
 # On a good network nearly all of the rest is not far outside.

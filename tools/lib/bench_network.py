@@ -40,7 +40,7 @@ def add_options(parser):
     parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams that arrive twice (0)")
     parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="what the link carries (0: any amount)")
     parser.add_argument("--tolerance-mm", type=within(0.01, 10000), default=5.0, metavar="MM",
-                        help="largest error of ga_godot, at the centre and 0.25 m from it (5)")
+                        help="largest error of ga_godot, at the center and 0.25 m from it (5)")
     parser.add_argument("--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
                         help="how far behind ga_godot's receiver may show (200)")
     parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",

@@ -3,7 +3,7 @@
 Usage: tools/demo [OPTION]...
 
 A server simulates cubes; clients on this machine show them. Twice the same
-scene: poses sent as quantised motors, and by MultiplayerSynchronizer at 20 Hz.
+scene: poses sent as quantized motors, and by MultiplayerSynchronizer at 20 Hz.
 Options: --cubes N  --clients K  --seconds S  --scene cubes|push  --window  --picture FILE
          --loss PERCENT  --burst PACKETS  --delay MS  --jitter MS  --reorder PERCENT
          --duplicate PERCENT  --rate BYTES  --json FILE  --engine COMMAND
@@ -33,7 +33,7 @@ def parse_arguments(arguments):
     parser = argparse.ArgumentParser(
         prog="tools/demo", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="A server simulates cubes; clients on this machine show them. Twice the same scene: poses sent\n"
-                    "as quantised motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
+                    "as quantized motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
     parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; in the scene push 901)")
     parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
     parser.add_argument("--seconds", type=within(0, 3600), default=8,

@@ -36,7 +36,7 @@ def print_table(arms, options):
     print("kB/s, packets/s: sent to one client, without the 28 bytes of IP and UDP a packet: ENet's own counters, or where the")
     print("network is made bad the proxy's, before anything is lost.")
     print("error: from what a client shows to where the server had it at the same media time; cubes that move, the worst")
-    print("of the centre and three points 0.25 m along the axes. Motors carry their time; the synchronizer, which shows what")
+    print("of the center and three points 0.25 m along the axes. Motors carry their time; the synchronizer, which shows what")
     print("arrives as it arrives, has the one delay removed that makes its mean error smallest.")
     print()
     ratio = synchronizer["bytes_per_second"] / motors["bytes_per_second"]

@@ -24,7 +24,7 @@ LEAK = re.compile(
 )
 # What the engine prints below an error.
 ORIGIN = re.compile(r"^\s+(at: |GDScript backtrace|C\+\+ backtrace|\[\d+\] )")
-COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class EngineLog:
@@ -39,7 +39,7 @@ class EngineLog:
     def feed(self, line):
         """Takes one line, with or without its end. True if it tells a reader something:
         announcements and the errors that they announced do not."""
-        line = COLOUR.sub("", line).rstrip()
+        line = COLOR.sub("", line).rstrip()
         if self._below_announced and ORIGIN.match(line):
             return False
         self._below_announced = False

@@ -15,14 +15,14 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: 
 
 INK = "#1f2933"
 FAINT = "#d9dee4"
-# Prefix of the subjects, name in the legend, colour, marker.
+# Prefix of the subjects, name in the legend, color, marker.
 KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c8553d", "s"),
          ("paper_motor_float32_", "fixed rate: GA-Unity's float32 motors", "#7d8a97", "^"),
          ("ga_godot", "GA-Godot, for tolerances", "#0b7285", "o"))
 # Errors below this are rounding: the method sent every sample.
 MIN_ERROR = 0.3
 # Points with a label: enough to read the others. The paper's rates are those beside it.
-LABELLED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
+LABELED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
 COLUMNS = 2
 
 
@@ -43,17 +43,17 @@ def curves(rows, trace):
 
 def draw_panel(axes, lines, title):
     """The curves of one trace."""
-    for prefix, name, colour, marker in KINDS:
+    for prefix, name, color, marker in KINDS:
         line = lines[prefix]
         ours = prefix == "ga_godot"
-        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=colour, marker=marker, label=name,
+        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=color, marker=marker, label=name,
                   linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=4 if ours else 3)
         for place, (p99, cost, label) in enumerate(line):
-            if label in LABELLED:
+            if label in LABELED:
                 # Beside the line: ours below it, unless it bends back there.
                 below = ours and not (place > 0 and line[place - 1][0] < p99)
-                axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=colour,
+                axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=color,
                               fontsize=8.5, ha="right" if below else "left", va="top" if below else "bottom")
     axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
     axes.set_xscale("log")

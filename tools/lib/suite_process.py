@@ -16,7 +16,7 @@ COUNTS = (
     re.compile(r"^\[[\w.-]+\] (?P<passed>\d+) passed, (?P<failed>\d+) failed$"),
     re.compile(r"^\[doctest\] test cases: +\d+ \| +(?P<passed>\d+) passed \| +(?P<failed>\d+) failed"),
 )
-COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+COLOR = re.compile(r"\x1b\[[0-9;]*m")
 SILENCE_SECONDS = 10
 
 
@@ -77,7 +77,7 @@ def run(program):
 
 def read_counts(line):
     """(passed, failed) if the line is a result, else None."""
-    text = COLOUR.sub("", line).strip()
+    text = COLOR.sub("", line).strip()
     for pattern in COUNTS:
         match = pattern.match(text)
         if match:

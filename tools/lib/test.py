@@ -30,7 +30,7 @@ def parse_arguments(argv):
     parser.add_argument("--only", action="append", choices=names, metavar="SUITE",
                         help="run this suite alone (repeatable): " + ", ".join(names))
     parser.add_argument("--sanitize", action="store_true",
-                        help="run the C++ and engine suites built with address and undefined-behaviour sanitizers instead")
+                        help="run the C++ and engine suites built with address and undefined-behavior sanitizers instead")
     arguments = parser.parse_args(argv)
     if arguments.sanitize and arguments.only:
         parser.error("--sanitize has its own suites; leave out --only")

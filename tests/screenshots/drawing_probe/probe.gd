@@ -8,7 +8,7 @@ const SCENE := "res://probe_drawing.tscn"
 const RED := Color(1, 0, 0)
 const GREEN := Color(0, 1, 0)
 const BLUE := Color(0, 0, 1)
-## Pixels of one colour that are more than chance: what is drawn has thousands, or hundreds in a quarter of the view.
+## Pixels of one color that are more than chance: what is drawn has thousands, or hundreds in a quarter of the view.
 const SEEN := 60
 
 var _narrow := 0
@@ -202,7 +202,7 @@ func _show_parent() -> void:
 
 
 func _save() -> void:
-	_expect_seen(0, RED, false, "after another colour")
+	_expect_seen(0, RED, false, "after another color")
 	_expect(EditorInterface.save_scene(), OK, "saving")
 
 
@@ -216,7 +216,7 @@ func _see_reloaded() -> void:
 		"sphere, radius 1, centre (-1.5, 0, 0)",
 		"the ball after saving and loading"
 	)
-	_expect(_node("Ball").color, GREEN, "its colour after saving and loading")
+	_expect(_node("Ball").color, GREEN, "its color after saving and loading")
 	_expect(
 		_node("Circle").describe(),
 		"circle, radius 1, centre (1.5, 0, 0), normal (0, 0, 1)",
@@ -241,7 +241,7 @@ func _expect_seen(view: int, color: Color, seen: bool, when: String) -> void:
 	_expect(count >= SEEN, seen, "%d pixels of %s %s" % [count, color.to_html(false), when])
 
 
-## Pixels of the view that are that colour rather than any other; the editor's own axes are duller.
+## Pixels of the view that are that color rather than any other; the editor's own axes are duller.
 func _count(view: int, color: Color) -> int:
 	var picture := EditorInterface.get_editor_viewport_3d(view).get_texture().get_image()
 	picture.convert(Image.FORMAT_RGB8)
