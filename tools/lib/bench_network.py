@@ -1,4 +1,4 @@
-"""The suite network of tools/bench: recorded motion over a simulated link, and what a server has to do.
+"""The suite network of tools/bench: recorded motion over a simulated link, and the load of a server.
 
 Each trace is sent by every method through the same impaired link: poses replicated by the project's sender and
 receiver, float32 poses at fixed rates, and the GA-Unity paper's scheme. How error and cost are measured:
@@ -21,37 +21,37 @@ PARTS = ("build", "bench")
 TRACES = os.path.join(os.path.dirname(checkout.ROOT), "shared", "traces")
 IMPAIRED_RUNS = 5
 PLOT_TOLERANCES = (1, 2, 3, 5, 8, 12, 20)
-# What the program takes in other units than people: name of the option, of the program's, factor.
+# Options that the program takes in other units: our option, the program's option, factor.
 LINK = (("loss", "loss", 0.01), ("burst", "burst", 1.0), ("duplicates", "duplication", 0.01), ("delay", "delay", 0.001),
         ("jitter", "jitter", 0.001), ("bandwidth", "bytes-per-second", 1000.0))
 
 
 def add_options(parser):
-    """The options that only this suite takes."""
+    """The options of this suite."""
     parser.add_argument("--trace", metavar="FILE", action="append", dest="traces", default=[],
-                        help="a recording to send, lines of t,id,x,y,z,qw,qx,qy,qz (repeatable); without it those of "
+                        help="a recording to send, lines of t,id,x,y,z,qw,qx,qy,qz (repeatable); default: those of "
                              "../shared/traces beside the checkout")
-    parser.add_argument("--loss", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams lost, each way (0)")
+    parser.add_argument("--loss", type=within(0, 100), default=0.0, metavar="PERCENT", help="packet loss, each way (0)")
     parser.add_argument("--jitter", type=within(0, 60000), default=0.0, metavar="MS",
-                        help="datagrams take up to this much longer, uniformly, and overtake each other (0)")
-    parser.add_argument("--delay", type=within(0, 60000), default=0.0, metavar="MS", help="datagrams take at least this, each way (0)")
+                        help="random additional delay from 0 to this, uniform; packets can be reordered (0)")
+    parser.add_argument("--delay", type=within(0, 60000), default=0.0, metavar="MS", help="one-way delay (0)")
     parser.add_argument("--burst", type=within(0, 1000000), default=0.0, metavar="N",
-                        help="mean number of datagrams lost in a row (0: each by itself)")
-    parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams that arrive twice (0)")
-    parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="what the link carries (0: any amount)")
+                        help="mean length of a burst of lost packets (0: independent losses)")
+    parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="duplicated packets (0)")
+    parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="bandwidth of the link (0: unlimited)")
     parser.add_argument("--tolerance-mm", type=within(0.01, 10000), default=5.0, metavar="MM",
-                        help="largest error of ga_godot, at the center and 0.25 m from it (5)")
+                        help="maximum error of ga_godot, at the center and 0.25 m from it (5)")
     parser.add_argument("--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
-                        help="how far behind ga_godot's receiver may show (200)")
+                        help="maximum playback delay of ga_godot's receiver (200)")
     parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",
                         help="ga_godot's path between samples (separate)")
-    parser.add_argument("--seed", type=whole(0, 10 ** 15), default=1, help="of the link's chances (1)")
+    parser.add_argument("--seed", type=whole(0, 10 ** 15), default=1, help="seed of the link's random numbers (1)")
     parser.add_argument("--runs", type=whole(1, 1000), metavar="N",
-                        help=f"runs with seeds from --seed on, taken together ({IMPAIRED_RUNS} where chance decides, else 1)")
+                        help=f"number of runs, with seeds from --seed on, that are pooled ({IMPAIRED_RUNS} on an impaired link, else 1)")
     parser.add_argument("--engine-seconds", type=whole(0, 3600), default=0, metavar="S",
-                        help="also run tools/demo's scene in the engine for so long, over ENet, beside MultiplayerSynchronizer (0: no)")
+                        help="also run tools/demo's scene in the engine for S seconds, over ENet, beside MultiplayerSynchronizer (0: no)")
     parser.add_argument("--rate-distortion", metavar="PNG",
-                        help="instead draw bytes per second over error, ga_godot's for tolerances of "
+                        help="draw bytes per second over error instead; ga_godot's at tolerances of "
                              + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
 
 
@@ -76,7 +76,7 @@ def whole(least, most):
 
 
 def run_count(options):
-    """How often each method is run over the link: one run with losses says little about the next."""
+    """The number of runs of each method over the link: results of single runs with losses vary."""
     return options.runs or (IMPAIRED_RUNS if options.loss or options.jitter or options.duplicates else 1)
 
 
@@ -108,13 +108,13 @@ def measure_in_engine(options):
                    f"--jitter={options.jitter:g}", "--json", path]
         print(flush=True)
         if subprocess.run(command, stdin=subprocess.DEVNULL, check=False).returncode != 0:
-            sys.exit("tools/bench: the demo did not run to its end")
+            sys.exit("tools/bench: the demo failed")
         with open(path, encoding="utf-8") as file:
             return json.load(file)["rows"]
 
 
 def measure_rate_distortion(options, traces):
-    """Every method on every trace, ours at several tolerances, and the picture of it."""
+    """Measures every method on every trace, ours at several tolerances, and draws the plot."""
     rows = []
     for trace in traces:
         baselines = run_trace(options, trace)
@@ -134,7 +134,7 @@ def measure_rate_distortion(options, traces):
 
 
 def run_trace(options, trace, tolerance_mm=None, *arguments):
-    """The rows of a trace; ends the program with one line where it cannot be read or sent."""
+    """The rows of a trace; exits with one line if it cannot be read or sent."""
     rows = run_program(options, tolerance_mm or options.tolerance_mm, f"--trace={trace}", *arguments)
     for row in rows:
         row["trace"] = os.path.basename(trace)
@@ -142,7 +142,7 @@ def run_trace(options, trace, tolerance_mm=None, *arguments):
 
 
 def run_program(options, tolerance_mm, *arguments):
-    """The rows that the benchmark program prints, with what it was asked for."""
+    """The rows that the benchmark program prints, with the options of the run."""
     command = [os.path.join(checkout.variant(), "bench", "network_bench"), *arguments,
                f"--tolerance={tolerance_mm / 1000:g}", f"--max-latency={options.max_latency_ms / 1000:g}",
                f"--mode={options.mode}", f"--seed={options.seed}", f"--runs={run_count(options)}"]

@@ -1,4 +1,4 @@
-"""Tables of the suite network: a line for each method, and what it comes to at equal error."""
+"""Tables of the suite network: a line for each method, and a comparison at equal error."""
 
 OURS = "ga_godot"
 # Column: case, heading, format.
@@ -16,7 +16,7 @@ def by_subject(rows):
 
 
 def print_trace(name, rows, link):
-    """One trace: what each method took and how far off it was; the comparison at equal error comes last."""
+    """Prints the table of one trace: bandwidth and error of each method, then the comparison at equal error."""
     methods = by_subject(rows)
     ours = methods[OURS]
     bodies, runs = rows[0]["n"], rows[0]["runs"]
@@ -25,36 +25,36 @@ def print_trace(name, rows, link):
     print(f"{'':<26}" + "".join(f"{heading:>13}" for _, heading, _ in COLUMNS))
     for subject, values in methods.items():
         print(f"{subject:<26}" + "".join(f"{number(values[case], form):>13}" for case, _, form in COLUMNS))
-    print(f"\n{OURS}: delay {number(ours['playback_delay_median'], '{:.0f}')} ms in the median; answers of "
-          f"{ours['answer_bytes_per_second_per_body']:.2f} B/s/body come back; encode {number(ours['encode'], '{:.0f}')}, "
-          f"decode {number(ours['decode'], '{:.0f}')} ns a pose; {number(ours['allocations_per_packet'], '{:.1f}')} allocations a packet")
+    print(f"\n{OURS}: delay {number(ours['playback_delay_median'], '{:.0f}')} ms in the median; acks take "
+          f"{ours['answer_bytes_per_second_per_body']:.2f} B/s/body; encode {number(ours['encode'], '{:.0f}')}, "
+          f"decode {number(ours['decode'], '{:.0f}')} ns/pose; {number(ours['allocations_per_packet'], '{:.1f}')} allocations per packet")
     if ours["samples_unseen"]:
-        print(f"{OURS}: {ours['samples_unseen']:.0f} samples passed before the receiver had anything to show of their body")
+        print(f"{OURS}: {ours['samples_unseen']:.0f} samples passed before the receiver could show their body")
     print(comparison(methods, "paper_motor_float32_", "the paper's scheme"))
     print(comparison(methods, "pqs_float32_", "the cheapest baseline"), flush=True)
 
 
 def comparison(methods, prefix, name):
-    """Ours beside the cheapest of the baselines with this prefix whose p99 is no worse."""
+    """Compares ours with the cheapest baseline with this prefix whose p99 error is not larger."""
     ours = methods[OURS]
     if ours["error_p99"] is None:
-        return f"{OURS}: showed nothing that moved"
+        return f"{OURS}: showed no moving body"
     rivals = {subject: values for subject, values in methods.items()
               if subject.startswith(prefix) and values["error_p99"] is not None}
     if not rivals:
-        return f"{OURS}: {name} showed nothing that moved"
+        return f"{OURS}: {name} showed no moving body"
     equals = [subject for subject, values in rivals.items() if values["error_p99"] <= ours["error_p99"]]
     if equals:
         best = min(equals, key=lambda subject: rivals[subject]["bytes_per_second_per_body"])
-        meaning = f"{name} with p99 no worse ({best})"
+        meaning = f"{name} whose p99 error is not larger ({best})"
     else:
         best = min(rivals, key=lambda subject: rivals[subject]["error_p99"])
-        meaning = f"{best}, whose p99 is the best of {prefix}* and yet worse"
+        meaning = f"{best}, whose p99 error is the smallest of {prefix}* but larger than ours"
     return f"{OURS}: 1/{rivals[best]['bytes_per_second_per_body'] / ours['bytes_per_second_per_body']:.1f} of {meaning}"
 
 
 def print_server(rows, link):
-    """What a server has to do."""
+    """Prints the load of a server."""
     values = by_subject(rows)[OURS]
     print(f"\nserver: 1,000 moving bodies to 64 receivers, observed at 60 Hz, sent at 20 Hz; {link}\n"
           f"{OURS}: {100 * values['server_core_share']:.1f} % of a core; {values['server_bytes_per_second_per_body']:.1f} B/s/body "
@@ -62,5 +62,5 @@ def print_server(rows, link):
 
 
 def number(value, form):
-    """A value in a table; a dash where there is none."""
+    """A value in a table; a dash for None."""
     return "-" if value is None else form.format(value)

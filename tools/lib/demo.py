@@ -1,4 +1,4 @@
-"""Runs the multiplayer demo and prints what it took.
+"""Runs the multiplayer demo and prints its bandwidth and errors.
 
 Usage: tools/demo [OPTION]...
 
@@ -32,19 +32,19 @@ from demo_table import json_rows, print_table
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(
         prog="tools/demo", formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="A server simulates cubes; clients on this machine show them. Twice the same scene: poses sent\n"
-                    "as quantized motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
-    parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; in the scene push 901)")
+        description="A server simulates cubes, and clients on this machine show them. Runs the same scene twice:\n"
+                    "with quantized motors, and with MultiplayerSynchronizer at 20 Hz. Prints one table.")
+    parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; 901 in the scene push)")
     parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
     parser.add_argument("--seconds", type=within(0, 3600), default=8,
-                        help="length of each run (8); 0: play in windows until they are closed, no table")
+                        help="length of each run (8); 0: play in windows until they are closed, without a table")
     parser.add_argument("--scene", choices=("cubes", "push"), default="cubes",
-                        help="cubes: structures that fall; push: a field of cubes that a ball ploughs through")
-    parser.add_argument("--window", action="store_true", help="the clients open windows")
+                        help="cubes: structures that fall; push: a field of cubes that a ball plows through")
+    parser.add_argument("--window", action="store_true", help="open a window for each client")
     parser.add_argument("--picture", metavar="FILE",
-                        help="only save a picture of what the first client shows in the middle of the scene")
+                        help="only save a screenshot of the first client in the middle of the scene")
     parser.add_argument("--json", metavar="FILE", help="write the figures to FILE")
-    parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
+    parser.add_argument("--engine", metavar="COMMAND", help="the Godot command to use (default: the engine of tools/setup)")
     demo_network.add_arguments(parser, within)
     return parser.parse_args(arguments)
 
@@ -88,7 +88,7 @@ def main():
 
 
 def measure(engine, folder, options):
-    """Both methods, one after the other; then the table."""
+    """Runs both methods in turn and prints the table."""
     if options.window:
         need_display()
     arms = {}
@@ -105,7 +105,7 @@ def measure(engine, folder, options):
 
 
 def play(engine, folder, options):
-    """Windows to play in, until the last is closed."""
+    """Opens windows to play in, until the last is closed."""
     need_display()
     with DemoRun(engine, folder) as run:
         run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
@@ -115,7 +115,7 @@ def play(engine, folder, options):
 
 
 def take_picture(engine, folder, options):
-    """What a client's window shows, with a second player who drives round; on a display of its own if there is none."""
+    """Saves a screenshot of a client, with a second player driving around; uses Xvfb if there is no display."""
     path = os.path.abspath(options.picture)
     with contextlib.ExitStack() as stack:
         if not os.environ.get("DISPLAY"):
@@ -128,13 +128,13 @@ def take_picture(engine, folder, options):
         first.process.wait(timeout=options.seconds + SPARE_SECONDS)
         first.check_log()
     if not os.path.isfile(path):
-        raise RunFailed(f"no picture was made: {first.last_words()}")
-    print(f"demo: picture in {options.picture}")
+        raise RunFailed(f"no screenshot was saved: {first.last_words()}")
+    print(f"demo: saved {options.picture}")
 
 
 def need_display():
     if sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        raise RunFailed("windows need a display: DISPLAY is not set; leave out --window to run without")
+        raise RunFailed("windows need a display, and DISPLAY is not set: set it, or remove --window")
 
 
 def machine():

@@ -1,11 +1,11 @@
-"""One measured run of the demo: a scene played to clients by one method, and its figures."""
+"""One measured run of the demo: a scene sent to clients by one method, and its figures."""
 
 import demo_network
 from demo_run import DemoRun, RunFailed, progress
 from pose_error import ErrorSummary, compare_by_tick, compare_by_wall_clock
 from pose_record import PoseRecord, moving_bodies
 
-# Of each scene.
+# The default number of cubes in each scene.
 CUBES = {"cubes": 250, "push": 901}
 METHODS = ("motors", "synchronizer")
 SPARE_SECONDS = 40
@@ -23,7 +23,7 @@ def run_arm(engine, folder, options, method):
         run.wait(options.seconds + SPARE_SECONDS,
                  lambda elapsed: progress(f"{method}: a server and {options.clients} clients,", f" {elapsed:.0f} s"))
         run.check_logs()
-        progress(f"{method}: comparing what the clients showed with the server ...")
+        progress(f"{method}: comparing the clients' poses with the server's ...")
         return evaluate(run, options, method)
 
 

@@ -22,7 +22,7 @@ class RunFailed(Exception):
 
 
 def free_port():
-    """A UDP port that nobody uses at the moment."""
+    """A free UDP port."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
@@ -32,7 +32,7 @@ class DemoProcess:
     """One engine process; its output goes to a file."""
 
     def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None):
-        """With a window, numbered for its place on the screen, or without; `script` runs instead of the demo's scene."""
+        """With a `window` (its number sets its position) or headless; `script` runs instead of the demo's scene."""
         self.name = name
         self.log_path = os.path.join(folder, name + ".log")
         self.record_path = os.path.join(folder, name + ".poses")
@@ -54,20 +54,20 @@ class DemoProcess:
             return file.read()
 
     def wait_for_line(self, start, seconds):
-        """Waits for a line that begins like that; raises RunFailed if none comes."""
+        """Waits for a line that begins with `start`; raises RunFailed if there is none in time."""
         end = time.monotonic() + seconds
         while True:
             running = self.is_running()
             if any(line.startswith(start) for line in self.log().splitlines()):
                 return
             if not running:
-                raise RunFailed(f"{self.name} ended before it said '{start}': {self.last_words()}")
+                raise RunFailed(f"{self.name} ended before it printed '{start}': {self.last_words()}")
             if time.monotonic() > end:
-                raise RunFailed(f"{self.name} did not say '{start}' within {seconds:g} s")
+                raise RunFailed(f"{self.name} did not print '{start}' within {seconds:g} s")
             time.sleep(0.05)
 
     def report(self):
-        """The counts that the process printed at its end; raises RunFailed if it did not."""
+        """The counts that the process printed when it ended; raises RunFailed if it printed none."""
         for line in self.log().splitlines():
             if line.startswith(REPORT):
                 return json.loads(line[len(REPORT):])
@@ -78,20 +78,20 @@ class DemoProcess:
         return lines[-1] if lines else "it printed nothing"
 
     def check_log(self):
-        """Raises RunFailed if the engine complained."""
+        """Raises RunFailed if the engine reported a problem."""
         problems = engine_log.problems_of(self.log())
         if problems:
             raise RunFailed(f"{self.name}: {problems[0]} ({len(problems)} such lines)")
 
     def kill(self):
-        """Ends the process and what it started, at once."""
+        """Kills the process and its children."""
         if self.is_running():
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
 
 
 class DemoRun:
-    """A server and its clients. Use it in a with statement: whatever happens, no process is left."""
+    """A server and its clients. A context manager: at its end no process is left."""
 
     def __init__(self, engine, folder, project=checkout.PROJECT):
         self.engine = engine
@@ -120,7 +120,7 @@ class DemoRun:
         return client
 
     def wait(self, seconds, tell=None):
-        """Waits until all have ended; raises RunFailed for who has not in time."""
+        """Waits until all processes have ended; raises RunFailed for one that has not in time."""
         start = time.monotonic()
         while True:
             running = [process for process in [*self.clients, self.server] if process.is_running()]
@@ -144,7 +144,7 @@ class DemoRun:
 
 
 def progress(phase, detail=""):
-    """Shows a line that the next one replaces; where the output is no terminal, each phase once."""
+    """Shows a line that the next one replaces; on an output that is not a terminal, prints each phase once."""
     if sys.stderr.isatty():
         print("\r\033[K" + phase + detail, end="", file=sys.stderr, flush=True)
     elif phase and not detail:

@@ -1,4 +1,4 @@
-"""Draws what each method costs over how far off it is: plot_rate_distortion.py ROWS.json PICTURE.png
+"""Plots the bandwidth of each method over its error: plot_rate_distortion.py ROWS.json PICTURE.png
 
 The rows are those of tools/bench network --rate-distortion: the methods at fixed rates, and ga_godot at several
 tolerances. One panel a trace, both axes logarithmic.
@@ -21,7 +21,7 @@ KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c
          ("ga_godot", "GA-Godot, for tolerances", "#0b7285", "o"))
 # Errors below this are rounding: the method sent every sample.
 MIN_ERROR = 0.3
-# Points with a label: enough to read the others. The paper's rates are those beside it.
+# The points that get a label.
 LABELED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
 COLUMNS = 2
 
@@ -42,7 +42,7 @@ def curves(rows, trace):
 
 
 def draw_panel(axes, lines, title):
-    """The curves of one trace."""
+    """Draws the curves of one trace."""
     for prefix, name, color, marker in KINDS:
         line = lines[prefix]
         ours = prefix == "ga_godot"
@@ -77,7 +77,7 @@ def titles(rows):
 
 
 def main(rows_path, picture_path):
-    """Reads the rows, writes the picture."""
+    """Reads the rows and writes the plot."""
     with open(rows_path, encoding="utf-8") as file:
         rows = json.load(file)["rows"]
     panels = titles(rows)
@@ -89,7 +89,7 @@ def main(rows_path, picture_path):
     for axes, (trace, title) in zip(grid.flat, panels.items()):
         draw_panel(axes, curves(rows, trace), title)
     for axes in grid[:, 0]:
-        axes.set_ylabel("bytes a second and body", color=INK)
+        axes.set_ylabel("bytes per second and body", color=INK)
     for axes in grid[-1]:
         axes.set_xlabel("error, 99th percentile of moving samples, mm", color=INK)
     handles, names = grid.flat[0].get_legend_handles_labels()

@@ -49,7 +49,7 @@ def run_scene(scene, folder):
 
 
 def write_trace(record, file):
-    """Writes a record as lines; consecutive quaternions of a body lie in one hemisphere."""
+    """Writes a record as lines; consecutive quaternions of a body lie in the same hemisphere."""
     file.write("t,id,x,y,z,qw,qx,qy,qz\n")
     last = [(1.0, 0.0, 0.0, 0.0)] * record.body_count
     for tick, rows in enumerate(record.rows):
