@@ -13,7 +13,7 @@ const E45 := 15
 const NULL_ELEMENT := "the multivector is null (its norm is zero), so no multiple of it has norm 1; scale null objects by their meaning: a point to -e_inf . X = 1"
 const SINGULAR := "the multivector has no inverse: it is null or a zero divisor, or too close to one for double precision"
 const ODD := "an odd versor (a reflection or inversion) has no logarithm: no continuous motion reaches it"
-const NO_VERSOR := "the multivector is not a versor (a product of non-null vectors), or rounding has erased its norm; normalized() turns a noisy one into a versor"
+const NOT_A_VERSOR := "the multivector is not a versor (a product of non-null vectors), or rounding has erased its norm; normalized() turns a noisy one into a versor"
 
 
 func test_norms() -> void:

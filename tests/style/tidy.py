@@ -13,7 +13,7 @@ import sources
 from passed_files import PassedFiles
 
 COMMANDS = "compile_commands.json"
-CONFIGURATION = ".clang-tidy"
+CONFIGURATIONS = (".clang-tidy", "bindings/.clang-tidy")
 # Options of gcc that clang does not know.
 GCC_ONLY = {"-fno-gnu-unique"}
 # clang-tidy reports its own checks; the compiler's warnings belong to the build.
@@ -24,7 +24,8 @@ FINDING = re.compile(r"^(?P<place>.+?:\d+:\d+): (?:warning|error): (?P<text>.+)$
 def findings():
     """What clang-tidy reports, one line for each finding, without duplicates from headers."""
     tool = clang_tools.find("clang-tidy")
-    passed = PassedFiles("clang-tidy", clang_tools.version_of(tool) + sources.read(CONFIGURATION) + " ".join(EXTRA))
+    settings = [clang_tools.version_of(tool), *EXTRA, *map(sources.read, CONFIGURATIONS)]
+    passed = PassedFiles("clang-tidy", "\n".join(settings))
     commands = compile_commands()
     pending = [path for path in sources.find("c++") if path.endswith(".cpp") and not passed.has(path)]
     found = set()

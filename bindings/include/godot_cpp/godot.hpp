@@ -27,8 +27,8 @@ public:
 
 	// Used once, in the library's entry function, which returns what init() returns.
 	class InitObject {
-		GDExtensionInterfaceGetProcAddress get_proc_address;
-		GDExtensionInitialization *initialization;
+		GDExtensionInterfaceGetProcAddress _get_proc_address;
+		GDExtensionInitialization *_initialization;
 
 	public:
 		InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization);

@@ -112,8 +112,8 @@ PacketResult Receiver::finish_snapshot(double now) {
 		return {};
 	}
 	StreamDecoder decoder(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), _max_bodies);
-	if (!decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES)) {
-		return PacketError::UNREADABLE_SNAPSHOT;
+	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+		return result;
 	}
 	const bool is_earlier = double(next.tick) < _window_end;
 	const bool continues = is_ready() && next.settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next.tick) >= _window_end - MAX_TICKS));

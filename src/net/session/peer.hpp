@@ -24,7 +24,7 @@ struct Peer {
 	// Our stream to the peer.
 	bool subscribed = false;
 	uint8_t subscription = 0; ///< its link
-	double subscribed_at = 0.0;
+	double subscribed_at = -1e9;
 
 	// The peer's stream to us.
 	std::optional<Receiver> stream;

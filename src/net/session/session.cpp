@@ -1,8 +1,8 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace net {
 
@@ -50,16 +50,14 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 		return left;
 	}
 	_now = now;
+	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
-	for (auto at = _peers.begin(); at != _peers.end();) {
-		if (has_peer(at->first)) {
-			++at;
-			continue;
+	for (const PeerId id : left) {
+		if (const auto found = _peers.find(id); found != _peers.end()) {
+			unsubscribe(id, found->second);
+			end_stream(found->second);
+			_peers.erase(found);
 		}
-		unsubscribe(at->first, at->second);
-		end_stream(at->second);
-		left.push_back(at->first);
-		at = _peers.erase(at);
 	}
 	_streams_stale = true;
 	return left;
@@ -124,10 +122,11 @@ void Session::remove_body(uint32_t body) {
 }
 
 void Session::begin_tick(double now, double length) {
-	_now = now;
+	_now = _tick_time = now;
 	if (length != _settings.tick) {
-		// Whole ticks of the new length, and not earlier than before.
-		_tick = int64_t(std::ceil(time() / length));
+		// The sender, too, counts whole ticks of the new length from here.
+		_first_tick = time();
+		_tick = 0;
 		_settings.tick = length;
 		if (_sender) {
 			_sender->set_settings(_settings);
@@ -208,11 +207,9 @@ void Session::end_stream(Peer &peer) {
 void Session::subscribe(PeerId id, uint8_t link, double now) {
 	const auto found = _peers.find(id);
 	const bool subscribed = found != _peers.end() && found->second.subscribed;
-	if (subscribed && (found->second.subscription == link || now - found->second.subscribed_at < SUBSCRIPTION_INTERVAL)) {
-		return;
-	}
-	if (!owns_bodies(_self)) {
-		return; // the peer repeats the OPEN
+	const bool is_recent = found != _peers.end() && now - found->second.subscribed_at < SUBSCRIPTION_INTERVAL;
+	if ((subscribed && found->second.subscription == link) || is_recent || !owns_bodies(_self)) {
+		return; // the peer repeats the OPEN until a stream arrives
 	}
 	Peer &peer = _peers[id];
 	if (!_sender) {
@@ -350,7 +347,7 @@ PacketResult Session::accept_ack(PeerId id, Peer *peer, uint8_t link, const uint
 		return PacketError::NOT_SUBSCRIBED;
 	}
 	// Time passes between two ticks: without this, round trips would be whole ticks.
-	const double since_tick = std::clamp(now - _now, 0.0, _settings.tick);
+	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
 	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
 }
 

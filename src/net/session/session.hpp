@@ -81,7 +81,7 @@ public:
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
-	[[nodiscard]] double time() const { return double(_tick) * _settings.tick; } // seconds on the own stream
+	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds on the own stream
 	void count_owner(PeerId owner, int change);
 	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
 	void update_streams();
@@ -106,8 +106,10 @@ private:
 	std::map<PeerId, size_t> _body_count; // by owner
 	bool _streams_stale = false;
 	std::optional<Sender> _sender; // while a peer is subscribed
-	int64_t _tick = 0;
-	double _now = 0.0; // at the beginning of the last tick or frame
+	double _first_tick = 0.0; // where ticks of this length began, on the own stream
+	int64_t _tick = 0; // since then
+	double _tick_time = 0.0; // local time of the last tick
+	double _now = 0.0; // of the last tick or frame
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // in all

@@ -13,7 +13,7 @@ constexpr int NEVER = MAX_TICKS + 1;
 StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies) :
 		_grid(position_tolerance, rotation_tolerance), _max_bodies(max_bodies) {}
 
-bool StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
+PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
 	uint32_t ticks = 0;
@@ -25,8 +25,11 @@ bool StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	code_models(coder, _new_models);
 	coder.bits(count, INDEX_BITS);
 	// A body at rest takes at least a byte: a short snapshot cannot make the decoder allocate many.
-	if (ticks > MAX_TICKS || count > _max_bodies || count > size) {
-		return false;
+	if (ticks > MAX_TICKS || count > size) {
+		return PacketError::UNREADABLE_SNAPSHOT;
+	}
+	if (count > _max_bodies) {
+		return PacketError::TOO_MANY_BODIES;
 	}
 	_new_bodies.clear();
 	for (uint32_t i = 0; i < count; ++i) {
@@ -35,7 +38,7 @@ bool StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 		body.state.visit(state_coder);
 		body.until = NEVER;
 		if (!body.state.is_valid()) {
-			return false;
+			return PacketError::UNREADABLE_SNAPSHOT;
 		}
 		_new_bodies.push_back(body);
 	}
@@ -43,7 +46,7 @@ bool StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	_bodies.swap(_new_bodies);
 	_last_ticks = int(ticks);
 	_check = check;
-	return true;
+	return {};
 }
 
 std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions) {

@@ -2,6 +2,7 @@
 
 #include "net/motion/body_motion.hpp"
 #include "net/motion/motion_code.hpp"
+#include "net/stream/packet_error.hpp"
 #include "net/stream/stream_header.hpp"
 
 #include <cstddef>
@@ -17,8 +18,8 @@ class StreamDecoder {
 public:
 	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies);
 
-	/// Reads the output of StreamEncoder::encode_snapshot. False if it cannot be decoded.
-	[[nodiscard]] bool read_snapshot(const uint8_t *bytes, size_t size);
+	/// Reads the output of StreamEncoder::encode_snapshot.
+	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
 	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its motion, for each body in order of
 	/// time. Returns the window's length in ticks; nothing if it cannot be decoded or its checksum differs.
 	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);

@@ -7,7 +7,7 @@ namespace {
 constexpr size_t COUNT = cga::BLADE_COUNT;
 
 template <cga::Product PRODUCT, size_t RESULT, size_t LEFT>
-constexpr int SIGN = cga::SIGN_TABLE<PRODUCT>[cga::BLADE_BITMAPS[LEFT]][cga::BLADE_BITMAPS[RESULT]];
+constexpr int8_t SIGN = cga::SIGN_TABLE<PRODUCT>[cga::BLADE_BITMAPS[LEFT]][cga::BLADE_BITMAPS[RESULT]];
 
 template <size_t RESULT, size_t LEFT>
 constexpr size_t RIGHT = cga::BLADE_INDICES[cga::BLADE_BITMAPS[LEFT] ^ cga::BLADE_BITMAPS[RESULT]];
@@ -29,8 +29,8 @@ float coefficient(const Element &a, const Element &b, std::index_sequence<LEFT..
 }
 
 template <cga::Product PRODUCT, size_t... RESULT>
-void multiply(const Element &a, const Element &b, Element &product, std::index_sequence<RESULT...>) {
-	((product[RESULT] = coefficient<PRODUCT, RESULT>(a, b, std::make_index_sequence<COUNT>())), ...);
+void multiply(const Element &a, const Element &b, Element &sum, std::index_sequence<RESULT...>) {
+	((sum[RESULT] = coefficient<PRODUCT, RESULT>(a, b, std::make_index_sequence<COUNT>())), ...);
 }
 
 } // namespace

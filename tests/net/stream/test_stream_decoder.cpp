@@ -192,7 +192,9 @@ TEST_CASE("stream decoder: no input makes it exceed its maximum of bodies, or al
 	std::vector<BodyMotion> motions;
 	for (const size_t max_bodies : { size_t(49), size_t(50) }) {
 		StreamDecoder decoder(0.005f, 1.4f, max_bodies);
-		CHECK(decoder.read_snapshot(snapshot.data(), snapshot.size()) == (max_bodies == 50));
+		const PacketResult result = decoder.read_snapshot(snapshot.data(), snapshot.size());
+		CHECK(result.has_value() == (max_bodies == 50));
+		CHECK((result || result.error() == PacketError::TOO_MANY_BODIES));
 		REQUIRE(decoder.read_snapshot(empty_snapshot.data(), empty_snapshot.size()));
 		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (max_bodies == 50));
 	}
@@ -209,7 +211,9 @@ TEST_CASE("stream decoder: no input makes it exceed its maximum of bodies, or al
 	coder.finish();
 	StreamDecoder decoder(0.005f, 1.4f, 2000000);
 	const size_t before = harness::live_bytes();
-	CHECK_FALSE(decoder.read_snapshot(false_count.data(), false_count.size()));
+	const PacketResult result = decoder.read_snapshot(false_count.data(), false_count.size());
+	REQUIRE_FALSE(result);
+	CHECK(result.error() == PacketError::UNREADABLE_SNAPSHOT);
 	std::mt19937 random(4);
 	for (int i = 0; i < 300; ++i) {
 		Bytes bytes(1300);

@@ -80,7 +80,7 @@ struct EngineClass {
 };
 
 extern EngineClass engine_classes[];
-extern const int engine_class_count;
+extern const int ENGINE_CLASS_COUNT;
 
 // Asks the engine for the tags of the classes above that have none yet.
 void find_class_tags();
@@ -88,8 +88,8 @@ void find_class_tags();
 // The wrapper of an engine singleton, looked up once. The engine may free it, which empties this; what is left when the
 // library goes is freed then, since the engine would call back into it later.
 class Singleton {
-	std::atomic<Object *> object{ nullptr };
-	Singleton *next = nullptr;
+	std::atomic<Object *> _object{ nullptr };
+	Singleton *_next = nullptr;
 
 public:
 	Object *get(const char *p_name);

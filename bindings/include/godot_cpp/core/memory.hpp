@@ -23,8 +23,8 @@ void destroy_object(Wrapped *p_object);
 // Tells the constructor of Wrapped, which sees only the engine class, which extension class is being built. Scopes nest:
 // an argument of a constructor may be built by memnew itself.
 class Construction {
-	const StringName *extension_class;
-	Construction *outer;
+	const StringName *_extension_class;
+	Construction *_outer;
 
 public:
 	explicit Construction(const StringName *p_extension_class);

@@ -36,10 +36,10 @@ extern BuiltinFunctions builtin_functions[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX];
 // A built-in type that is a handle of SIZE bytes to memory of the engine, which copies and destroys it.
 template <GDExtensionVariantType TYPE, size_t SIZE>
 class Opaque {
-	alignas(8) uint8_t opaque[SIZE];
+	alignas(8) uint8_t _opaque[SIZE];
 
 public:
-	Opaque() { builtin_functions[TYPE].construct(opaque, nullptr); }
+	Opaque() { builtin_functions[TYPE].construct(_opaque, nullptr); }
 
 	explicit Opaque(Uninitialized) {}
 
@@ -50,11 +50,11 @@ public:
 		swap(p_other);
 	}
 
-	~Opaque() { builtin_functions[TYPE].destroy(opaque); }
+	~Opaque() { builtin_functions[TYPE].destroy(_opaque); }
 
 	Opaque &operator=(const Opaque &p_other) {
 		if (this != &p_other) {
-			builtin_functions[TYPE].destroy(opaque);
+			builtin_functions[TYPE].destroy(_opaque);
 			copy_from(p_other);
 		}
 		return *this;
@@ -66,18 +66,18 @@ public:
 	}
 
 	// As in godot-cpp: the engine's functions take a plain pointer even where they change nothing.
-	GDExtensionTypePtr _native_ptr() const { return const_cast<uint8_t *>(opaque); }
+	GDExtensionTypePtr _native_ptr() const { return const_cast<uint8_t *>(_opaque); }
 
 protected:
-	bool is_same_handle(const Opaque &p_other) const { return memcmp(opaque, p_other.opaque, SIZE) == 0; }
+	bool is_same_handle(const Opaque &p_other) const { return memcmp(_opaque, p_other._opaque, SIZE) == 0; }
 
 private:
 	void copy_from(const Opaque &p_other) {
-		const GDExtensionConstTypePtr arguments[] = { p_other.opaque };
-		builtin_functions[TYPE].copy(opaque, arguments);
+		const GDExtensionConstTypePtr arguments[] = { p_other._opaque };
+		builtin_functions[TYPE].copy(_opaque, arguments);
 	}
 
-	void swap(Opaque &p_other) { std::swap(opaque, p_other.opaque); }
+	void swap(Opaque &p_other) { std::swap(_opaque, p_other._opaque); }
 };
 
 } // namespace godot::internal

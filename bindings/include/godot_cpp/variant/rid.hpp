@@ -8,15 +8,15 @@ namespace godot {
 struct RID {
 	RID() = default;
 
-	bool is_valid() const { return id != 0; }
-	int64_t get_id() const { return static_cast<int64_t>(id); }
+	bool is_valid() const { return _id != 0; }
+	int64_t get_id() const { return static_cast<int64_t>(_id); }
 
-	bool operator==(const RID &p_other) const { return id == p_other.id; }
-	bool operator!=(const RID &p_other) const { return id != p_other.id; }
-	bool operator<(const RID &p_other) const { return id < p_other.id; }
+	bool operator==(const RID &p_other) const { return _id == p_other._id; }
+	bool operator!=(const RID &p_other) const { return _id != p_other._id; }
+	bool operator<(const RID &p_other) const { return _id < p_other._id; }
 
 private:
-	uint64_t id = 0;
+	uint64_t _id = 0;
 };
 
 } // namespace godot

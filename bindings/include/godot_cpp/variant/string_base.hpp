@@ -16,13 +16,13 @@ class Variant;
 
 // Text as C code wants it; only while this object lives.
 class CharString {
-	std::string text;
+	std::string _text;
 
 	friend class internal::StringBase;
 
 public:
-	const char *get_data() const { return text.c_str(); }
-	int64_t length() const { return static_cast<int64_t>(text.size()); }
+	const char *get_data() const { return _text.c_str(); }
+	int64_t length() const { return static_cast<int64_t>(_text.size()); }
 };
 
 namespace internal {
