@@ -73,6 +73,8 @@ void MotorSynchronizer::_notification(int what) {
 				watch_warnings();
 			}
 			break;
+		default:
+			break;
 	}
 }
 

@@ -112,7 +112,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 		faults.push_back("Nothing is replicated. Assign \"targets\", set \"target_group\", or call add_target() from a script.");
 	}
 	std::vector<const Node3D *> nodes;
-	const TypedArray<NodePath> paths = selection.paths();
+	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
 		if (const Node3D *node = Object::cast_to<Node3D>(path.is_empty() ? nullptr : synchronizer.get_node_or_null(path))) {
@@ -121,7 +121,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D.", i, path));
 		}
 	}
-	const StringName group = selection.group();
+	const StringName &group = selection.group();
 	if (group != StringName()) {
 		const size_t before = nodes.size();
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(group);
