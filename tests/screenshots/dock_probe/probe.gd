@@ -1,7 +1,8 @@
 @tool
 extends EditorPlugin
-## Drives the dock as a person would, one chapter of `chapters/` after another; each mistake prints a line that begins
-## with [probe] FAIL. The user argument --chapters=NAME,NAME says which; see chapter.gd for those of pictures.
+## Drives the dock as a person would, one chapter of `chapters/` after another; each mistake prints
+## a line that begins with [probe] FAIL. The user argument --chapters=NAME,NAME says which; see
+## chapter.gd for those of pictures.
 
 const Chapter := preload("chapter.gd")
 

@@ -1,14 +1,16 @@
 @tool
 extends "step_probe.gd"
-## Works on a scene with GANode3D as a person would: looks in one view and in four, changes a property in the inspector,
-## duplicates, deletes, undoes, saves and opens again. Each mistake prints a line that begins with [probe] FAIL.
-## Pictures go to the files of the user arguments --one-view=FILE and --four-views=FILE.
+## Works on a scene with GANode3D as a person would: looks in one view and in four, changes a
+## property in the inspector, duplicates, deletes, undoes, saves and opens again. Each mistake
+## prints a line that begins with [probe] FAIL. Pictures go to the files of the user arguments
+## --one-view=FILE and --four-views=FILE.
 
 const SCENE := "res://probe_drawing.tscn"
 const RED := Color(1, 0, 0)
 const GREEN := Color(0, 1, 0)
 const BLUE := Color(0, 0, 1)
-## Pixels of one color that are more than chance: what is drawn has thousands, or hundreds in a quarter of the view.
+## Pixels of one color that are more than chance: what is drawn has thousands, or hundreds in a
+## quarter of the view.
 const SEEN := 60
 
 var _narrow := 0
@@ -97,7 +99,8 @@ func _look() -> void:
 
 ## As the inspector's own editor of the property does it.
 func _widen() -> void:
-	var editors := EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false).filter(
+	var inspector := EditorInterface.get_inspector()
+	var editors := inspector.find_children("*", "EditorProperty", true, false).filter(
 		func(editor: EditorProperty) -> bool: return editor.get_edited_property() == &"line_width"
 	)
 	_expect(editors.size(), 1, "editors of line_width in the inspector")

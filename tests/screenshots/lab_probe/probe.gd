@@ -1,7 +1,8 @@
 @tool
 extends "step_probe.gd"
-## Uses the interpolation lab in the dock as a person would; each mistake prints a line that begins with [probe] FAIL.
-## Pictures of the dock go to the files of the user arguments --lab-picture=FILE and --wide-picture=FILE.
+## Uses the interpolation lab in the dock as a person would; each mistake prints a line that begins
+## with [probe] FAIL. Pictures of the dock go to the files of the user arguments --lab-picture=FILE
+## and --wide-picture=FILE.
 
 const WIDE := Vector2i(600, 760)
 

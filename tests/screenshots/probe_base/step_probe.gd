@@ -1,8 +1,8 @@
 @tool
 @abstract
 extends EditorPlugin
-## A person in the editor who does one step after another, some frames apart, so that each has shown its effects before the
-## next. Each mistake prints a line that begins with [probe] FAIL.
+## A person in the editor who does one step after another, some frames apart, so that each has shown
+## its effects before the next. Each mistake prints a line that begins with [probe] FAIL.
 
 const Hands := preload("res://tests/framework/hands.gd")
 

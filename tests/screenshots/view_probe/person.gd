@@ -1,7 +1,8 @@
 @tool
 @abstract
 extends "step_probe.gd"
-## What a person sees of the editor, and does with the mouse in its first 3D viewport, where places are in pixels of it.
+## What a person sees of the editor, and does with the mouse in its first 3D viewport, where places
+## are in pixels of it.
 
 
 ## The handle comes under the mouse, these follow while it is dragged, and one undo takes it back.

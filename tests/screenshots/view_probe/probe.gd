@@ -1,7 +1,8 @@
 @tool
 extends "person.gd"
-## Drives the playground in the editor's 3D viewport as a person would, one step after another; each mistake prints a line that
-## begins with [probe] FAIL. Pictures go into the folder of the user argument --pictures=FOLDER.
+## Drives the playground in the editor's 3D viewport as a person would, one step after another; each
+## mistake prints a line that begins with [probe] FAIL. Pictures go into the folder of the user
+## argument --pictures=FOLDER.
 
 const EditedScene := preload("edited_scene.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")

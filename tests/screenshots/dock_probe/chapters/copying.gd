@@ -14,11 +14,13 @@ const ENTRIES: PackedStringArray = [
 	"m",
 	"motor(2 e1, rotor(e3, deg(90)), 1)",
 ]
+# gdlint: disable=max-line-length
 const LATEX := """\\begin{align*}
 A &= \\mathbf{e}_{1} + 2 \\mathbf{e}_{2} + 3 \\mathbf{e}_{3} + 6.5 \\mathbf{e}_{4} + 7.5 \\mathbf{e}_{5} \\\\
 p &= 1.5 \\mathbf{e}_{1234} + 1.5 \\mathbf{e}_{1235} + \\mathbf{e}_{1345}
 \\end{align*}
 """
+# gdlint: enable=max-line-length
 ## What tests/playground compiles.
 const CPP_FIXTURE := "res://addons/dock_probe/copied.inc"
 

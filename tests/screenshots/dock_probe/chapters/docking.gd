@@ -1,6 +1,7 @@
 @tool
 extends "../chapter.gd"
-## The dock itself: floated, moved, closed, opened, taken away with the plugin; and nodes made of entries.
+## The dock itself: floated, moved, closed, opened, taken away with the plugin; and nodes made of
+## entries.
 
 const EDITED_SCENE := "res://demos/interpolation/interpolation.tscn"
 

@@ -1,6 +1,7 @@
 @tool
 extends "../chapter.gd"
-## A GAScene within a .tscn: shown for its node, changed in the history of that scene, saved with it.
+## A GAScene within a .tscn: shown for its node, changed in the history of that scene, saved with
+## it.
 
 const PLACE := "res://probe_embedded.tscn"
 const OTHER := "res://demos/interpolation/interpolation.tscn"

@@ -1,11 +1,13 @@
 @tool
 extends "../chapter.gd"
-## Scenes saved and opened through the dialogs, files that cannot be read, and the question about what is not saved.
+## Scenes saved and opened through the dialogs, files that cannot be read, and the question about
+## what is not saved.
 
 const JSON_FILE := "res://probe_scene.json"
 const TRES_FILE := "res://probe_scene.tres"
 const BROKEN := """{"format": "ga_godot_scene", "version": 1, "entries": [
-	{"name": "A", "expression": "point(1, 2, 3)"}, {"name": 5}, {"name": "s", "expression": "sphere(A, 1)"}]}"""
+	{"name": "A", "expression": "point(1, 2, 3)"}, {"name": 5},
+	{"name": "s", "expression": "sphere(A, 1)"}]}"""
 
 
 func read() -> void:

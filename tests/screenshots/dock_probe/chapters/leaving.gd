@@ -1,6 +1,7 @@
 @tool
 extends "../chapter.gd"
-## The editor is left with a scene that was changed and not saved; returning.gd is what comes after that.
+## The editor is left with a scene that was changed and not saved; returning.gd is what comes after
+## that.
 
 const PLACE := "res://probe_left.tres"
 

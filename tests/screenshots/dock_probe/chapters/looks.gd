@@ -1,7 +1,7 @@
 @tool
 extends "../chapter.gd"
-## Pictures of the dock in the theme and at the scale that the editor was started with, docked and floating. Those that
-## have a reference are compared with it.
+## Pictures of the dock in the theme and at the scale that the editor was started with, docked and
+## floating. Those that have a reference are compared with it.
 
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 

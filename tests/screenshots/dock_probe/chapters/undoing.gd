@@ -1,6 +1,7 @@
 @tool
 extends "../chapter.gd"
-## Ctrl and Z with the focus in the dock: the playground's last step, whatever else was done in the editor since.
+## Ctrl and Z with the focus in the dock: the playground's last step, whatever else was done in the
+## editor since.
 
 const EDITED_SCENE := "res://demos/interpolation/interpolation.tscn"
 
