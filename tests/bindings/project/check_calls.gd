@@ -4,7 +4,8 @@ extends Checks
 var values: SampleValues = SampleValues.new()
 
 
-## Calls without the checks that the parser makes, and without an error line: the error as Expression reports it.
+## Calls without the checks that the parser makes, and without an error line: the error as
+## Expression reports it.
 func misfit(text: String) -> bool:
 	var expression := Expression.new()
 	same(expression.parse(text, ["values"]), OK)
@@ -75,7 +76,10 @@ func check_wrong_types_of_arguments() -> void:
 
 func check_what_callers_are_told() -> void:
 	expect_error(
-		"Invalid type in function 'cross (via call)' in base 'SampleValues'. Cannot convert argument 3 from String to Vector3."
+		(
+			"Invalid type in function 'cross (via call)' in base 'SampleValues'."
+			+ " Cannot convert argument 3 from String to Vector3."
+		)
 	)
 	call_wrongly(&"cross", [Vector3.UP, "up"])
 	expect_error(
