@@ -1,8 +1,8 @@
 #pragma once
 
+#include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
 #include "cga/motor/pose.hpp"
-#include "cga/result.hpp"
 
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
