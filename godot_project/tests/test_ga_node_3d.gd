@@ -49,7 +49,7 @@ func test_an_entry_of_a_scene() -> void:
 	_node.entry = &"s"
 	expect_true(_node.describe().begins_with("sphere, radius 1"), _node.describe())
 	scene.set_expression("a", "point(1, 0, 0)")
-	expect_true(_node.describe().contains("centre (1, 0, 0)"), _node.describe())
+	expect_true(_node.describe().contains("center (1, 0, 0)"), _node.describe())
 	# A scene goes before a multivector; an entry that is not there draws nothing and is no error.
 	_node.multivector = Multivector.point(Vector3.ZERO)
 	_node.entry = &"missing"

@@ -21,7 +21,7 @@ const SLIDER_STEPS := 16
 const DEPENDS := "has an error"
 ## The errors that are meant, by example: what has no solution says why.
 const MEANT: Dictionary[String, String] = {
-	"apollonius": "sqrt: A negative number has no square root"
+	"apollonius": "sqrt: expected a number of at least 0, not -"
 }
 
 

@@ -59,7 +59,7 @@ struct Classification {
 // "point_pair": the kind as api and users write it.
 [[nodiscard]] const char *name_of(Kind kind);
 
-// One line: "circle, radius 1.5, centre (0, 1, 0), normal (0, 0, 1)", "imaginary point pair, ...", "dual plane, ...",
+// One line: "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)", "imaginary point pair, ...", "dual plane, ...",
 // "not a blade (residual 0.02)".
 [[nodiscard]] std::string describe(const Classification &classification);
 
