@@ -48,9 +48,7 @@ func test_dragging_rewrites_the_literals() -> void:
 
 func test_what_cannot_be_dragged() -> void:
 	_scene.add_entry("s", "sphere(e1, 1.5)")
-	expect_error(
-		"GAScene.set_parameter: sphere: the radius must be a finite number above zero."
-	)
+	expect_error("GAScene.set_parameter: sphere: the radius must be a finite number above zero.")
 	expect_equal(
 		_scene.set_parameter("s", "radius", -1.0), ERR_INVALID_PARAMETER, "a negative radius"
 	)

@@ -7,8 +7,7 @@ const BAD_JSON: Dictionary[String, String] = {
 	"": "column 1: expected '[' or '{', found the end",
 	"[1]": "column 3: expected 32 numbers, found the end of the array after 1",
 	"[NaN,%s]" % ZEROS: "column 2: expected a number, found 'N'",
-	"[1e999,%s]" % ZEROS:
-	"column 2: the number is too large; at most 1.8e308 is accepted",
+	"[1e999,%s]" % ZEROS: "column 2: the number is too large; at most 1.8e308 is accepted",
 	"[0,0,%s]" % ZEROS: "column 65: expected ']' after 32 numbers, found ','",
 	"[0,%s] x" % ZEROS: "column 67: expected the end, found 'x'",
 	'{"coefficients": 3}': "column 18: expected '[', found '3'",
