@@ -237,7 +237,7 @@ def write_class_source(output, api):
 // Parents come before their children.
 EngineClass engine_classes[] = {{
 {table}}};
-const int engine_class_count = {len(api.classes)};
+const int ENGINE_CLASS_COUNT = {len(api.classes)};
 
 }} // namespace internal
 

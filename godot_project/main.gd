@@ -1,13 +1,14 @@
 extends Node
-## The start scene: reads the arguments after `--` and shows the menu, a demo, or runs the tests.
+## The main scene: shows the menu, opens a demo or runs a task, depending on the arguments after
+## `--`.
 ##
-## --test, --test=NAME     the engine-side tests, all or those whose file or method name contains NAME
-## --demo=NAME             a demo directly; it reads its own further arguments
-## --dump-poses=FILE       random pose pairs and their interpolation, for the oracle (tests/oracle)
-## --gallery-pictures=DIR  pictures of the gallery's documents, for the documentation
-## --screenshots=DIR       compares pictures with the references in DIR; with --update it writes them
+## --test, --test=NAME     runs the engine tests, or those whose file or method name contains NAME
+## --demo=NAME             opens a demo, which parses its own arguments
+## --dump-poses=FILE       writes interpolated pose pairs for the oracle (tests/oracle)
+## --gallery-pictures=DIR  renders the gallery's documents for the documentation
+## --screenshots=DIR       compares screenshots with references, or updates them (--update)
 ##
-## Names no class of the extension, so that it can still tell when the library is missing.
+## References no class of the extension, so that it can report a missing library.
 
 const Demos := preload("res://menu/demos.gd")
 
@@ -22,7 +23,7 @@ const TASK_SCRIPTS: Dictionary[String, String] = {
 	"--screenshots": "res://tests/pictures/picture_runner.gd",
 }
 
-## What follows `--` on the command line; set before the node enters the tree, something else counts.
+## The arguments to parse, by default those after `--`. Set it before the node enters the tree.
 var arguments := OS.get_cmdline_user_args()
 
 var _shown: Node
@@ -44,7 +45,7 @@ func _ready() -> void:
 	open_menu()
 
 
-## Esc leaves a demo for the menu, and the menu for the desktop.
+## Esc returns from a demo to the menu, and quits from the menu.
 func _unhandled_key_input(event: InputEvent) -> void:
 	if not event.is_action_pressed(&"ui_cancel") or _shown == null:
 		return
@@ -55,20 +56,22 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		open_menu()
 
 
-## Replaces what is shown by the menu.
+## Replaces the current scene with the menu.
 func open_menu() -> void:
 	_show(MENU_SCENE)
 	_shown.connect(&"demo_chosen", open_demo)
 
 
-## Replaces what is shown by the demo of that name; an unknown name ends the program with exit code 1.
+## Replaces the current scene with a demo. Quits with exit code 1 if there is no demo of that name.
 func open_demo(demo_name: String) -> void:
 	var demo := Demos.find(demo_name)
 	if demo == null or not ResourceLoader.exists(demo.get_scene_path()):
 		var known := PackedStringArray()
 		for other in Demos.list():
 			known.append(other.name)
-		printerr('There is no demo named "%s". Known: %s.' % [demo_name, ", ".join(known)])
+		printerr(
+			'There is no demo named "%s". Available demos: %s.' % [demo_name, ", ".join(known)]
+		)
 		get_tree().quit(1)
 		return
 	_show(demo.get_scene_path())
@@ -95,7 +98,10 @@ func _run_task(script_path: String, value: String) -> void:
 
 
 func _report_missing_library() -> void:
-	var text := "GA-Godot's library is not loaded. Build it with scons in the repository, then start again."
+	var text := (
+		"The GA-Godot library is not loaded. "
+		+ "Build it by running scons in the repository, then restart."
+	)
 	printerr(text)
 	if DisplayServer.get_name() == "headless" or not arguments.is_empty():
 		get_tree().quit(1)

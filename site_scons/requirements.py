@@ -1,4 +1,4 @@
-"""What a build needs from the machine; each missing thing ends the build with one line that says how to get it."""
+"""What a build needs from the machine; a missing dependency ends the build with one line that says how to install it."""
 
 import fcntl
 import os
@@ -23,7 +23,7 @@ def fail(message):
 
 
 def hold_build_lock(path):
-    """Lets builds in one checkout wait for each other; SCons keeps one database for all of them."""
+    """Makes builds in one checkout wait for each other: they share SCons' database."""
     global _lock
     os.makedirs(os.path.dirname(path), exist_ok=True)
     _lock = open(path, "w")
@@ -35,7 +35,7 @@ def hold_build_lock(path):
 
 
 def host():
-    """Platform and architecture of this machine in Godot's words."""
+    """Platform and architecture of this machine, by Godot's names."""
     system = platform.system().lower()
     machine = platform.machine().lower()
     return (
@@ -45,7 +45,7 @@ def host():
 
 
 def check_options(env, options, host_platform, host_arch):
-    """Refuses options that this version does not know or cannot serve."""
+    """Rejects unknown options and unsupported platforms."""
     unknown = options.UnknownVariables()
     if unknown:
         fail("unknown option {}; `scons -h` lists the options".format(", ".join(sorted(unknown))))
@@ -60,7 +60,7 @@ def check_options(env, options, host_platform, host_arch):
 
 
 def check_compiler(env, doctest, benchmark):
-    """One run of the preprocessor finds the compiler, its version and the headers that are needed."""
+    """Checks the compiler, its version and the needed headers in one run of the preprocessor; sets env["is_clang"]."""
     needed = ["glm"] + ["doctest"] * doctest + ["benchmark"] * benchmark
     probe = "gcc_version __GNUC__\n#ifdef __clang__\nis_clang\n#endif\n"
     for key in needed:
@@ -73,7 +73,8 @@ def check_compiler(env, doctest, benchmark):
     if done.returncode != 0:
         fail("{} does not work as a C++17 compiler; install g++ {} or newer".format(env["CXX"], OLDEST_GCC))
     words = done.stdout.split()
-    if "is_clang" not in words and int(words[words.index("gcc_version") + 1]) < OLDEST_GCC:
+    env["is_clang"] = "is_clang" in words
+    if not env["is_clang"] and int(words[words.index("gcc_version") + 1]) < OLDEST_GCC:
         fail("{} is too old; install g++ {} or newer".format(env["CXX"], OLDEST_GCC))
     for key in needed:
         if "has_" + key not in words:

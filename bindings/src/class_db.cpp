@@ -139,6 +139,7 @@ void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
 	std::vector<GDExtensionPropertyInfo> arguments;
+	arguments.reserve(p_signal.arguments.size());
 	for (const PropertyInfo &argument : p_signal.arguments) {
 		arguments.push_back(argument._to_gdextension());
 	}

@@ -35,13 +35,13 @@ GDExtensionBinding::Callback GDExtensionBinding::initialize_callback = nullptr;
 GDExtensionBinding::Callback GDExtensionBinding::terminate_callback = nullptr;
 
 GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
-		get_proc_address(p_get_proc_address), initialization(r_initialization) {
+		_get_proc_address(p_get_proc_address), _initialization(r_initialization) {
 	gdextension_interface::library = p_library;
 	gdextension_interface::token = p_library;
-	initialization->minimum_initialization_level = GDEXTENSION_INITIALIZATION_CORE;
-	initialization->userdata = nullptr;
-	initialization->initialize = &initialize_level;
-	initialization->deinitialize = &deinitialize_level;
+	_initialization->minimum_initialization_level = GDEXTENSION_INITIALIZATION_CORE;
+	_initialization->userdata = nullptr;
+	_initialization->initialize = &initialize_level;
+	_initialization->deinitialize = &deinitialize_level;
 }
 
 void GDExtensionBinding::InitObject::register_initializer(Callback p_initialize) const {
@@ -53,12 +53,12 @@ void GDExtensionBinding::InitObject::register_terminator(Callback p_terminate) c
 }
 
 void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
-	initialization->minimum_initialization_level = static_cast<GDExtensionInitializationLevel>(p_level);
+	_initialization->minimum_initialization_level = static_cast<GDExtensionInitializationLevel>(p_level);
 }
 
 GDExtensionBool GDExtensionBinding::InitObject::init() const {
-	if (const char *missing = gdextension_interface::load(get_proc_address)) {
-		// The function that prints errors may be among those that were not loaded.
+	if (const char *missing = gdextension_interface::load(_get_proc_address)) {
+		// The engine's print_error may not have been loaded.
 		fprintf(stderr, "ERROR: this extension needs a newer Godot: the engine has no function %s.\n", missing);
 		return false;
 	}

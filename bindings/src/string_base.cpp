@@ -18,8 +18,8 @@ String StringBase::utf8(const char *p_utf8, int64_t p_length) {
 
 CharString StringBase::utf8() const {
 	CharString result;
-	result.text.resize(static_cast<size_t>(gdextension_interface::string_to_utf8_chars(_native_ptr(), nullptr, 0)));
-	gdextension_interface::string_to_utf8_chars(_native_ptr(), result.text.data(), result.length());
+	result._text.resize(static_cast<size_t>(gdextension_interface::string_to_utf8_chars(_native_ptr(), nullptr, 0)));
+	gdextension_interface::string_to_utf8_chars(_native_ptr(), result._text.data(), result.length());
 	return result;
 }
 

@@ -19,7 +19,7 @@ Variant::Variant(double p_value) {
 
 Variant::Variant(const Object *p_value) {
 	const GDExtensionObjectPtr owner = p_value ? p_value->_owner : nullptr;
-	construct(OBJECT, &owner);
+	construct(OBJECT, static_cast<const void *>(&owner));
 }
 
 Variant::operator bool() const {
@@ -34,12 +34,12 @@ Variant::operator double() const {
 	return convert<double>(FLOAT);
 }
 
-// By id, because the address of a freed object says nothing.
+// By id, because the address of a freed object is not valid.
 Object *Variant::get_validated_object() const {
 	if (get_type() != OBJECT) {
 		return nullptr;
 	}
-	const GDObjectInstanceID id = gdextension_interface::variant_get_object_instance_id(opaque);
+	const GDObjectInstanceID id = gdextension_interface::variant_get_object_instance_id(_opaque);
 	return internal::get_binding(id ? gdextension_interface::object_get_instance_from_id(id) : nullptr);
 }
 
@@ -56,7 +56,7 @@ bool Variant::can_convert_strict(Type p_from, Type p_to) {
 bool Variant::operator==(const Variant &p_other) const {
 	Variant equal{ internal::Uninitialized() };
 	GDExtensionBool valid = false;
-	gdextension_interface::variant_evaluate(GDEXTENSION_VARIANT_OP_EQUAL, opaque, p_other.opaque, equal.opaque, &valid);
+	gdextension_interface::variant_evaluate(GDEXTENSION_VARIANT_OP_EQUAL, _opaque, p_other._opaque, equal._opaque, &valid);
 	return valid && equal;
 }
 

@@ -21,17 +21,17 @@ void release(void *p_memory) {
 static thread_local Construction *innermost_construction = nullptr;
 
 Construction::Construction(const StringName *p_extension_class) :
-		extension_class(p_extension_class), outer(innermost_construction) {
+		_extension_class(p_extension_class), _outer(innermost_construction) {
 	innermost_construction = this;
 }
 
 const StringName *Construction::take() {
 	const Construction *construction = innermost_construction;
 	if (construction == nullptr) {
-		ERR_FAIL_V_MSG(nullptr, "An object was built without memnew().");
+		ERR_FAIL_V_MSG(nullptr, "An object was constructed without memnew().");
 	}
-	innermost_construction = construction->outer;
-	return construction->extension_class;
+	innermost_construction = construction->_outer;
+	return construction->_extension_class;
 }
 
 void post_initialize(Wrapped *p_object) {
@@ -47,7 +47,7 @@ void WrapperFactory::destroy(Wrapped *p_wrapped) {
 	release(p_wrapped);
 }
 
-// An extension object is its own binding: the engine frees it by the class's free_instance.
+// An extension object is its own binding: the engine frees it with the class's free_instance.
 static void *create_no_binding(void *, void *) {
 	return nullptr;
 }
@@ -60,7 +60,7 @@ static GDExtensionBool allow_reference(void *, void *, GDExtensionBool) {
 }
 
 static void *create_binding(void *, void *p_object) {
-	for (int i = engine_class_count - 1; i > 0; i--) {
+	for (int i = ENGINE_CLASS_COUNT - 1; i > 0; i--) {
 		const EngineClass &candidate = engine_classes[i];
 		if (candidate.tag && gdextension_interface::object_cast_to(p_object, candidate.tag)) {
 			return candidate.create_wrapper(p_object);
@@ -75,19 +75,19 @@ static void free_binding(void *, void *, void *p_binding) {
 	WrapperFactory::destroy(wrapper);
 }
 
-static constexpr GDExtensionInstanceBindingCallbacks extension_object_callbacks = { &create_no_binding, &free_no_binding, &allow_reference };
-static constexpr GDExtensionInstanceBindingCallbacks engine_object_callbacks = { &create_binding, &free_binding, &allow_reference };
+static constexpr GDExtensionInstanceBindingCallbacks EXTENSION_OBJECT_CALLBACKS = { &create_no_binding, &free_no_binding, &allow_reference };
+static constexpr GDExtensionInstanceBindingCallbacks ENGINE_OBJECT_CALLBACKS = { &create_binding, &free_binding, &allow_reference };
 
 Object *get_binding(GDExtensionObjectPtr p_object) {
 	if (p_object == nullptr) {
 		return nullptr;
 	}
-	void *binding = gdextension_interface::object_get_instance_binding(p_object, gdextension_interface::token, &engine_object_callbacks);
+	void *binding = gdextension_interface::object_get_instance_binding(p_object, gdextension_interface::token, &ENGINE_OBJECT_CALLBACKS);
 	return static_cast<Object *>(static_cast<Wrapped *>(binding));
 }
 
 void find_class_tags() {
-	for (int i = 0; i < engine_class_count; i++) {
+	for (int i = 0; i < ENGINE_CLASS_COUNT; i++) {
 		EngineClass &engine_class = engine_classes[i];
 		if (engine_class.tag == nullptr) {
 			engine_class.tag = gdextension_interface::classdb_get_class_tag(StringName(engine_class.name)._native_ptr());
@@ -99,26 +99,26 @@ static std::mutex singletons_mutex;
 static Singleton *singletons = nullptr;
 
 Object *Singleton::get(const char *p_name) {
-	Object *found = object.load(std::memory_order_acquire);
+	Object *found = _object.load(std::memory_order_acquire);
 	if (likely(found)) {
 		return found;
 	}
 	found = get_binding(gdextension_interface::global_get_singleton(StringName(p_name)._native_ptr()));
 	const std::lock_guard<std::mutex> lock(singletons_mutex);
-	if (found && object.load(std::memory_order_relaxed) == nullptr) {
-		object.store(found, std::memory_order_release);
-		next = std::exchange(singletons, this);
+	if (found && _object.load(std::memory_order_relaxed) == nullptr) {
+		_object.store(found, std::memory_order_release);
+		_next = std::exchange(singletons, this);
 	}
 	return found;
 }
 
 void Singleton::forget(const Wrapped *p_wrapper) {
 	const std::lock_guard<std::mutex> lock(singletons_mutex);
-	for (Singleton **link = &singletons; *link; link = &(*link)->next) {
+	for (Singleton **link = &singletons; *link; link = &(*link)->_next) {
 		Singleton *singleton = *link;
-		if (singleton->object.load(std::memory_order_relaxed) == p_wrapper) {
-			singleton->object.store(nullptr, std::memory_order_release);
-			*link = singleton->next;
+		if (singleton->_object.load(std::memory_order_relaxed) == p_wrapper) {
+			singleton->_object.store(nullptr, std::memory_order_release);
+			*link = singleton->_next;
 			return;
 		}
 	}
@@ -126,7 +126,7 @@ void Singleton::forget(const Wrapped *p_wrapper) {
 
 void Singleton::free_all() {
 	while (singletons) {
-		const Object *wrapper = singletons->object.load();
+		const Object *wrapper = singletons->_object.load();
 		forget(wrapper);
 		gdextension_interface::object_free_instance_binding(wrapper->_owner, gdextension_interface::token);
 	}
@@ -140,7 +140,7 @@ Wrapped::Wrapped(const StringName &p_engine_class) :
 	if (extension_class) {
 		gdextension_interface::object_set_instance(_owner, extension_class->_native_ptr(), this);
 	}
-	gdextension_interface::object_set_instance_binding(_owner, gdextension_interface::token, this, extension_class ? &internal::extension_object_callbacks : &internal::engine_object_callbacks);
+	gdextension_interface::object_set_instance_binding(_owner, gdextension_interface::token, this, extension_class ? &internal::EXTENSION_OBJECT_CALLBACKS : &internal::ENGINE_OBJECT_CALLBACKS);
 }
 
 } // namespace godot

@@ -1,14 +1,16 @@
 extends Control
-## The menu's ornament: the circles through two points and the circles orthogonal to all of them,
-## which conformal geometric algebra writes as the blends of two circles.
+## The background of the menu: two orthogonal pencils of circles, those through two points and those
+## orthogonal to them. In conformal geometric algebra a pencil consists of the linear combinations
+## of two circles.
 
 const LINE_WIDTH := 1.5
 const CIRCLE_POINTS := 192
 const THROUGH_COLOR := Color(0.24, 0.84, 0.77)
 const ORTHOGONAL_COLOR := Color(1.0, 0.65, 0.32)
-## Offsets of the centres of the circles through both points, in half distances between the points.
+## Offsets of the centers of the circles through both points. The unit is half the distance of the
+## points.
 const THROUGH_OFFSETS: Array[float] = [0.0, 0.55, 1.2, 2.1]
-## Centres of the orthogonal circles, in the same unit; each lies outside the segment.
+## Centers of the orthogonal circles in the same unit, outside the segment between the points.
 const ORTHOGONAL_CENTERS: Array[float] = [1.06, 1.25, 1.65, 2.6]
 
 

@@ -1,12 +1,12 @@
 extends RefCounted
-## The demos that the start scene offers, in the order of the menu.
-## A demo called NAME is the scene res://demos/NAME/NAME.tscn, started directly with `-- --demo=NAME`.
+## The demos in the order of the menu.
+## The demo NAME is the scene res://demos/NAME/NAME.tscn; `-- --demo=NAME` opens it directly.
 
 const Demos := preload("res://menu/demos.gd")
 
 var name: StringName
 var title: String
-## One line for the menu: what there is to see.
+## One line for the menu.
 var description: String
 
 
@@ -25,22 +25,22 @@ static func list() -> Array[Demos]:
 		Demos.new(
 			&"interpolation",
 			"Interpolation",
-			"One cube between two poses: linear, screw and separate paths side by side."
+			"A cube between two poses: linear, screw and separate paths side by side."
 		),
 		Demos.new(
 			&"multiplayer",
 			"Multiplayer",
-			"A physics server replicates 250 cubes as quantised motors; push them around."
+			"A physics server replicates 250 cubes as quantized motors. Push them around."
 		),
 		Demos.new(
 			&"playground",
 			"Playground",
-			"Points, circles, spheres and motors that follow each other: build and drag."
+			"Points, circles, spheres and motors that depend on each other. Build and drag."
 		),
 	]
 
 
-## The demo of that name, or null.
+## Returns the demo of that name, or null.
 static func find(wanted: StringName) -> Demos:
 	for demo in list():
 		if demo.name == wanted:

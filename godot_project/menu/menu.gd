@@ -1,5 +1,5 @@
 extends Control
-## The start menu: a card for each demo, for mouse and keyboard.
+## The main menu: one card per demo, for mouse and keyboard.
 
 ## Emitted with the name of the demo to open.
 signal demo_chosen(demo_name: String)

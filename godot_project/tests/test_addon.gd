@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The addon as it is installed: its files, its classes and what the editor is told about them.
+## The installed addon: its files, its classes and their icons.
 
 const FOLDER := "res://addons/ga_godot"
 const CLASSES: Dictionary[StringName, StringName] = {
@@ -20,7 +20,7 @@ func test_classes_are_registered() -> void:
 		expect_true(ClassDB.can_instantiate(type), "instantiation of %s" % type)
 
 
-func test_plugin_file_names_a_script_that_is_there() -> void:
+func test_the_script_of_the_plugin_file_exists() -> void:
 	var plugin := ConfigFile.new()
 	expect_equal(plugin.load(FOLDER.path_join("plugin.cfg")), OK, "loading plugin.cfg")
 	expect_equal(plugin.get_value("plugin", "name"), "GA-Godot")
@@ -66,7 +66,7 @@ func test_the_loaded_library_is_the_listed_one() -> void:
 	)
 
 
-## A method is called in a test file or, if it sets or gets a property, the property is used there.
+## Each method is called in a test file; for setters and getters, the property is used.
 func test_every_method_is_tested() -> void:
 	var tests := ""
 	for file in DirAccess.get_files_at("res://tests"):
@@ -80,7 +80,7 @@ func test_every_method_is_tested() -> void:
 			expect_true(tests.contains(word), "use of %s%s in a test" % [type, word])
 
 
-## How a script would use each method: `.name(`, or `.property` for its setter and getter.
+## How a script uses each method: `.name(`, or `.property` for a setter or getter.
 func _words_of_methods(type: StringName) -> PackedStringArray:
 	var accessors: Dictionary[String, String] = {}
 	for property in ClassDB.class_get_property_list(type, true):

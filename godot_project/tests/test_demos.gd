@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The demos open from the menu and by the command line, run without an error, and give way to the menu.
+## The demos open from the menu and the command line, run without errors, and return to the menu.
 
 const Demos := preload("res://menu/demos.gd")
 const Main := preload("res://main.gd")
@@ -43,7 +43,7 @@ func test_the_interpolation_demo_runs() -> void:
 	expect_true(scene.is_inside_tree(), "the demo staying open")
 
 
-## In a process of its own, since the demo reads the command line.
+## In a separate process, because the demo reads the command line.
 func test_the_multiplayer_server_runs() -> void:
 	var output: Array = []
 	var code := _start(
@@ -58,8 +58,11 @@ func test_an_unknown_demo_is_refused() -> void:
 	expect_equal(_start(["--demo=nonsense"], output), 1, "exit code")
 	var text: String = output[0]
 	expect_true(
-		text.contains(
-			'There is no demo named "nonsense". Known: interpolation, multiplayer, playground.'
+		(
+			text
+			. contains(
+				'There is no demo named "nonsense". Available demos: interpolation, multiplayer, playground.'
+			)
 		),
 		'the reason in "%s"' % text
 	)
@@ -67,7 +70,7 @@ func test_an_unknown_demo_is_refused() -> void:
 
 func test_escape_returns_to_the_menu() -> void:
 	var main := Main.new()
-	# Those of this process would start the tests again.
+	# The arguments of this process would run the tests again.
 	main.arguments = PackedStringArray()
 	add_node(main)
 	main.open_demo("interpolation")
@@ -97,7 +100,7 @@ func _press(key: Key) -> void:
 		Input.parse_input_event(event)
 
 
-## Starts the project anew, headless, with these arguments after `--`; its exit code.
+## Runs the project in a headless process with these arguments after `--`. Returns the exit code.
 func _start(arguments: PackedStringArray, output: Array) -> int:
 	var all := PackedStringArray(
 		["--headless", "--path", ProjectSettings.globalize_path("res://"), "--"]

@@ -1,11 +1,11 @@
 extends "res://tests/framework/test_case.gd"
-## The test framework itself: an expectation that does not hold must fail, or no test means anything.
+## The test framework itself: expectations that do not hold must fail.
 
 const CodeSample := preload("res://tests/framework/code_sample.gd")
 const TestCase := preload("res://tests/framework/test_case.gd")
 
 
-func test_what_holds_passes() -> void:
+func test_true_expectations_pass() -> void:
 	var probe := _probe()
 	probe.expect_true(true, "truth")
 	probe.expect_equal(2, 2)
@@ -16,7 +16,7 @@ func test_what_holds_passes() -> void:
 	expect_equal(probe.take_failures().size(), 0, "number of failures")
 
 
-func test_what_does_not_hold_fails() -> void:
+func test_false_expectations_fail() -> void:
 	var probe := _probe()
 	probe.expect_true(false, "falsehood")
 	probe.expect_equal(2, 3)
@@ -32,7 +32,7 @@ func test_what_does_not_hold_fails() -> void:
 	expect_equal(probe.take_failures().size(), 9, "number of failures")
 
 
-func test_a_failure_names_file_line_and_values() -> void:
+func test_a_failure_contains_file_line_and_values() -> void:
 	var probe := _probe()
 	probe.expect_equal(2, 3, "answer")
 	var failure := probe.take_failures()[0]
@@ -42,55 +42,54 @@ func test_a_failure_names_file_line_and_values() -> void:
 	expect_true(failure.ends_with("answer is 2, expected 3"), 'the values in "%s"' % failure)
 
 
-func test_expecting_nothing_fails() -> void:
+func test_a_test_without_expectations_fails() -> void:
 	expect_equal(_probe().take_failures(), PackedStringArray(["expects nothing"]))
 
 
-func test_an_error_nobody_announced_is_a_fault() -> void:
-	# Printed by hand: this one is announced to the reader of the output, not to the log.
-	print("[expect] unannounced")
-	push_error("unannounced")
+func test_an_unexpected_error_is_a_fault() -> void:
+	# Marks the error as expected in the output, but not in the log.
+	print("[expect] unexpected")
+	push_error("unexpected")
 	var faults := error_log.take_faults()
 	expect_equal(faults.size(), 1, "number of faults")
 	expect_true(
-		faults[0].begins_with("unexpected error: unannounced"), 'the message in "%s"' % faults[0]
+		faults[0].begins_with("unexpected error: unexpected"), 'the message in "%s"' % faults[0]
 	)
 
 
-func test_an_announced_error_that_does_not_come_is_a_fault() -> void:
+func test_an_expected_error_that_is_not_logged_is_a_fault() -> void:
 	error_log.expect("never comes")
 	expect_equal(
-		error_log.take_faults(),
-		PackedStringArray(["expected this error, which did not come: never comes"])
+		error_log.take_faults(), PackedStringArray(["expected error was not logged: never comes"])
 	)
 
 
-func test_an_announced_error_is_none() -> void:
-	expect_error("announced", 2)
-	push_error("announced")
-	push_error("announced")
+func test_an_expected_error_is_not_a_fault() -> void:
+	expect_error("expected", 2)
+	push_error("expected")
+	push_error("expected")
 	expect_equal(error_log.take_faults().size(), 0)
 
 
-func test_a_warning_nobody_announced_is_a_fault() -> void:
-	push_warning("unannounced")
+func test_an_unexpected_warning_is_a_fault() -> void:
+	push_warning("unexpected")
 	expect_equal(error_log.take_faults().size(), 1, "number of faults")
-	expect_warning("announced")
-	push_warning("announced")
-	expect_equal(error_log.take_faults().size(), 0, "number of faults after the announcement")
+	expect_warning("expected")
+	push_warning("expected")
+	expect_equal(error_log.take_faults().size(), 0, "number of faults with an expected warning")
 
 
-func test_samples_print_what_they_say() -> void:
+func test_samples_must_print_what_they_state() -> void:
 	var sample := 'for i in 2:\n\tassert(i < 2)\nprint(1 + 1, "!") # %s\n'
 	expect_equal(CodeSample.count_prints(sample), 1, "number of checked prints")
 	expect_equal(CodeSample.find_faults(sample % "2!"), PackedStringArray())
 	expect_equal(
 		CodeSample.find_faults(sample % "3!"),
-		PackedStringArray(['prints 2! where it says print(1 + 1, "!") # 3!'])
+		PackedStringArray(['prints 2! instead of print(1 + 1, "!") # 3!'])
 	)
 	expect_equal(
 		CodeSample.find_faults("if false:\n\tprint(1) # 1\n"),
-		PackedStringArray(["prints nothing where it says print(1) # 1"])
+		PackedStringArray(["prints nothing instead of print(1) # 1"])
 	)
 
 

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The GANode3D node: where its value comes from, when it draws it, its label, picking.
+## GANode3D: the source of its value, when it draws, its label, picking.
 
 var _camera: Camera3D
 var _node: GANode3D
@@ -50,7 +50,7 @@ func test_an_entry_of_a_scene() -> void:
 	expect_true(_node.describe().begins_with("sphere, radius 1"), _node.describe())
 	scene.set_expression("a", "point(1, 0, 0)")
 	expect_true(_node.describe().contains("center (1, 0, 0)"), _node.describe())
-	# A scene goes before a multivector; an entry that is not there draws nothing and is no error.
+	# A scene takes precedence over a multivector. A missing entry draws nothing and is no error.
 	_node.multivector = Multivector.point(Vector3.ZERO)
 	_node.entry = &"missing"
 	expect_equal(_node.describe(), "no value", "description")
@@ -73,7 +73,7 @@ func test_attributes_of_an_entry() -> void:
 	expect_true(_node.describe().begins_with("dual point"), _node.describe())
 	scene.set_entry_attribute("a", "color", "#ff8000")
 	await wait_frames(1)
-	expect_equal(_node.color, Color(0.35, 0.7, 1.0), "the node's own colour stays")
+	expect_equal(_node.color, Color(0.35, 0.7, 1.0), "the node's own color stays")
 
 
 func test_a_drawn_entry_that_changes_name_goes_and_comes() -> void:
@@ -221,13 +221,16 @@ func test_distances_on_the_screen() -> void:
 	expect_equal(_distance_to(Vector3.ZERO), INF, "behind the camera")
 
 
-func test_faults_are_told() -> void:
+func test_errors_are_reported() -> void:
 	_build()
-	expect_error("GANode3D: line_width is in pixels, above 0 and at most 100, not 0.000000.")
+	expect_error("GANode3D.line_width: 0.0 is not a width in pixels above 0 and up to 100.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
 	expect_error(
-		"GANode3D.get_screen_distance: the camera is null or not in the scene tree; pass the one that shows this node."
+		(
+			"GANode3D.get_screen_distance: the camera is null or outside the scene tree; "
+			+ "pass the camera that renders this node."
+		)
 	)
 	expect_equal(_node.get_screen_distance(null, Vector2.ZERO), INF, "distance without a camera")
 
@@ -242,6 +245,6 @@ func _build() -> void:
 	world.add_child(_node)
 
 
-## From where a place is seen to what the node draws.
+## Distance on the screen from a projected position to what the node draws.
 func _distance_to(place: Vector3) -> float:
 	return _node.get_screen_distance(_camera, _camera.unproject_position(place))

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## GAScene: entries, what follows from them, and what tells of it.
+## GAScene: entries, their dependencies, and signals.
 
 var _scene := GAScene.new()
 var _changes: Array[PackedStringArray] = []
@@ -67,6 +67,46 @@ func test_errors_stay_local() -> void:
 	expect_equal(_scene.get_value("c").coefficients[0], 3.0, "c")
 
 
+func test_an_expression_is_described_without_adding_it() -> void:
+	_scene.add_entry("a", "2")
+	_scene.add_entry("s", "!sphere(e1, a)")
+	_scene.add_entry("p", "e3 ^ einf")
+	_scene.set_entry_attribute("p", "ipns", true)
+	var before := _scene.document
+	_changes.clear()
+	var found := _scene.describe_expression("point(a, 0, 0)")
+	var value: Multivector = found["value"]
+	expect_equal(value.coefficients, Multivector.point(Vector3(2, 0, 0)).coefficients, "value")
+	expect_equal(found["description"], "point, at (2, 0, 0)", "description")
+	expect_equal(found["error"], "", "error")
+	expect_equal(
+		_scene.describe_expression("a + s +"),
+		{
+			"value": null,
+			"description": "",
+			"error": "column 8: expected a number, a name or '(', found the end"
+		},
+		"an expression with an error"
+	)
+	expect_equal(
+		_scene.describe_expression("e3 ^ einf", "p")["description"],
+		"dual direction, normal (0, 0, -1)",
+		"description as p"
+	)
+	expect_equal(
+		_scene.describe_expression("norm(s)", "a")["error"],
+		"column 6: circular dependency a -> s -> a",
+		"error as a"
+	)
+	expect_equal(
+		_scene.describe_expression("b", &"b")["error"],
+		"column 1: 'b' refers to itself",
+		"error as a new entry"
+	)
+	expect_equal(_scene.document, before, "document")
+	expect_equal(_changes.size(), 0, "number of signals")
+
+
 func test_renaming_and_removing() -> void:
 	_scene.add_entry("a", "1")
 	_scene.add_entry("b", "a + a*2")
@@ -79,7 +119,7 @@ func test_renaming_and_removing() -> void:
 	expect_equal(_changes.back(), PackedStringArray(["x", "b"]), "changes")
 
 
-func test_what_is_refused() -> void:
+func test_invalid_calls_are_refused() -> void:
 	_scene.add_entry("a", "1")
 	_changes.clear()
 	expect_error("GAScene.add_entry: an entry 'a' already exists.")
@@ -88,7 +128,7 @@ func test_what_is_refused() -> void:
 	expect_equal(_scene.add_entry("e12", "2"), ERR_INVALID_PARAMETER, "adding e12")
 	expect_error("GAScene.remove_entry: there is no entry 'b'.")
 	expect_equal(_scene.remove_entry("b"), ERR_INVALID_PARAMETER, "removing b")
-	expect_error('GAScene.get_value: there is no entry "b"; get_names() lists those there are.')
+	expect_error('GAScene.get_value: there is no entry "b"; get_names() lists the entries.')
 	expect_null(_scene.get_value("b"))
 	expect_equal(_scene.get_names(), PackedStringArray(["a"]), "names")
 	expect_equal(_changes.size(), 0, "number of signals")

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## GAScene: saved and loaded, as JSON, as a resource, inside a scene; undone.
+## GAScene: saving and loading as JSON, as a resource and inside a scene; undo by loading.
 
 const PATH := "user://test_ga_scene.tres"
 const SCENE_PATH := "user://test_ga_scene.tscn"
@@ -19,7 +19,7 @@ func _init() -> void:
 	_scene.entries_changed.connect(_on_entries_changed)
 
 
-func test_json_there_and_back() -> void:
+func test_json_round_trip() -> void:
 	var other := GAScene.new()
 	expect_equal(other.load_json(_scene.to_json()), OK, "loading")
 	_expect_same(other)
@@ -47,7 +47,7 @@ func test_inside_a_scene_file() -> void:
 	DirAccess.remove_absolute(SCENE_PATH)
 
 
-func test_a_duplicate_is_on_its_own() -> void:
+func test_a_duplicate_is_independent() -> void:
 	var copy: GAScene = _scene.duplicate()
 	_expect_same(copy)
 	copy.set_expression("größe", "3")
@@ -79,10 +79,13 @@ func test_loading_an_older_text_undoes() -> void:
 
 
 func test_a_broken_text_loads_what_it_can() -> void:
-	var text := '{"version": 1, "entries": [\n{"name": "a", "expression": "1"},\n{"name": "b", "expression": },\n{"name": "c", "expression": "a + 1"}\n]}'
+	var text := (
+		'{"version": 1, "entries": [\n{"name": "a", "expression": "1"},\n'
+		+ '{"name": "b", "expression": },\n{"name": "c", "expression": "a + 1"}\n]}'
+	)
 	var place := "line 3, column 29: entry 'b' skipped: expected a string in double quotes, found '}'"
 	expect_error(
-		"GAScene.load_json: a part of the text cannot be read; the rest is loaded:\n%s." % place
+		"GAScene.load_json: parts of the text could not be read; the rest was loaded:\n%s." % place
 	)
 	expect_equal(_scene.load_json(text), ERR_FILE_CORRUPT, "loading")
 	expect_equal(_scene.get_names(), PackedStringArray(["a", "c"]), "names")
@@ -90,10 +93,13 @@ func test_a_broken_text_loads_what_it_can() -> void:
 	expect_equal(_scene.get_load_errors(), PackedStringArray([place]), "errors")
 
 
-func test_a_text_that_is_no_scene_changes_nothing() -> void:
+func test_a_text_that_is_not_a_scene_changes_nothing() -> void:
 	var before := _scene.to_json()
 	expect_error(
-		"GAScene.load_json: the text is no document; the scene stays as it was:\ncolumn 1: expected '{' before a document or '[' before 32 coefficients, found 'h'."
+		(
+			"GAScene.load_json: the text is not a document; the scene is unchanged:\n"
+			+ "column 1: expected '{' before a document or '[' before 32 coefficients, found 'h'."
+		)
 	)
 	expect_equal(_scene.load_json("hello"), ERR_PARSE_ERROR, "loading")
 	expect_equal(_scene.to_json(), before, "text")
@@ -117,18 +123,19 @@ func test_attributes() -> void:
 		{"color": "#ff8000", "interpolation/weight": 0.25, "visible": false},
 		"attributes"
 	)
-	expect_equal(_scene.set_entry_attribute("ball", "color", null), OK, "taking the colour back")
+	expect_equal(_scene.set_entry_attribute("ball", "color", null), OK, "resetting the color")
 	expect_equal(_scene.get_entry_attribute("ball", "color"), "", "color")
 	expect_error(
 		"GAScene.set_entry_attribute: the attribute 'color' must have the form #rrggbb or #rrggbbaa."
 	)
 	expect_equal(
-		_scene.set_entry_attribute("ball", "color", "red"),
-		ERR_INVALID_PARAMETER,
-		"a colour by name"
+		_scene.set_entry_attribute("ball", "color", "red"), ERR_INVALID_PARAMETER, "a color by name"
 	)
 	expect_error(
-		'GAScene.set_entry_attribute: the attribute "color" must be a bool, a number, a string, a Color, or null for none, not Vector3.'
+		(
+			'GAScene.set_entry_attribute: the attribute "color" must be a bool, a number, a string, '
+			+ "a Color, or null to reset it, not Vector3."
+		)
 	)
 	expect_equal(
 		_scene.set_entry_attribute("ball", "color", Vector3.ONE), ERR_INVALID_PARAMETER, "a vector"

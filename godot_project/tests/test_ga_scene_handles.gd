@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## GAScene: what a person takes hold of, and how expressions follow the mouse.
+## GAScene: handles, and expressions that follow the mouse.
 
 const EYE := Vector3(0, 0, 10)
 
@@ -46,14 +46,14 @@ func test_dragging() -> void:
 	expect_equal(_drag("a", handle, Vector3(2.34, -1.27, 0), 0.1), OK, "dragging")
 	expect_equal(_scene.get_expression("a"), "point(2.3, -1.3, 0)", "expression")
 	expect_equal(
-		changed, [PackedStringArray(["a", "s"])] as Array[PackedStringArray], "what followed"
+		changed, [PackedStringArray(["a", "s"])] as Array[PackedStringArray], "changed entries"
 	)
 	handle = _scene.get_handles("s")[0]
 	expect_equal(_drag("s", handle, Vector3(4, -1.3, 0), 0.1), OK, "dragging the radius")
 	expect_equal(_scene.get_expression("s"), "sphere(a, 1.7)", "expression")
 
 
-func test_the_handle_that_was_taken_hold_of_may_be_longer() -> void:
+func test_an_arm_may_be_drawn_longer() -> void:
 	_scene.add_entry("c", "circle(0, e2, 1)")
 	var handle: Dictionary = _scene.get_handles("c")[2]
 	handle.place = (handle.stem as Vector3).lerp(handle.place as Vector3, 3.0)
@@ -67,7 +67,7 @@ func test_the_handle_that_was_taken_hold_of_may_be_longer() -> void:
 	expect_equal(_scene.get_expression("c"), "circle(0, e1, 1)", "expression")
 
 
-func test_what_was_grabbed_stays_under_the_mouse() -> void:
+func test_the_grabbed_point_stays_under_the_mouse() -> void:
 	_scene.add_entry("s", "sphere(0, 1)")
 	var handle: Dictionary = _scene.get_handles("s")[0]
 	handle.grab = Vector3(0.5, 0.5, 0)
@@ -75,8 +75,8 @@ func test_what_was_grabbed_stays_under_the_mouse() -> void:
 	expect_equal(_scene.get_expression("s"), "sphere(2 e1 + 3 e2, 1)", "expression")
 
 
-## No error is printed: a mouse is anywhere.
-func test_where_nothing_follows() -> void:
+## No error is printed, as the mouse may be anywhere.
+func test_rays_that_no_handle_can_follow() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	_scene.add_entry("p", "point_pair(point(0, 0, 0), point(1, 0, 0))")
 	for handle in _scene.get_handles("s"):
@@ -109,12 +109,12 @@ func test_where_nothing_follows() -> void:
 	)
 
 
-func test_mistakes_of_the_caller() -> void:
+func test_invalid_arguments() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	var handle: Dictionary = _scene.get_handles("s")[1]
-	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists those there are.')
+	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists the entries.')
 	expect_equal(_scene.get_handles("x").size(), 0, "handles of nothing")
-	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists those there are.')
+	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists the entries.')
 	expect_equal(_drag("x", handle, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "dragging nothing")
 	for wrong: Dictionary in [
 		{},
@@ -124,11 +124,14 @@ func test_mistakes_of_the_caller() -> void:
 		handle.merged({"axis": Vector3(NAN, 0, 0)}, true)
 	]:
 		expect_error(
-			"GAScene.drag_handle: the handle must be one of get_handles(), with all of its keys."
+			"GAScene.drag_handle: the handle must be a dictionary from get_handles(), with all of its keys."
 		)
 		expect_equal(_drag("s", wrong, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "a wrong handle")
 	expect_error(
-		"GAScene.drag_handle: the steps are finite and not below 0, 0 for none, not -1.000000 and 0.000000."
+		(
+			"GAScene.drag_handle: step and angle_step must be finite and at least 0 (0 for no steps), "
+			+ "not -1.000000 and 0.000000."
+		)
 	)
 	expect_equal(_drag("s", handle, Vector3.ZERO, -1.0), ERR_INVALID_PARAMETER, "a wrong step")
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 2)", "expression")

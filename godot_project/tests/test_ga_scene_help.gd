@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The class reference of GAScene: it documents every member as registered, each with an example that
-## runs and prints what it says.
+## The class reference of GAScene documents every registered member, each with an example that runs
+## and prints the stated output.
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
@@ -24,7 +24,7 @@ func test_every_member_is_documented_as_registered() -> void:
 	expect_equal(_reference.signals, _reference.registered_signals(), "signals")
 
 
-func test_every_description_has_an_example_that_holds() -> void:
+func test_every_description_has_a_correct_example() -> void:
 	expect_true(
 		_reference.descriptions.has("signal entries_changed"), "a description of the signal"
 	)

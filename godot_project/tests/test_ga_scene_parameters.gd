@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## GAScene: what can be dragged of free objects.
+## GAScene: parameters of free objects.
 
 var _scene := GAScene.new()
 
@@ -46,7 +46,7 @@ func test_dragging_rewrites_the_literals() -> void:
 	expect_equal(_scene.get_expression("s"), "sphere(p, 2)", "expression")
 
 
-func test_what_cannot_be_dragged() -> void:
+func test_invalid_parameters_are_refused() -> void:
 	_scene.add_entry("s", "sphere(e1, 1.5)")
 	expect_error("GAScene.set_parameter: sphere: the radius must be a finite number above zero.")
 	expect_equal(
@@ -59,7 +59,10 @@ func test_what_cannot_be_dragged() -> void:
 	expect_error("GAScene.set_parameter: the parameter 'center' must be a vector, not a number.")
 	expect_equal(_scene.set_parameter("s", "center", 1.0), ERR_INVALID_PARAMETER, "a wrong type")
 	expect_error(
-		'GAScene.set_parameter: a parameter is a number, a Vector3, a Quaternion, or a Multivector or its 32 coefficients as PackedFloat64Array; "center" was given as String.'
+		(
+			'GAScene.set_parameter: the parameter "center" must be a number, a Vector3, a Quaternion, '
+			+ "a Multivector or a PackedFloat64Array of 32 coefficients, not String."
+		)
 	)
 	expect_equal(_scene.set_parameter("s", "center", "e1"), ERR_INVALID_PARAMETER, "a string")
 	expect_error("GAScene.set_parameter: the parameter 'center' must be finite.")

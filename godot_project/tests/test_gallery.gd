@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The documents of the gallery: each loads, has values everywhere, and lives through every position of its sliders and
-## of what can be dragged. What each of them teaches is in test_gallery_facts.gd.
+## The examples of the gallery load without errors and stay free of errors at every slider position
+## and drag. test_gallery_facts.gd checks what they teach.
 
 const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 const ExamplesMenu := preload("res://addons/ga_godot/playground/panel/examples_menu.gd")
@@ -18,26 +18,27 @@ const DRAGS: Array[Vector3] = [
 	Vector3(40.0, 30.0, -20.0),
 ]
 const SLIDER_STEPS := 16
+## In the error of an entry that depends on another entry with an error.
 const DEPENDS := "has an error"
-## The errors that are meant, by example: what has no solution says why.
-const MEANT: Dictionary[String, String] = {
+## Errors that are expected after a drag, by example: constructions that may have no solution.
+const EXPECTED_ERRORS: Dictionary[String, String] = {
 	"apollonius": "sqrt: expected a number of at least 0, not -"
 }
 
 
-func test_the_list_is_the_folder() -> void:
+func test_the_list_matches_the_folder() -> void:
 	var files := PackedStringArray()
 	for file in DirAccess.get_files_at(Gallery.FOLDER):
 		if file.get_extension() == "json":
 			files.append(file.get_basename())
 	var listed := Gallery.list()
-	expect_true(listed.size() >= 12, "at least twelve examples, not %d" % listed.size())
+	expect_true(listed.size() >= 12, "at least 12 examples, not %d" % listed.size())
 	listed.sort()
 	files.sort()
 	expect_equal(listed, files, "examples")
 
 
-func test_each_loads_with_a_value_everywhere() -> void:
+func test_each_example_loads_without_errors() -> void:
 	for example in Gallery.list():
 		var scene := Gallery.load_example(example)
 		expect_true(scene != null, "%s: %s" % [example, Gallery.error_of(example)])
@@ -46,13 +47,13 @@ func test_each_loads_with_a_value_everywhere() -> void:
 			expect_equal(scene.get_error(entry), "", "error of %s in %s" % [entry, example])
 
 
-func test_the_files_are_as_they_are_saved() -> void:
+func test_saving_an_example_gives_the_same_file() -> void:
 	for example in Gallery.list():
 		var text := FileAccess.get_file_as_string(Gallery.path_of(example))
 		expect_equal(Gallery.load_example(example).to_json(), text, "text of %s" % example)
 
 
-func test_each_says_what_it_is_and_where_to_look_from() -> void:
+func test_each_example_has_title_text_camera_and_ranges() -> void:
 	for example in Gallery.list():
 		var scene := Gallery.load_example(example)
 		expect_equal(
@@ -61,13 +62,15 @@ func test_each_says_what_it_is_and_where_to_look_from() -> void:
 		var description: String = scene.get_scene_attribute("description")
 		var sentences := description.count(". ") + 1
 		expect_true(sentences >= 2 and sentences <= 6, "%d sentences in %s" % [sentences, example])
-		expect_true(description.ends_with("."), "the description of %s ends" % example)
-		expect_true(ViewPoint.is_told_by(scene), "where to look at %s from" % example)
+		expect_true(
+			description.ends_with("."), "the description of %s ends with a period" % example
+		)
+		expect_true(ViewPoint.is_stored_in(scene), "%s has a camera position" % example)
 		for entry in scene.get_names():
 			_expect_a_range(scene, entry, example)
 
 
-func test_sliders_and_drags_break_nothing() -> void:
+func test_sliders_and_drags_cause_no_errors() -> void:
 	for example in Gallery.list():
 		var text := FileAccess.get_file_as_string(Gallery.path_of(example))
 		var scene := Gallery.load_example(example)
@@ -80,18 +83,18 @@ func test_sliders_and_drags_break_nothing() -> void:
 				scene.load_json(text)
 
 
-func test_what_is_meant_is_met() -> void:
+func test_an_unsolvable_construction_shows_its_error() -> void:
 	var scene := Gallery.load_example("apollonius")
 	scene.set_parameter("b", "position", Vector3(-1.5, 0.0, 0.7))
 	scene.set_parameter("radius_b", "value", 0.3)
 	expect_true(
-		scene.get_error("root_same").contains(MEANT["apollonius"]),
-		"one circle within another: %s" % scene.get_error("root_same")
+		scene.get_error("root_same").contains(EXPECTED_ERRORS["apollonius"]),
+		"one circle inside another: %s" % scene.get_error("root_same")
 	)
-	expect_equal(scene.get_error("circle_a"), "", "the given circles live on")
+	expect_equal(scene.get_error("circle_a"), "", "the given circles keep their values")
 
 
-func test_an_example_that_is_not_there() -> void:
+func test_an_unknown_example() -> void:
 	expect_null(Gallery.load_example("nothing"))
 	expect_true(
 		Gallery.error_of("nothing").contains('no example named "nothing"'),
@@ -99,14 +102,14 @@ func test_an_example_that_is_not_there() -> void:
 	)
 
 
-func test_the_menu_gives_fresh_copies() -> void:
+func test_the_menu_opens_independent_copies() -> void:
 	var menu := ExamplesMenu.new()
 	add_node(menu)
 	expect_equal(
 		menu.item_count, Gallery.list().size() + Gallery.SECTIONS.size(), "items and sections"
 	)
 	for example in Gallery.SECTIONS:
-		expect_true(Gallery.EXAMPLES.has(example), "%s, which begins a section" % example)
+		expect_true(Gallery.EXAMPLES.has(example), "%s, the first of a section, exists" % example)
 	var chosen: Array[GAScene] = []
 	menu.chosen.connect(
 		func(scene: GAScene, title: String) -> void:
@@ -117,32 +120,35 @@ func test_the_menu_gives_fresh_copies() -> void:
 		menu.id_pressed.emit(1)
 	expect_equal(chosen.size(), 2, "chosen")
 	chosen[0].remove_entry("a")
-	expect_true(chosen[1].has_entry("a"), "the second copy is whole")
+	expect_true(chosen[1].has_entry("a"), "the second copy is unchanged")
 
 
 func _expect_a_range(scene: GAScene, entry: String, example: String) -> void:
 	var parameters := scene.get_parameters(entry)
-	var least: Variant = scene.get_entry_attribute(entry, "slider/min")
+	var minimum: Variant = scene.get_entry_attribute(entry, "slider/min")
 	if not parameters.has("value"):
-		expect_true(least == null, "%s in %s is no number, so it has no range" % [entry, example])
+		expect_true(
+			minimum == null, "%s in %s is not a number and has no slider range" % [entry, example]
+		)
 		return
-	expect_true(least is float, "%s in %s has a range" % [entry, example])
+	expect_true(minimum is float, "%s in %s has a slider range" % [entry, example])
 	var value: float = parameters["value"]
-	var most: float = scene.get_entry_attribute(entry, "slider/max")
+	var maximum: float = scene.get_entry_attribute(entry, "slider/max")
 	expect_true(
-		least as float <= value and value <= most, "%s of %s is within its range" % [entry, example]
+		minimum as float <= value and value <= maximum,
+		"%s of %s is within its slider range" % [entry, example]
 	)
 	expect_true(
 		scene.get_entry_attribute(entry, "slider/step") as float > 0.0,
-		"step of %s in %s" % [entry, example]
+		"slider step of %s in %s" % [entry, example]
 	)
 
 
 func _sweep(scene: GAScene, entry: String, example: String) -> void:
-	var least: float = scene.get_entry_attribute(entry, "slider/min")
-	var most: float = scene.get_entry_attribute(entry, "slider/max")
+	var minimum: float = scene.get_entry_attribute(entry, "slider/min")
+	var maximum: float = scene.get_entry_attribute(entry, "slider/max")
 	for i in SLIDER_STEPS + 1:
-		var value := lerpf(least, most, float(i) / SLIDER_STEPS)
+		var value := lerpf(minimum, maximum, float(i) / SLIDER_STEPS)
 		expect_equal(
 			scene.set_parameter(entry, "value", value), OK, "setting %s of %s" % [entry, example]
 		)
@@ -169,7 +175,7 @@ func _expect_no_errors(scene: GAScene, example: String, change: String) -> void:
 		if (
 			error.is_empty()
 			or error.contains(DEPENDS)
-			or MEANT.has(example) and error.contains(MEANT[example])
+			or EXPECTED_ERRORS.has(example) and error.contains(EXPECTED_ERRORS[example])
 		):
 			continue
 		fail("%s, %s: %s: %s" % [example, change, entry, error])

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## What the documents of the gallery teach, as numbers.
+## What the texts of the examples claim, checked with numbers.
 
 const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 
@@ -15,7 +15,7 @@ func test_a_circle_through_its_points() -> void:
 			_expect_zero("normalized(circle) ^ %s" % point)
 			_expect_zero("normalized(disc_plane) ^ %s" % point)
 		_expect_zero("axis ^ centre / norm(axis)")
-		_expect_place("centre", _center_of("circle"))
+		_expect_position("centre", _center_of("circle"))
 		_drag("b", Vector3(2.5, -1.0, 0.25))
 	_drag("a", Vector3(0, 0, 0))
 	_drag("b", Vector3(1, 0, 0))
@@ -49,7 +49,7 @@ func test_joins_hold_their_points_and_meets_lie_in_both() -> void:
 	_expect_kind("through", "point_pair")
 	expect_equal(_is_imaginary("through"), false, "imaginary")
 	_scene.set_parameter("ball", "center", Vector3(0.55, 5.0, 0.1))
-	expect_equal(_is_imaginary("through"), true, "imaginary where the line misses the sphere")
+	expect_equal(_is_imaginary("through"), true, "imaginary if the line misses the sphere")
 
 
 func test_a_circle_from_real_through_tangent_to_imaginary() -> void:
@@ -59,13 +59,13 @@ func test_a_circle_from_real_through_tangent_to_imaginary() -> void:
 		["circle", "tangent", "circle"] as Array,
 		"kinds"
 	)
-	expect_equal(_is_imaginary("circle"), false, "of the cut one")
-	expect_equal(_is_imaginary("imaginary"), true, "of the missed one")
-	# The middle sphere has its centre at height 1 and radius 1.
-	var seen := PackedStringArray()
+	expect_equal(_is_imaginary("circle"), false, "imaginary, sphere that is cut")
+	expect_equal(_is_imaginary("imaginary"), true, "imaginary, sphere that is missed")
+	# The middle sphere has its center at height 1, and radius 1.
+	var kinds := PackedStringArray()
 	for height: float in [1.0, 1.6, 1.999, 2.0, 2.001, 2.5]:
 		_scene.set_parameter("height", "value", height)
-		seen.append("%s%s" % ["imaginary " if _is_imaginary("contact") else "", _kind("contact")])
+		kinds.append("%s%s" % ["imaginary " if _is_imaginary("contact") else "", _kind("contact")])
 		var squared := 1.0 - (height - 1.0) ** 2
 		var description: Dictionary = _scene.get_value("contact").classify()
 		if description.has("radius"):
@@ -73,11 +73,11 @@ func test_a_circle_from_real_through_tangent_to_imaginary() -> void:
 				description["radius"] as float, sqrt(absf(squared)), 1e-6, "radius at %s" % height
 			)
 	expect_equal(
-		seen,
+		kinds,
 		PackedStringArray(
 			["circle", "circle", "circle", "tangent", "imaginary circle", "imaginary circle"]
 		),
-		"on the way up"
+		"kinds as the plane rises"
 	)
 
 
@@ -90,7 +90,7 @@ func test_three_spheres_meet_in_their_circles() -> void:
 		_expect_zero("((pair + norm(pair)) / (einf << pair)) ^ normalized(%s)" % circle)
 
 
-func test_a_reflection_is_its_own_way_back() -> void:
+func test_a_reflection_is_its_own_inverse() -> void:
 	_open("reflection")
 	for shape: String in ["ball", "ring", "needle", "tip"]:
 		_expect_same("reflect_in(%s_image, mirror)" % shape, shape)
@@ -99,7 +99,7 @@ func test_a_reflection_is_its_own_way_back() -> void:
 		(_center_of("tip") - _center_of("tip_image")).normalized().abs(),
 		Vector3(1.0, 0.0, 0.12).normalized(),
 		1e-6,
-		"the way through the mirror goes straight"
+		"a point and its image lie along the normal"
 	)
 
 
@@ -121,25 +121,25 @@ func test_two_pencils_are_at_right_angles() -> void:
 	for circle in 18:
 		for pole: String in ["a", "b"]:
 			_expect_zero("normalized(circle_%d) ^ %s" % [circle + 1, pole])
-		# Across a sphere: the dual sphere lies in the circle's blade.
+		# Orthogonal to a sphere: the dual sphere lies in the circle's blade.
 		_expect_zero("normalized(!chosen) ^ normalized(circle_%d)" % [circle + 1])
 		_expect_zero("normalized(!sphere_1) ^ normalized(circle_%d)" % [circle + 1])
 	_scene.set_parameter("ratio", "value", 1.0)
 	_expect_kind("chosen", "plane")
 
 
-func test_two_mirrors_turn_by_twice_their_angle() -> void:
+func test_two_reflections_rotate_by_twice_their_angle() -> void:
 	_open("turn_by_two_mirrors")
 	for angle: float in [0.0, 20.0, 50.0, 75.0]:
 		_scene.set_parameter("angle", "value", angle)
 		_expect_zero("normalized(ring_twice) - normalized(ring_turned)")
-		var turned: float = (
+		var rotated: float = (
 			_scene.get_value("R").to_transform().basis.get_rotation_quaternion().get_angle()
 		)
-		expect_near(turned, deg_to_rad(2.0 * angle), 1e-5, "turn at %s degrees" % angle)
+		expect_near(rotated, deg_to_rad(2.0 * angle), 1e-5, "rotation at %s degrees" % angle)
 
 
-func test_parallel_mirrors_shift_by_twice_their_distance() -> void:
+func test_parallel_reflections_translate_by_twice_their_distance() -> void:
 	_open("shift_by_two_mirrors")
 	for gap: float in [-1.0, 0.0, 0.7, 2.4]:
 		_scene.set_parameter("gap", "value", gap)
@@ -147,12 +147,12 @@ func test_parallel_mirrors_shift_by_twice_their_distance() -> void:
 			_scene.get_value("T").to_transform().origin,
 			Vector3(2.0 * gap, 0, 0),
 			1e-6,
-			"shift at a gap of %s" % gap
+			"translation at a gap of %s" % gap
 		)
-		_expect_place("ring_twice", Vector3(-2.2 + 2.0 * gap, 0.8, 0.0))
+		_expect_position("ring_twice", Vector3(-2.2 + 2.0 * gap, 0.8, 0.0))
 
 
-func test_the_cube_goes_from_pose_to_pose() -> void:
+func test_the_cube_moves_between_the_poses() -> void:
 	_open("cube_between_poses")
 	for t: float in [0.0, 1.0]:
 		_scene.set_parameter("t", "value", t)
@@ -164,13 +164,13 @@ func test_the_cube_goes_from_pose_to_pose() -> void:
 				)
 			)
 	_scene.set_parameter("t", "value", 0.5)
-	# All edges of what was a cube are as long, and scaled by the geometric mean of both scales.
+	# All edges have the same length, scaled by the geometric mean of both scales.
 	for edge in 12:
 		expect_near(
 			_radius("moved_%d" % [edge + 1]),
 			0.6 * sqrt(0.8 * 1.3),
 			1e-6,
-			"half of edge %d" % [edge + 1]
+			"half the length of edge %d" % [edge + 1]
 		)
 
 
@@ -183,17 +183,20 @@ func test_three_blends_agree_at_the_ends_only() -> void:
 	_scene.set_parameter("t", "value", 0.5)
 	expect_true(
 		_center_of("separate_body").distance_to(_center_of("screw_body")) > 0.3,
-		"separate and screw differ half way"
+		"separate and screw differ halfway"
 	)
 	expect_vector_near(
-		_center_of("separate_body"), Vector3(0.0, 0.6, 0.4), 1e-6, "separate goes straight"
+		_center_of("separate_body"),
+		Vector3(0.0, 0.6, 0.4),
+		1e-6,
+		"separate moves on a straight line"
 	)
 	_scene.set_parameter("t", "value", 0.25)
-	var apart := _center_of("linear_body").distance_to(_center_of("screw_body"))
-	expect_true(apart > 0.005 and apart < 0.5, "linear stays close to screw: %s" % apart)
+	var distance := _center_of("linear_body").distance_to(_center_of("screw_body"))
+	expect_true(distance > 0.005 and distance < 0.5, "linear stays close to screw: %s" % distance)
 
 
-func test_the_shell_is_the_same_at_every_size() -> void:
+func test_the_shell_is_self_similar() -> void:
 	_open("shell")
 	for ball in range(1, 44):
 		expect_near(
@@ -205,11 +208,11 @@ func test_the_shell_is_the_same_at_every_size() -> void:
 	var before := _center_of("ball_2")
 	_scene.set_parameter("slide", "value", 1.0)
 	expect_vector_near(
-		_center_of("ball_1"), before, 1e-6, "after one step each ball is where the next was"
+		_center_of("ball_1"), before, 1e-6, "after one step, each ball is where the next one was"
 	)
 
 
-func test_all_balls_of_the_loxodrome_lie_alike() -> void:
+func test_neighboring_balls_of_the_loxodrome_are_congruent() -> void:
 	_open("loxodrome")
 	var first := _scene.evaluate("normalized(!ball_1) | normalized(!ball_2)").coefficients[0]
 	for ball in range(2, 46):
@@ -220,7 +223,7 @@ func test_all_balls_of_the_loxodrome_lie_alike() -> void:
 		)
 		expect_near(product, first, EXACT, "balls %d and %d" % [ball, ball + 1])
 	for pole: String in ["a", "b"]:
-		_expect_same("sandwich(exp(way), %s)" % pole, pole)
+		_expect_same("sandwich(exp(generator), %s)" % pole, pole)
 
 
 func test_the_arm_keeps_its_lengths() -> void:
@@ -238,14 +241,14 @@ func test_the_arm_keeps_its_lengths() -> void:
 		expect_near(2.0 * _radius("palm"), 0.6, 1e-8, "hand for %s" % target)
 		expect_true(
 			_center_of("elbow").y >= _center_of("elbows").y,
-			"the upper of both elbows for %s" % target
+			"the arm uses the upper elbow for %s" % target
 		)
-		var reaches := (target + Vector3(0.0, 0.6, 0.0)).length() < 3.09
-		expect_equal(_center_of("tip").distance_to(target) < 1e-5, reaches, "reaching %s" % target)
+		var in_reach := (target + Vector3(0.0, 0.6, 0.0)).length() < 3.09
+		expect_equal(_center_of("tip").distance_to(target) < 1e-5, in_reach, "reaching %s" % target)
 	_drag("target", Vector3(0.0, 0.9, 0.0))
 	expect_true(
 		_scene.get_error("elbow").contains("division by zero"),
-		"no plane above the shoulder: %s" % _scene.get_error("elbow")
+		"no plane straight above the shoulder: %s" % _scene.get_error("elbow")
 	)
 
 
@@ -267,8 +270,8 @@ func test_the_hexlet_closes() -> void:
 		for bead in 6:
 			var unit := "normalized(!bead_%d)" % [bead + 1]
 			_expect_touch(unit, "normalized(!bead_%d)" % [(bead + 1) % 6 + 1])
-			for held: String in ["outer", "lower", "inner"]:
-				_expect_touch(unit, "normalized(!%s)" % held)
+			for sphere: String in ["outer", "lower", "inner"]:
+				_expect_touch(unit, "normalized(!%s)" % sphere)
 
 
 func test_hopf_circles_are_orbits_and_linked() -> void:
@@ -278,7 +281,8 @@ func test_hopf_circles_are_orbits_and_linked() -> void:
 		_expect_zero(
 			"normalized(sandwich(exp(0.3 * (e13 + e24)), %s)) - normalized(%s)" % [circle, circle]
 		)
-	# Linked: one passes through the disc of the other, once. Its ends in the other's plane lie inside and outside.
+	# Two circles are linked if one crosses the disc of the other once: of its two points in the
+	# other's plane, one lies inside the other circle and one outside.
 	for pair: String in ["thin_1/thin_5", "thin_1/wide_3", "wide_2/wide_9"]:
 		var names := pair.split("/")
 		var center := _center_of(names[1])
@@ -286,19 +290,19 @@ func test_hopf_circles_are_orbits_and_linked() -> void:
 		var inside := 0
 		for end: String in ["+", "-"]:
 			var cut := "meet(%s, %s ^ einf)" % [names[0], names[1]]
-			var place := _place_in(
+			var point := _position_of(
 				_scene.evaluate("(%s %s norm(%s)) / (einf << %s)" % [cut, end, cut, cut])
 			)
-			inside += int(place.distance_to(center) < radius)
-		expect_equal(inside, 1, "passages of %s through %s" % [names[0], names[1]])
+			inside += int(point.distance_to(center) < radius)
+		expect_equal(inside, 1, "crossings of %s through the disc of %s" % [names[0], names[1]])
 
 
 func _open(example: String) -> void:
 	_scene = Gallery.load_example(example)
 
 
-func _drag(entry: String, place: Vector3) -> void:
-	expect_equal(_scene.set_parameter(entry, "position", place), OK, "dragging %s" % entry)
+func _drag(entry: String, position: Vector3) -> void:
+	expect_equal(_scene.set_parameter(entry, "position", position), OK, "dragging %s" % entry)
 
 
 func _kind(entry: String) -> String:
@@ -318,19 +322,19 @@ func _radius(entry: String) -> float:
 
 
 func _center_of(entry: String) -> Vector3:
-	return _place_in(_scene.get_value(entry))
+	return _position_of(_scene.get_value(entry))
 
 
-func _place_in(value: Multivector) -> Vector3:
+func _position_of(value: Multivector) -> Vector3:
 	var description := value.classify()
 	return description["center"] if description.has("center") else description["position"]
 
 
-func _expect_place(entry: String, place: Vector3) -> void:
-	expect_vector_near(_center_of(entry), place, 1e-6, "place of %s" % entry)
+func _expect_position(entry: String, position: Vector3) -> void:
+	expect_vector_near(_center_of(entry), position, 1e-6, "position of %s" % entry)
 
 
-## All 32 coefficients.
+## Expects all 32 coefficients to be zero.
 func _expect_zero(expression: String) -> void:
 	var value := _scene.evaluate(expression)
 	if value == null:
@@ -342,7 +346,7 @@ func _expect_zero(expression: String) -> void:
 	expect_near(largest, 0.0, EXACT, expression)
 
 
-## The same but for a factor.
+## Expects two expressions to be equal up to a non-zero factor.
 func _expect_same(first: String, second: String) -> void:
 	var expected := _scene.evaluate(second).coefficients
 	var largest := 0
@@ -354,7 +358,7 @@ func _expect_same(first: String, second: String) -> void:
 	_expect_zero("(%s) / (%s) - (%s)" % [first, factor, second])
 
 
-## Two unit spheres, as vectors: their inner product is 1 or -1 where they touch.
+## Expects two unit spheres, given as vectors, to touch: their inner product is 1 or -1.
 func _expect_touch(first: String, second: String) -> void:
 	expect_near(
 		absf(_scene.evaluate("%s | %s" % [first, second]).coefficients[0]),

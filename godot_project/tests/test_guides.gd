@@ -1,5 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The code samples of the README and the guides compile, run, and what they say holds.
+## The code samples of the README and the guides compile, run to their end, and print what their
+## comments say.
 
 const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
@@ -8,7 +9,7 @@ const FENCE := "```gdscript\n"
 
 
 func test_the_interpolation_guide() -> void:
-	_expect_no_faults(_samples("docs/guides/interpolation.md"), 4)
+	_expect_no_faults(_samples("docs/guides/interpolation.md"), 5)
 
 
 func test_the_expressions_guide() -> void:
@@ -17,26 +18,25 @@ func test_the_expressions_guide() -> void:
 
 func test_the_playground_guide() -> void:
 	_expect_no_faults(_samples("docs/guides/playground.md"), 1)
-	# Every example is in it, with its picture.
+	# The guide lists every example, with its picture and title.
 	for example in Gallery.list():
 		var path := _repository().path_join("docs/images/gallery/%s.png" % example)
 		expect_true(
 			FileAccess.file_exists(path),
-			"existence of %s; tests/screenshots/run.py --docs writes it" % path
+			"%s exists (write it with tests/screenshots/run.py --docs)" % path
 		)
 		expect_true(
 			_read("docs/guides/playground.md").contains("images/gallery/%s.png" % example),
-			"%s in the guide" % example
+			"the guide shows the picture of %s" % example
 		)
 		expect_true(
 			_read("docs/guides/playground.md").contains("**%s**" % Gallery.EXAMPLES[example]),
-			"the title of %s in the guide" % example
+			"the guide has the title of %s" % example
 		)
 
 
 func test_the_readme() -> void:
-	# The first sample names what a project has.
-	_expect_no_faults(_samples("README.md").slice(1), 1)
+	_expect_no_faults(_samples("README.md"), 1)
 
 
 func _expect_no_faults(samples: PackedStringArray, count: int) -> void:

@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## MultivectorLerp's static functions: each mode against another way to compute it, the poses where
-## methods break, and bad input.
+## MultivectorLerp's static functions: each mode against an independent computation, degenerate
+## poses, and invalid arguments.
 
 const PathReferences := preload("res://tests/framework/path_references.gd")
 const Poses := preload("res://tests/framework/poses.gd")
@@ -11,13 +11,13 @@ const MODES: Array[MultivectorLerp.Mode] = [
 const RANDOM_PAIRS := 300
 
 
-func test_modes_have_their_numbers() -> void:
+func test_values_of_modes() -> void:
 	expect_equal(int(MultivectorLerp.LINEAR), 0)
 	expect_equal(int(MultivectorLerp.SCREW), 1)
 	expect_equal(int(MultivectorLerp.SEPARATE), 2)
 
 
-func test_the_ends_are_met() -> void:
+func test_weights_0_and_1_give_the_ends() -> void:
 	var generator := _generator()
 	for i in RANDOM_PAIRS:
 		var from := Poses.random(generator)
@@ -53,18 +53,19 @@ func test_separate_is_lerp_slerp_lerp() -> void:
 		)
 
 
-func test_equal_screw_steps_lead_to_the_end() -> void:
+func test_repeated_screw_steps_reach_the_end() -> void:
 	var generator := _generator()
 	for i in RANDOM_PAIRS:
 		var from := Poses.random(generator)
 		var to := Poses.random(generator)
 		var step := _at(from, to, 0.25, MultivectorLerp.SCREW)
 		var reached := PathReferences.repeat_motion(from, step, 4)
-		# The steps of single precision add up, more so where the pole of the motion is far.
+		# Single-precision errors accumulate over the steps, more so if the pole of the motion is
+		# far.
 		expect_transform_near(reached, to, 3e-3)
 
 
-func test_a_door_keeps_its_hinge() -> void:
+func test_the_screw_path_of_a_door_keeps_its_hinge() -> void:
 	var from := Poses.make(Vector3(2, 0, 0))
 	var to := Poses.make(Vector3(0, 0, -2), Quaternion(Vector3.UP, PI / 2.0))
 	var half := sqrt(2.0)
@@ -88,15 +89,15 @@ func test_scale_is_geometric_on_the_screw_path_only() -> void:
 	expect_near(
 		_at(from, to, 0.5, MultivectorLerp.SEPARATE).basis.x.x, 1.25, 1e-6, "scale of separate"
 	)
-	# The screw keeps the centre of similarity, here x = -4/3, where it is.
+	# The screw fixes the center of similarity, here x = -4/3.
 	expect_near(
-		_at(from, to, 0.5, MultivectorLerp.SCREW).origin.x, 4.0 / 3.0, 1e-6, "centre of screw"
+		_at(from, to, 0.5, MultivectorLerp.SCREW).origin.x, 4.0 / 3.0, 1e-6, "center of screw"
 	)
-	# The paper's implementation is at a third here.
-	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).origin.x, 2.0, 1e-6, "centre of linear")
+	# The implementation of the GA-Unity paper gives a third of this.
+	expect_near(_at(from, to, 0.5, MultivectorLerp.LINEAR).origin.x, 2.0, 1e-6, "center of linear")
 
 
-func test_linear_turns_at_most_8_2_degrees_off() -> void:
+func test_linear_deviates_by_at_most_8_2_degrees() -> void:
 	var from := Transform3D.IDENTITY
 	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, PI - 1e-3))
 	var worst := 0.0
@@ -109,8 +110,8 @@ func test_linear_turns_at_most_8_2_degrees_off() -> void:
 	expect_near(worst, 8.2, 0.1, "largest deviation in degrees")
 
 
-func test_the_short_way_round() -> void:
-	# 300 degrees one way are 60 the other.
+func test_the_shorter_rotation_is_taken() -> void:
+	# 300 degrees in one direction are 60 in the other.
 	var from := Transform3D.IDENTITY
 	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, deg_to_rad(300.0)))
 	var expected := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, deg_to_rad(-30.0)))
@@ -141,25 +142,27 @@ func test_degenerate_pairs_stay_finite_and_uniform() -> void:
 					)
 
 
-func test_far_away_is_as_exact_as_near() -> void:
+func test_far_poses_are_as_exact_as_near_ones() -> void:
 	var far := Vector3(Poses.FAR, 0, -Poses.FAR)
 	var from := Poses.make(Vector3(2, 0, 0))
 	var to := Poses.make(Vector3(0, 0, -2), Quaternion(Vector3.UP, PI / 2.0))
 	for mode in MODES:
 		var near := _at(from, to, 0.5, mode)
 		var there := _at(from.translated(far), to.translated(far), 0.5, mode)
-		# A single-precision number of this size is exact to half a millimetre.
+		# The resolution of a single-precision number of this size is half a millimeter.
 		expect_transform_near(there, near.translated(far), 2e-3, "mode %d" % mode)
 
 
 func test_weights_outside_0_to_1() -> void:
 	var from := Transform3D.IDENTITY
 	var to := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 0.5), 2.0)
-	var further := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 1.0), 4.0)
-	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.SCREW), further, 1e-5, "screw goes on")
-	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.LINEAR), to, 1e-6, "linear stops")
+	var beyond := Poses.make(Vector3.ZERO, Quaternion(Vector3.UP, 1.0), 4.0)
 	expect_transform_near(
-		_at(from, to, -1.0, MultivectorLerp.SEPARATE), from, 1e-6, "separate stops"
+		_at(from, to, 2.0, MultivectorLerp.SCREW), beyond, 1e-5, "extrapolated screw"
+	)
+	expect_transform_near(_at(from, to, 2.0, MultivectorLerp.LINEAR), to, 1e-6, "clamped linear")
+	expect_transform_near(
+		_at(from, to, -1.0, MultivectorLerp.SEPARATE), from, 1e-6, "clamped separate"
 	)
 
 
@@ -177,27 +180,36 @@ func test_motors_and_transforms_agree() -> void:
 			)
 
 
-func test_bad_transforms_return_the_start() -> void:
+func test_invalid_transforms_return_the_start() -> void:
 	var good := Poses.make(Vector3(1, 2, 3))
 	var mirrored := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	expect_error(
-		"MultivectorLerp.interpolate_transform: from is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		(
+			"MultivectorLerp.interpolate_transform: from is mirrored (negative scale), "
+			+ "which a motor cannot represent; mirror a child node instead."
+		)
 	)
 	expect_equal(_at(mirrored, good, 0.5, MultivectorLerp.LINEAR), mirrored)
 	expect_error(
-		"MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		(
+			"MultivectorLerp.interpolate_transform: to is mirrored (negative scale), which "
+			+ "a motor cannot represent; mirror a child node instead."
+		)
 	)
 	expect_equal(_at(good, mirrored, 0.5, MultivectorLerp.LINEAR), good)
 	expect_error("MultivectorLerp.interpolate_transform: the weight is not finite.")
 	expect_equal(_at(good, good, NAN, MultivectorLerp.SCREW), good)
-	expect_error("MultivectorLerp: mode 3 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_error("MultivectorLerp: mode 3 is invalid; use LINEAR (0), SCREW (1) or SEPARATE (2).")
 	expect_equal(_at(good, good, 0.5, 3 as MultivectorLerp.Mode), good)
 
 
-func test_bad_motors_return_null() -> void:
+func test_invalid_motors_return_null() -> void:
 	var motor := Multivector.scalar(1.0)
 	expect_error(
-		"MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.",
+		(
+			"MultivectorLerp.interpolate: from is not a motor with a positive scale; "
+			+ "create one with Multivector.motor or Multivector.motor_from."
+		),
 		2
 	)
 	expect_null(MultivectorLerp.interpolate(null, motor, 0.5, MultivectorLerp.LINEAR))
@@ -205,7 +217,10 @@ func test_bad_motors_return_null() -> void:
 		MultivectorLerp.interpolate(Multivector.basis("e1"), motor, 0.5, MultivectorLerp.LINEAR)
 	)
 	expect_error(
-		"MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from."
+		(
+			"MultivectorLerp.interpolate: to is not a motor with a positive scale; create "
+			+ "one with Multivector.motor or Multivector.motor_from."
+		)
 	)
 	expect_null(MultivectorLerp.interpolate(motor, null, 0.5, MultivectorLerp.LINEAR))
 	expect_error("MultivectorLerp.interpolate: the weight is not finite.")

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The interpolation demo, used as a person uses it: presets, keys, sliders, play.
+## The interpolation demo through its user interface: presets, keys, sliders, playback.
 
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const Poses := preload("res://tests/framework/poses.gd")
@@ -60,7 +60,7 @@ func test_a_slider_moves_the_pose() -> void:
 	expect_near(_demo.get_cube().position.x, 3.25, 1e-5, "x of the cube at its start")
 
 
-func test_space_plays_to_and_fro() -> void:
+func test_space_plays_back_and_forth() -> void:
 	_open()
 	_demo.set_factor(0.9)
 	_press(KEY_SPACE)
@@ -109,9 +109,10 @@ func test_ghosts_lie_on_the_path() -> void:
 		expect_vector_near(shown, middle.origin, 1e-5, "middle ghost of mode %d" % mode)
 
 
-func test_deviations_in_millimetres_and_degrees() -> void:
+func test_deviations_in_millimeters_and_degrees() -> void:
 	_open()
-	# A half turn of a body at 1.8 m from the axis: the screw's arc rises by as much over the straight line.
+	# A half turn of a body 1.8 m from the axis: the arc of the screw path rises 1.8 m over the
+	# straight line.
 	_demo.choose_preset(1)
 	var deviations: GridContainer = _demo.find_child("Deviations", true, false)
 	var preset := Preset.list()[1]

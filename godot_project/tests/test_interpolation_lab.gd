@@ -1,9 +1,9 @@
 extends "res://tests/framework/lab_case.gd"
-## The playground's interpolation lab, used as a person uses it: folded out, chosen, slid, played, and what it says.
+## The playground's interpolation lab, operated through its controls, and the texts that it shows.
 
 const EntryList := preload("res://addons/ga_godot/playground/entries/entry_list.gd")
 const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
-const LabWords := preload("res://addons/ga_godot/playground/lab/lab_words.gd")
+const LabText := preload("res://addons/ga_godot/playground/lab/lab_text.gd")
 
 ## In milliseconds.
 const BUDGET := 2.0
@@ -39,8 +39,8 @@ func test_the_selection_is_used_by_a_click_and_undone() -> void:
 	expect_equal(_setting("to"), "A", "attribute to")
 	expect_equal(_lab.poses.from_name, "C", "from")
 	await _click(_button("Swap"))
-	expect_equal(_lab.poses.from_name, "A", "from, exchanged")
-	expect_equal(_lab.poses.to_name, "C", "to, exchanged")
+	expect_equal(_lab.poses.from_name, "A", "from, swapped")
+	expect_equal(_lab.poses.to_name, "C", "to, swapped")
 	_host.own_history.undo()
 	expect_equal(_lab.poses.from_name, "C", "from, undone")
 	_host.own_history.undo()
@@ -56,7 +56,7 @@ func test_an_entry_is_chosen_from_the_list() -> void:
 	expect_equal(_setting("to"), "C", "attribute to")
 
 
-func test_the_slider_is_dragged_as_one_step() -> void:
+func test_a_drag_of_the_slider_is_one_action() -> void:
 	_open({"A": A, "B": B})
 	await wait_frames(8)
 	var slider: HSlider = _lab_panel.find_child("Slider", true, false)
@@ -71,11 +71,11 @@ func test_the_slider_is_dragged_as_one_step() -> void:
 	var pose := MultivectorLerp.interpolate(
 		_scene().get_value("A"), _scene().get_value("B"), _lab.t, MultivectorLerp.SCREW
 	)
-	expect_equal(words.text, LabWords.pose(pose), "pose in words")
+	expect_equal(words.text, LabText.pose(pose), "pose in words")
 	expect_true(
 		(
 			words.text.begins_with("at (")
-			and words.text.contains("turned")
+			and words.text.contains("rotated")
 			and words.text.contains("scale")
 		),
 		words.text
@@ -104,10 +104,10 @@ func test_deviations_are_those_of_the_paths() -> void:
 			var turn := one.get_rotation().inverse() * other.get_rotation()
 			angle = maxf(angle, 2.0 * atan2(Vector3(turn.x, turn.y, turn.z).length(), absf(turn.w)))
 		var found := _lab.measure(mode, MultivectorLerp.SCREW)
-		var told: float = found["distance"]
+		var measured: float = found["distance"]
 		expect_true(
-			told > distance * (1.0 - 1e-5) and told < distance * 1.05,
-			"distance %s being that of the worst of many points, %s" % [told, distance]
+			measured > distance * (1.0 - 1e-5) and measured < distance * 1.05,
+			"distance %s being the largest of many points, %s" % [measured, distance]
 		)
 		expect_near(found["angle"] as float, angle, 1e-3, "angle")
 		var row: Node = _lab_panel.find_child(
@@ -115,11 +115,11 @@ func test_deviations_are_those_of_the_paths() -> void:
 		)
 		var words: Label = row.find_child("Words", true, false)
 		expect_true(
-			words.text.ends_with("\n" + LabWords.deviation(found)),
+			words.text.ends_with("\n" + LabText.deviation(found)),
 			"deviation in words: %s" % words.text
 		)
 	expect_equal(
-		LabWords.deviation(
+		LabText.deviation(
 			{
 				"distance": 0.0352,
 				"distance_weight": 0.242,
@@ -127,25 +127,25 @@ func test_deviations_are_those_of_the_paths() -> void:
 				"angle_weight": 0.25
 			}
 		),
-		"off the screw: 35.2 mm (at t 0.24), 8.13° (at t 0.25)"
+		"deviation: 35.2 mm (t = 0.24), 8.13° (t = 0.25)"
 	)
 	expect_equal(
-		LabWords.deviation(
+		LabText.deviation(
 			{"distance": 1e-9, "distance_weight": 0.2, "angle": 1e-12, "angle_weight": 0.25}
 		),
-		"the same as the screw"
+		"no deviation from screw"
 	)
 	expect_equal(
-		LabWords.pose(
+		LabText.pose(
 			Multivector.motor_from(
 				Vector3(1, -0.001, 2.5), Quaternion(Vector3.BACK, -0.5 * PI), 2.0
 			)
 		),
-		"at (1.00, 0.00, 2.50), turned 90.0° about (0.00, 0.00, -1.00), scale 2.00"
+		"at (1.00, 0.00, 2.50), rotated 90.0° about (0.00, 0.00, -1.00), scale 2.00"
 	)
 
 
-func test_it_plays_there_and_back_around_and_once() -> void:
+func test_it_plays_ping_pong_loop_and_once() -> void:
 	_open({"A": A, "B": B})
 	_lab.set_setting(&"duration", 2.0)
 	_lab.play()
@@ -158,7 +158,7 @@ func test_it_plays_there_and_back_around_and_once() -> void:
 	_lab.set_setting(&"repeat", "loop")
 	_lab.play()
 	_lab.advance(0.7)
-	expect_near(_lab.t, 0.1, 1e-12, "t, begun anew")
+	expect_near(_lab.t, 0.1, 1e-12, "t after the loop restarts")
 	_lab.set_setting(&"repeat", "once")
 	_lab.advance(5.0)
 	expect_equal(_lab.t, 1.0, "t at the end")

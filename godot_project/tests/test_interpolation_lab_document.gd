@@ -1,8 +1,8 @@
 extends "res://tests/framework/lab_case.gd"
-## The interpolation lab and the document: what it keeps in it, what it makes of it, and what becomes of its entries.
+## The interpolation lab and its document: stored settings, added entries, and changes to entries.
 
 
-func test_a_document_that_was_made_with_it_shows_it() -> void:
+func test_it_unfolds_for_a_document_that_has_its_settings() -> void:
 	_open({"A": A}, false)
 	var scene := GAScene.new()
 	scene.add_entry("A", A)
@@ -18,10 +18,10 @@ func test_a_document_that_was_made_with_it_shows_it() -> void:
 	expect_equal(_lab_panel.folded, true, "folded with an empty document")
 
 
-func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
+func test_it_is_added_as_an_entry_that_others_can_depend_on() -> void:
 	_open({"A": A, "B": B})
 	_lab.move(0.25)
-	var menu: MenuButton = _lab_panel.find_child("Keep", true, false)
+	var menu: MenuButton = _lab_panel.find_child("AddEntry", true, false)
 	menu.get_popup().id_pressed.emit(MultivectorLerp.SCREW)
 	expect_equal(_scene().get_names(), PackedStringArray(["A", "B", "t", "m1"]), "entries")
 	expect_equal(_scene().get_expression("m1"), "interpolate_screw(A, B, t)", "expression")
@@ -29,7 +29,7 @@ func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
 	expect_equal(_panel.list.selection, PackedStringArray(["m1"]), "selection")
 	_expect_kept(0.25)
 	_host.own_history.undo()
-	expect_equal(_scene().get_names(), PackedStringArray(["A", "B"]), "entries, undone as one step")
+	expect_equal(_scene().get_names(), PackedStringArray(["A", "B"]), "entries after one undo")
 	_host.own_history.redo()
 	menu.get_popup().id_pressed.emit(MultivectorLerp.LINEAR)
 	expect_equal(
@@ -50,13 +50,13 @@ func test_it_is_kept_as_an_entry_that_others_depend_on() -> void:
 	_scene().remove_entry("t")
 	_lab.end_move()
 	expect_equal(
-		_panel.document.is_in_gesture(), false, "being in a gesture after the entry went away in it"
+		_panel.document.is_in_gesture(), false, "being in a gesture after its entry was removed"
 	)
 
 
-func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
+func test_playback_moves_dependents_and_is_one_action() -> void:
 	_open({"A": A, "B": B})
-	_lab.keep(MultivectorLerp.SCREW)
+	_lab.add_entry(MultivectorLerp.SCREW)
 	_lab.set_setting(&"duration", 1.0)
 	_lab.play()
 	_lab.advance(0.25)
@@ -65,7 +65,7 @@ func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
 	_expect_kept(0.875)
 	_lab.stop()
 	_expect_kept(0.875)
-	expect_equal(_host.own_history.undo(), "Play t", "step")
+	expect_equal(_host.own_history.undo(), "Play t", "undone action")
 	_expect_kept(0.5)
 	_panel.document.change("Delete t", func(scene: GAScene) -> void: scene.remove_entry("t"))
 	expect_equal(_lab.get_t_entry(), "", "entry of t after it was deleted")
@@ -73,13 +73,13 @@ func test_what_is_played_moves_what_depends_on_it_and_is_one_step() -> void:
 	expect_equal(_lab.t, 0.3, "t by itself")
 
 
-func test_renamed_entries_are_followed_and_it_says_so() -> void:
+func test_renamed_entries_are_followed_and_reported() -> void:
 	_open({"A": A, "S": "sphere(e1, 1)", "B": B})
 	_lab.choose("A", "B")
 	_panel.edits.rename("A", "start")
 	expect_equal(_lab.poses.from_name, "start", "from")
 	expect_equal(_setting("from"), "start", "attribute from")
-	expect_equal(_words(), "A is called start now.", "words")
+	expect_equal(_words(), "A was renamed to start.", "words")
 	expect_true(_lab.poses.is_complete(), "poses being there")
 	_host.own_history.undo()
 	expect_equal(_lab.poses.from_name, "A", "from, undone")
@@ -92,11 +92,11 @@ func test_renamed_entries_are_followed_and_it_says_so() -> void:
 	expect_equal(_words(), "", "words after the next change")
 
 
-func test_deleted_entries_and_others_that_are_no_poses() -> void:
+func test_deleted_entries_and_entries_that_are_not_poses() -> void:
 	_open({"A": A, "B": B, "C": "rotor(e3, 1)"})
 	_lab.choose("A", "B")
 	_panel.edits.remove(["B"])
-	expect_equal(_words(), "B is gone: choose another, or undo.", "words")
+	expect_equal(_words(), "B no longer exists. Choose another entry, or undo.", "words")
 	expect_equal(_lab.poses.is_complete(), false, "poses being there")
 	_host.own_history.undo()
 	expect_equal(_words(), "", "words after undoing")
@@ -104,7 +104,7 @@ func test_deleted_entries_and_others_that_are_no_poses() -> void:
 	_panel.edits.set_expression("B", "sphere(e1, 2)")
 	expect_equal(
 		_words(),
-		"B is no motor: choose a product of translators, rotors and dilators.",
+		"B is not a motor. Choose a product of translators, rotors and dilators.",
 		"words of a sphere"
 	)
 	_panel.edits.set_expression("B", "meet(A")
@@ -117,7 +117,7 @@ func test_deleted_entries_and_others_that_are_no_poses() -> void:
 	expect_true(_lab.poses.is_complete(), "poses being there again")
 	_panel.edits.remove(["A", "B", "C"])
 	expect_true(
-		_words().contains("A is gone") and _words().contains("C is gone"),
+		_words().contains("A no longer exists") and _words().contains("C no longer exists"),
 		"words with nothing left: %s" % _words()
 	)
 	_panel.document.show_scene(GAScene.new(), "")
@@ -125,13 +125,13 @@ func test_deleted_entries_and_others_that_are_no_poses() -> void:
 	expect_true(_words().begins_with("Add two motors"), "words of an empty document: %s" % _words())
 
 
-func test_a_pose_that_passes_the_identity_stays_one() -> void:
+func test_an_identity_motor_is_a_pose() -> void:
 	_open({"A": "motor(0 e1, rotor(e3, 0), 1)", "B": B})
 	expect_equal(_lab.poses.from_name, "A", "from")
 	expect_true(_lab.poses.is_complete(), "poses being there")
 
 
-func test_settings_are_kept_unless_they_are_as_by_default() -> void:
+func test_settings_are_stored_unless_they_are_defaults() -> void:
 	_open({"A": A, "B": B})
 	await wait_frames(8)
 	var toggle: CheckBox = _lab_panel.find_child("Separate", true, false).find_child(
@@ -153,11 +153,11 @@ func test_settings_are_kept_unless_they_are_as_by_default() -> void:
 	_lab.set_setting(&"body", "cube")
 	_lab.set_setting(&"body", "frame")
 	expect_equal(
-		_scene().get_scene_attributes().size(), 0, "number of attributes, as by default again"
+		_scene().get_scene_attributes().size(), 0, "number of attributes after resetting the body"
 	)
 
 
-func test_attributes_that_cannot_be_are_as_by_default() -> void:
+func test_invalid_attributes_are_replaced_by_defaults() -> void:
 	_open({"A": A, "B": B})
 	for attributes: Dictionary in [
 		{"t": "x", "body": "ball", "lever": "long", "from": 3.0},
@@ -165,7 +165,7 @@ func test_attributes_that_cannot_be_are_as_by_default() -> void:
 	]:
 		for key: String in attributes:
 			_scene().set_scene_attribute("interpolation/" + key, attributes[key])
-	expect_equal(_lab.t, 0.0, "t, brought into its range")
+	expect_equal(_lab.t, 0.0, "t, clamped")
 	expect_equal(_lab.get_setting(&"ghost_count"), 60.0, "count")
 	expect_equal(_lab.get_setting(&"duration"), 0.1, "duration")
 	expect_equal(_lab.get_setting(&"body"), "frame", "body")

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## What the interpolation lab draws is where MultivectorLerp says, and follows quickly.
+## The interpolation lab draws poses where MultivectorLerp places them, and follows changes quickly.
 
 const OwnHistory := preload("res://addons/ga_godot/playground/document/own_history.gd")
 const PlaygroundDocument := preload(
@@ -13,7 +13,7 @@ const MODES: Array[MultivectorLerp.Mode] = [
 ]
 const A := "motor(e1 + e2, rotor(e3, 1), 2)"
 const B := "motor(3 e3, rotor(e1 + e2, 2), 0.7)"
-## A change of a pose while it is dragged, in milliseconds.
+## For a change of a pose during a drag, in milliseconds.
 const BUDGET := 2.0
 const REPEATS := 60
 
@@ -22,7 +22,7 @@ var _lab := InterpolationLab.new(_document)
 var _drawing := LabDrawing.new(_lab)
 
 
-func test_ghosts_path_and_body_are_where_the_modes_say() -> void:
+func test_ghosts_path_and_body_are_where_the_modes_place_them() -> void:
 	_open()
 	_lab.set_setting(&"ghost_count", 7.0)
 	_lab.move(0.3)
@@ -35,7 +35,7 @@ func test_ghosts_path_and_body_are_where_the_modes_say() -> void:
 	_expect_all_at_their_places(24)
 
 
-func test_poses_that_are_hard_to_go_between() -> void:
+func test_poses_that_are_hard_to_interpolate() -> void:
 	_open()
 	_lab.choose("A", "B")
 	for pair: Array in [
@@ -68,7 +68,7 @@ func test_it_draws_what_is_chosen() -> void:
 	var with_frame := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
 	_lab.set_setting(&"body", "cube")
 	var with_cube := _drawing.get_path_of(MultivectorLerp.SCREW).get_body().mesh.get_aabb()
-	expect_vector_near(with_cube.get_center(), Vector3.ZERO, 1e-4, "centre of the cube")
+	expect_vector_near(with_cube.get_center(), Vector3.ZERO, 1e-4, "center of the cube")
 	expect_near(with_cube.size.x, 0.522, 1e-4, "edge of the cube")
 	expect_true(with_frame.get_center().x > 0.2, "axes to one side")
 	_lab.set_setting(&"path", false)
@@ -117,7 +117,7 @@ func test_it_follows_another_document() -> void:
 
 func test_a_dragged_pose_is_followed_within_the_budget() -> void:
 	_open()
-	# Without what the document itself takes: the lab's answer to a change of a pose, all three modes drawn.
+	# The lab's reaction to a change of a pose with all three modes drawn, without the document's time.
 	var best := INF
 	for i in REPEATS:
 		_document.scene.set_parameter("B", "translation", Vector3(0.01 * i, 1, 0.5))

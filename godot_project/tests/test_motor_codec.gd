@@ -1,5 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## MotorCodec: what comes back is within the tolerances, packets are small, bad input is an error.
+## MotorCodec: decoded poses are within the tolerances, packets are small, invalid input is an
+## error.
 
 const Poses := preload("res://tests/framework/poses.gd")
 
@@ -11,7 +12,7 @@ func test_defaults() -> void:
 	expect_near(_codec.rotation_tolerance, 0.25, 1e-9, "rotation_tolerance")
 
 
-func test_poses_come_back_within_the_tolerances() -> void:
+func test_decoded_poses_are_within_the_tolerances() -> void:
 	for tolerance: Vector2 in [Vector2(0.002, 0.25), Vector2(0.0005, 0.05), Vector2(0.02, 1.0)]:
 		_codec.position_tolerance = tolerance.x
 		_codec.rotation_tolerance = tolerance.y
@@ -30,7 +31,7 @@ func test_poses_come_back_within_the_tolerances() -> void:
 			_expect_close(received[i], sent[i], tolerance)
 
 
-## Cubes on a field of 40 m: the issue's plain codec takes about 10 bytes a pose.
+## Cubes on a field of 40 m.
 func test_size_of_a_packet() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 6
@@ -47,7 +48,7 @@ func test_size_of_a_packet() -> void:
 	var size := _codec.encode(ids, transforms).size()
 	expect_true(
 		size > 500 and size <= 1100,
-		"a size of %d bytes for 100 poses, 500 to 1100 expected," % size
+		"the size of 100 poses, %d bytes, is between 500 and 1100" % size
 	)
 
 
@@ -58,21 +59,21 @@ func test_degenerate_poses() -> void:
 	for title: String in poses:
 		ids.append(ids.size())
 		sent.append(poses[title])
-	# 10 km is too far for a grid of 2 mm in one packet with single-precision positions.
+	# At 10 km, single-precision positions are too coarse for the default tolerance of 2 mm.
 	_codec.position_tolerance = 0.01
 	var received: Array[Transform3D] = _codec.decode(_codec.encode(ids, sent))["transforms"]
 	for i in sent.size():
 		_expect_close(received[i], sent[i], Vector2(0.012, 0.25))
 
 
-func test_no_bodies_is_a_packet_too() -> void:
+func test_packet_without_bodies() -> void:
 	var decoded := _codec.decode(_codec.encode(PackedInt32Array(), [] as Array[Transform3D]))
 	expect_equal(decoded["ids"], PackedInt32Array())
 	var transforms: Array = decoded["transforms"]
 	expect_equal(transforms.size(), 0)
 
 
-func test_the_array_that_comes_back_is_typed() -> void:
+func test_decoded_array_is_typed() -> void:
 	var decoded := _codec.decode(
 		_codec.encode(PackedInt32Array([4]), [Transform3D.IDENTITY] as Array[Transform3D])
 	)
@@ -80,18 +81,20 @@ func test_the_array_that_comes_back_is_typed() -> void:
 	expect_equal(transforms.get_typed_builtin(), int(TYPE_TRANSFORM3D))
 
 
-func test_bad_tolerances_change_nothing() -> void:
-	expect_error("MotorCodec: position_tolerance is in metres and positive, not %f." % 0.0)
+func test_invalid_tolerances_change_nothing() -> void:
+	expect_error(
+		"MotorCodec: position_tolerance is %f, but must be a positive number of meters." % 0.0
+	)
 	_codec.position_tolerance = 0.0
 	expect_near(_codec.position_tolerance, 0.002, 1e-9)
 	expect_error(
-		"MotorCodec: rotation_tolerance is in degrees and at least %f, not %f." % [1.7e-5, -1.0]
+		"MotorCodec: rotation_tolerance is %f, but must be at least %f degrees." % [-1.0, 1.7e-5]
 	)
 	_codec.rotation_tolerance = -1.0
 	expect_near(_codec.rotation_tolerance, 0.25, 1e-9)
 
 
-func test_what_cannot_be_encoded() -> void:
+func test_invalid_input_is_not_encoded() -> void:
 	var identity: Array[Transform3D] = [Transform3D.IDENTITY]
 	expect_error("MotorCodec.encode: 2 ids but 1 transforms; give one transform for each id.")
 	expect_equal(_codec.encode(PackedInt32Array([1, 2]), identity).size(), 0)
@@ -101,12 +104,15 @@ func test_what_cannot_be_encoded() -> void:
 		Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	]
 	expect_error(
-		"MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		(
+			"MotorCodec.encode: the transform at index 0 (id 9) is mirrored (negative scale), "
+			+ "which a motor cannot represent; mirror a child node instead."
+		)
 	)
 	expect_equal(_codec.encode(PackedInt32Array([9]), mirrored).size(), 0)
 
 
-func test_broken_packets_give_an_error_and_nothing_else() -> void:
+func test_invalid_packets_give_only_an_error() -> void:
 	var ids := PackedInt32Array()
 	var transforms: Array[Transform3D] = []
 	for i in 20:
@@ -115,13 +121,15 @@ func test_broken_packets_give_an_error_and_nothing_else() -> void:
 	var packet := _codec.encode(ids, transforms)
 	for size in packet.size():
 		var decoded := _codec.decode(packet.slice(0, size))
-		expect_equal(decoded.keys(), ["error"], "keys of a packet cut to %d bytes" % size)
+		expect_equal(decoded.keys(), ["error"], "keys of a packet truncated to %d bytes" % size)
 	var longer := packet.duplicate()
 	longer.append(0)
-	expect_equal(_codec.decode(longer).keys(), ["error"], "keys of a packet with a surplus byte")
+	expect_equal(
+		_codec.decode(longer).keys(), ["error"], "keys of a packet with an additional byte"
+	)
 
 
-func test_random_bytes_never_give_a_bad_pose() -> void:
+func test_damaged_packets_never_give_invalid_poses() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 11
 	var packet := _codec.encode(
@@ -136,16 +144,16 @@ func test_random_bytes_never_give_a_bad_pose() -> void:
 			continue
 		var received: Array[Transform3D] = decoded["transforms"]
 		for pose in received:
-			expect_true(pose.is_finite(), "finiteness of what damaged packet %d holds" % i)
+			expect_true(pose.is_finite(), "poses of damaged packet %d are finite" % i)
 
 
 func _expect_close(received: Transform3D, sent: Transform3D, tolerance: Vector2) -> void:
 	expect_vector_near(received.origin, sent.origin, tolerance.x, "position")
-	var turn := (
+	var rotation := (
 		received.basis.get_rotation_quaternion().inverse() * sent.basis.get_rotation_quaternion()
 	)
-	var angle := 2.0 * atan2(Vector3(turn.x, turn.y, turn.z).length(), absf(turn.w))
+	var angle := 2.0 * atan2(Vector3(rotation.x, rotation.y, rotation.z).length(), absf(rotation.w))
 	expect_near(rad_to_deg(angle), 0.0, tolerance.y + 1e-3, "angle in degrees")
 	expect_near(
-		received.basis.get_scale().x / sent.basis.get_scale().x, 1.0, 2e-4, "ratio of the scales"
+		received.basis.get_scale().x / sent.basis.get_scale().x, 1.0, 2e-4, "ratio of scales"
 	)

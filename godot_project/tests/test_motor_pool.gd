@@ -1,12 +1,16 @@
 extends "res://tests/framework/test_case.gd"
-## MotorPool: bodies come and go, and interpolation of all of them agrees with MultivectorLerp's.
+## MotorPool: acquiring and releasing bodies, and agreement of interpolation with MultivectorLerp.
 
 const Poses := preload("res://tests/framework/poses.gd")
 
 const MODES: Array[MultivectorLerp.Mode] = [
 	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
 ]
-const NO_INDEX := "MotorPool.%s: index %d is none that acquire() gave out and that is not yet released."
+const INVALID_INDEX := "MotorPool.%s: index %d is not a live index returned by acquire()."
+const INVALID_MODE := (
+	"MotorPool.%s: mode %d is invalid; use MultivectorLerp.LINEAR (0), SCREW (1) "
+	+ "or SEPARATE (2)."
+)
 const MIRRORED := Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 
 var _pool := MotorPool.new()
@@ -22,7 +26,7 @@ func test_a_new_body_is_at_the_origin() -> void:
 	expect_transform_near(_pool.get_transform(index), Transform3D.IDENTITY, 1e-7)
 
 
-## Counts on both sides of a block of 8.
+## With counts below, at and above the size of a block, 8.
 func test_every_body_agrees_with_interpolate_transform() -> void:
 	for count: int in [1, 7, 8, 9, 40]:
 		_pool.clear()
@@ -57,7 +61,7 @@ func test_each_body_with_its_own_weight() -> void:
 			)
 
 
-func test_all_at_once_is_the_same_as_one_by_one() -> void:
+func test_setting_all_equals_setting_one_by_one() -> void:
 	var from := _random_poses(11, 5)
 	var to := _random_poses(11, 6)
 	_fill(from, to)
@@ -115,7 +119,7 @@ func test_the_buffer_has_12_floats_a_body_row_by_row() -> void:
 		expect_near(buffer[12 + i], row[i], 1e-6, "float %d of the second body" % i)
 
 
-func test_releasing_keeps_the_others() -> void:
+func test_releasing_keeps_other_bodies() -> void:
 	var from := _random_poses(20, 8)
 	var indices := _fill(from, from)
 	for i: int in [0, 7, 8, 19]:
@@ -125,82 +129,94 @@ func test_releasing_keeps_the_others() -> void:
 	expect_equal(_pool.get_buffer().size(), 16 * 12, "size of the buffer")
 	for i: int in [1, 6, 9, 18]:
 		expect_transform_near(_pool.get_transform(indices[i]), from[i], 4e-6, "body %d" % i)
-	# In the buffer the rest moves up: body 9 is now the seventh row.
+	# The remaining rows of the buffer move up: body 9 is now the seventh row.
 	expect_near(_pool.get_buffer()[6 * 12 + 3], from[9].origin.x, 4e-6, "x of the row of body 9")
 
 
-func test_a_released_index_is_an_error_for_ever() -> void:
+func test_a_released_index_stays_invalid() -> void:
 	var index := _pool.acquire()
 	_pool.release(index)
 	var next := _pool.acquire()
 	expect_true(next != index, "difference of a used index and a new one")
-	expect_error(NO_INDEX % ["release", index])
+	expect_error(INVALID_INDEX % ["release", index])
 	_pool.release(index)
-	expect_error(NO_INDEX % ["set_from", index])
+	expect_error(INVALID_INDEX % ["set_from", index])
 	_pool.set_from(index, Transform3D.IDENTITY)
-	expect_error(NO_INDEX % ["set_to", index])
+	expect_error(INVALID_INDEX % ["set_to", index])
 	_pool.set_to(index, Transform3D.IDENTITY)
-	expect_error(NO_INDEX % ["get_transform", index])
+	expect_error(INVALID_INDEX % ["get_transform", index])
 	expect_equal(_pool.get_transform(index), Transform3D.IDENTITY)
-	expect_error(NO_INDEX % ["get_motor", index])
+	expect_error(INVALID_INDEX % ["get_motor", index])
 	expect_null(_pool.get_motor(index))
 	expect_equal(_pool.get_count(), 1, "count")
 
 
-func test_foreign_indices_are_errors() -> void:
+func test_indices_not_from_acquire_are_errors() -> void:
 	for index: int in [-1, 0, 5, 1 << 40]:
-		expect_error(NO_INDEX % ["release", index])
+		expect_error(INVALID_INDEX % ["release", index])
 		_pool.release(index)
 	expect_equal(_pool.get_count(), 0)
 
 
-func test_clear_ends_all_indices() -> void:
+func test_clear_invalidates_all_indices() -> void:
 	var index := _pool.acquire()
 	_pool.clear()
 	expect_equal(_pool.get_count(), 0, "count")
 	expect_equal(_pool.get_buffer().size(), 0, "size of the buffer")
-	expect_error(NO_INDEX % ["get_transform", index])
+	expect_error(INVALID_INDEX % ["get_transform", index])
 	_pool.get_transform(index)
 	_pool.acquire()
-	expect_error(NO_INDEX % ["get_transform", index])
+	expect_error(INVALID_INDEX % ["get_transform", index])
 	_pool.get_transform(index)
 
 
-func test_a_bad_pose_changes_nothing() -> void:
+func test_an_invalid_pose_changes_nothing() -> void:
 	var good := Poses.make(Vector3(1, 2, 3))
 	var indices := _fill([good, good], [good, good])
-	var fault := "is mirrored (negative scale), which no motor can express; mirror a child node instead"
-	expect_error("MotorPool.set_from: the transform for index %d %s." % [indices[1], fault])
+	var reason := (
+		"is mirrored (negative scale), which a motor cannot represent; mirror a child "
+		+ "node instead"
+	)
+	expect_error("MotorPool.set_from: the transform for index %d %s." % [indices[1], reason])
 	_pool.set_from(indices[1], MIRRORED)
-	expect_error("MotorPool.set_to: the transform for index %d %s." % [indices[1], fault])
+	expect_error("MotorPool.set_to: the transform for index %d %s." % [indices[1], reason])
 	_pool.set_to(indices[1], MIRRORED)
 	var bad: Array[Transform3D] = [Transform3D.IDENTITY, MIRRORED]
 	expect_error(
-		"MotorPool.set_from_all: the transform at index 1 %s. No pose was changed." % fault
+		"MotorPool.set_from_all: the transform at index 1 %s. No pose was changed." % reason
 	)
 	_pool.set_from_all(bad)
-	expect_error("MotorPool.set_to_all: the transform at index 1 %s. No pose was changed." % fault)
+	expect_error("MotorPool.set_to_all: the transform at index 1 %s. No pose was changed." % reason)
 	_pool.set_to_all(bad)
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	for index in indices:
 		expect_transform_near(_pool.get_transform(index), good, 1e-6)
 
 
-func test_sizes_must_agree() -> void:
+func test_array_sizes_must_match_the_count() -> void:
 	_pool.acquire()
 	var three: Array[Transform3D] = [
 		Transform3D.IDENTITY, Transform3D.IDENTITY, Transform3D.IDENTITY
 	]
 	expect_error(
-		"MotorPool.set_from_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired."
+		(
+			"MotorPool.set_from_all: got 3 transforms for 1 bodies; pass one per body, in "
+			+ "the order of acquire()."
+		)
 	)
 	_pool.set_from_all(three)
 	expect_error(
-		"MotorPool.set_to_all: 3 transforms for 1 bodies; give one for each, in the order in which they were acquired."
+		(
+			"MotorPool.set_to_all: got 3 transforms for 1 bodies; pass one per body, in "
+			+ "the order of acquire()."
+		)
 	)
 	_pool.set_to_all(three)
 	expect_error(
-		"MotorPool.interpolate_each: 2 weights for 1 bodies; give one for each, in the order in which they were acquired."
+		(
+			"MotorPool.interpolate_each: got 2 weights for 1 bodies; pass one per body, in "
+			+ "the order of acquire()."
+		)
 	)
 	_pool.interpolate_each(PackedFloat32Array([0.0, 1.0]), MultivectorLerp.LINEAR)
 	expect_error("MotorPool.reserve: count -1 is not in 0..16777216.")
@@ -208,7 +224,7 @@ func test_sizes_must_agree() -> void:
 	expect_equal(_pool.get_count(), 1)
 
 
-func test_bad_weights_and_modes_change_nothing() -> void:
+func test_invalid_weights_and_modes_change_nothing() -> void:
 	var indices := _fill([Transform3D.IDENTITY], [Poses.make(Vector3(2, 0, 0))])
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
 	expect_error("MotorPool.interpolate: the weight is not finite.")
@@ -217,9 +233,9 @@ func test_bad_weights_and_modes_change_nothing() -> void:
 		"MotorPool.interpolate_each: the weight at index 0 is not finite. No pose was changed."
 	)
 	_pool.interpolate_each(PackedFloat32Array([INF]), MultivectorLerp.LINEAR)
-	expect_error("MotorPool.interpolate: mode -1 is none of MultivectorLerp's.")
+	expect_error(INVALID_MODE % ["interpolate", -1])
 	_pool.interpolate(0.5, -1 as MultivectorLerp.Mode)
-	expect_error("MotorPool.interpolate_each: mode 7 is none of MultivectorLerp's.")
+	expect_error(INVALID_MODE % ["interpolate_each", 7])
 	_pool.interpolate_each(PackedFloat32Array([0.0]), 7 as MultivectorLerp.Mode)
 	expect_vector_near(_pool.get_transform(indices[0]).origin, Vector3(1, 0, 0), 1e-6)
 
@@ -250,12 +266,12 @@ func _random_poses(count: int, seed_number: int) -> Array[Transform3D]:
 	return poses
 
 
-## The pool works in single precision; where poses are half a turn apart, both ways round are right.
+## The pool computes in single precision. At half a turn, both directions of rotation are correct.
 func _expect_agreement(
 	pose: Transform3D, from: Transform3D, to: Transform3D, mode: MultivectorLerp.Mode
 ) -> void:
-	var apart := from.basis.get_rotation_quaternion().dot(to.basis.get_rotation_quaternion())
-	if absf(apart) < 1e-3:
+	var cosine := from.basis.get_rotation_quaternion().dot(to.basis.get_rotation_quaternion())
+	if absf(cosine) < 1e-3:
 		return
 	var expected := MultivectorLerp.interpolate_transform(from, to, 0.5, mode)
 	var size := maxf(

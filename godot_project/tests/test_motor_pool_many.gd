@@ -1,11 +1,11 @@
 extends "res://tests/framework/test_case.gd"
-## MotorPool with many bodies: buffers, snapshots, and results that do not depend on how the work is split.
+## MotorPool with many bodies: buffers, snapshots, and results that do not depend on the threads.
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
-## Above the least number of bodies that threads share, and no whole number of blocks.
+## Above the number of bodies at which threads are used, and not a multiple of the block size.
 const MANY := 70_003
 const MODES: Array[MultivectorLerp.Mode] = [
 	MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
@@ -31,7 +31,7 @@ func test_the_examples_of_the_class_reference_hold() -> void:
 			)
 
 
-func test_buffers_are_the_same_as_transforms() -> void:
+func test_buffers_equal_transforms() -> void:
 	var from := _buffer_of(20, 1)
 	var to := _buffer_of(20, 2)
 	_acquire(_pool, 20)
@@ -50,25 +50,34 @@ func test_buffers_are_the_same_as_transforms() -> void:
 		expect_near(_pool.get_buffer()[i], to[i], 4e-5, "float %d at the end" % i)
 
 
-func test_a_bad_buffer_changes_nothing() -> void:
+func test_an_invalid_buffer_changes_nothing() -> void:
 	_acquire(_pool, 2)
 	var good := _buffer_of(2, 3)
 	_pool.set_from_buffer(good)
 	_pool.set_to_buffer(good)
 	expect_error(
-		"MotorPool.set_from_buffer: 13 floats are no whole number of rows; give 12 for each body."
+		(
+			"MotorPool.set_from_buffer: the buffer has 13 floats, which is not a multiple "
+			+ "of 12; pass 12 floats per body."
+		)
 	)
 	var odd := PackedFloat32Array()
 	odd.resize(13)
 	_pool.set_from_buffer(odd)
 	expect_error(
-		"MotorPool.set_to_buffer: 3 rows for 2 bodies; give one for each, in the order in which they were acquired."
+		(
+			"MotorPool.set_to_buffer: got 3 rows for 2 bodies; pass one per body, in the "
+			+ "order of acquire()."
+		)
 	)
 	_pool.set_to_buffer(_buffer_of(3, 4))
 	var bad := _buffer_of(2, 5)
 	bad[12] = NAN
 	expect_error(
-		"MotorPool.set_to_buffer: the transform at index 1 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed."
+		(
+			"MotorPool.set_to_buffer: the transform at index 1 has a value that is not "
+			+ "finite (NaN or infinity); check where it was computed. No pose was changed."
+		)
 	)
 	_pool.set_to_buffer(bad)
 	_pool.interpolate(0.5, MultivectorLerp.LINEAR)
@@ -76,7 +85,7 @@ func test_a_bad_buffer_changes_nothing() -> void:
 		expect_near(_pool.get_buffer()[i], good[i], 4e-5, "float %d" % i)
 
 
-func test_advance_goes_on_from_where_bodies_went() -> void:
+func test_advance_makes_the_to_pose_the_from_pose() -> void:
 	var snapshots: Array[PackedFloat32Array] = [
 		_buffer_of(9, 6), _buffer_of(9, 7), _buffer_of(9, 8)
 	]
@@ -104,7 +113,7 @@ func test_advance_goes_on_from_where_bodies_went() -> void:
 		expect_near(_pool.get_buffer()[i], snapshots[2][i], 4e-5, "float %d at rest" % i)
 
 
-func test_a_kept_buffer_stays_as_it_was() -> void:
+func test_a_kept_buffer_does_not_change() -> void:
 	_acquire(_pool, 9)
 	_pool.set_to_buffer(_buffer_of(9, 13))
 	_pool.interpolate(0.25, MultivectorLerp.LINEAR)
@@ -125,8 +134,8 @@ func test_a_kept_buffer_stays_as_it_was() -> void:
 	expect_equal(_pool.get_buffer(), second, "the other weight again, without it")
 
 
-## All in one pool, shared by threads; the same pool within a task, which shares nothing; a pool for each part.
-func test_results_do_not_depend_on_the_split() -> void:
+## One pool with several threads, the same pool in one thread, and a separate pool for each part.
+func test_results_do_not_depend_on_the_threads() -> void:
 	var from := _buffer_of(MANY, 9)
 	var to := _buffer_of(MANY, 10)
 	var weights := PackedFloat32Array()
@@ -139,20 +148,24 @@ func test_results_do_not_depend_on_the_split() -> void:
 		_pool.interpolate_each(weights, mode)
 		var shared := _pool.get_buffer()
 		expect_equal(
-			_alone(func() -> void: _pool.interpolate_each(weights, mode)),
+			_in_one_thread(func() -> void: _pool.interpolate_each(weights, mode)),
 			shared,
 			"one thread, mode %d" % mode
 		)
 		expect_equal(_in_parts(from, to, weights, mode), shared, "many pools, mode %d" % mode)
 
 
-func test_of_many_bad_poses_the_first_is_named() -> void:
+func test_the_first_invalid_pose_is_reported() -> void:
 	_acquire(_pool, MANY)
 	var bad := _buffer_of(MANY, 11)
 	for row: int in [MANY - 1, 30_000, 7_777, 25_000]:
 		bad[12 * row] = NAN
 	expect_error(
-		"MotorPool.set_from_buffer: the transform at index 7777 has a value that is not finite (NaN or infinity); check where it was computed. No pose was changed."
+		(
+			"MotorPool.set_from_buffer: the transform at index 7777 has a value that is "
+			+ "not finite (NaN or infinity); check where it was computed. No pose was "
+			+ "changed."
+		)
 	)
 	_pool.set_from_buffer(bad)
 	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
@@ -205,7 +218,7 @@ func _acquire(pool: MotorPool, count: int) -> void:
 		pool.acquire()
 
 
-func _alone(work: Callable) -> PackedFloat32Array:
+func _in_one_thread(work: Callable) -> PackedFloat32Array:
 	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
 	WorkerThreadPool.wait_for_task_completion(WorkerThreadPool.add_task(work))
 	return _pool.get_buffer()

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## MotorPool hands its poses to nodes and to a MultiMesh.
+## MotorPool applies its poses to nodes and to a MultiMesh.
 
 const Poses := preload("res://tests/framework/poses.gd")
 const COUNT := 10
@@ -8,7 +8,7 @@ var _pool := MotorPool.new()
 var _poses: Array[Transform3D] = []
 
 
-func test_nodes_get_their_poses() -> void:
+func test_nodes_are_moved() -> void:
 	_fill()
 	var nodes := _make_nodes()
 	_pool.apply_to_nodes(nodes)
@@ -16,23 +16,26 @@ func test_nodes_get_their_poses() -> void:
 		expect_transform_near(nodes[i].transform, _poses[i], 1e-5, "node %d" % i)
 
 
-func test_a_freed_or_missing_node_stops_all() -> void:
+func test_a_freed_or_null_node_moves_no_node() -> void:
 	_fill()
 	var nodes := _make_nodes()
 	nodes[4].free()
 	expect_error(
-		"MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved."
+		"MotorPool.apply_to_nodes: the node at index 4 is null or freed. No node was moved."
 	)
 	_pool.apply_to_nodes(nodes)
 	nodes[4] = null
 	expect_error(
-		"MotorPool.apply_to_nodes: the node at index 4 is null or was freed. No node was moved."
+		"MotorPool.apply_to_nodes: the node at index 4 is null or freed. No node was moved."
 	)
 	_pool.apply_to_nodes(nodes)
 	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
 	nodes.remove_at(4)
 	expect_error(
-		"MotorPool.apply_to_nodes: 9 nodes for 10 bodies; give one for each, in the order in which they were acquired."
+		(
+			"MotorPool.apply_to_nodes: got 9 nodes for 10 bodies; pass one per body, in "
+			+ "the order of acquire()."
+		)
 	)
 	_pool.apply_to_nodes(nodes)
 	expect_equal(nodes[0].transform, Transform3D.IDENTITY)
@@ -42,13 +45,13 @@ func test_a_multimesh_gets_the_buffer() -> void:
 	_fill()
 	var multimesh := _make_multimesh(COUNT)
 	_pool.apply_to_multimesh(multimesh)
-	# Without a display the renderer keeps the buffer but no single instances.
+	# The headless renderer stores the buffer, but no single instances.
 	expect_equal(multimesh.buffer, _pool.get_buffer())
 	for i in COUNT:
 		expect_near(multimesh.buffer[12 * i + 3], _poses[i].origin.x, 1e-5, "x of instance %d" % i)
 
 
-func test_surplus_instances_vanish() -> void:
+func test_surplus_instances_draw_nothing() -> void:
 	_fill()
 	var multimesh := _make_multimesh(COUNT + 3)
 	_pool.apply_to_multimesh(multimesh)
@@ -59,25 +62,31 @@ func test_surplus_instances_vanish() -> void:
 		expect_equal(buffer[i], 0.0, "float %d" % i)
 
 
-func test_a_multimesh_must_fit() -> void:
+func test_an_unsuitable_multimesh_is_an_error() -> void:
 	_fill()
 	expect_error("MotorPool.apply_to_multimesh: the multimesh is null.")
 	_pool.apply_to_multimesh(null)
 	expect_error(
-		"MotorPool.apply_to_multimesh: 9 instances cannot show 10 bodies; set instance_count to at least that."
+		(
+			"MotorPool.apply_to_multimesh: instance_count is 9, less than the 10 bodies; "
+			+ "set it to at least that number."
+		)
 	)
 	_pool.apply_to_multimesh(_make_multimesh(COUNT - 1))
 	var flat := MultiMesh.new()
 	flat.instance_count = COUNT
 	expect_error(
-		"MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D (before its instance_count)."
+		(
+			"MotorPool.apply_to_multimesh: set the multimesh's transform_format to "
+			+ "TRANSFORM_3D, before its instance_count."
+		)
 	)
 	_pool.apply_to_multimesh(flat)
 	expect_equal(_pool.get_count(), COUNT)
 
 
-## Without a display the renderer keeps the last buffer it was given, which is what is read back.
-func test_colors_that_are_given_are_not_read_back() -> void:
+## The headless renderer returns the last buffer that it was given.
+func test_instance_data_is_uploaded() -> void:
 	_fill()
 	var multimesh := MultiMesh.new()
 	multimesh.transform_format = MultiMesh.TRANSFORM_3D
@@ -101,7 +110,10 @@ func test_colors_that_are_given_are_not_read_back() -> void:
 		)
 	expect_equal(buffer[16 * COUNT + 3], 0.0, "x of the surplus instance")
 	expect_error(
-		"MotorPool.apply_to_multimesh: 3 floats of instance data for 11 instances with 4 each (4 for a color, 4 for custom data)."
+		(
+			"MotorPool.apply_to_multimesh: instance_data has 3 floats, but 11 instances "
+			+ "with 4 floats each (4 for color, 4 for custom data) need 44."
+		)
 	)
 	_pool.apply_to_multimesh(multimesh, PackedFloat32Array([1, 2, 3]))
 
@@ -115,11 +127,11 @@ func test_other_nodes_in_the_next_frame() -> void:
 	_pool.interpolate(1.0, MultivectorLerp.LINEAR)
 	first[3].transform = Transform3D.IDENTITY
 	_pool.apply_to_nodes(second)
-	expect_transform_near(second[3].transform, _poses[3], 1e-5, "the node that changed its place")
+	expect_transform_near(second[3].transform, _poses[3], 1e-5, "the node at another index")
 	expect_equal(first[3].transform, Transform3D.IDENTITY, "the node that was left out")
 	first[4].free()
 	expect_error(
-		"MotorPool.apply_to_nodes: the node at index 3 is null or was freed. No node was moved."
+		"MotorPool.apply_to_nodes: the node at index 3 is null or freed. No node was moved."
 	)
 	_pool.apply_to_nodes(second)
 

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## MotorSender and MotorReceiver without an engine's network between them.
+## MotorSender and MotorReceiver, connected without a network.
 
 const TICK := 1.0 / 60.0
 
@@ -15,23 +15,25 @@ func test_properties() -> void:
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 	expect_near(_sender.ticks_per_second, 60.0, 1e-9, "ticks_per_second")
 	expect_equal(_sender.mode, MultivectorLerp.SEPARATE, "mode")
-	expect_equal(_receiver.most_bodies, 65536, "most_bodies")
-	expect_near(_receiver.least_delay, 0.0, 1e-9, "least_delay")
+	expect_equal(_receiver.max_bodies, 65536, "max_bodies")
+	expect_near(_receiver.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(_receiver.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
-	expect_error("MotorSender: ticks_per_second is positive, not %f." % 0.0)
+	expect_error("MotorSender: ticks_per_second is %f, but must be positive." % 0.0)
 	_sender.ticks_per_second = 0.0
-	expect_error("MotorSender: send_rate is in packets a second and positive, not %f." % -2.0)
+	expect_error(
+		"MotorSender: send_rate is %f, but must be a positive number of packets per second." % -2.0
+	)
 	_sender.send_rate = -2.0
-	expect_error("MotorReceiver: most_bodies is at least 1, not 0.")
-	_receiver.most_bodies = 0
+	expect_error("MotorReceiver: max_bodies is 0, but must be at least 1.")
+	_receiver.max_bodies = 0
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 
 
-func test_bodies_come_move_and_go() -> void:
-	var heard := PackedStringArray()
-	_receiver.body_added.connect(func(id: int) -> void: heard.append("+%d" % id))
-	_receiver.body_removed.connect(func(id: int) -> void: heard.append("-%d" % id))
-	expect_true(not _receiver.is_ready(), "nothing to show yet")
+func test_bodies_appear_move_and_vanish() -> void:
+	var events := PackedStringArray()
+	_receiver.body_added.connect(func(id: int) -> void: events.append("+%d" % id))
+	_receiver.body_removed.connect(func(id: int) -> void: events.append("-%d" % id))
+	expect_true(not _receiver.is_ready(), "the receiver is not ready yet")
 	_start(3)
 	var worst := 0.0
 	for i in 90:
@@ -44,22 +46,27 @@ func test_bodies_come_move_and_go() -> void:
 						_pose(id, _receiver.get_media_time()).origin
 					)
 				)
-	expect_true(worst > 0.0 and worst < 0.006, "an error of %.2f mm" % (worst * 1000.0))
-	expect_true(_receiver.is_ready(), "something to show")
+	expect_true(
+		worst > 0.0 and worst < 0.006,
+		"the maximum error of %.2f mm is below 6 mm" % (worst * 1000.0)
+	)
+	expect_true(_receiver.is_ready(), "the receiver is ready")
 	expect_equal(_receiver.get_bodies().size(), 3, "number of bodies")
 	expect_true(
-		_receiver.get_known_time() > _receiver.get_media_time(),
-		"motion that is known but not yet shown"
+		_receiver.get_known_time() > _receiver.get_media_time(), "known_time is ahead of media_time"
 	)
-	expect_true(_sender.get_moving_count() >= 3, "moving bodies")
-	expect_true(_sender.remove_body(1), "removal")
-	expect_true(not _sender.remove_body(1), "a second removal")
+	expect_true(_sender.get_moving_count() >= 3, "at least 3 bodies move")
+	expect_true(_sender.remove_body(1), "body 1 is removed")
+	expect_true(not _sender.remove_body(1), "body 1 cannot be removed twice")
 	for i in 60:
 		_step()
-	expect_true(_receiver.has_body(0) and not _receiver.has_body(1), "bodies at the receiver")
+	expect_true(
+		_receiver.has_body(0) and not _receiver.has_body(1),
+		"the receiver has body 0 but not body 1"
+	)
 	expect_equal(_sender.get_body_count(), 2, "bodies of the sender")
-	heard.sort()
-	expect_equal(heard, PackedStringArray(["+0", "+1", "+2", "-1"]), "what was told")
+	events.sort()
+	expect_equal(events, PackedStringArray(["+0", "+1", "+2", "-1"]), "events")
 
 
 func test_statistics() -> void:
@@ -73,13 +80,15 @@ func test_statistics() -> void:
 	expect_equal(received["packets_rejected"], 0, "rejected")
 	expect_equal(sent["chunks_repeated"], 0, "repeated")
 	var delay: float = received["playback_delay"]
-	expect_true(delay > 0.0 and delay < 0.5, "a delay of %s s" % delay)
+	expect_true(
+		delay > 0.0 and delay < 0.5, "a playback delay of %s s is between 0 and 0.5 s" % delay
+	)
 	_sender.remove_receiver(7)
-	expect_true(not _sender.has_receiver(7), "the receiver being gone")
-	expect_equal(_sender.flush(_tick * TICK + TICK).size(), 0, "packets to nobody")
+	expect_true(not _sender.has_receiver(7), "the receiver is removed")
+	expect_equal(_sender.flush(_tick * TICK + TICK).size(), 0, "packets without receivers")
 
 
-func test_a_teleport() -> void:
+func test_teleport() -> void:
 	_start(1)
 	for i in 40:
 		_step()
@@ -88,55 +97,68 @@ func test_a_teleport() -> void:
 	for i in 60:
 		_step(Vector3(500, 0, 0))
 		between += int(absf(_receiver.get_transform(0).origin.x - 250.0) < 240.0)
-	expect_equal(between, 0, "pictures on the way")
+	expect_equal(between, 0, "frames between the two places")
 	expect_near(_receiver.get_transform(0).origin.x, 500.0, 3.0, "x")
 
 
-func test_what_is_refused() -> void:
+func test_invalid_packets_and_arguments_are_rejected() -> void:
 	_start(1)
-	expect_true(_receiver.accept(PackedByteArray([255, 255, 255]), 0.0) != "", "a reason")
+	expect_true(
+		_receiver.accept(PackedByteArray([255, 255, 255]), 0.0) != "",
+		"a reason for an invalid packet"
+	)
 	expect_true(_receiver.accept(PackedByteArray(), 0.0) != "", "a reason for an empty packet")
 	expect_equal(
 		_sender.accept(99, PackedByteArray([1]), 0.0),
-		"comes from no receiver of this sender",
+		"the acknowledgement comes from a peer that is not a receiver",
 		"reason"
 	)
 	expect_true(
-		_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "", "a reason for a bad answer"
+		_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "",
+		"a reason for an invalid acknowledgement"
 	)
-	expect_error("MotorSender.add_body: there is a body with id 0.")
-	expect_true(not _sender.add_body(0, Transform3D.IDENTITY), "a body twice")
-	expect_error("MotorSender.add_body: id -1 is not in 0 to 2147483647.")
+	expect_error("MotorSender.add_body: body 0 exists already.")
+	expect_true(not _sender.add_body(0, Transform3D.IDENTITY), "a body cannot be added twice")
+	expect_error("MotorSender.add_body: id is -1, but must be 0 to 2147483647.")
 	_sender.add_body(-1, Transform3D.IDENTITY)
-	expect_error("MotorSender.observe: there is no body with id 5; add it first.")
+	expect_error("MotorSender.observe: body 5 does not exist; call add_body() first.")
 	_sender.observe(5, 0.0, Transform3D.IDENTITY)
 	expect_error(
-		"MotorSender.observe: the transform of body 0 is mirrored (negative scale), which no motor can express; mirror a child node instead."
+		(
+			"MotorSender.observe: the transform of body 0 is mirrored (negative scale), which "
+			+ "a motor cannot represent; mirror a child node instead."
+		)
 	)
 	_sender.observe(
 		0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	)
-	expect_error("MotorSender.teleport: there is no body with id 5.")
+	expect_error("MotorSender.teleport: body 5 does not exist.")
 	_sender.teleport(5)
 	expect_error("MotorSender.flush: the time is not finite.")
 	_sender.flush(NAN)
-	expect_error("MotorSender.get_statistics: there is no receiver 8.")
+	expect_error("MotorSender.get_statistics: receiver 8 does not exist.")
 	_sender.get_statistics(8)
 	expect_error(
-		"MotorReceiver.get_transform: there is no body with id 6; has_body() and the signals tell which there are."
+		(
+			"MotorReceiver.get_transform: body 6 does not exist at the media time shown. Check "
+			+ "has_body() first, or follow the signals."
+		)
 	)
 	_receiver.get_transform(6)
 
 
-func test_a_receiver_starts_anew() -> void:
+func test_receiver_restarts_after_clear() -> void:
 	_start(2)
 	for i in 40:
 		_step()
-	expect_error("MotorReceiver: set most_bodies before the first packet, or call clear() first.")
-	_receiver.most_bodies = 10
+	expect_error("MotorReceiver: set max_bodies before the first packet, or call clear() first.")
+	_receiver.max_bodies = 10
 	_receiver.clear()
-	_receiver.most_bodies = 10
-	expect_true(not _receiver.is_ready() and _receiver.get_bodies().is_empty(), "nothing to show")
+	_receiver.max_bodies = 10
+	expect_true(
+		not _receiver.is_ready() and _receiver.get_bodies().is_empty(),
+		"the receiver is empty after clear()"
+	)
 	_sender.add_receiver(7, _tick * TICK)
 	for i in 40:
 		_step()
@@ -145,8 +167,8 @@ func test_a_receiver_starts_anew() -> void:
 
 func _start(bodies: int) -> void:
 	for id in bodies:
-		expect_true(_sender.add_body(id, _pose(id, 0.0)), "body %d" % id)
-		expect_true(_sender.has_body(id), "body %d being there" % id)
+		expect_true(_sender.add_body(id, _pose(id, 0.0)), "body %d is added" % id)
+		expect_true(_sender.has_body(id), "the sender has body %d" % id)
 	_sender.add_receiver(7, 0.0)
 
 
@@ -159,11 +181,11 @@ func _step(offset := Vector3.ZERO) -> void:
 	for packet in _sender.flush(now):
 		expect_equal(packet["receiver"], 7, "receiver")
 		var bytes: PackedByteArray = packet["bytes"]
-		expect_equal(_receiver.accept(bytes, now), "", "problem")
+		expect_equal(_receiver.accept(bytes, now), "", "rejection of a packet")
 	_receiver.advance(now)
-	var answer := _receiver.take_answer(now)
-	if not answer.is_empty():
-		expect_equal(_sender.accept(7, answer, now), "", "problem of the answer")
+	var ack := _receiver.take_ack(now)
+	if not ack.is_empty():
+		expect_equal(_sender.accept(7, ack, now), "", "rejection of an acknowledgement")
 
 
 func _pose(id: int, seconds: float) -> Transform3D:

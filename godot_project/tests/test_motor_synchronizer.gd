@@ -1,17 +1,17 @@
 extends "res://tests/framework/network_test.gd"
-## MotorSynchronizer: motion arrives over ENet and over WebSocket, at peers that come and go.
+## MotorSynchronizer: replication over ENet and WebSocket, to peers that join and leave.
 
 
 func test_motion_over_enet() -> void:
 	await connect_peers(2, 5)
 	await expect_motion(0.8, [branches[1], branches[2]])
-	_expect_quiet()
+	_expect_no_rejections()
 
 
 func test_motion_over_websocket() -> void:
 	await connect_peers(1, 5, true)
 	await expect_motion(0.6, [branches[1]])
-	_expect_quiet()
+	_expect_no_rejections()
 
 
 func test_rotation_and_scale_arrive() -> void:
@@ -29,7 +29,7 @@ func test_rotation_and_scale_arrive() -> void:
 	)
 
 
-func test_what_rests_keeps_its_place() -> void:
+func test_resting_bodies_keep_their_places() -> void:
 	await connect_peers(1, 3)
 	await move(branches[0], 0.5)
 	await tree.create_timer(SETTLE).timeout
@@ -41,7 +41,7 @@ func test_what_rests_keeps_its_place() -> void:
 			tolerance,
 			"body %d" % i
 		)
-		# A stranger's hand does not keep it.
+		# A local change is overwritten.
 		branches[1].get_body(i).position += Vector3.ONE
 	await wait_frames(3)
 	for i in 3:
@@ -49,11 +49,11 @@ func test_what_rests_keeps_its_place() -> void:
 			branches[1].get_body(i).position,
 			branches[0].get_body(i).position,
 			0.01,
-			"body %d put back" % i
+			"body %d after a local change" % i
 		)
 
 
-func test_a_late_peer_gets_the_whole_state() -> void:
+func test_late_peer_gets_a_snapshot() -> void:
 	await connect_peers(1, 4)
 	await move(branches[0], 0.5)
 	var late := make_branch("Late")
@@ -61,35 +61,37 @@ func test_a_late_peer_gets_the_whole_state() -> void:
 	late.start()
 	var server_peer: ENetMultiplayerPeer = branches[0].api.multiplayer_peer
 	late.join(server_peer.host.get_local_port())
-	await wait_until(late.is_joined, "the late peer being connected")
+	await wait_until(late.is_joined, "the late peer to connect")
 	await expect_motion(0.5, [branches[1], late])
-	_expect_quiet()
+	_expect_no_rejections()
 
 
-func test_a_late_synchronizer_gets_the_whole_state() -> void:
+func test_late_synchronizer_gets_a_snapshot() -> void:
 	var port := make_branch("Server").host()
 	var client := make_branch("Client0")
 	client.join(port)
 	branches[0].add_bodies(2)
 	client.add_bodies(2)
-	# The receiver is there long before the sender, then comes again.
+	# The receiver starts long before the sender, then restarts.
 	client.start()
-	await wait_until(client.is_joined, "the peer being connected")
+	await wait_until(client.is_joined, "the peer to connect")
 	await tree.create_timer(0.3).timeout
 	branches[0].start()
 	await expect_motion(0.25, [client])
 	client.world.remove_child(client.synchronizer)
 	var place := client.get_body(0).position
 	await move(branches[0], 0.3)
-	expect_equal(client.get_body(0).position, place, "the place without the node")
+	expect_equal(
+		client.get_body(0).position, place, "the position while the node is not in the tree"
+	)
 	client.world.add_child(client.synchronizer)
 	await expect_motion(0.25, [client])
-	# And the sender comes again.
+	# The sender restarts.
 	branches[0].world.remove_child(branches[0].synchronizer)
 	await tree.create_timer(0.2).timeout
 	branches[0].world.add_child(branches[0].synchronizer)
 	await expect_motion(0.25, [client])
-	_expect_quiet()
+	_expect_no_rejections()
 
 
 func test_peers_leave_without_an_error() -> void:
@@ -100,23 +102,23 @@ func test_peers_leave_without_an_error() -> void:
 	await expect_motion(0.4, [branches[3]])
 	var peers: Dictionary = branches[0].synchronizer.get_statistics()["peers"]
 	expect_equal(
-		peers.keys(), [branches[3].api.get_unique_id()], "peers that the server keeps figures of"
+		peers.keys(), [branches[3].api.get_unique_id()], "peers in the statistics of the server"
 	)
 
 
-func test_the_server_starts_anew() -> void:
+func test_server_restarts() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], 0.5)
 	branches[0].leave()
-	await wait_until(func() -> bool: return not branches[1].is_joined(), "the client noticing")
+	await wait_until(func() -> bool: return not branches[1].is_joined(), "the client to notice")
 	await move(branches[0], 0.2)
 	var port := branches[0].host()
 	branches[1].join(port)
-	await wait_until(branches[1].is_joined, "the peers being connected again")
+	await wait_until(branches[1].is_joined, "the peers to reconnect")
 	await expect_motion(0.4, [branches[1]])
 
 
-func test_a_teleport_is_no_streak() -> void:
+func test_teleport_is_not_interpolated() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], SETTLE)
 	var far := Vector3(1000, 0, 0)
@@ -133,11 +135,11 @@ func test_a_teleport_is_no_streak() -> void:
 		)
 		var x := branches[1].get_body(0).position.x
 		between += int(x > 2.0 and x < 998.0)
-	expect_equal(between, 0, "pictures on the way")
-	expect_true(branches[1].get_body(0).position.x > 998.0, "the body being there")
+	expect_equal(between, 0, "frames between the two places")
+	expect_true(branches[1].get_body(0).position.x > 998.0, "the body has arrived")
 
 
-func test_a_pause_stops_and_motion_goes_on() -> void:
+func test_motion_continues_after_a_pause() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], SETTLE)
 	for paused in branches:
@@ -149,17 +151,17 @@ func test_a_pause_stops_and_motion_goes_on() -> void:
 	await tree.create_timer(0.3, true).timeout
 	tree.paused = false
 	await expect_motion(0.2, [branches[1]])
-	_expect_quiet()
+	_expect_no_rejections()
 
 
-func test_alone_it_does_nothing() -> void:
+func test_without_a_network_nothing_is_sent() -> void:
 	var branch := make_branch("Alone")
 	branch.add_bodies(2)
 	branch.start()
 	await move(branch, 0.2)
 	expect_equal(branch.changes, PackedStringArray(["+Body0", "+Body1"]), "targets")
 	var statistics := branch.synchronizer.get_statistics()
-	expect_equal(statistics["bytes_per_second"], 0.0, "bytes a second")
+	expect_equal(statistics["bytes_per_second"], 0.0, "bytes per second")
 	expect_equal(statistics["peers"], {}, "peers")
 	branch.synchronizer.teleport(branch.get_body(0))
 
@@ -173,25 +175,32 @@ func test_statistics() -> void:
 	var received: float = receiver["received_bytes_per_second"]
 	expect_true(
 		sent > 100.0 and received > 100.0,
-		"bytes of motion: %s sent, %s received," % [sent, received]
+		"%s bytes sent and %s received per second are more than 100" % [sent, received]
 	)
-	expect_near(received / sent, 1.0, 0.4, "received to sent")
+	expect_near(received / sent, 1.0, 0.4, "ratio of received to sent bytes")
 	var total: float = sender["bytes_per_second"]
-	var answers: float = sender["received_bytes_per_second"]
-	expect_near(total, sent + answers, 1e-6, "both directions")
+	var acks: float = sender["received_bytes_per_second"]
+	expect_near(total, sent + acks, 1e-6, "total of both directions")
 	var packets: float = receiver["packets_per_second"]
-	expect_true(packets >= 5.0 and packets < 200.0, "%s packets a second" % packets)
+	expect_true(
+		packets >= 5.0 and packets < 200.0, "%s packets per second are from 5 to 200" % packets
+	)
 	var delay: float = receiver["playback_delay"]
-	expect_true(delay > 0.0 and delay < 0.6, "a playback delay of %s s" % delay)
+	expect_true(
+		delay > 0.0 and delay < 0.6, "a playback delay of %s s is between 0 and 0.6 s" % delay
+	)
 	var peers: Dictionary = receiver["peers"]
 	expect_equal(peers.keys(), [1], "peers")
-	var of_server: Dictionary = peers[1]
-	expect_equal(of_server["received_bytes_per_second"], received, "what came from the server")
+	var server: Dictionary = peers[1]
+	expect_equal(server["received_bytes_per_second"], received, "bytes per second from the server")
 	expect_equal(receiver["rejected"], 0, "rejected")
-	expect_near(sender["loss"] as float, 0.0, 0.02, "loss on loopback")
+	expect_near(sender["loss"] as float, 0.0, 0.02, "loss over loopback")
 	expect_equal(receiver["late"], 0, "late")
 	var round_trip: float = sender["round_trip"]
-	expect_true(round_trip > 0.0 and round_trip < 0.5, "a round trip of %s s" % round_trip)
+	expect_true(
+		round_trip > 0.0 and round_trip < 0.5,
+		"a round trip of %s s is between 0 and 0.5 s" % round_trip
+	)
 
 
 func test_monitors() -> void:
@@ -203,50 +212,48 @@ func test_monitors() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.6)
 	for monitor: StringName in monitors:
-		expect_true(Performance.has_custom_monitor(monitor), "a monitor %s" % monitor)
+		expect_true(Performance.has_custom_monitor(monitor), "the monitor %s exists" % monitor)
 	var bytes: float = Performance.get_custom_monitor(&"ga_godot/Motors/bytes_per_second")
-	expect_true(bytes > 0.0, "%s bytes a second in the debugger" % bytes)
+	expect_true(bytes > 0.0, "the monitor of %s bytes per second is positive" % bytes)
 	for branch in branches:
 		branch.world.remove_child(branch.synchronizer)
 	for monitor: StringName in monitors:
-		expect_true(not Performance.has_custom_monitor(monitor), "no monitor %s any more" % monitor)
+		expect_true(
+			not Performance.has_custom_monitor(monitor), "the monitor %s is removed" % monitor
+		)
 
 
-func _expect_quiet() -> void:
+func _expect_no_rejections() -> void:
 	for branch in branches:
-		expect_equal(branch.rejections, [] as Array[Array], "what %s rejected" % branch.root.name)
+		expect_equal(branch.rejections, [] as Array[Array], "rejections by %s" % branch.root.name)
 
 
-func test_media_time_tells_what_is_shown_on_the_senders_clock() -> void:
+func test_media_time_is_the_shown_time_on_the_senders_clock() -> void:
 	await connect_peers(1, 1)
-	expect_near(
-		branches[1].synchronizer.get_media_time(1), 0.0, 0.0, "media time before anything is shown"
-	)
+	expect_near(branches[1].synchronizer.get_media_time(1), 0.0, 0.0, "media time before playback")
 	for tick in 120:
 		await move(branches[0], 1.0 / Engine.physics_ticks_per_second)
 		if branches[1].synchronizer.get_media_time(1) > 0.1:
 			break
-	var distances := PackedFloat32Array()
+	var errors := PackedFloat32Array()
 	for tick in 30:
 		await move(branches[0], 1.0 / Engine.physics_ticks_per_second)
 		var shown := branches[1].synchronizer.get_media_time(1)
-		var behind := branches[0].synchronizer.get_media_time(1) - shown
+		var delay := branches[0].synchronizer.get_media_time(1) - shown
 		expect_true(
-			shown > 0.0 and behind > 0.0 and behind < 0.5,
-			"shown %.3f s being %.3f s behind" % [shown, behind]
+			shown > 0.0 and delay > 0.0 and delay < 0.5,
+			"the media time of %.3f s is up to 0.5 s behind the sender: %.3f s" % [shown, delay]
 		)
-		# Its own pose of that time: the mover is one tick ahead of what its synchronizer has sampled.
+		# move() is one tick ahead of the pose that the synchronizer sampled last.
 		var then := default_pose(
-			branches[0].get_body(0).name, time - behind - 1.0 / Engine.physics_ticks_per_second
+			branches[0].get_body(0).name, time - delay - 1.0 / Engine.physics_ticks_per_second
 		)
-		distances.append(branches[1].get_body(0).position.distance_to(then.origin))
-	# A busy machine may leave out ticks or frames between the two looks; most of the time it does not.
-	distances.sort()
+		errors.append(branches[1].get_body(0).position.distance_to(then.origin))
+	# A loaded machine may skip ticks or frames between the two readings, but rarely.
+	errors.sort()
 	expect_true(
-		distances[15] < 0.008,
-		(
-			"a median distance of %.1f mm from where the body was at that time"
-			% (distances[15] * 1000.0)
-		)
+		errors[15] < 0.008, "the median error of %.1f mm is below 8 mm" % (errors[15] * 1000.0)
 	)
-	expect_near(branches[1].synchronizer.get_media_time(77), 0.0, 0.0, "media time of a stranger")
+	expect_near(
+		branches[1].synchronizer.get_media_time(77), 0.0, 0.0, "media time of an unknown peer"
+	)

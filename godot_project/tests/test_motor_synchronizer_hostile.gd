@@ -1,44 +1,44 @@
 extends "res://tests/framework/network_test.gd"
-## MotorSynchronizer: what a peer sends that it has no right to changes nothing, costs little and is told.
+## MotorSynchronizer: unauthorized and invalid packets change nothing, cost little and are reported.
 
 # 0x40, the version (1) times 4, the kind.
 const MOTION := 0x46
-const ANSWER := 0x47
-const HELLO := 0x44
-const BYE := 0x45
+const ACK := 0x47
+const OPEN := 0x44
+const CLOSE := 0x45
 
-## A packet that the server sent to a client, as seen by that client.
-var _seen: Array[PackedByteArray] = []
+## Packets from the server, captured by a client.
+var _captured: Array[PackedByteArray] = []
 
 
-func test_motion_from_a_peer_that_owns_nothing() -> void:
+func test_motion_from_a_peer_without_authority() -> void:
 	await connect_peers(2, 3)
 	await _listen(branches[1])
-	# The client sends the server what the server sent to it, and packets of its own making.
-	for packet in _seen:
+	# The client sends the server its own packets back, and forged ones.
+	for packet in _captured:
 		branches[1].api.send_bytes(packet, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 	await _bombard(branches[1], branches[0], 300, MOTION)
 	await _expect_unmoved(branches[0])
 	_expect_rejections(
 		branches[0],
 		branches[1],
-		"Packet refused: its sender is the authority of no target here (",
-		300 + _seen.size()
+		"Packet rejected: its sender is not the authority of any target here (",
+		300 + _captured.size()
 	)
-	# The other client notices nothing.
+	# The other client is not affected.
 	await expect_motion(0.3, [branches[2]])
-	expect_equal(branches[2].rejections, [] as Array[Array], "what the other client rejected")
+	expect_equal(branches[2].rejections, [] as Array[Array], "rejections by the other client")
 
 
-func test_nonsense_from_the_authority() -> void:
+func test_damaged_packets_from_the_authority() -> void:
 	await connect_peers(1, 3)
 	await _listen(branches[1])
 	await move(branches[0], SETTLE)
 	var random := RandomNumberGenerator.new()
 	random.seed = 4
 	var sent := 0
-	for packet: PackedByteArray in _seen.slice(0, 20):
-		# Cut, damaged, lengthened.
+	for packet: PackedByteArray in _captured.slice(0, 20):
+		# Truncated, damaged, lengthened.
 		for variant: PackedByteArray in [
 			packet.slice(0, maxi(5, packet.size() / 2)),
 			_damaged(packet, random),
@@ -48,55 +48,58 @@ func test_nonsense_from_the_authority() -> void:
 				variant, branches[1].api.get_unique_id(), MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
 			)
 			sent += 1
-	expect_true(sent >= 12, "%d damaged packets" % sent)
+	expect_true(sent >= 12, "%d damaged packets are at least 12" % sent)
 	await expect_motion(0.4, [branches[1]])
 	for body: Node3D in branches[1].synchronizer.get_active_targets():
-		expect_true(body.transform.is_finite(), "a finite transform of %s" % body.name)
+		expect_true(body.transform.is_finite(), "the transform of %s is finite" % body.name)
 
 
-func test_answers_and_goodbyes_from_a_stranger() -> void:
+func test_acks_and_close_packets_from_an_unsubscribed_peer() -> void:
 	await connect_peers(1, 2)
-	# A client that makes no use of the synchronizer.
-	var stranger := make_branch("Stranger")
+	# A client without a synchronizer.
+	var outsider := make_branch("Outsider")
 	var server_peer: ENetMultiplayerPeer = branches[0].api.multiplayer_peer
-	stranger.join(server_peer.host.get_local_port())
-	await wait_until(stranger.is_joined, "the stranger being connected")
-	await _bombard(stranger, branches[0], 50, ANSWER)
-	await _bombard(stranger, branches[0], 50, BYE)
+	outsider.join(server_peer.host.get_local_port())
+	await wait_until(outsider.is_joined, "the outsider to connect")
+	await _bombard(outsider, branches[0], 50, ACK)
+	await _bombard(outsider, branches[0], 50, CLOSE)
 	await wait_until(func() -> bool: return branches[0].rejections.size() >= 2, "two reports", 3.0)
 	var reasons := ""
 	for rejection in branches[0].rejections:
-		expect_equal(rejection[0], stranger.api.get_unique_id(), "the peer")
+		expect_equal(rejection[0], outsider.api.get_unique_id(), "the peer")
 		var reason: String = rejection[1]
 		reasons += reason
 	expect_true(
 		(
-			reasons.contains("it answers a stream that its sender does not get")
-			and reasons.contains("it is malformed")
+			reasons.contains("it acknowledges a stream that its sender does not receive")
+			and reasons.contains("the close packet is malformed")
 		),
 		"reasons: %s" % reasons
 	)
 	await expect_motion(0.3, [branches[1]])
 
 
-func test_a_stranger_that_asks_again_and_again_gets_one_stream() -> void:
+func test_repeated_open_packets_give_one_stream() -> void:
 	await connect_peers(1, 40)
 	await move(branches[0], SETTLE)
 	var before: float = branches[0].synchronizer.get_statistics()["sent_bytes_per_second"]
 	for tick in 45:
 		for i in 20:
-			var hello := _envelope(branches[0], HELLO)
-			hello[3] = randi_range(0, 255)
-			branches[1].api.send_bytes(hello, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
+			var open := _envelope(branches[0], OPEN)
+			open[3] = randi_range(0, 255)
+			branches[1].api.send_bytes(open, 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE)
 		await move(branches[0], 1.0 / 60.0)
 	var after: float = branches[0].synchronizer.get_statistics()["sent_bytes_per_second"]
-	expect_true(after < 8.0 * before + 20000.0, "%d bytes a second, %d before," % [after, before])
-	# What the stranger took from itself it asks for again.
+	expect_true(
+		after < 8.0 * before + 20000.0,
+		"the rate of %d bytes per second is not far above that of %d before" % [after, before]
+	)
+	# The client opens the stream that it replaced again.
 	await move(branches[0], 1.0)
 	await expect_motion(0.3, [branches[1]])
 
 
-func test_another_version_is_told() -> void:
+func test_another_version_is_reported() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.3)
 	var packet := _envelope(branches[0], MOTION)
@@ -109,7 +112,10 @@ func test_another_version_is_told() -> void:
 			[
 				[
 					branches[1].api.get_unique_id(),
-					"Packet refused: it is of another version of GA-Godot; use the same on all peers (1 since the last report)."
+					(
+						"Packet rejected: the packet is of another version of the addon; use the "
+						+ "same version on all peers (1 since the last report)."
+					)
 				]
 			]
 			as Array[Array]
@@ -117,41 +123,43 @@ func test_another_version_is_told() -> void:
 	)
 
 
-func test_what_is_somebody_elses_is_left_alone() -> void:
+func test_packets_of_others_are_ignored() -> void:
 	await connect_peers(1, 1)
-	var heard := PackedStringArray()
+	var messages := PackedStringArray()
 	branches[0].api.peer_packet.connect(
 		func(_peer: int, packet: PackedByteArray) -> void:
 			if packet[0] == 0x63:
-				heard.append(packet.get_string_from_ascii())
+				messages.append(packet.get_string_from_ascii())
 	)
 	await move(branches[0], 0.4)
 	for i in 30:
 		branches[1].api.send_bytes(("chat %d" % i).to_ascii_buffer(), 1)
-		var foreign := _envelope(branches[0], MOTION)
-		foreign[1] = foreign[1] ^ 1
-		branches[1].api.send_bytes(foreign, 1)
+		var other := _envelope(branches[0], MOTION)
+		other[1] = other[1] ^ 1
+		branches[1].api.send_bytes(other, 1)
 		branches[1].api.send_bytes(PackedByteArray([MOTION]), 1)
 	await move(branches[0], 0.2)
-	expect_equal(heard.size(), 30, "messages of the game's own")
+	expect_equal(messages.size(), 30, "messages of the game")
 	expect_equal(branches[0].synchronizer.get_statistics()["rejected"], 0, "rejected")
 
 
-## A peer adds a body of somebody else's to its own stream.
-func test_a_stranger_in_an_own_stream_is_ignored() -> void:
+## A peer sends a body that it does not own in its own stream.
+func test_unauthorized_bodies_of_a_stream_are_ignored() -> void:
 	await connect_peers(1, 2)
 	var client: int = branches[1].api.get_unique_id()
-	# The client believes that both are its own, the server only one.
+	# The client sets itself as the authority of both bodies, the server of one.
 	branches[0].get_body(1).set_multiplayer_authority(client)
 	branches[1].get_body(0).set_multiplayer_authority(client)
 	branches[1].get_body(1).set_multiplayer_authority(client)
 	await move(branches[1], SETTLE)
-	expect_true(distance_from_path(branches[0].get_body(1)) < 0.008, "the client's own being shown")
-	expect_equal(branches[0].get_body(0).position, Vector3.ZERO, "place of the server's own")
-	expect_equal(branches[0].synchronizer.get_statistics()["foreign"], 1, "foreign bodies")
+	expect_true(distance_from_path(branches[0].get_body(1)) < 0.008, "the client's body is shown")
+	expect_equal(branches[0].get_body(0).position, Vector3.ZERO, "position of the server's body")
+	expect_equal(
+		branches[0].synchronizer.get_statistics()["unauthorized"], 1, "unauthorized bodies"
+	)
 
 
-## 10,000 bad packets a second must not take a tenth of the time.
+## 10,000 invalid packets must take less than 50 ms.
 func test_rejecting_is_cheap() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.3)
@@ -163,7 +171,9 @@ func test_rejecting_is_cheap() -> void:
 		branches[0].synchronizer.call(&"_on_peer_packet", branches[1].api.get_unique_id(), packet)
 	var seconds := (Time.get_ticks_usec() - started) * 1e-6
 	expect_equal(branches[0].synchronizer.get_statistics()["rejected"], count, "rejected")
-	expect_true(seconds < 0.05, "%.1f ms for %d packets" % [seconds * 1000.0, count])
+	expect_true(
+		seconds < 0.05, "%.1f ms for %d packets are less than 50 ms" % [seconds * 1000.0, count]
+	)
 	await move(branches[0], 0.1)
 	expect_equal(branches[0].rejections.size(), 1, "reports")
 
@@ -171,14 +181,14 @@ func test_rejecting_is_cheap() -> void:
 func _listen(client: NetworkBranch) -> void:
 	client.api.peer_packet.connect(
 		func(_peer: int, packet: PackedByteArray) -> void:
-			if packet[0] == MOTION and _seen.size() < 60:
-				_seen.append(packet)
+			if packet[0] == MOTION and _captured.size() < 60:
+				_captured.append(packet)
 	)
 	await move(branches[0], 0.9)
-	expect_true(_seen.size() >= 4, "%d packets that the client saw" % _seen.size())
+	expect_true(_captured.size() >= 4, "%d captured packets are at least 4" % _captured.size())
 
 
-## Packets with the synchronizer's mark and random content.
+## Sends packets with the synchronizer's envelope and random content.
 func _bombard(from: NetworkBranch, to: NetworkBranch, count: int, kind: int) -> void:
 	var random := RandomNumberGenerator.new()
 	random.seed = 8
@@ -194,7 +204,7 @@ func _bombard(from: NetworkBranch, to: NetworkBranch, count: int, kind: int) -> 
 	await move(branches[0], 0.1)
 
 
-## The first four bytes of a packet of that kind; 255 is a link that nobody has.
+## The four bytes of an envelope; 255 is the number of a link that no peer has.
 func _envelope(branch: NetworkBranch, kind: int) -> PackedByteArray:
 	var hash_value := 2166136261
 	for byte: int in String(branch.root.get_path_to(branch.synchronizer)).to_utf8_buffer():
@@ -218,20 +228,22 @@ func _expect_unmoved(branch: NetworkBranch) -> void:
 
 
 func _expect_rejections(
-	branch: NetworkBranch, offender: NetworkBranch, beginning: String, least: int
+	branch: NetworkBranch, offender: NetworkBranch, prefix: String, min_count: int
 ) -> void:
 	var peer: int = offender.api.get_unique_id()
 	var statistics := branch.synchronizer.get_statistics()
 	var peers: Dictionary = statistics["peers"]
-	var of_offender: Dictionary = peers[peer]
-	var rejected: int = of_offender["rejected"]
-	expect_true(rejected >= least * 9 / 10, "%d of %d packets being rejected" % [rejected, least])
-	expect_equal(statistics["rejected"], rejected, "rejected in total")
+	var offender_statistics: Dictionary = peers[peer]
+	var rejected: int = offender_statistics["rejected"]
+	expect_true(
+		rejected >= min_count * 9 / 10, "%d of %d packets were rejected" % [rejected, min_count]
+	)
+	expect_equal(statistics["rejected"], rejected, "total of rejected packets")
 	expect_true(
 		branch.rejections.size() >= 1 and branch.rejections.size() <= 8,
-		"%d reports" % branch.rejections.size()
+		"%d reports are from 1 to 8" % branch.rejections.size()
 	)
 	for rejection in branch.rejections:
 		expect_equal(rejection[0], peer, "the peer")
 		var reason: String = rejection[1]
-		expect_true(reason.begins_with(beginning), "reason: %s" % reason)
+		expect_true(reason.begins_with(prefix), "reason: %s" % reason)

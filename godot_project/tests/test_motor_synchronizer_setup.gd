@@ -1,5 +1,5 @@
 extends "res://tests/framework/network_test.gd"
-## MotorSynchronizer: properties, what it warns of, and errors that name the node.
+## MotorSynchronizer: properties, configuration warnings, and errors that name the node.
 
 
 func test_defaults() -> void:
@@ -13,28 +13,40 @@ func test_defaults() -> void:
 	expect_equal(node.target_group, &"", "target_group")
 	expect_equal(node.targets, [] as Array[NodePath], "targets")
 	expect_equal(node.channel, 0, "channel")
-	expect_near(node.least_delay, 0.0, 1e-9, "least_delay")
+	expect_near(node.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(node.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
 
 
-func test_bad_values_change_nothing() -> void:
+func test_invalid_values_change_nothing() -> void:
 	var node := MotorSynchronizer.new()
 	add_node(node)
-	expect_error("MotorSynchronizer: position_tolerance is in metres and positive, not %f." % 0.0)
+	expect_error(
+		(
+			"MotorSynchronizer: position_tolerance is %f, but must be a positive number of meters."
+			% 0.0
+		)
+	)
 	node.position_tolerance = 0.0
-	expect_error("MotorSynchronizer: rotation_tolerance is in degrees and positive, not %f." % -1.0)
+	expect_error(
+		(
+			"MotorSynchronizer: rotation_tolerance is %f, but must be a positive number of degrees."
+			% -1.0
+		)
+	)
 	node.rotation_tolerance = -1.0
-	expect_error("MotorSynchronizer: max_latency is in seconds and positive, not inf.")
+	expect_error("MotorSynchronizer: max_latency is inf, but must be a positive number of seconds.")
 	node.max_latency = INF
-	expect_error("MotorSynchronizer: send_rate is in packets a second and positive, not nan.")
+	expect_error(
+		"MotorSynchronizer: send_rate is nan, but must be a positive number of packets per second."
+	)
 	node.send_rate = NAN
-	expect_error("MotorSynchronizer: mode 3 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_error("MotorSynchronizer: mode is 3, but must be LINEAR (0), SCREW (1) or SEPARATE (2).")
 	node.set(&"mode", 3)
-	expect_error("MotorSynchronizer: channel is 0 to 255, not 256.")
+	expect_error("MotorSynchronizer: channel is 256, but must be 0 to 255.")
 	node.channel = 256
-	expect_error("MotorSynchronizer: least_delay is in seconds and not negative, not %f." % -0.5)
-	node.least_delay = -0.5
-	expect_error("MotorSynchronizer: jitter_allowance is in seconds and not negative, not nan.")
+	expect_error("MotorSynchronizer: min_delay is %f, but must be at least 0 seconds." % -0.5)
+	node.min_delay = -0.5
+	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be at least 0 seconds.")
 	node.jitter_allowance = NAN
 	expect_near(node.position_tolerance, 0.005, 1e-9)
 	expect_near(node.max_latency, 0.2, 1e-9)
@@ -45,7 +57,7 @@ func test_bad_values_change_nothing() -> void:
 	node.remove_target(null)
 
 
-func test_settings_hold_at_once() -> void:
+func test_settings_apply_immediately() -> void:
 	await connect_peers(1, 2)
 	await expect_motion(0.2, [branches[1]])
 	for branch in branches:
@@ -54,10 +66,10 @@ func test_settings_hold_at_once() -> void:
 		branch.synchronizer.max_latency = 0.15
 		branch.synchronizer.jitter_allowance = 0.3
 	await expect_motion(0.3, [branches[1]])
-	branches[1].synchronizer.least_delay = 0.35
+	branches[1].synchronizer.min_delay = 0.35
 	await move(branches[0], 0.8)
 	var delay: float = branches[1].synchronizer.get_statistics()["playback_delay"]
-	expect_true(delay >= 0.25, "a playback delay of %.2f s" % delay)
+	expect_true(delay >= 0.25, "the playback delay of %.2f s is at least 0.25 s" % delay)
 
 
 func test_another_tick_rate() -> void:
@@ -77,17 +89,23 @@ func test_warnings() -> void:
 	_expect_warnings(
 		node,
 		[
-			'Nothing is replicated: assign "targets", name a "target_group", or call add_target() from a script.'
+			(
+				'Nothing is replicated. Assign "targets", set "target_group", or call '
+				+ "add_target() from a script."
+			)
 		]
 	)
-	node.targets = [^"../Nobody", ^".."]
-	_expect_warnings(node, ['targets[0] ("../Nobody") does not lead to a Node3D.'])
+	node.targets = [^"../Missing", ^".."]
+	_expect_warnings(node, ['targets[0] ("../Missing") is not the path of a Node3D.'])
 	node.targets = []
 	node.target_group = &"empty"
 	_expect_warnings(
 		node,
 		[
-			'No Node3D of this scene is in the group "empty". That is right only if all of them are spawned later.'
+			(
+				'No Node3D of this scene is in the group "empty". This is correct only if '
+				+ "all of its members are spawned later."
+			)
 		]
 	)
 	var body := RigidBody3D.new()
@@ -97,7 +115,11 @@ func test_warnings() -> void:
 	_expect_warnings(
 		node,
 		[
-			"Crate is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds."
+			(
+				"Crate is a RigidBody3D that every peer would simulate. Set freeze, with "
+				+ "freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is "
+				+ "true."
+			)
 		]
 	)
 	body.freeze = true
@@ -106,7 +128,7 @@ func test_warnings() -> void:
 	other.name = "Other"
 	other.targets = [^"../Crate"]
 	scene.add_child(other)
-	_expect_warnings(node, ["Crate is a target of Other too; one of the two is enough."])
+	_expect_warnings(node, ["Crate is also a target of Other. Remove it from one of the two."])
 	other.free()
 	var synchronizer := MultiplayerSynchronizer.new()
 	synchronizer.name = "Sync"
@@ -118,12 +140,15 @@ func test_warnings() -> void:
 	_expect_warnings(
 		node,
 		[
-			"position of Crate is replicated by the MultiplayerSynchronizer Sync too; remove it there."
+			(
+				"The MultiplayerSynchronizer Sync also replicates position of Crate. Remove the "
+				+ "property there."
+			)
 		]
 	)
 
 
-func test_two_nodes_in_one_branch() -> void:
+func test_two_synchronizers_in_one_branch() -> void:
 	await connect_peers(1, 2)
 	for branch in branches:
 		var second := MotorSynchronizer.new()
@@ -136,45 +161,58 @@ func test_two_nodes_in_one_branch() -> void:
 	sent.position = Vector3(1, 2, 3)
 	await tree.create_timer(SETTLE).timeout
 	var shown: Node3D = branches[1].world.get_node("Other9")
-	expect_vector_near(shown.position, sent.position, 0.005, "what the second replicates")
+	expect_vector_near(
+		shown.position, sent.position, 0.005, "position replicated by the second synchronizer"
+	)
 	for branch in branches:
 		expect_equal(branch.rejections, [] as Array[Array], "rejections")
 
 
-func test_transforms_that_are_no_poses() -> void:
+func test_transforms_that_are_not_poses() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], SETTLE)
 	var body := branches[0].get_body(0)
 	var path := String(body.get_path())
 	var node := String(branches[0].synchronizer.get_path())
-	var sound := body.transform
+	var valid := body.transform
 	await tree.physics_frame
 	expect_error(
 		(
-			"MotorSynchronizer %s: the transform of %s has a value that is not finite (NaN or infinity); check where it was computed. What others see of it stays as it was."
+			(
+				"MotorSynchronizer %s: the transform of %s has a value that is not finite (NaN "
+				+ "or infinity); check where it was computed. Other peers keep seeing its last pose."
+			)
 			% [node, path]
 		)
 	)
 	body.transform = Transform3D(Basis.IDENTITY, Vector3(NAN, 0, 0))
 	await tree.create_timer(SETTLE).timeout
 	expect_vector_near(
-		branches[1].get_body(0).position, sound.origin, 0.006, "what others see of it"
+		branches[1].get_body(0).position, valid.origin, 0.006, "position on other peers"
 	)
-	body.transform = sound
+	body.transform = valid
 	await tree.create_timer(0.1).timeout
 	expect_error(
 		(
-			"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which no motor can express; mirror a child node instead. What others see of it stays as it was."
+			(
+				"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which "
+				+ "a motor cannot represent; mirror a child node instead. Other peers keep seeing "
+				+ "its last pose."
+			)
 			% [node, path]
 		)
 	)
 	body.scale = Vector3(-1, 1, 1)
 	await tree.create_timer(0.1).timeout
-	body.transform = sound
+	body.transform = valid
 	await tree.create_timer(0.1).timeout
 	expect_error(
 		(
-			"MotorSynchronizer %s: the transform of %s is farther out, or its scale is larger or smaller, than a stream can say. What others see of it stays as it was."
+			(
+				"MotorSynchronizer %s: the transform of %s is out of range: too far from the "
+				+ "origin, or its scale is too small or too large. Other peers keep seeing its "
+				+ "last pose."
+			)
 			% [node, path]
 		)
 	)
@@ -183,11 +221,14 @@ func test_transforms_that_are_no_poses() -> void:
 	body.transform = Transform3D.IDENTITY
 	await tree.create_timer(SETTLE).timeout
 	expect_vector_near(
-		branches[1].get_body(0).position, Vector3.ZERO, 0.005, "the place afterwards"
+		branches[1].get_body(0).position, Vector3.ZERO, 0.005, "position after the errors"
 	)
 	expect_warning(
 		(
-			"MotorSynchronizer %s: %s is scaled differently along its axes, or sheared; others see the nearest uniform scale. Scale a child node instead."
+			(
+				"MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see "
+				+ "the nearest uniform scale. Scale a child node instead."
+			)
 			% [node, path]
 		)
 	)
@@ -196,13 +237,35 @@ func test_transforms_that_are_no_poses() -> void:
 	expect_vector_near(branches[1].get_body(0).scale, Vector3.ONE * 2.0, 0.01, "scale")
 
 
-func test_the_transform_is_in_the_parents_space() -> void:
+func test_a_pose_out_of_range_is_reported_once() -> void:
+	await connect_peers(1, 1)
+	var body := branches[0].get_body(0)
+	expect_error(
+		(
+			(
+				"MotorSynchronizer %s: the transform of %s is out of range: too far from the "
+				+ "origin, or its scale is too small or too large. Other peers keep seeing its "
+				+ "last pose."
+			)
+			% [branches[0].synchronizer.get_path(), body.get_path()]
+		)
+	)
+	# Before the stream has a pose of the body, and while it moves.
+	body.position = Vector3(1e30, 0, 0)
+	await tree.create_timer(SETTLE).timeout
+	for i in 10:
+		body.position.x *= 1.1
+		await tree.physics_frame
+	await expect_motion(0.2, [branches[1]])
+
+
+func test_transform_is_relative_to_the_parent() -> void:
 	await connect_peers(1, 1)
 	branches[0].world.position = Vector3(50, 0, 0)
 	branches[1].world.position = Vector3(0, 70, 0)
 	await expect_motion(0.2, [branches[1]])
 	expect_vector_near(
-		branches[1].get_body(0).global_position, Vector3(0, 70, 0), 3.0, "in the world"
+		branches[1].get_body(0).global_position, Vector3(0, 70, 0), 3.0, "global position"
 	)
 
 

@@ -1,5 +1,5 @@
 extends "res://tests/framework/network_test.gd"
-## MotorSynchronizer: targets come and go at run time, change their place and their authority.
+## MotorSynchronizer: targets are added, removed, reparented and change their authority at run time.
 
 
 func test_targets_by_path() -> void:
@@ -31,14 +31,14 @@ func test_targets_by_call() -> void:
 		branch.changes.clear()
 		branch.synchronizer.add_target(branch.get_body(0))
 		branch.synchronizer.add_target(branch.get_body(0))
-		expect_equal(branch.changes, PackedStringArray(["+Body0"]), "what was told")
+		expect_equal(branch.changes, PackedStringArray(["+Body0"]), "signals")
 	await expect_motion(0.3, [branches[1]])
 	branches[1].synchronizer.remove_target(branches[1].get_body(0))
-	expect_equal(branches[1].changes, PackedStringArray(["+Body0", "-Body0"]), "what was told")
+	expect_equal(branches[1].changes, PackedStringArray(["+Body0", "-Body0"]), "signals")
 	await _expect_no_motion(branches[1], 0)
 
 
-func test_a_member_of_the_group_can_be_taken_out_and_back() -> void:
+func test_member_of_the_group_can_be_removed_and_added() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], SETTLE)
 	var body := branches[0].get_body(1)
@@ -61,8 +61,8 @@ func test_members_join_and_leave_the_group() -> void:
 		branch.changes.clear()
 	await expect_motion(0.3, [branches[1]])
 	for branch in branches:
-		expect_equal(branch.changes, PackedStringArray(["+Body7"]), "what was told")
-		# In one frame one leaves and one comes, so that their number stays the same.
+		expect_equal(branch.changes, PackedStringArray(["+Body7"]), "signals")
+		# One leaves and one joins in the same frame: their number stays the same.
 		branch.get_body(7).remove_from_group(&"bodies")
 		branch.add_body("Body8")
 	await wait_until(
@@ -70,20 +70,20 @@ func test_members_join_and_leave_the_group() -> void:
 			return branches.all(
 				func(branch: NetworkBranch) -> bool: return branch.changes.size() == 3
 			),
-		"the change being noticed"
+		"the change to be noticed"
 	)
 	for branch in branches:
 		var changes := Array(branch.changes).slice(1)
 		changes.sort()
-		expect_equal(changes, ["+Body8", "-Body7"], "what was told")
+		expect_equal(changes, ["+Body8", "-Body7"], "signals")
 	await expect_motion(0.3, [branches[1]])
 
 
-func test_a_freed_target_is_forgotten() -> void:
+func test_freed_target_is_removed() -> void:
 	await connect_peers(1, 3)
 	await move(branches[0], SETTLE)
 	branches[0].get_body(1).free()
-	expect_equal(branches[0].changes[-1], "-Body1", "what was told")
+	expect_equal(branches[0].changes[-1], "-Body1", "signals")
 	await move(branches[0], SETTLE)
 	branches[1].get_body(0).queue_free()
 	await expect_motion(0.3, [branches[1]])
@@ -91,18 +91,18 @@ func test_a_freed_target_is_forgotten() -> void:
 	await _expect_no_motion(branches[1], 1)
 
 
-## As with a MultiplayerSpawner, which is later on other peers than on the authority.
-func test_a_target_that_is_spawned_later_here() -> void:
+## As with a MultiplayerSpawner, which spawns on other peers after the authority.
+func test_target_that_is_spawned_later_on_the_receiver() -> void:
 	await connect_peers(1, 1)
 	branches[0].add_body("Body4")
 	await move(branches[0], SETTLE)
 	var body := branches[1].add_body("Body4")
 	await move(branches[0], 0.2)
-	expect_true(distance_from_path(body) < 0.01, "the new body being shown at once")
+	expect_true(distance_from_path(body) < 0.01, "the new body is shown immediately")
 	await expect_motion(0.3, [branches[1]])
 
 
-func test_beside_a_multiplayer_spawner() -> void:
+func test_with_a_multiplayer_spawner() -> void:
 	await connect_peers(1, 0)
 	var spawners: Array[MultiplayerSpawner] = []
 	for branch in branches:
@@ -123,14 +123,14 @@ func test_beside_a_multiplayer_spawner() -> void:
 	branches[0].get_body(1).free()
 	await wait_until(
 		func() -> bool: return branches[1].synchronizer.get_active_targets().size() == 2,
-		"the client's node being gone"
+		"the client's node to be removed"
 	)
 	spawners[0].spawn(1)
 	await expect_motion(0.2, [branches[1]])
 	expect_equal(branches[1].synchronizer.get_active_targets().size(), 3, "targets of the client")
 
 
-func test_a_target_goes_to_another_parent() -> void:
+func test_target_is_reparented() -> void:
 	await connect_peers(1, 2)
 	await move(branches[0], SETTLE)
 	for branch in branches:
@@ -141,31 +141,54 @@ func test_a_target_goes_to_another_parent() -> void:
 		branch.get_body(1).reparent(raft, false)
 	await expect_motion(0.3, [branches[1]])
 	var moved: Node3D = branches[1].world.get_node("Raft/Body1")
-	expect_true(moved.global_position.x > 90.0, "the parent carrying it")
+	expect_true(moved.global_position.x > 90.0, "the body moves with its parent")
 	for branch in branches:
-		# What stands above it is part of its name.
+		# The path of a target includes its parents.
 		branch.world.get_node("Raft").name = "Boat"
 	await expect_motion(0.2, [branches[1]])
-	# Who comes later knows the new name only.
+	# A new synchronizer knows only the new path.
 	branches[1].world.remove_child(branches[1].synchronizer)
 	branches[1].world.add_child(branches[1].synchronizer)
 	await expect_motion(0.2, [branches[1]])
 	var renamed: Node3D = branches[1].world.get_node("Boat/Body1")
 	var place := renamed.position
 	await move(branches[0], 0.2)
-	expect_true(
-		renamed.position.distance_to(place) > 0.02, "motion of the body on the renamed node"
-	)
+	expect_true(renamed.position.distance_to(place) > 0.02, "the body of the renamed parent moves")
 
 
-func test_each_peer_moves_its_own() -> void:
+## The paths of the two names have the same hash.
+func test_rename_to_a_path_with_the_same_hash() -> void:
+	await connect_peers(1, 0)
+	for branch in branches:
+		for title: String in ["Bodymyzauyp", "Body1"]:
+			branch.add_body(title)
+	await expect_motion(0.2, [branches[1]])
+	for branch in branches:
+		var world := branch.world.get_path()
+		expect_error(
+			(
+				(
+					"MotorSynchronizer %s: the paths of %s/Bodymyzauyp and %s/Bodyayxxpyx have the "
+					+ "same hash, so peers cannot tell them apart. The first is not replicated; "
+					+ "rename one of them on all peers."
+				)
+				% [branch.synchronizer.get_path(), world, world]
+			)
+		)
+		branch.world.get_node("Body1").name = "Bodyayxxpyx"
+	await expect_motion(0.2, [branches[1]])
+	for branch in branches:
+		expect_equal(branch.synchronizer.get_active_targets().size(), 1, "number of targets")
+
+
+func test_each_peer_moves_its_own_body() -> void:
 	await connect_peers(2, 3)
 	await wait_until(
 		func() -> bool:
 			return (
 				branches[1].api.get_peers().size() == 2 and branches[2].api.get_peers().size() == 2
 			),
-		"clients knowing each other"
+		"clients to know each other"
 	)
 	for branch in branches:
 		for i in 3:
@@ -180,14 +203,14 @@ func test_each_peer_moves_its_own() -> void:
 				if watched != mover:
 					expect_true(
 						distance_from_path(watched.get_body(branches.find(mover))) < 0.008,
-						"%s showing %s's body on its path" % [watched.root.name, mover.root.name]
+						"%s shows the body of %s on its path" % [watched.root.name, mover.root.name]
 					)
-		expect_true(mover.get_body(branches.find(mover)).position != Vector3.ZERO, "motion")
+		expect_true(mover.get_body(branches.find(mover)).position != Vector3.ZERO, "the body moves")
 	for branch in branches:
 		expect_equal(branch.rejections, [] as Array[Array], "rejections")
 
 
-func test_authority_changes_hands() -> void:
+func test_authority_changes() -> void:
 	await connect_peers(2, 2)
 	var client: int = branches[1].api.get_unique_id()
 	await expect_motion(0.3, [branches[1], branches[2]])
@@ -199,12 +222,12 @@ func test_authority_changes_hands() -> void:
 		for watched: NetworkBranch in [branches[0], branches[2]]:
 			expect_true(
 				distance_from_path(watched.get_body(0)) < 0.008,
-				"%s following the new authority" % watched.root.name
+				"%s follows the new authority" % watched.root.name
 			)
-	# Body1 stayed the server's.
+	# The server is still the authority of Body1.
 	await move(branches[0], SETTLE)
 	expect_true(
-		distance_from_path(branches[2].get_body(1)) < 0.008, "the other body following the server"
+		distance_from_path(branches[2].get_body(1)) < 0.008, "the other body follows the server"
 	)
 	for branch in branches:
 		branch.get_body(0).set_multiplayer_authority(1)
@@ -213,20 +236,20 @@ func test_authority_changes_hands() -> void:
 		expect_equal(branch.rejections, [] as Array[Array], "rejections")
 
 
-func test_teleport_is_the_authoritys() -> void:
+func test_only_the_authority_teleports() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.1)
 	expect_error(
-		"MotorSynchronizer.teleport: Body0 belongs to peer 1; only its authority can teleport it."
+		"MotorSynchronizer.teleport: only the authority of Body0, peer 1, can teleport it."
 	)
 	branches[1].synchronizer.teleport(branches[1].get_body(0))
-	expect_error("MotorSynchronizer.teleport: World is no target of Motors.")
+	expect_error("MotorSynchronizer.teleport: World is not a target of Motors.")
 	branches[0].synchronizer.teleport(branches[0].world)
 	expect_error("MotorSynchronizer.teleport: the node is null.")
 	branches[0].synchronizer.teleport(null)
 
 
-func test_engine_interpolation_is_put_aside() -> void:
+func test_engine_interpolation_is_turned_off() -> void:
 	tree.physics_interpolation = true
 	await connect_peers(1, 1)
 	await move(branches[0], SETTLE)
@@ -234,25 +257,25 @@ func test_engine_interpolation_is_put_aside() -> void:
 	expect_equal(
 		body.physics_interpolation_mode,
 		Node.PHYSICS_INTERPOLATION_MODE_OFF,
-		"mode of a body that a stream moves"
+		"mode of a replicated body"
 	)
 	expect_equal(
 		branches[0].get_body(0).physics_interpolation_mode,
 		Node.PHYSICS_INTERPOLATION_MODE_INHERIT,
-		"mode of one's own"
+		"mode of the authority's body"
 	)
 	branches[1].synchronizer.remove_target(body)
 	expect_equal(
 		body.physics_interpolation_mode,
 		Node.PHYSICS_INTERPOLATION_MODE_INHERIT,
-		"mode of a body left alone"
+		"mode of a removed target"
 	)
 	branches[1].synchronizer.add_target(body)
 	await move(branches[0], SETTLE)
 	expect_equal(
 		body.physics_interpolation_mode,
 		Node.PHYSICS_INTERPOLATION_MODE_OFF,
-		"mode of a body that a stream moves again"
+		"mode of a target that was added again"
 	)
 	branches[1].leave()
 	await wait_frames(3)

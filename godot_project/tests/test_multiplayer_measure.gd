@@ -1,5 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## How the multiplayer demo's HUD measures its error: truths by bytes, the probe that takes them, the gauge.
+## The error that the multiplayer demo's HUD shows: the server's reference poses, the probe that
+## samples them, and the gauge.
 
 const ErrorGauge := preload("res://demos/multiplayer/measure/error_gauge.gd")
 const PoseLink := preload("res://demos/multiplayer/replication/pose_link.gd")
@@ -9,7 +10,7 @@ const TruthProbe := preload("res://demos/multiplayer/measure/truth_probe.gd")
 const BODIES := 20
 
 
-## Shows every body where [method _pose] has it at a tick, moved by an error.
+## Shows every body at its [method _pose] at a tick, plus an error.
 class FakeLink:
 	extends PoseLink
 
@@ -61,7 +62,7 @@ class FakeLink:
 			bodies[id].transform = pose.translated(error)
 
 
-func test_a_truth_comes_back_from_its_bytes() -> void:
+func test_truth_survives_serialization() -> void:
 	var truth := _probe_truth(30)
 	var bytes := truth.to_bytes()
 	expect_true(bytes.size() < 800, "a truth of %d bytes" % bytes.size())
@@ -74,26 +75,26 @@ func test_a_truth_comes_back_from_its_bytes() -> void:
 		)
 
 
-func test_bytes_that_are_no_truth_are_refused() -> void:
+func test_invalid_bytes_are_rejected() -> void:
 	var bytes := _probe_truth(30).to_bytes()
-	expect_null(Truth.from_bytes(bytes.slice(0, -1), BODIES), "one byte short")
-	expect_null(Truth.from_bytes(PackedByteArray(), BODIES), "nothing")
+	expect_null(Truth.from_bytes(bytes.slice(0, -1), BODIES), "truth of truncated bytes")
+	expect_null(Truth.from_bytes(PackedByteArray(), BODIES), "truth of no bytes")
 	bytes.encode_u16(Truth.HEADER, BODIES)
-	expect_null(Truth.from_bytes(bytes, BODIES), "a body that does not exist")
+	expect_null(Truth.from_bytes(bytes, BODIES), "truth of a body that does not exist")
 
 
-func test_a_probe_takes_different_moving_bodies_and_rests_unwatched() -> void:
+func test_probe_samples_distinct_moving_bodies_and_nothing_without_watchers() -> void:
 	var truth := _probe_truth(45)
 	expect_equal(truth.ids.size(), Truth.MAX_BODIES, "bodies")
 	for i: int in truth.ids.size():
 		expect_true(truth.ids[i] % 2 == 1, "body %d moving" % truth.ids[i])
-		expect_equal(truth.ids.count(truth.ids[i]), 1, "times that body %d is told" % truth.ids[i])
+		expect_equal(truth.ids.count(truth.ids[i]), 1, "occurrences of body %d" % truth.ids[i])
 	var unwatched := TruthProbe.new()
 	for tick: int in 60:
-		expect_null(unwatched.observe(tick, _poses(tick)), "truth for nobody")
+		expect_null(unwatched.observe(tick, _poses(tick)), "truth without watchers")
 
 
-func test_the_gauge_finds_the_error_at_the_shown_time() -> void:
+func test_gauge_measures_the_error_at_the_shown_time() -> void:
 	var gauge := ErrorGauge.new()
 	var link := _make_link()
 	link.error = Vector3(0.003, 0.0, 0.0)
@@ -103,10 +104,10 @@ func test_the_gauge_finds_the_error_at_the_shown_time() -> void:
 		gauge.update(link)
 	expect_true(gauge.has_errors(), "errors")
 	expect_near(gauge.get_figures().x, 0.003, 1e-5, "median")
-	expect_near(gauge.get_figures().y, 0.003, 1e-5, "largest")
+	expect_near(gauge.get_figures().y, 0.003, 1e-5, "maximum")
 
 
-func test_the_gauge_takes_the_constant_delay_from_an_untimed_link() -> void:
+func test_gauge_removes_the_constant_delay_of_an_untimed_link() -> void:
 	var gauge := ErrorGauge.new()
 	var link := _make_link()
 	link.is_timed = false
@@ -114,10 +115,10 @@ func test_the_gauge_takes_the_constant_delay_from_an_untimed_link() -> void:
 		var truth := _probe_truth(tick)
 		link.show_tick(tick + 1.0)
 		gauge.take(truth, link)
-	expect_near(gauge.get_figures().y, 0.0, 1e-5, "largest error of a link that is one tick behind")
+	expect_near(gauge.get_figures().y, 0.0, 1e-5, "maximum error of a link that is one tick behind")
 
 
-func test_a_gauge_does_not_hold_truths_for_ever() -> void:
+func test_gauge_holds_a_bounded_number_of_truths() -> void:
 	var gauge := ErrorGauge.new()
 	var link := _make_link()
 	link.show_tick(0.0)
@@ -125,9 +126,9 @@ func test_a_gauge_does_not_hold_truths_for_ever() -> void:
 		gauge.take(_probe_truth(30), link)
 	link.show_tick(31.0)
 	gauge.update(link)
-	expect_true(gauge.has_errors(), "errors of the last ones")
+	expect_true(gauge.has_errors(), "errors of the last truths")
 	gauge.clear()
-	expect_true(not gauge.has_errors(), "nothing left after clear()")
+	expect_true(not gauge.has_errors(), "no errors after clear()")
 
 
 func _make_link() -> FakeLink:
@@ -138,7 +139,7 @@ func _make_link() -> FakeLink:
 	return link
 
 
-## The truth that a watched probe tells from a tick on.
+## The truth that a watched probe samples from a tick on.
 func _probe_truth(tick: int) -> Truth:
 	var probe := TruthProbe.new()
 	probe.watchers.append(2)
@@ -157,7 +158,7 @@ func _poses(tick: int) -> Dictionary[int, Transform3D]:
 	return poses
 
 
-## Every second body moves evenly and turns.
+## Every second body moves and rotates at constant speed.
 func _pose(id: int, tick: float) -> Transform3D:
 	if id % 2 == 0:
 		return Transform3D(Basis.IDENTITY, Vector3(id, 0.0, 0.0))

@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## Multivector: construction, products, involutions and duals. The expected values
-## follow from e1..e4 squaring to +1 and e5 to -1 and are written out by hand.
+## Multivector: construction, products, involutions and duals. The expected values were derived by
+## hand from e1..e4 squaring to +1 and e5 to -1.
 
 const E1 := 1
 const E2 := 2
@@ -37,9 +37,12 @@ func test_basis_by_name() -> void:
 	expect_coefficients(Multivector.basis("einf"), {E4: 1.0, E5: 1.0})
 
 
-func test_basis_rejects_what_it_does_not_know() -> void:
+func test_basis_rejects_unknown_names_and_indices() -> void:
 	expect_error(
-		'Multivector.basis: "e6" names no basis element; names are like "1", "e3", "e12", "eo", "einf", "E", "I".'
+		(
+			'Multivector.basis: "e6" is not a basis element; valid names are like "1", '
+			+ '"e3", "e12", "eo", "einf", "E", "I".'
+		)
 	)
 	expect_null(Multivector.basis("e6"))
 	expect_error("Multivector.basis_blade: index 32 is not in 0..31.")
@@ -53,7 +56,7 @@ func test_scalar_rejects_nan() -> void:
 	expect_null(Multivector.scalar(NAN))
 
 
-func test_coefficients_are_set_and_announced() -> void:
+func test_setting_coefficients_emits_changed() -> void:
 	var multivector := Multivector.new()
 	var changes: Array[int] = []
 	multivector.changed.connect(changes.append.bind(1))
@@ -65,10 +68,13 @@ func test_coefficients_are_set_and_announced() -> void:
 	expect_equal(changes.size(), 1, "number of changed signals")
 
 
-func test_bad_coefficients_change_nothing() -> void:
+func test_invalid_coefficients_change_nothing() -> void:
 	var multivector := Multivector.basis("e12")
 	expect_error(
-		"Multivector: coefficients must be 32 numbers, not 31; their order is 1, e1 .. e5, e12 .. e45, e123 .. e345, e1234 .. e2345, e12345."
+		(
+			"Multivector: coefficients must have 32 numbers, not 31, in the order 1, e1 .. "
+			+ "e5, e12 .. e45, e123 .. e345, e1234 .. e2345, e12345."
+		)
 	)
 	var numbers := PackedFloat64Array()
 	numbers.resize(31)
@@ -76,14 +82,14 @@ func test_bad_coefficients_change_nothing() -> void:
 	expect_coefficients(multivector, {E12: 1.0})
 	numbers.resize(32)
 	numbers[7] = INF
-	expect_error("Multivector: coefficient 7 is not finite; the multivector stays as it was.")
+	expect_error("Multivector: coefficient 7 is not finite; the multivector is unchanged.")
 	multivector.coefficients = numbers
 	expect_coefficients(multivector, {E12: 1.0})
 
 
 func test_a_saved_resource_keeps_its_coefficients() -> void:
 	var saved := Multivector.motor_from(Vector3(1, -2, 3), Quaternion(0.1, 0.2, 0.3, 0.9), 1.7)
-	# The engine's text form rounds to the last digit but one; the binary form keeps every bit.
+	# The text format rounds to the second to last digit; the binary format keeps every bit.
 	var tolerances: Dictionary[String, float] = {"tres": 1e-15, "res": 0.0}
 	for extension: String in tolerances:
 		var path := "user://multivector_test.%s" % extension
@@ -143,7 +149,7 @@ func test_contractions() -> void:
 
 
 func test_regressive_product() -> void:
-	# What the dual of the outer product of the duals is: of blades that span the whole space together their meet.
+	# undual(dual(A) ^ dual(B)). For blades that span the whole space together, this is their meet.
 	expect_coefficients(_regressive("I", "e12"), {E12: 1.0})
 	expect_coefficients(_regressive("e1234", "e2345"), {22: -1.0})
 	expect_coefficients(_regressive("e12", "e23"), {})
@@ -191,7 +197,10 @@ func test_products_reject_null() -> void:
 func test_results_out_of_range_are_errors() -> void:
 	var huge := Multivector.scalar(1e200)
 	expect_error(
-		"Multivector: a coefficient of the result is beyond the range of 64-bit floats; scale the operands down first."
+		(
+			"Multivector: a coefficient of the result is beyond the range of 64-bit "
+			+ "floats; scale the operands down first."
+		)
 	)
 	expect_null(huge.geometric_product(huge))
 	expect_error("Multivector.scaled: the factor is not finite.")
@@ -199,7 +208,7 @@ func test_results_out_of_range_are_errors() -> void:
 
 
 func test_involutions() -> void:
-	# Of each grade: a blade, and the signs it gets from reverse, grade involution and Clifford conjugate.
+	# A blade of each grade; its signs under reverse, grade involution and Clifford conjugate.
 	var expected: Dictionary[int, Vector3] = {
 		0: Vector3(1, 1, 1),
 		E1: Vector3(1, -1, -1),
@@ -236,7 +245,7 @@ func test_dual_and_undual() -> void:
 		expect_coefficients(Multivector.basis_blade(index).dual().undual(), {index: 1.0})
 
 
-func test_grade_picks_one_grade() -> void:
+func test_grade() -> void:
 	var mixed := Multivector.scalar(3.0).add(Multivector.basis("e1")).add(Multivector.basis("e12"))
 	expect_coefficients(mixed.grade(0), {0: 3.0})
 	expect_coefficients(mixed.grade(1), {E1: 1.0})

@@ -1,10 +1,10 @@
 extends "res://tests/framework/test_case.gd"
-## docs/conventions.md: what it says of signs and other libraries holds, and each row of its table of
-## formulas leads to code and to a test that are there.
+## docs/conventions.md: its statements about signs and other libraries hold, and each row of its
+## table of formulas refers to code and to a test that exist.
 
 const PAGE := "docs/conventions.md"
 const TABLE := "| formula | computed in | proven by |"
-## A path, then what stands in that file: `path` `name` or `path` "name".
+## A path, then a string that the file contains: `path` `name` or `path` "name".
 const REFERENCE := '`([a-z0-9_/]+\\.[a-z]+)` (?:`([^`]+)`|"([^"]+)")'
 
 const ELEMENT: Array[float] = [
@@ -43,7 +43,7 @@ const ELEMENT: Array[float] = [
 ]
 
 
-func test_every_formula_leads_to_its_code_and_its_test() -> void:
+func test_every_formula_refers_to_its_code_and_its_test() -> void:
 	var rows := _page().get_slice(TABLE, 1).strip_edges().split("\n").slice(1)
 	expect_true(rows.size() >= 25, "number of formulas")
 	var pattern := RegEx.create_from_string(REFERENCE)
@@ -57,9 +57,7 @@ func test_every_formula_leads_to_its_code_and_its_test() -> void:
 					_repository().path_join(reference.get_string(1))
 				)
 				var wanted := reference.get_string(2) + reference.get_string(3)
-				expect_true(
-					text.contains(wanted), '"%s" standing in %s' % [wanted, reference.get_string(1)]
-				)
+				expect_true(text.contains(wanted), '"%s" in %s' % [wanted, reference.get_string(1)])
 
 
 func test_the_order_of_coefficients() -> void:
@@ -73,7 +71,7 @@ func test_the_order_of_coefficients() -> void:
 	expect_equal(index, 32, "number of blades")
 
 
-func test_ganja_has_the_same_numbers_and_the_other_dual() -> void:
+func test_ganja_has_the_same_coefficients_and_the_other_dual() -> void:
 	var a := Multivector.from_json(JSON.stringify(ELEMENT))
 	var ganja_dual := a.geometric_product(Multivector.basis("I"))
 	expect_coefficients(a.undual().subtract(ganja_dual), {}, 0.0, "undual here less dual there")
@@ -102,7 +100,7 @@ func test_the_papers_dilator_is_the_same() -> void:
 		expect_near(papers.get_scale(), scale, 1e-12, "scale")
 		expect_true(
 			papers.normalized().is_equal_approx(Multivector.dilator(scale)),
-			"equality after normalising at %s" % scale
+			"equality after normalization at scale %s" % scale
 		)
 
 

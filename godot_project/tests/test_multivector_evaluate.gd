@@ -1,7 +1,7 @@
 extends "res://tests/framework/test_case.gd"
-## Multivector.evaluate: what expressions give, what variables can be, and where errors are.
+## Multivector.evaluate: values of expressions, types of variables, and error messages.
 
-const BAD_EXPRESSIONS: Dictionary[String, String] = {
+const INVALID_EXPRESSIONS: Dictionary[String, String] = {
 	"": "column 1: expected a number, a name or '(', found the end",
 	"1 +": "column 4: expected a number, a name or '(', found the end",
 	"2 e12 + x": "column 9: unknown name 'x'",
@@ -28,7 +28,7 @@ func test_operators() -> void:
 	expect_coefficients(Multivector.evaluate("-pi"), {0: -PI})
 
 
-func test_functions_are_those_of_the_class() -> void:
+func test_functions_are_methods_of_the_class() -> void:
 	expect_true(
 		Multivector.evaluate("translator(1, 2, 3)").is_equal_approx(
 			Multivector.translator(Vector3(1, 2, 3))
@@ -56,7 +56,7 @@ func test_variables() -> void:
 	expect_equal(variables.size(), 6, "number of variables afterwards")
 
 
-func test_a_versor_moves_its_operand() -> void:
+func test_a_sandwich_in_an_expression() -> void:
 	var motor := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 1.0)
 	var moved := Multivector.evaluate(
 		"M * X * ~M", {"M": motor, "X": Multivector.point(Vector3(4, 5, 6))}
@@ -67,7 +67,7 @@ func test_a_versor_moves_its_operand() -> void:
 	)
 
 
-func test_interpolation_is_that_of_multivector_lerp() -> void:
+func test_interpolation_agrees_with_multivector_lerp() -> void:
 	var from := Multivector.motor_from(Vector3(1, 2, 3), Quaternion(Vector3.UP, 1.0), 0.5).scaled(
 		-3.0
 	)
@@ -85,12 +85,15 @@ func test_interpolation_is_that_of_multivector_lerp() -> void:
 			var expected := MultivectorLerp.interpolate(from, to, t, modes[method])
 			expect_equal(value.coefficients, expected.coefficients, "%s at %s" % [method, t])
 	expect_error(
-		"Multivector.evaluate: column 22: expected a motor (a product of translators, rotors and dilators) as second argument of interpolate_screw(from, to, t)."
+		(
+			"Multivector.evaluate: column 22: expected a motor (a product of translators, "
+			+ "rotors and dilators) as second argument of interpolate_screw(from, to, t)."
+		)
 	)
 	expect_null(Multivector.evaluate("interpolate_screw(A, e1, 0.5)", motors))
 
 
-func test_text_is_read_back() -> void:
+func test_text_survives_a_round_trip() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 11
 	for i in 100:
@@ -110,17 +113,20 @@ func test_text_is_read_back() -> void:
 		)
 
 
-func test_errors_name_the_column() -> void:
-	for expression: String in BAD_EXPRESSIONS:
-		expect_error("Multivector.evaluate: %s." % BAD_EXPRESSIONS[expression])
+func test_errors_contain_the_column() -> void:
+	for expression: String in INVALID_EXPRESSIONS:
+		expect_error("Multivector.evaluate: %s." % INVALID_EXPRESSIONS[expression])
 		expect_null(Multivector.evaluate(expression), expression)
 
 
-func test_bad_variables() -> void:
+func test_invalid_variables() -> void:
 	for value: Variant in [null, true, "text", self, Quaternion.IDENTITY]:
 		expect_error(
 			(
-				'Multivector.evaluate: the variable "v" must be a Multivector, a number or a Vector3, not %s.'
+				(
+					'Multivector.evaluate: the variable "v" must be a Multivector, a number or a '
+					+ "Vector3, not %s."
+				)
 				% type_string(typeof(value))
 			)
 		)
@@ -128,7 +134,7 @@ func test_bad_variables() -> void:
 	for value: Variant in [NAN, Vector3(0, INF, 0)]:
 		expect_error("Multivector.evaluate: column 1: 'v' has a coefficient that is not finite.")
 		expect_null(Multivector.evaluate("v", {"v": value}))
-	expect_error("Multivector.evaluate: the name of a variable must be a string, not int.")
+	expect_error("Multivector.evaluate: variable names must be strings, not int.")
 	expect_null(Multivector.evaluate("1", {1: 2}))
 	expect_error(
 		"Multivector.evaluate: column 1: invalid variable name: 'e1' is a constant; choose another name."
@@ -136,7 +142,7 @@ func test_bad_variables() -> void:
 	expect_null(Multivector.evaluate("1", {"e1": 2}))
 
 
-func test_hostile_expressions_end_with_an_error() -> void:
+func test_hostile_expressions_are_errors() -> void:
 	var hostile: Dictionary[String, String] = {
 		"(".repeat(2000): "column 257: %s" % TOO_DEEP,
 		"-".repeat(2000) + "1": "column 257: %s" % TOO_DEEP,

@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## Functions of one multivector: norms, inverse, exponential, logarithm, powers, and what kind of
-## element it is.
+## Functions of one multivector: norms, inverse, exponential, logarithm, powers, and the predicates
+## is_blade, is_versor and is_motor.
 
 const Poses := preload("res://tests/framework/poses.gd")
 
@@ -13,7 +13,7 @@ const E45 := 15
 const NULL_ELEMENT := "the multivector is null (its norm is zero), so no multiple of it has norm 1; scale null objects by their meaning: a point to -e_inf . X = 1"
 const SINGULAR := "the multivector has no inverse: it is null or a zero divisor, or too close to one for double precision"
 const ODD := "an odd versor (a reflection or inversion) has no logarithm: no continuous motion reaches it"
-const NO_VERSOR := "the multivector is not a versor (a product of non-null vectors), or rounding has erased its norm; normalized() turns a noisy one into a versor"
+const NOT_A_VERSOR := "the multivector is not a versor (a product of non-null vectors), or rounding has erased its norm; normalized() turns a noisy one into a versor"
 
 
 func test_norms() -> void:
@@ -42,7 +42,7 @@ func test_normalized_repairs_a_noisy_motor() -> void:
 		var motor := Multivector.motor(pose)
 		var numbers := motor.coefficients
 		for k in 32:
-			# Even grades only, as blending makes them: 0, 2 and 4.
+			# Even grades only, as in a blend of motors: 0, 2 and 4.
 			if k == 0 or (k >= E12 and k <= E45) or (k >= 26 and k <= 30):
 				numbers[k] += generator.randf_range(-1e-6, 1e-6)
 		motor.coefficients = numbers
@@ -127,7 +127,7 @@ func test_exp_of_other_elements() -> void:
 	expect_null(Multivector.scalar(1000.0).exp())
 
 
-func test_log_then_exp_gives_the_motor_back() -> void:
+func test_exp_inverts_log() -> void:
 	var poses := Poses.degenerate()
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 7
@@ -136,13 +136,13 @@ func test_log_then_exp_gives_the_motor_back() -> void:
 	for title: String in poses:
 		var motor := Multivector.motor(poses[title])
 		var same := motor.log().exp()
-		# log is of M or -M, whichever has the short way round.
+		# log is that of M or -M, whichever has the smaller rotation.
 		if same.scalar_product(motor.reverse()) < 0.0:
 			same = same.scaled(-1.0)
 		expect_true(same.is_equal_approx(motor), "exp(log(M)) being M: %s" % title)
 
 
-func test_log_of_what_others_fail_at() -> void:
+func test_log_of_special_motors() -> void:
 	# A pure translation, the identity, half a turn, and a motor and its negative.
 	expect_coefficients(Multivector.translator(Vector3(0, 0, 4)).log(), {13: -2.0, 14: -2.0}, 1e-15)
 	expect_coefficients(Multivector.scalar(1.0).log(), {}, 0.0)
@@ -159,7 +159,7 @@ func test_log_rejects_what_has_none() -> void:
 	expect_null(Multivector.new().log())
 	expect_error("Multivector.log: %s." % ODD)
 	expect_null(Multivector.basis("e1").log())
-	expect_error("Multivector.log: %s." % NO_VERSOR)
+	expect_error("Multivector.log: %s." % NOT_A_VERSOR)
 	expect_null(_sum({0: 1.0, E1: 2.0}).log())
 	expect_error(
 		"Multivector.sqrt: an odd versor, or an even one with negative M M~, has integer powers only: no continuous motion reaches it."
@@ -185,7 +185,7 @@ func test_sqrt_and_power_of_motors() -> void:
 	expect_coefficients(motor.power(0.0), {0: 1.0}, 1e-15)
 
 
-func test_powers_of_reflections_are_whole() -> void:
+func test_reflections_have_integer_powers_only() -> void:
 	expect_coefficients(Multivector.basis("e1").power(3.0), {E1: 1.0}, 1e-15)
 	expect_coefficients(Multivector.basis("e5").power(-1.0), {E5: -1.0}, 1e-15)
 	expect_error(

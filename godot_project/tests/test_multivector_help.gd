@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The class reference of Multivector: it documents every member as registered, each with an example
-## that runs and prints what it says.
+## The class reference of Multivector documents each method as registered, each with an example that
+## prints what its comment states.
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")

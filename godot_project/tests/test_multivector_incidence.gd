@@ -1,7 +1,7 @@
 extends "res://tests/framework/test_case.gd"
 ## meet, join, projection, rejection and reflection of objects, the degenerate cases among them.
 
-const NO_BLADE := "the second multivector is not a blade (a nonzero outer product of vectors), so it represents no object"
+const NOT_A_BLADE := "the second multivector is not a blade (a nonzero outer product of vectors), so it represents no object"
 const METHODS: Array[StringName] = [
 	&"meet", &"join", &"project_onto", &"reject_from", &"reflect_in"
 ]
@@ -92,7 +92,7 @@ func test_reflection() -> void:
 		Vector3(-4, 3, 0),
 		1e-6
 	)
-	# Inversion in a sphere: the distances from its centre multiply to the squared radius.
+	# Inversion in a sphere: the product of the distances from its center is the squared radius.
 	var inverted := (
 		Multivector
 		. point(Vector3(4, 0, 0))
@@ -102,13 +102,13 @@ func test_reflection() -> void:
 	expect_vector_near(inverted["center"] as Vector3, Vector3(1, 0, 0), 1e-6)
 
 
-func test_what_is_no_object_is_refused() -> void:
+func test_operands_that_are_not_blades_are_errors() -> void:
 	var sphere := Multivector.sphere(Vector3.ZERO, 2.0)
 	var before := sphere.coefficients
 	for method in METHODS:
 		expect_error("Multivector.%s: the other multivector is null." % method)
 		expect_null(sphere.call(method, null) as Multivector, method)
-		expect_error("Multivector.%s: %s." % [method, NO_BLADE])
+		expect_error("Multivector.%s: %s." % [method, NOT_A_BLADE])
 		expect_null(sphere.call(method, Multivector.evaluate("e12 + e34")) as Multivector, method)
 	expect_equal(sphere.coefficients, before, "the operand")
 

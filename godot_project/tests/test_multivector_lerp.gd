@@ -1,9 +1,13 @@
 extends "res://tests/framework/test_case.gd"
-## The MultivectorLerp node: its ends, its target, playing, and what happens when a node is missing.
+## The MultivectorLerp node: ends, target, playing, and errors such as missing nodes.
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
+
+const INVALID_MODE := (
+	"MultivectorLerp: mode %d is invalid; use LINEAR (0), SCREW (1) or SEPARATE " + "(2)."
+)
 
 var _world := Node3D.new()
 var _start := Node3D.new()
@@ -32,18 +36,18 @@ func test_deviation_of_two_modes() -> void:
 		from, to, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE, 0.0
 	)
 	expect_near(found["distance"] as float, tan(PI / 8.0), 1e-9, "rise of the arc")
-	expect_near(found["distance_weight"] as float, 0.5, 1e-5, "where it is")
+	expect_near(found["distance_weight"] as float, 0.5, 1e-5, "weight of the rise")
 	expect_near(found["angle"] as float, 0.0, 1e-9, "angle")
-	var with_lever := MultivectorLerp.measure_deviation(
+	var with_lever_arm := MultivectorLerp.measure_deviation(
 		from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW
 	)
 	expect_near(
-		rad_to_deg(with_lever["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn"
+		rad_to_deg(with_lever_arm["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn"
 	)
 	expect_true(
 		(
 			(
-				with_lever["distance"] as float
+				with_lever_arm["distance"] as float
 				> (
 					MultivectorLerp
 					. measure_deviation(
@@ -53,11 +57,11 @@ func test_deviation_of_two_modes() -> void:
 			)
 			as float
 		),
-		"a lever making it larger"
+		"a larger distance with a lever arm"
 	)
 
 
-func test_the_example_of_deviations_holds() -> void:
+func test_the_example_of_measure_deviation_holds() -> void:
 	_free_unused()
 	var samples := ClassReference.new(&"MultivectorLerp").samples_of("measure_deviation")
 	expect_equal(samples.size(), 1, "number of examples")
@@ -66,11 +70,14 @@ func test_the_example_of_deviations_holds() -> void:
 		expect_equal(CodeSample.find_faults(code), PackedStringArray(), "faults of the example")
 
 
-func test_deviation_refuses_what_it_cannot_measure() -> void:
+func test_invalid_arguments_of_measure_deviation_are_errors() -> void:
 	_free_unused()
 	var one := Multivector.scalar(1.0)
 	expect_error(
-		"MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from."
+		(
+			"MultivectorLerp.measure_deviation: from is not a motor with a positive scale; "
+			+ "create one with Multivector.motor or Multivector.motor_from."
+		)
 	)
 	expect_true(
 		(
@@ -80,10 +87,13 @@ func test_deviation_refuses_what_it_cannot_measure() -> void:
 			)
 			. is_empty()
 		),
-		"nothing"
+		"an empty dictionary"
 	)
 	expect_error(
-		"MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from."
+		(
+			"MultivectorLerp.measure_deviation: to is not a motor with a positive scale; "
+			+ "create one with Multivector.motor or Multivector.motor_from."
+		)
 	)
 	expect_true(
 		(
@@ -91,30 +101,40 @@ func test_deviation_refuses_what_it_cannot_measure() -> void:
 			. measure_deviation(one, null, MultivectorLerp.LINEAR, MultivectorLerp.SCREW)
 			. is_empty()
 		),
-		"nothing"
+		"an empty dictionary"
 	)
-	expect_error("MultivectorLerp.measure_deviation: the lever must be a distance of 0 or more.", 2)
-	for lever: float in [-1.0, NAN]:
+	for lever_arm: float in [-1.0, NAN]:
+		expect_error(
+			(
+				(
+					"MultivectorLerp.measure_deviation: lever_arm must be a finite distance of at "
+					+ "least 0, "
+				)
+				+ "not %f." % lever_arm
+			)
+		)
 		expect_true(
 			(
 				MultivectorLerp
-				. measure_deviation(one, one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, lever)
+				. measure_deviation(
+					one, one, MultivectorLerp.LINEAR, MultivectorLerp.SCREW, lever_arm
+				)
 				. is_empty()
 			),
-			"nothing"
+			"an empty dictionary"
 		)
-	expect_error("MultivectorLerp: mode 7 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_error(INVALID_MODE % 7)
 	expect_true(
 		(
 			MultivectorLerp
 			. measure_deviation(one, one, 7 as MultivectorLerp.Mode, MultivectorLerp.SCREW)
 			. is_empty()
 		),
-		"nothing"
+		"an empty dictionary"
 	)
 
 
-func test_it_moves_the_target() -> void:
+func test_the_target_is_moved() -> void:
 	_build()
 	for mode: MultivectorLerp.Mode in [
 		MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
@@ -130,7 +150,7 @@ func test_it_moves_the_target() -> void:
 			)
 
 
-func test_it_follows_ends_that_move() -> void:
+func test_moving_ends_are_followed() -> void:
 	_build()
 	_lerp.factor = 1.0
 	_end.position = Vector3(-3, 1, 2)
@@ -156,7 +176,7 @@ func test_world_and_parent_space() -> void:
 	expect_transform_near(_target.transform, expected, 1e-5, "parent space")
 
 
-func test_motors_come_before_nodes() -> void:
+func test_motors_take_precedence_over_nodes() -> void:
 	_build()
 	_lerp.start_motor = Multivector.motor_from(Vector3(0, 5, 0), Quaternion.IDENTITY, 1.0)
 	_lerp.end_motor = Multivector.motor_from(Vector3(0, 7, 0), Quaternion.IDENTITY, 1.0)
@@ -174,24 +194,24 @@ func test_factor_is_clamped_and_nan_is_rejected() -> void:
 	_lerp.factor = -0.5
 	expect_equal(_lerp.factor, 0.0)
 	_lerp.factor = 0.25
-	expect_error("MultivectorLerp: factor is not finite; it stays as it was.")
+	expect_error("MultivectorLerp: factor must be finite; it is unchanged.")
 	_lerp.factor = NAN
 	expect_equal(_lerp.factor, 0.25)
 
 
-func test_bad_settings_change_nothing() -> void:
+func test_invalid_properties_change_nothing() -> void:
 	_build()
 	_lerp.duration = 3.0
-	expect_error("MultivectorLerp: duration is in seconds and positive, not %f." % 0.0)
+	expect_error("MultivectorLerp: duration must be a positive number of seconds, not %f." % 0.0)
 	_lerp.duration = 0.0
 	expect_equal(_lerp.duration, 3.0)
 	_lerp.mode = MultivectorLerp.SCREW
-	expect_error("MultivectorLerp: mode 3 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_error(INVALID_MODE % 3)
 	_lerp.mode = 3 as MultivectorLerp.Mode
 	expect_equal(int(_lerp.mode), int(MultivectorLerp.SCREW))
 
 
-func test_playing_reaches_the_end_and_says_so() -> void:
+func test_playing_reaches_the_end_and_emits_finished() -> void:
 	_build()
 	var finishes: Array[int] = []
 	_lerp.connect(&"finished", finishes.append.bind(1))
@@ -211,7 +231,7 @@ func test_playing_reaches_the_end_and_says_so() -> void:
 	expect_true(not _lerp.is_playing(), "stopping")
 
 
-func test_auto_play_starts_by_itself() -> void:
+func test_auto_play() -> void:
 	_lerp.auto_play = true
 	_lerp.duration = 100.0
 	_build()
@@ -220,7 +240,7 @@ func test_auto_play_starts_by_itself() -> void:
 	expect_true(_lerp.factor > 0.0, "progress of the factor")
 
 
-func test_ends_that_are_not_set_yet_are_no_error() -> void:
+func test_unset_ends_are_not_an_error() -> void:
 	var alone := MultivectorLerp.new()
 	add_node(alone)
 	alone.factor = 0.5
@@ -232,13 +252,16 @@ func test_ends_that_are_not_set_yet_are_no_error() -> void:
 func test_a_missing_node_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
-	var place := _target.transform
+	var before := _target.transform
 	expect_error(
-		'MultivectorLerp: end ("../Nowhere") leads to no Node3D in the scene; the target stays where it is.'
+		(
+			'MultivectorLerp: end ("../Nowhere") does not lead to a Node3D in the scene '
+			+ "tree; the target is not moved."
+		)
 	)
 	_lerp.end = ^"../Nowhere"
 	await wait_frames(5)
-	expect_equal(_target.transform, place)
+	expect_equal(_target.transform, before)
 	_lerp.end = ^"../End"
 	_lerp.factor = 1.0
 	expect_vector_near(_target.position, _end.position, 1e-5, "after repair")
@@ -247,19 +270,25 @@ func test_a_missing_node_is_reported_once() -> void:
 func test_a_freed_end_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
-	var place := _target.transform
+	var before := _target.transform
 	expect_error(
-		'MultivectorLerp: start ("../Start") leads to no Node3D in the scene; the target stays where it is.'
+		(
+			'MultivectorLerp: start ("../Start") does not lead to a Node3D in the scene '
+			+ "tree; the target is not moved."
+		)
 	)
 	_start.free()
 	await wait_frames(5)
-	expect_equal(_target.transform, place)
+	expect_equal(_target.transform, before)
 
 
 func test_a_freed_target_is_reported_once() -> void:
 	_build()
 	expect_error(
-		'MultivectorLerp: target ("../Target") leads to no Node3D in the scene; the target stays where it is.'
+		(
+			'MultivectorLerp: target ("../Target") does not lead to a Node3D in the scene '
+			+ "tree; the target is not moved."
+		)
 	)
 	_target.free()
 	await wait_frames(5)
@@ -269,25 +298,31 @@ func test_a_freed_target_is_reported_once() -> void:
 func test_a_mirrored_end_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
-	var place := _target.transform
+	var before := _target.transform
 	expect_error(
-		"MultivectorLerp: end is mirrored (negative scale), which no motor can express; mirror a child node instead. The target stays where it is."
+		(
+			"MultivectorLerp: end is mirrored (negative scale), which a motor cannot "
+			+ "represent; mirror a child node instead. The target is not moved."
+		)
 	)
 	_end.scale = Vector3(-1, 1, 1)
 	await wait_frames(5)
-	expect_equal(_target.transform, place)
+	expect_equal(_target.transform, before)
 
 
-func test_what_is_no_motor_is_reported_once() -> void:
+func test_an_end_that_is_not_a_motor_is_reported_once() -> void:
 	_build()
 	_lerp.factor = 0.5
-	var place := _target.transform
+	var before := _target.transform
 	expect_error(
-		"MultivectorLerp: start is no motor with positive scale; make one with Multivector.motor or motor_from. The target stays where it is."
+		(
+			"MultivectorLerp: start is not a motor with a positive scale; create one with "
+			+ "Multivector.motor or Multivector.motor_from. The target is not moved."
+		)
 	)
 	_lerp.start_motor = Multivector.basis("e1")
 	await wait_frames(5)
-	expect_equal(_target.transform, place)
+	expect_equal(_target.transform, before)
 
 
 ## A world with a start, an end and a target, and the node under test beside them.

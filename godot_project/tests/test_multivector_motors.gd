@@ -1,19 +1,22 @@
 extends "res://tests/framework/test_case.gd"
-## Multivector as a versor: translators, rotors, dilators and motors, and what is read back from them.
+## Multivector as a versor: translators, rotors, dilators and motors, and their parts.
 
 const Poses := preload("res://tests/framework/poses.gd")
 
-const BAD_TRANSFORMS: Dictionary[String, Transform3D] = {
+const INVALID_TRANSFORMS: Dictionary[String, Transform3D] = {
 	"has a value that is not finite (NaN or infinity); check where it was computed":
 	Transform3D(Vector3(NAN, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"has scale zero along an axis; a motor needs a positive scale":
+	"has zero scale along an axis; a motor needs a positive scale":
 	Transform3D(Vector3(1, 0, 0), Vector3(0, 0, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"is mirrored (negative scale), which no motor can express; mirror a child node instead":
+	"is mirrored (negative scale), which a motor cannot represent; mirror a child node instead":
 	Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO),
-	"is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead":
+	"has non-uniform scale or shear; a motor has one uniform scale, so scale a child node instead":
 	Transform3D(Vector3(1, 0, 0), Vector3(0, 2, 0), Vector3(0, 0, 1), Vector3.ZERO),
 }
-const NO_MOTOR := "Multivector.%s: this multivector is no motor with positive scale, so it has no transform."
+const NOT_A_MOTOR := (
+	"Multivector.%s: this multivector is not a motor with a positive scale, so it "
+	+ "has no transform."
+)
 
 
 func test_point() -> void:
@@ -40,7 +43,10 @@ func test_rotor() -> void:
 	expect_coefficients(
 		Multivector.rotor(Quaternion(0.5, -0.5, 0.5, 0.5)), {0: 0.5, 6: -0.5, 7: -0.5, 10: -0.5}
 	)
-	var zero := "Multivector.rotor: the quaternion is zero or not finite; the identity is Quaternion(0, 0, 0, 1)."
+	var zero := (
+		"Multivector.rotor: the quaternion is zero or not finite; for no rotation, use "
+		+ "Quaternion.IDENTITY."
+	)
 	expect_error(zero, 2)
 	expect_null(Multivector.rotor(Quaternion(0, 0, 0, 0)))
 	expect_null(Multivector.rotor(Quaternion(NAN, 0, 0, 1)))
@@ -49,9 +55,9 @@ func test_rotor() -> void:
 func test_dilator() -> void:
 	# cosh(g/2) - sinh(g/2) e45 with exp(g) = 4: 1.25 and 0.75.
 	expect_coefficients(Multivector.dilator(4.0), {0: 1.25, 15: -0.75})
-	expect_error("Multivector.dilator: scale must be a positive number, not %f." % 0.0)
+	expect_error("Multivector.dilator: the scale must be positive and finite, not %f." % 0.0)
 	expect_null(Multivector.dilator(0.0))
-	expect_error("Multivector.dilator: scale must be a positive number, not %f." % -2.0)
+	expect_error("Multivector.dilator: the scale must be positive and finite, not %f." % -2.0)
 	expect_null(Multivector.dilator(-2.0))
 
 
@@ -69,7 +75,7 @@ func test_a_motor_is_translator_times_rotor_times_dilator() -> void:
 	expect_true(motor.is_motor(), "is_motor of a motor")
 
 
-func test_transforms_come_back() -> void:
+func test_degenerate_transforms_survive_a_round_trip() -> void:
 	var poses := Poses.degenerate()
 	for title: String in poses:
 		var pose: Transform3D = poses[title]
@@ -79,7 +85,7 @@ func test_transforms_come_back() -> void:
 		)
 
 
-func test_random_transforms_come_back() -> void:
+func test_random_transforms_survive_a_round_trip() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 1
 	for i in 500:
@@ -87,7 +93,7 @@ func test_random_transforms_come_back() -> void:
 		expect_transform_near(Multivector.motor(pose).to_transform(), pose, 4e-6)
 
 
-func test_parts_come_back_for_any_weight() -> void:
+func test_parts_of_a_motor_of_any_weight() -> void:
 	var translation := Vector3(1.5, -2.25, 3.0)
 	var rotation := Quaternion(Vector3(3, -1, 2).normalized(), 2.0)
 	for weight: float in [1.0, -1.0, 250.0, -0.004]:
@@ -108,58 +114,64 @@ func test_q_and_minus_q_are_the_same_pose() -> void:
 	expect_transform_near(one, other, 1e-7)
 
 
-func test_motor_from_normalises_and_rejects() -> void:
+func test_motor_from_normalizes_the_rotation_and_rejects_invalid_arguments() -> void:
 	var motor := Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 7.0), 1.0)
 	expect_coefficients(motor, {0: 1.0})
 	expect_error("Multivector.motor_from: the translation is not finite.")
 	expect_null(Multivector.motor_from(Vector3(NAN, 0, 0), Quaternion.IDENTITY, 1.0))
 	expect_error(
-		"Multivector.motor_from: the rotation is zero or not finite; no rotation is Quaternion(0, 0, 0, 1)."
+		(
+			"Multivector.motor_from: the rotation is zero or not finite; for no rotation, "
+			+ "use Quaternion.IDENTITY."
+		)
 	)
 	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion(0, 0, 0, 0), 1.0))
-	expect_error("Multivector.motor_from: scale must be a positive number, not %f." % -1.0)
+	expect_error("Multivector.motor_from: the scale must be positive and finite, not %f." % -1.0)
 	expect_null(Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, -1.0))
 
 
-func test_motor_rejects_what_no_motor_can_hold() -> void:
-	for fault: String in BAD_TRANSFORMS:
-		expect_error("Multivector.motor: the transform %s." % fault)
-		expect_null(Multivector.motor(BAD_TRANSFORMS[fault]), fault)
+func test_motor_rejects_invalid_transforms() -> void:
+	for reason: String in INVALID_TRANSFORMS:
+		expect_error("Multivector.motor: the transform %s." % reason)
+		expect_null(Multivector.motor(INVALID_TRANSFORMS[reason]), reason)
 
 
-func test_sandwich_moves_points_as_the_transform_does() -> void:
+func test_sandwich_agrees_with_the_transform() -> void:
 	var pose := Poses.make(Vector3(1, -2, 3), Quaternion(Vector3(1, 1, 0).normalized(), 0.8), 1.6)
 	var motor := Multivector.motor(pose)
 	var point := Vector3(0.5, 4.0, -2.0)
 	expect_vector_near(motor.transform_point(point), pose * point, 1e-5, "transform_point")
-	# The image of a point is that point up to its weight, which is minus its part along einf.
+	# The image of a point is a point of some weight, which is -image . einf.
 	var image := motor.sandwich(Multivector.point(point))
 	var weight := -image.scalar_product(Multivector.basis("einf"))
 	var numbers := image.scaled(1.0 / weight).coefficients
 	expect_vector_near(Vector3(numbers[1], numbers[2], numbers[3]), pose * point, 1e-5, "sandwich")
-	expect_coefficients(image.subtract(image.grade(1)), {}, 1e-9, "the part that is no vector")
+	expect_coefficients(image.subtract(image.grade(1)), {}, 1e-9, "the part that is not a vector")
 
 
 func test_only_versors_transform() -> void:
 	var mixed := Multivector.scalar(1.0).add(Multivector.basis("e1").scaled(2.0))
 	expect_error(
-		"Multivector.sandwich: this multivector is no versor (even or odd, with an inverse), so it transforms nothing."
+		(
+			"Multivector.sandwich: this multivector is not a versor (even or odd, with an "
+			+ "inverse), so it cannot transform anything."
+		)
 	)
 	expect_null(mixed.sandwich(Multivector.basis("e2")))
 
 
-func test_what_is_no_motor_has_no_transform() -> void:
+func test_a_multivector_that_is_not_a_motor_has_no_transform() -> void:
 	var plane := Multivector.basis("e1")
 	expect_equal(plane.is_motor(), false, "is_motor of e1")
-	expect_error(NO_MOTOR % "to_transform")
+	expect_error(NOT_A_MOTOR % "to_transform")
 	expect_equal(plane.to_transform(), Transform3D.IDENTITY)
-	expect_error(NO_MOTOR % "get_translation")
+	expect_error(NOT_A_MOTOR % "get_translation")
 	expect_equal(plane.get_translation(), Vector3.ZERO)
-	expect_error(NO_MOTOR % "get_rotation")
+	expect_error(NOT_A_MOTOR % "get_rotation")
 	expect_equal(plane.get_rotation(), Quaternion.IDENTITY)
-	expect_error(NO_MOTOR % "get_scale")
+	expect_error(NOT_A_MOTOR % "get_scale")
 	expect_equal(plane.get_scale(), 1.0)
-	expect_error(NO_MOTOR % "transform_point")
+	expect_error(NOT_A_MOTOR % "transform_point")
 	expect_equal(plane.transform_point(Vector3.ONE), Vector3.ONE)
 
 

@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## Geometric objects: every constructor, what classify() reads back in both conventions, and the errors.
+## Geometric objects: constructors and their errors, and classify() in both conventions.
 
 const NOT_FINITE := "a coefficient or coordinate is not finite; pass finite numbers"
 const COINCIDENT := "two of the points coincide; pass distinct points"
@@ -12,7 +12,7 @@ const CONCYCLIC := "the points lie on one circle or line, so they define no sing
 const LENGTHS := [0.001, 1.0, 1000.0]
 
 
-func test_objects_come_back() -> void:
+func test_classify_returns_what_objects_were_made_from() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 21
 	for i in 200:
@@ -69,29 +69,35 @@ func test_objects_through_points_contain_them() -> void:
 		_expect_on(Multivector.sphere_through(points[0], points[1], points[2], points[3]), points)
 
 
-func test_ends_of_a_pair() -> void:
+func test_points_of_a_pair() -> void:
 	var found := Multivector.point_pair(Vector3(1, 2, 3), Vector3(1, 6, 3)).classify()
 	var points: Array = found["points"]
 	expect_vector_near(points[0] as Vector3, Vector3(1, 2, 3), 1e-6)
 	expect_vector_near(points[1] as Vector3, Vector3(1, 6, 3), 1e-6)
 
 
-func test_weight_and_sign_leave_the_object_as_it_is() -> void:
+func test_weight_and_sign_do_not_change_the_object() -> void:
 	for weight: float in [-1.0, 1e-6, 3e5]:
 		var found := Multivector.sphere(Vector3(1, 2, 3), 0.5).scaled(weight).classify()
 		expect_equal(found["kind"], "sphere")
 		expect_near(found["radius"] as float, 0.5, 1e-9)
 
 
-func test_points_on_one_line_give_the_line_and_say_so() -> void:
+func test_degenerate_points_give_a_flat_and_a_warning() -> void:
 	expect_warning(
-		"Multivector.circle_through: the points lie on one straight line, so the result is that line."
+		(
+			"Multivector.circle_through: the points are collinear, so the result is the "
+			+ "line through them."
+		)
 	)
 	var line := Multivector.circle_through(Vector3(0, 1, 0), Vector3(1, 1, 0), Vector3(5, 1, 0))
 	_expect_class(line, "line", {}, 0.0)
 	_expect_on(line, [Vector3(0, 1, 0), Vector3(1, 1, 0), Vector3(5, 1, 0), Vector3(-7, 1, 0)])
 	expect_warning(
-		"Multivector.sphere_through: the points lie in one plane, so the result is that plane."
+		(
+			"Multivector.sphere_through: the points are coplanar, so the result is the "
+			+ "plane through them."
+		)
 	)
 	var plane := Multivector.sphere_through(
 		Vector3(0, 2, 0), Vector3(1, 2, 0), Vector3(0, 2, 1), Vector3(3, 2, 3)
@@ -100,7 +106,7 @@ func test_points_on_one_line_give_the_line_and_say_so() -> void:
 	_expect_on(plane, [Vector3(-5, 2, 9)])
 
 
-func test_constructors_reject_what_spans_nothing() -> void:
+func test_constructors_reject_invalid_arguments() -> void:
 	var a := Vector3(1, 2, 3)
 	var b := Vector3(4, 5, 7)
 	var bad := Vector3(0, NAN, 0)
@@ -141,16 +147,16 @@ func test_constructors_reject_what_spans_nothing() -> void:
 				)
 
 
-func test_classify_what_has_no_round() -> void:
+func test_classify_elements_without_a_center() -> void:
 	expect_equal(Multivector.scalar(3.0).classify()["kind"], "scalar")
 	expect_equal(Multivector.basis("einf").classify()["kind"], "direction")
 	expect_equal(Multivector.evaluate("e1 ^ einf").classify()["kind"], "direction")
 	expect_equal(Multivector.evaluate("e12 + e34").classify()["kind"], "none")
 	expect_true(
 		(Multivector.evaluate("e12 + e34").classify()["residual"] as float) > 0.1,
-		"a residual of what is no blade"
+		"a residual of an element that is not a blade"
 	)
-	expect_true(not Multivector.scalar(3.0).classify().has("center"), "no centre of a number")
+	expect_true(not Multivector.scalar(3.0).classify().has("center"), "no center of a scalar")
 
 
 func test_classify_versors() -> void:
@@ -177,8 +183,8 @@ func test_imaginary_rounds() -> void:
 	expect_equal(Multivector.sphere(Vector3.ONE, 2.0).classify()["imaginary"], false)
 
 
-func test_nothing_that_is_read_is_nan() -> void:
-	# Whatever it is taken for. (Beyond, where doubles end, classify() says so and is "none".)
+func test_classify_returns_no_nan() -> void:
+	# Of any kind. (Coefficients beyond the range of doubles are an error and "none".)
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 23
 	for i in 500:
@@ -198,7 +204,7 @@ func test_nothing_that_is_read_is_nan() -> void:
 			)
 
 
-## In OPNS, and its dual in IPNS.
+## Checks the object in OPNS and its dual in IPNS.
 func _expect_class(object: Multivector, kind: String, parts: Dictionary, tolerance: float) -> void:
 	for ipns: bool in [false, true]:
 		var found := (object.dual() if ipns else object).classify(ipns)

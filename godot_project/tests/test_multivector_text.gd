@@ -1,9 +1,9 @@
 extends "res://tests/framework/test_case.gd"
-## Multivector as text: sums in both bases, LaTeX, and ganja.js's JSON, written and read back.
+## Multivector as text: sums in both bases, LaTeX, and the JSON of ganja.js, in both directions.
 
 const ZEROS := "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"
 
-const BAD_JSON: Dictionary[String, String] = {
+const INVALID_JSON: Dictionary[String, String] = {
 	"": "column 1: expected '[' or '{', found the end",
 	"[1]": "column 3: expected 32 numbers, found the end of the array after 1",
 	"[NaN,%s]" % ZEROS: "column 2: expected a number, found 'N'",
@@ -45,7 +45,7 @@ func test_to_json() -> void:
 	expect_equal(numbers.size(), 32)
 
 
-func test_json_comes_back_bit_for_bit() -> void:
+func test_json_survives_a_round_trip_bit_for_bit() -> void:
 	var generator := RandomNumberGenerator.new()
 	generator.seed = 3
 	for i in 200:
@@ -57,7 +57,7 @@ func test_json_comes_back_bit_for_bit() -> void:
 		expect_equal(Multivector.from_json(multivector.to_json()).coefficients, numbers)
 
 
-func test_from_json_reads_what_ganja_writes() -> void:
+func test_from_json_reads_the_output_of_ganja() -> void:
 	# JSON.stringify of a typed array, and a wrapped array.
 	var keys := PackedStringArray()
 	for i in 32:
@@ -67,9 +67,9 @@ func test_from_json_reads_what_ganja_writes() -> void:
 	expect_coefficients(Multivector.from_json("  [ -1e-3 ,\n%s]\n" % ZEROS), {0: -0.001})
 
 
-func test_from_json_names_the_place_of_what_is_wrong() -> void:
-	for text: String in BAD_JSON:
-		expect_error("Multivector.from_json: %s." % BAD_JSON[text])
+func test_errors_of_from_json_contain_the_position() -> void:
+	for text: String in INVALID_JSON:
+		expect_error("Multivector.from_json: %s." % INVALID_JSON[text])
 		expect_null(Multivector.from_json(text), text)
 
 

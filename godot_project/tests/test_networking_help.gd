@@ -1,11 +1,11 @@
 extends "res://tests/framework/test_case.gd"
-## The class references of what replicates poses: every member is documented as registered, and the
+## The class reference of the replication classes documents every registered member, and its
 ## examples run.
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
 
-## Classes, and how many examples their references have.
+## The classes, with the number of examples in their reference.
 const CLASSES: Dictionary[StringName, int] = {
 	&"MotorSynchronizer": 2,
 	&"MotorSender": 1,
@@ -13,10 +13,10 @@ const CLASSES: Dictionary[StringName, int] = {
 }
 
 
-func test_every_member_is_documented_as_registered() -> void:
+func test_the_reference_matches_what_is_registered() -> void:
 	for type in CLASSES:
 		var reference := ClassReference.new(type)
-		expect_equal(reference.error, OK, "reading the reference of %s" % type)
+		expect_equal(reference.error, OK, "reading the class reference of %s" % type)
 		var registered := reference.registered_methods()
 		expect_true(registered.size() >= 6, "methods of %s" % type)
 		for method_name in registered:
@@ -44,7 +44,7 @@ func test_every_member_is_documented_as_registered() -> void:
 		signals.sort()
 		expect_equal(reference.signals, signals, "signals of %s" % type)
 		for title: String in Array(registered.keys()) + Array(members.keys()):
-			expect_true(reference.descriptions.has(title), "a description of %s" % title)
+			expect_true(reference.descriptions.has(title), "%s has a description" % title)
 
 
 func test_every_example_runs() -> void:
@@ -59,6 +59,6 @@ func test_every_example_runs() -> void:
 				expect_equal(
 					CodeSample.find_faults(code, parent),
 					PackedStringArray(),
-					"faults of the example of %s" % title
+					"faults of the example in %s" % title
 				)
 		expect_equal(count, CLASSES[type], "examples of %s" % type)

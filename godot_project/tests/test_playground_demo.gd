@@ -1,5 +1,5 @@
 extends "res://tests/framework/playground_test.gd"
-## The playground in a running game, used by mouse and keyboard: its view, its history, its look.
+## The playground in a running game, operated by mouse and keyboard: its view, history and theme.
 
 const PlaygroundTheme := preload("res://addons/ga_godot/playground/theme/playground_theme.gd")
 const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.gd")
@@ -75,7 +75,7 @@ func test_objects_are_selected_and_dragged_in_the_view() -> void:
 		_scene().get_value("s").classify()["center"] as Vector3,
 		to,
 		1e-5,
-		"centre of what depends on it"
+		"center of the dependent entry"
 	)
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_scene().get_expression("A"), "point(0, 0, 0)", "after one undo of the drag")
@@ -86,9 +86,9 @@ func test_a_kind_is_chosen_and_added_by_clicks() -> void:
 	var menu := _demo.find_child("Adding", true, false) as MenuButton
 	menu.get_popup().index_pressed.emit(5)
 	expect_equal(
-		(_demo.find_child("Keys", true, false) as Label).text.begins_with("Click to add: Sphere"),
+		(_demo.find_child("Keys", true, false) as Label).text.begins_with("Click: add Sphere"),
 		true,
-		"what is told"
+		"hint"
 	)
 	var place := _demo.get_viewport_camera().unproject_position(Vector3(1, 0, 2))
 	_drag_in_view(place, place)
@@ -136,7 +136,7 @@ func test_f_frames_the_selection() -> void:
 	expect_true(-seen.z > 5.0 and -seen.z < 20.0, "distance: %s" % -seen.z)
 
 
-func test_colours_are_darker_before_a_light_background() -> void:
+func test_colors_are_darker_before_a_light_background() -> void:
 	await _open_with({"A": "point(1, 0, 0)"})
 	var node := _demo.find_children("*", "GANode3D", true, false)[0] as GANode3D
 	var dark := node.color
@@ -147,10 +147,10 @@ func test_colours_are_darker_before_a_light_background() -> void:
 		"value in the light: %s, in the dark: %s" % [node.color.v, dark.v]
 	)
 	_demo.set_light(false)
-	expect_equal(node.color, dark, "colour in the dark again")
+	expect_equal(node.color, dark, "color in the dark theme again")
 
 
-func test_unsaved_work_is_there_at_the_next_start() -> void:
+func test_unsaved_work_is_restored_at_the_next_start() -> void:
 	DirAccess.remove_absolute(STATE)
 	await _open_empty(STATE)
 	Hands.click(_part("Objects/circle"))
@@ -165,7 +165,7 @@ func test_unsaved_work_is_there_at_the_next_start() -> void:
 	expect_equal(
 		_demo.theme.get_color(&"font_color", &"Editor"),
 		PlaygroundTheme.palette(true)[&"text"],
-		"the light look"
+		"the light theme"
 	)
 	_demo.state_path = ""
 	DirAccess.remove_absolute(STATE)
@@ -178,8 +178,8 @@ func test_escape_first_clears_the_selection() -> void:
 	expect_equal(_demo.panel.list.selection.size(), 0, "selection")
 
 
-## What the panel asks of a theme is in both of the game's.
-func test_themes_have_what_the_panel_asks_for() -> void:
+## Both themes of the game have the items that the panel uses.
+func test_themes_have_the_items_that_the_panel_uses() -> void:
 	for light: bool in [false, true]:
 		var theme := PlaygroundTheme.make(light)
 		for icon: StringName in [
@@ -192,6 +192,6 @@ func test_themes_have_what_the_panel_asks_for() -> void:
 				"size of %s" % icon
 			)
 		for color: StringName in [&"font_color", &"error_color", &"accent_color"]:
-			expect_true(theme.has_color(color, &"Editor"), "colour %s" % color)
+			expect_true(theme.has_color(color, &"Editor"), "color %s" % color)
 		expect_true(theme.has_stylebox(&"selected", &"Tree"), "the selection's box")
 		expect_equal(theme.get_type_variation_base(&"FlatButton"), &"Button", "flat buttons")

@@ -1,5 +1,6 @@
 extends "res://tests/framework/playground_test.gd"
-## The playground's panel, used by mouse and keyboard: list, typing line, coefficients, sliders, files.
+## The playground's panel, operated by mouse and keyboard: entry list, expression line,
+## coefficients, sliders, files.
 
 const DragField := preload("res://addons/ga_godot/playground/panel/drag_field.gd")
 const NumberField := preload("res://addons/ga_godot/playground/panel/number_field.gd")
@@ -16,7 +17,7 @@ func test_an_expression_is_typed() -> void:
 	expect_equal(
 		(_part("Typing/Words") as Label).text,
 		"column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is not closed",
-		"what is told while typing"
+		"error while typing"
 	)
 	Hands.type(_window(), ")")
 	Hands.press_key(_window(), KEY_ENTER)
@@ -44,11 +45,11 @@ func test_keys_rename_move_and_delete_the_selection() -> void:
 	_demo.panel.list.select(["a"])
 	Hands.press_key(_window(), KEY_DELETE)
 	var question := _demo.panel.get_node(^"EntryMenu/Question") as ConfirmationDialog
-	expect_true(question.visible, "a question before what others depend on goes")
+	expect_true(question.visible, "a question before deleting what others depend on")
 	question.get_ok_button().pressed.emit()
 	expect_equal(_names(), ["b"], "names after the answer")
 	expect_equal(
-		_scene().get_error("b"), "column 1: there is no entry 'a'", "error of what lost it"
+		_scene().get_error("b"), "column 1: there is no entry 'a'", "error of the dependent entry"
 	)
 
 
@@ -72,10 +73,14 @@ func test_coefficients_are_dragged_and_typed() -> void:
 	Hands.click(field)
 	Hands.type(_window(), "nonsense")
 	Hands.press_key(_window(), KEY_ENTER)
-	expect_equal(_scene().get_value("v").coefficients[1], 0.75, "e1 after typing what is no number")
+	expect_equal(
+		_scene().get_value("v").coefficients[1],
+		0.75,
+		"e1 after typing something other than a number"
+	)
 
 
-func test_coefficients_show_the_grade_that_is_there() -> void:
+func test_coefficients_scroll_to_the_grade_of_the_entry() -> void:
 	await _open_with({"S": "sphere(point(1, 0, 0), 2)"})
 	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
 	panel.expand()
@@ -127,7 +132,7 @@ func test_a_line_shows_where_a_dragged_row_goes() -> void:
 	expect_equal(_names(), ["b", "a"], "order")
 
 
-func test_the_range_of_a_slider_is_set_as_one_step() -> void:
+func test_the_range_of_a_slider_is_set_in_one_action() -> void:
 	await _open_with({"k": "2"})
 	var dialog := await _open_slider_range("k")
 	expect_equal(
@@ -138,10 +143,10 @@ func test_the_range_of_a_slider_is_set_as_one_step() -> void:
 	(dialog.find_child("To", true, false) as LineEdit).text_changed.emit("3")
 	expect_equal(
 		(dialog.find_child("Error", true, false) as Label).text,
-		"From has to be less than To.",
-		"what is wrong"
+		"From must be less than To.",
+		"error"
 	)
-	expect_true(dialog.get_ok_button().disabled, "no way to set it")
+	expect_true(dialog.get_ok_button().disabled, "the OK button being disabled")
 	(dialog.find_child("From", true, false) as LineEdit).text = "1"
 	(dialog.find_child("Step", true, false) as LineEdit).text = "0.5"
 	(dialog.find_child("Step", true, false) as LineEdit).text_changed.emit("0.5")
@@ -162,7 +167,7 @@ func test_the_range_of_a_slider_is_set_as_one_step() -> void:
 	)
 
 
-func test_a_broken_range_of_a_slider_is_as_by_default() -> void:
+func test_an_invalid_range_of_a_slider_is_replaced_by_the_default() -> void:
 	await _open_with({"k": "2"})
 	_scene().set_entry_attribute("k", "slider/min", 7.0)
 	_scene().set_entry_attribute("k", "slider/max", "many")
@@ -185,7 +190,10 @@ func test_json_is_copied_saved_opened_and_pasted() -> void:
 	_demo.panel.file_menu.paste("words")
 	expect_equal(
 		_demo.get_notice(),
-		"The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first.",
-		"what is told"
+		(
+			"The clipboard contains neither a playground scene as JSON nor a list of 32 numbers."
+			+ " Copy one of them first."
+		),
+		"notice"
 	)
 	DirAccess.remove_absolute(SAVED)

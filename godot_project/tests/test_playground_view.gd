@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The playground's view: what is under the mouse, drags and clicks, without a window.
+## The playground's view without a window: picking, drags and clicks.
 
 const PlaygroundDocument := preload(
 	"res://addons/ga_godot/playground/document/playground_document.gd"
@@ -39,11 +39,11 @@ func test_a_click_selects() -> void:
 	expect_equal(_history.has_undo(), false, "steps in the history")
 
 
-func test_beside_all_objects() -> void:
+func test_a_click_on_empty_space() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)", "p": "plane(e2, -1)"})
 	_list.select(["A"])
-	_pointer.takes_faces = false
+	_pointer.picks_faces = false
 	expect_equal(_click(_at(Vector3(3, -1, 0))), false, "a plane, which is everywhere")
 	expect_equal(_list.selection, PackedStringArray(), "selection")
 	_list.select(["A"])
@@ -52,7 +52,7 @@ func test_beside_all_objects() -> void:
 	expect_equal(_list.selection, PackedStringArray(["A"]), "selection")
 
 
-func test_dragging_a_point_is_one_step() -> void:
+func test_dragging_a_point_is_one_action() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)", "s": "sphere(A, 1)"})
 	var followed: Array[Vector3] = []
@@ -79,7 +79,7 @@ func test_dragging_a_point_is_one_step() -> void:
 	expect_equal(_history.has_undo(), false, "more steps")
 
 
-func test_a_handle_that_is_not_on_the_object() -> void:
+func test_handles_away_from_the_object() -> void:
 	_set_up()
 	_show({"c": "circle(0, e2, 1)", "A": "point(0, 0, 0)"})
 	_list.select(["c"])
@@ -96,14 +96,14 @@ func test_a_handle_that_is_not_on_the_object() -> void:
 	)
 
 
-func test_ctrl_snaps_and_shift_stays_on_a_level() -> void:
+func test_ctrl_snaps_and_shift_keeps_the_height() -> void:
 	_set_up()
 	_show({"A": "point(1, 0.5, 0)"})
 	_drag(_at(Vector3(1, 0.5, 0)), _at(Vector3(2.03, 0.5, 1.02)), true, true)
 	expect_equal(_document.scene.get_expression("A"), "point(2, 0.5, 1)", "expression")
 
 
-func test_escape_and_the_other_button_take_back() -> void:
+func test_escape_and_the_right_button_cancel_a_drag() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)"})
 	for how: InputEvent in [_key(KEY_ESCAPE), _button(MOUSE_BUTTON_RIGHT, true, Vector2.ZERO)]:
@@ -123,7 +123,7 @@ func test_escape_and_the_other_button_take_back() -> void:
 	expect_equal(_send(_key(KEY_ESCAPE)), false, "Escape without a drag")
 
 
-func test_an_object_is_dragged_where_it_is_taken_hold_of() -> void:
+func test_an_object_is_dragged_by_the_grabbed_point() -> void:
 	_set_up()
 	_show({"s": "sphere(point(0, 0, 0), 2)", "x": "sphere(s, 2)"})
 	var grabbed := Vector3(0.9, 1.2, sqrt(4.0 - 0.81 - 1.44))
@@ -138,7 +138,7 @@ func test_an_object_is_dragged_where_it_is_taken_hold_of() -> void:
 	)
 
 
-func test_a_point_of_what_goes_through_points() -> void:
+func test_a_point_of_an_object_through_points() -> void:
 	_set_up()
 	_show({"q": "point_pair(point(-2, 0, 0), point(2, 0, 0))"})
 	_drag(_at(Vector3(2, 0, 0)), _at(Vector3(2, 0, 0)) + Vector2(0, -50))
@@ -154,7 +154,7 @@ func test_a_point_of_what_goes_through_points() -> void:
 	)
 
 
-func test_what_is_computed_is_selected_and_stays() -> void:
+func test_computed_objects_are_selected_but_not_dragged() -> void:
 	_set_up()
 	_show(
 		{
@@ -205,7 +205,7 @@ func test_every_kind_can_be_added_anywhere() -> void:
 			)
 
 
-func test_a_double_click_adds_where_nothing_is() -> void:
+func test_a_double_click_adds_on_empty_space() -> void:
 	_set_up()
 	_pointer.double_click_adds = &"point"
 	var event := _button(MOUSE_BUTTON_LEFT, true, _at(Vector3(1, 0, 1)))
@@ -214,7 +214,7 @@ func test_a_double_click_adds_where_nothing_is() -> void:
 	expect_equal(_document.scene.get_names(), PackedStringArray(["A"]), "entries")
 
 
-func test_what_vanishes_while_it_is_dragged() -> void:
+func test_an_entry_that_is_removed_during_its_drag() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)"})
 	_send(_motion(_at(Vector3(1, 0, 0)), 0))
@@ -228,7 +228,7 @@ func test_what_vanishes_while_it_is_dragged() -> void:
 	expect_equal(_pointer.is_dragging(), false, "dragging")
 
 
-func test_a_node_that_is_placed_elsewhere() -> void:
+func test_a_node_with_another_transform() -> void:
 	_set_up()
 	_show({"A": "point(1, 0, 0)"})
 	_drawing.visible = false
@@ -254,7 +254,7 @@ func test_a_node_that_is_placed_elsewhere() -> void:
 	expect_equal(_send(_motion(_at(place), 0)), false, "the mouse where it was")
 
 
-func test_a_parallel_view() -> void:
+func test_an_orthogonal_view() -> void:
 	_set_up()
 	_camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	_camera.size = 10.0
@@ -279,7 +279,7 @@ func _set_up() -> void:
 	_pointer = ViewPointer.new(_drawing, _document, _edits, _list)
 
 
-## What it holds holds it.
+## Clears the history, whose actions hold references to the scene.
 func free_nodes() -> void:
 	super()
 	_history.clear()

@@ -2,10 +2,10 @@
 
 namespace ga_godot {
 
-/// The class reference of doc_classes/, one XML text a class, null at the end; made at build time.
+/// The XML text of each class in doc_classes/, null-terminated; generated at build time.
 extern const char *const EDITOR_HELP[];
 
-/// Hands the class reference to the editor. Only at the EDITOR level: a game has no help to load it into.
+/// Adds the class reference to the editor's help. For MODULE_INITIALIZATION_LEVEL_EDITOR only: games have no help.
 void load_editor_help();
 
 } // namespace ga_godot

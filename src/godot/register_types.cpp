@@ -14,8 +14,8 @@
 
 namespace ga_godot {
 
-static void initialize(godot::ModuleInitializationLevel p_level) {
-	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+static void initialize(godot::ModuleInitializationLevel level) {
+	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(Multivector);
 		GDREGISTER_CLASS(GAScene);
 		GDREGISTER_CLASS(GANode3D);
@@ -25,7 +25,7 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(MotorSender);
 		GDREGISTER_CLASS(MotorReceiver);
 		GDREGISTER_CLASS(MotorSynchronizer);
-	} else if (p_level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
+	} else if (level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
 		load_editor_help();
 	}
 }
@@ -35,8 +35,8 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 extern "C" {
 
 /// The entry point that ga_godot.gdextension names.
-__attribute__((visibility("default"))) GDExtensionBool ga_godot_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
-	godot::GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+__attribute__((visibility("default"))) GDExtensionBool ga_godot_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+	godot::GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
 	init.register_initializer(ga_godot::initialize);
 	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);
 	return init.init();

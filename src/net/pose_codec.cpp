@@ -31,26 +31,26 @@ bool is_finite(const cga::Pose<float> &pose) {
 			std::isfinite(pose.rotation.w) && std::isfinite(pose.rotation.x) && std::isfinite(pose.rotation.y) && std::isfinite(pose.rotation.z);
 }
 
-const char *check(const BodyPose &body, float step) {
+std::optional<CodecFault> find_fault(const BodyPose &body, float step) {
 	if (body.id >= ID_LIMIT) {
-		return "id is negative or above 2147483647";
+		return CodecFault::ID_OUT_OF_RANGE;
 	}
 	if (!is_finite(body.pose)) {
-		return "pose is not finite";
+		return CodecFault::POSE_NOT_FINITE;
 	}
 	for (int axis = 0; axis < 3; ++axis) {
 		if (std::abs(double(body.pose.translation[axis]) / double(step)) >= MAX_GRID_INDEX) {
-			return "position is too far from the origin for this position_tolerance";
+			return CodecFault::POSITION_TOO_FAR;
 		}
 	}
 	const float norm = glm::length(body.pose.rotation);
 	if (!(norm > 0.5f && norm < 2.0f)) {
-		return "rotation is not a unit quaternion";
+		return CodecFault::ROTATION_NOT_UNIT;
 	}
-	if (!quantise_scale(body.pose.scale)) {
-		return "scale must lie between 1/65000 and 65000";
+	if (!quantize_scale(body.pose.scale)) {
+		return CodecFault::SCALE_OUT_OF_RANGE;
 	}
-	return nullptr;
+	return std::nullopt;
 }
 
 Grid enclosing_grid(const BodyPose *bodies, size_t count, const Tolerance &tolerance) {
@@ -97,21 +97,21 @@ void write_body(BitWriter &writer, const Grid &grid, const BodyPose &body, int64
 	for (int axis = 0; axis < 3; ++axis) {
 		writer.write(uint64_t(grid_index(body.pose.translation[axis], grid.step) - grid.origin[axis]), grid.bits[axis]);
 	}
-	const SmallestThree rotor = quantise_rotor(glm::normalize(body.pose.rotation), grid.rotor_bits);
+	const SmallestThree rotor = quantize_rotor(glm::normalize(body.pose.rotation), grid.rotor_bits);
 	writer.write(rotor.dropped, 2);
 	for (const uint32_t level : rotor.level) {
 		writer.write(level, grid.rotor_bits);
 	}
-	const int32_t scale_level = *quantise_scale(body.pose.scale);
+	const int32_t scale_level = *quantize_scale(body.pose.scale);
 	writer.write(scale_level == 0, 1);
 	if (scale_level != 0) {
 		writer.write(zigzag(scale_level), SCALE_BITS);
 	}
 }
 
-const char *read_header(BitReader &reader, Grid &grid, size_t &count) {
+std::optional<CodecFault> read_header(BitReader &reader, Grid &grid, size_t &count) {
 	if (reader.read(8) != FORMAT_VERSION && !reader.failed()) {
-		return "packet has another format version";
+		return CodecFault::OTHER_FORMAT_VERSION;
 	}
 	count = reader.read_varint();
 	const uint32_t step_bits = uint32_t(reader.read(32));
@@ -122,27 +122,27 @@ const char *read_header(BitReader &reader, Grid &grid, size_t &count) {
 		grid.origin[axis] = unzigzag(reader.read_varint());
 		grid.bits[axis] = int(reader.read(8));
 		if (std::abs(double(grid.origin[axis])) > MAX_GRID_INDEX || grid.bits[axis] > MAX_OFFSET_BITS) {
-			return "packet header has positions out of range";
+			return CodecFault::HEADER_POSITION_OUT_OF_RANGE;
 		}
 		record_bits += size_t(grid.bits[axis]);
 	}
 	if (reader.failed()) {
-		return "packet is truncated in its header";
+		return CodecFault::HEADER_TRUNCATED;
 	}
 	if (!std::isfinite(grid.step) || !(grid.step > 0)) {
-		return "packet header has a grid step that is not positive";
+		return CodecFault::GRID_STEP_NOT_POSITIVE;
 	}
 	if (grid.rotor_bits < MIN_ROTOR_BITS || grid.rotor_bits > MAX_ROTOR_BITS) {
-		return "packet header has a rotor size out of range";
+		return CodecFault::ROTOR_SIZE_OUT_OF_RANGE;
 	}
 	// Also bounds what a hostile count can make the receiver allocate.
 	if (count > reader.bits_left() / record_bits) {
-		return "packet is too short for its count of bodies";
+		return CodecFault::TOO_SHORT_FOR_COUNT;
 	}
-	return nullptr;
+	return std::nullopt;
 }
 
-const char *read_body(BitReader &reader, const Grid &grid, int64_t previous_id, BodyPose &body) {
+std::optional<CodecFault> read_body(BitReader &reader, const Grid &grid, int64_t previous_id, BodyPose &body) {
 	int64_t id = previous_id + 1;
 	if (reader.read(1) == 0) {
 		const int width = int(reader.read(ID_WIDTH_BITS)) + 1;
@@ -152,7 +152,7 @@ const char *read_body(BitReader &reader, const Grid &grid, int64_t previous_id, 
 		const int64_t index = grid.origin[axis] + int64_t(reader.read(grid.bits[axis]));
 		body.pose.translation[axis] = float(double(index) * double(grid.step));
 		if (!std::isfinite(body.pose.translation[axis])) {
-			return "body has a position that is not finite";
+			return CodecFault::BODY_POSITION_NOT_FINITE;
 		}
 	}
 	SmallestThree rotor;
@@ -165,38 +165,82 @@ const char *read_body(BitReader &reader, const Grid &grid, int64_t previous_id, 
 		scale_level = unzigzag(reader.read(SCALE_BITS));
 	}
 	if (reader.failed()) {
-		return "packet is truncated";
+		return CodecFault::TRUNCATED;
 	}
 	if (id < 0 || id >= int64_t(ID_LIMIT)) {
-		return "body has an id out of range";
+		return CodecFault::BODY_ID_OUT_OF_RANGE;
 	}
-	const std::optional<glm::quat> rotation = dequantise_rotor(rotor, grid.rotor_bits);
+	const std::optional<glm::quat> rotation = dequantize_rotor(rotor, grid.rotor_bits);
 	if (!rotation) {
-		return "body has a rotor that is not of unit length";
+		return CodecFault::BODY_ROTOR_NOT_UNIT;
 	}
 	if (scale_level > MAX_SCALE_LEVEL || scale_level < -MAX_SCALE_LEVEL) {
-		return "body has a scale out of range";
+		return CodecFault::BODY_SCALE_OUT_OF_RANGE;
 	}
 	body.id = uint32_t(id);
 	body.pose.rotation = *rotation;
-	body.pose.scale = dequantise_scale(int32_t(scale_level));
-	return nullptr;
+	body.pose.scale = dequantize_scale(int32_t(scale_level));
+	return std::nullopt;
 }
 
 } // namespace
 
-CodecStatus encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet) {
+const char *describe(CodecFault fault) {
+	switch (fault) {
+		case CodecFault::ID_OUT_OF_RANGE:
+			return "the id is negative or above 2147483647";
+		case CodecFault::POSE_NOT_FINITE:
+			return "the pose is not finite";
+		case CodecFault::POSITION_TOO_FAR:
+			return "the position is too far from the origin for this position_tolerance";
+		case CodecFault::ROTATION_NOT_UNIT:
+			return "the rotation is not a unit quaternion";
+		case CodecFault::SCALE_OUT_OF_RANGE:
+			return "the scale is not between 1/65000 and 65000";
+		case CodecFault::POSITION_TOLERANCE_OUT_OF_RANGE:
+			return "position_tolerance is not positive and finite";
+		case CodecFault::ROTATION_TOLERANCE_OUT_OF_RANGE:
+			return "rotation_tolerance is not finite and at least 0.000017 degrees";
+		case CodecFault::OTHER_FORMAT_VERSION:
+			return "the packet is of another format version";
+		case CodecFault::HEADER_POSITION_OUT_OF_RANGE:
+			return "the packet's header has positions out of range";
+		case CodecFault::HEADER_TRUNCATED:
+			return "the packet is truncated in its header";
+		case CodecFault::GRID_STEP_NOT_POSITIVE:
+			return "the packet's header has a grid step that is not positive";
+		case CodecFault::ROTOR_SIZE_OUT_OF_RANGE:
+			return "the packet's header has a rotor size out of range";
+		case CodecFault::TOO_SHORT_FOR_COUNT:
+			return "the packet is too short for its number of bodies";
+		case CodecFault::BODY_POSITION_NOT_FINITE:
+			return "the body has a position that is not finite";
+		case CodecFault::TRUNCATED:
+			return "the packet is truncated";
+		case CodecFault::BODY_ID_OUT_OF_RANGE:
+			return "the body has an id out of range";
+		case CodecFault::BODY_ROTOR_NOT_UNIT:
+			return "the body has a rotor that is not of unit length";
+		case CodecFault::BODY_SCALE_OUT_OF_RANGE:
+			return "the body has a scale out of range";
+		case CodecFault::TRAILING_BYTES:
+			return "the packet has bytes after its last body";
+	}
+	return "unknown error";
+}
+
+CodecResult encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet) {
 	packet.clear();
 	if (!(tolerance.position > 0) || !std::isfinite(tolerance.position)) {
-		return { "position_tolerance must be positive and finite", 0 };
+		return CodecError{ CodecFault::POSITION_TOLERANCE_OUT_OF_RANGE, 0 };
 	}
 	if (!(tolerance.rotation >= MIN_ROTATION_TOLERANCE) || !std::isfinite(tolerance.rotation)) {
-		return { "rotation_tolerance must be finite and at least 0.000017 degrees", 0 };
+		return CodecError{ CodecFault::ROTATION_TOLERANCE_OUT_OF_RANGE, 0 };
 	}
 	const float step = position_step(tolerance.position);
 	for (size_t i = 0; i < count; ++i) {
-		if (const char *error = check(bodies[i], step)) {
-			return { error, i };
+		if (const auto fault = find_fault(bodies[i], step)) {
+			return CodecError{ *fault, i };
 		}
 	}
 	const Grid grid = enclosing_grid(bodies, count, tolerance);
@@ -211,26 +255,26 @@ CodecStatus encode(const BodyPose *bodies, size_t count, const Tolerance &tolera
 	return {};
 }
 
-CodecStatus decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies) {
+CodecResult decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies) {
 	bodies.clear();
 	BitReader reader(packet, size);
 	Grid grid;
 	size_t count = 0;
-	if (const char *error = read_header(reader, grid, count)) {
-		return { error, 0 };
+	if (const auto fault = read_header(reader, grid, count)) {
+		return CodecError{ *fault, 0 };
 	}
 	bodies.resize(count);
 	int64_t previous_id = -1;
 	for (size_t i = 0; i < count; ++i) {
-		if (const char *error = read_body(reader, grid, previous_id, bodies[i])) {
+		if (const auto fault = read_body(reader, grid, previous_id, bodies[i])) {
 			bodies.clear();
-			return { error, i };
+			return CodecError{ *fault, i };
 		}
 		previous_id = bodies[i].id;
 	}
 	if (!reader.at_end()) {
 		bodies.clear();
-		return { "packet has bytes after its last body", count };
+		return CodecError{ CodecFault::TRAILING_BYTES, count };
 	}
 	return {};
 }

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "cga/motor/pose.hpp"
-#include "net/coding/quantisation.hpp"
-#include "net/stream/body_id.hpp"
+#include "cga/result.hpp"
+#include "net/coding/body_id.hpp"
+#include "net/coding/quantization.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,20 +17,48 @@ struct BodyPose {
 	cga::Pose<float> pose;
 };
 
-/// What went wrong, and at which body (encode) or which body's record (decode).
-struct [[nodiscard]] CodecStatus {
-	const char *error = nullptr; ///< null on success; a literal
-	size_t index = 0;
+enum class CodecFault : uint8_t {
+	// Of encode's input.
+	ID_OUT_OF_RANGE,
+	POSE_NOT_FINITE,
+	POSITION_TOO_FAR,
+	ROTATION_NOT_UNIT,
+	SCALE_OUT_OF_RANGE,
+	POSITION_TOLERANCE_OUT_OF_RANGE,
+	ROTATION_TOLERANCE_OUT_OF_RANGE,
+	// Of a packet.
+	OTHER_FORMAT_VERSION,
+	HEADER_POSITION_OUT_OF_RANGE,
+	HEADER_TRUNCATED,
+	GRID_STEP_NOT_POSITIVE,
+	ROTOR_SIZE_OUT_OF_RANGE,
+	TOO_SHORT_FOR_COUNT,
+	BODY_POSITION_NOT_FINITE,
+	TRUNCATED,
+	BODY_ID_OUT_OF_RANGE,
+	BODY_ROTOR_NOT_UNIT,
+	BODY_SCALE_OUT_OF_RANGE,
+	TRAILING_BYTES,
 };
 
-/// Poses as absolute quantised motors, several in one packet; each packet
-/// stands alone. Byte-aligned header, then one bit-packed record a body:
+/// The fault as a clause without a period.
+[[nodiscard]] const char *describe(CodecFault fault);
+
+struct CodecError {
+	CodecFault fault;
+	size_t index; ///< of the body, or of the body's record
+};
+
+using CodecResult = cga::Result<void, CodecError>;
+
+/// Encodes poses as absolute, quantized motors, several in one packet. Each packet
+/// stands alone. A byte-aligned header, then one bit-packed record for each body:
 ///
 ///   u8       FORMAT_VERSION
 ///   varint   count of bodies
 ///   f32      grid step h in metres, little endian
 ///   u8       bits of a rotor component
-///   3 times  zigzag varint: smallest grid index on the axis; u8: bits of the offsets
+///   3 times  zigzag varint: minimum grid index on the axis; u8: bits of the offsets
 ///   records  1 bit: id is the previous one + 1 (before the first: -1);
 ///              else 5 bits w, then w bits: zigzag(id - previous - 1)
 ///            x, y, z offsets
@@ -37,16 +66,16 @@ struct [[nodiscard]] CodecStatus {
 ///            1 bit: scale is 1; else SCALE_BITS: zigzag(level)
 ///   zero bits up to a byte
 ///
-/// At the default tolerance in an arena of 40 m this is about 9 bytes a pose.
+/// At the default tolerance, in an arena of 40 m, a pose takes about 9 bytes.
 inline constexpr uint8_t FORMAT_VERSION = 1;
 
-/// Replaces `packet` with the coded bodies. Positions reach the receiver
-/// within tolerance.position plus float32 rounding, rotations within
+/// Replaces `packet` with the encoded bodies. Positions arrive within
+/// tolerance.position plus float32 rounding, rotations within
 /// tolerance.rotation. On an error `packet` is empty.
-CodecStatus encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet);
+CodecResult encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet);
 
-/// Replaces `bodies` with the packet's content; any bytes are safe input.
+/// Replaces `bodies` with the packet's content. Any bytes are safe input.
 /// On an error `bodies` is empty.
-CodecStatus decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies);
+CodecResult decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies);
 
 } // namespace net

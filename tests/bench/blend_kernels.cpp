@@ -1,7 +1,10 @@
-// Blends of n pose pairs: ours beside what a C++ programmer would write with GLM or Eigen. n pairs of poses and one weight in,
-// n rows of 12 floats (a MultiMesh's transforms) out.
+// Blends of n pose pairs: ours and typical code with GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
+// floats (a MultiMesh's transforms).
 
 #include "kernel_input.hpp"
+#include "load_and_store_avx2.hpp"
+
+#include "cga/platform/compiler.hpp"
 
 #if __has_include(<eigen3/Eigen/Geometry>)
 #include <eigen3/Eigen/Geometry>
@@ -14,17 +17,13 @@
 
 #include <glm/gtx/dual_quaternion.hpp>
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
-
 #include <cmath>
 
 namespace kernels_bench {
 
 namespace {
 
-/// What an engine does: position and scale mixed, rotation by slerp.
+/// The method of engines: lerp of position and scale, slerp of rotation.
 struct GlmSlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -34,7 +33,7 @@ struct GlmSlerp {
 	}
 };
 
-/// The cheapest correct blend of separate parts: normalised lerp the short way round.
+/// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
 struct GlmNlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -55,7 +54,7 @@ void write_row(const glm::dualquat &pose, float scale, float *row) {
 	}
 }
 
-/// GLM's own coupled path: dual quaternions, made when the poses are set, blended linearly; scale by itself.
+/// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
 struct GlmDualQuaternion {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -71,7 +70,7 @@ struct GlmDualQuaternion {
 };
 
 /// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
-/// half angle and pitch, axis and moment of the screw) is taken when the poses are set, as ours is; scale by itself, geometric.
+/// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in ours; the scale separately, geometric.
 struct GlmDualQuaternionScrew {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -173,25 +172,7 @@ void in_blocks(benchmark::State &state, cga::Mode mode, cga::InstructionSet set)
 	});
 }
 
-#if defined(__x86_64__)
-// The bytes that a linear blend reads and writes, in the same places and as wide, with nothing computed.
-__attribute__((target("avx2"))) void load_and_store(const cga::PoseBlock *blocks, size_t block_count, float *rows) {
-	for (size_t block = 0; block < block_count; ++block) {
-		const float *source = blocks[block].from_rotation[0];
-		float *destination = rows + block * 96;
-#pragma GCC unroll 20
-		for (int row = 0; row < 20; ++row) {
-			const __m256 value = _mm256_load_ps(source + 8 * row);
-			if (row < 12) {
-				_mm_storeu_ps(destination + 8 * row, _mm256_castps256_ps128(value));
-				_mm_storeu_ps(destination + 8 * row + 4, _mm256_extractf128_ps(value, 1));
-			} else {
-				asm volatile("" ::"x"(value));
-			}
-		}
-	}
-}
-
+#if CGA_X86_64
 void loads_and_stores(benchmark::State &state) {
 	const size_t count = size_t(state.range(0));
 	const std::vector<cga::PoseBlock> blocks = random_blocks(count);
@@ -215,7 +196,7 @@ const bool registered = [] {
 #endif
 	}
 	add("interpolate_screw", "glm_dual_quaternion_screw", one_by_one<GlmDualQuaternionScrew>);
-#if defined(__x86_64__)
+#if CGA_X86_64
 	if (cga::best_instruction_set() == cga::InstructionSet::AVX2_FMA) {
 		add("interpolate_linear", "loads_and_stores", loads_and_stores);
 	}

@@ -10,7 +10,7 @@ namespace fuzz {
 
 using Bytes = std::vector<uint8_t>;
 
-/// One of the ways in which bytes go wrong.
+/// Applies a random mutation: flipped bits, other bytes, truncation, insertion, noise.
 inline void mutate(Bytes &bytes, std::mt19937 &random) {
 	if (bytes.empty()) {
 		bytes.push_back(uint8_t(random()));

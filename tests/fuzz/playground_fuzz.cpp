@@ -135,6 +135,7 @@ constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's entry point
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 	if (size > 0) {
 		const std::string text(reinterpret_cast<const char *>(bytes) + 1, size - 1);

@@ -1,4 +1,4 @@
-"""What holds on a bad network, made by the demo's proxy between each client and the server, both ways."""
+"""Sessions over an impaired network: the demo's proxy between each client and the server, in both directions."""
 
 import os
 import time
@@ -6,26 +6,26 @@ import time
 from checks import expect, expect_errors_within, expect_same_end, resident_bytes
 from demo_run import START_SECONDS
 
-# How long the session with coming and going players lasts; the suite's --long makes it 60.
+# Duration of the session in which players join and leave; --long of run.py sets 60.
 SECONDS = 20
 CALM = 4
-# Seconds that a client may take to find how late packets come.
+# Seconds in which a client's playback delay adapts to the jitter.
 SETTLING = 3
 BAD = ("--loss=30", "--jitter=100", "--reorder=10", "--duplicate=10")
-# What memory may grow by between the first third of a session and its end.
-GROWTH = 8_000_000
+# Maximum growth of resident memory, in bytes, after the first third of a session.
+MAX_GROWTH = 8_000_000
 
 
-def loss_and_jitter_heal(run):
+def recovers_from_loss_and_jitter(run):
     run.start_server("--cubes=80", "--seconds=9", "--clients=1", "--calm=2")
     client = run.start_client("--loss=15", "--jitter=40", "--seed=7")
     run.wait(30)
     run.check_logs()
     expect_same_end(run, client, 80)
-    expect_errors_within(run, client, 80, most=1.0, after=SETTLING)
+    expect_errors_within(run, client, 80, maximum=1.0, after=SETTLING)
 
 
-def bursts_delay_and_a_narrow_line_heal(run):
+def recovers_from_bursts_delay_and_limited_bandwidth(run):
     run.start_server("--cubes=80", "--seconds=7", "--clients=1", "--calm=2")
     client = run.start_client("--loss=10", "--burst=4", "--delay=80", "--rate=60000", "--seed=3")
     run.wait(30)
@@ -33,8 +33,8 @@ def bursts_delay_and_a_narrow_line_heal(run):
     expect_same_end(run, client, 80)
 
 
-def everybody_ends_alike_whoever_comes_and_goes(run):
-    """Players join, leave and are killed on a network that loses 30 %, delays by up to 100 ms, reorders and repeats."""
+def all_peers_converge_while_others_join_and_leave(run):
+    """Players join, leave and are killed; 30 % loss, up to 100 ms of jitter, reordering and duplication."""
     seconds = int(os.environ.get("GA_GODOT_SESSION_SECONDS", SECONDS))
     run.start_server("--cubes=120", f"--seconds={seconds}", f"--calm={CALM}", "--clients=2")
     stay = [run.start_client(*BAD, "--seed=1"), run.start_client(*BAD, "--seed=2", "--autopilot=circle")]
@@ -46,7 +46,7 @@ def everybody_ends_alike_whoever_comes_and_goes(run):
         guests += 1
         guest = run.start_client(*BAD, f"--seed={2 + guests}", "--record=", "--leave-after=2", "--autopilot=kick")
         time.sleep(3)
-        # Every second one has no time to say goodbye.
+        # Every second guest is killed and cannot close its stream.
         if guests % 2:
             guest.kill()
         else:
@@ -61,18 +61,18 @@ def everybody_ends_alike_whoever_comes_and_goes(run):
         now = resident_bytes(process.process)
         before = memory.get(process.name)
         if now is not None and before is not None:
-            expect(now - before < GROWTH, f"{process.name} grew by {(now - before) / 1e6:.1f} MB")
+            expect(now - before < MAX_GROWTH, f"{process.name} grew by {(now - before) / 1e6:.1f} MB")
     run.wait(seconds + 30)
     run.check_logs()
-    expect(guests >= 3, f"only {guests} guests")
+    expect(guests >= 3, f"only {guests} guests joined; at least 3 are needed")
     for client in [*stay, late]:
         expect_same_end(run, client, 120)
     for client in stay:
-        expect_errors_within(run, client, 120, share=0.75, most=float("inf"), after=SETTLING)
+        expect_errors_within(run, client, 120, share=0.75, maximum=float("inf"), after=SETTLING)
 
 
 CASES = (
-    loss_and_jitter_heal,
-    bursts_delay_and_a_narrow_line_heal,
-    everybody_ends_alike_whoever_comes_and_goes,
+    recovers_from_loss_and_jitter,
+    recovers_from_bursts_delay_and_limited_bandwidth,
+    all_peers_converge_while_others_join_and_leave,
 )

@@ -1,4 +1,4 @@
-"""What cases of the network suite check about a run."""
+"""Assertions of the network suite."""
 
 import os
 import time
@@ -6,24 +6,25 @@ import time
 from pose_error import compare_by_tick, percentile
 from pose_record import PoseRecord, ROW_FLOATS, lever_distance, moving_bodies
 
-# Bounds in metres, where the tolerance is 5 mm. A share may be outside: a busy machine is late now and then.
+# Bounds in meters for a tolerance of 5 mm. MOVING_SHARE of the errors must be within MOVING_BOUND: a loaded machine may
+# deliver some frames late.
 MOVING_BOUND = 0.006
 MOVING_SHARE = 0.96
-# On a good network nearly all of the rest is not far outside.
+# On an unimpaired network.
 MOVING_P99 = 0.010
 MAX_MOVING = 0.3
 AT_REST = 0.006
 
 
-def expect(condition, words):
+def expect(condition, message):
     if not condition:
-        raise AssertionError(words)
+        raise AssertionError(message)
 
 
-def wait_until(condition, seconds, words):
+def wait_until(condition, seconds, message):
     end = time.monotonic() + seconds
     while not condition():
-        expect(time.monotonic() < end, f"{words} within {seconds} s")
+        expect(time.monotonic() < end, f"{message} within {seconds} s")
         time.sleep(0.05)
 
 
@@ -32,24 +33,24 @@ def server_record(run, cubes):
     return record, moving_bodies(record), run.server.report()
 
 
-def expect_errors_within(run, client, cubes, share=MOVING_SHARE, bound=MOVING_BOUND, most=MAX_MOVING, after=0):
-    """That share of what the client showed of moving cubes is within the bound, and all of it within `most`.
+def expect_errors_within(run, client, cubes, share=MOVING_SHARE, bound=MOVING_BOUND, maximum=MAX_MOVING, after=0):
+    """Of the client's errors at moving cubes, `share` is within `bound`, and all within `maximum`, in meters.
 
-    Its first `after` seconds do not count: it has to find its delay. Returns how many samples that were.
+    Ignores the client's first `after` seconds, in which its playback delay adapts. Returns the number of samples.
     """
     server, moving, _ = server_record(run, cubes)
     shown = PoseRecord(client.record_path, cubes)
-    shown.drop_until(shown.walls[0] + after if len(shown) else 0)
+    shown.drop_before(shown.walls[0] + after if len(shown) else 0)
     errors = compare_by_tick(server, moving, shown).moving
     expect(errors, f"{client.name} showed no moving cube")
     error = percentile(errors, share)
-    expect(error <= bound, f"{client.name}: {1 - share:.0%} of the errors are larger than {error * 1000:.1f} mm")
-    expect(max(errors) <= most, f"{client.name}: the largest error is {max(errors) * 1000:.1f} mm")
+    expect(error <= bound, f"{client.name}: {1 - share:.0%} of the errors exceed {error * 1000:.1f} mm")
+    expect(max(errors) <= maximum, f"{client.name}: the largest error is {max(errors) * 1000:.1f} mm")
     return len(errors)
 
 
 def expect_good_network_errors(run, client, cubes):
-    """The bounds of a session that nothing disturbs. Returns how many samples there were."""
+    """Bounds for an unimpaired network. Returns the number of samples."""
     expect_errors_within(run, client, cubes, share=0.99, bound=MOVING_P99)
     return expect_errors_within(run, client, cubes)
 
@@ -59,13 +60,13 @@ def expect_same_end(run, client, cubes):
     server = PoseRecord(run.server.record_path, cubes)
     shown = PoseRecord(client.record_path, cubes)
     expect(len(shown) > 0 and shown.ticks[-1] >= server.ticks[-1] >= 0,
-           f"{client.name} never showed the last tick: {client.last_words()}")
+           f"{client.name} never showed the last tick; its last line: {client.last_line()}")
     worst = max(lever_distance(server.rows[-1], shown.rows[-1], at) for at in range(0, cubes * ROW_FLOATS, ROW_FLOATS))
-    expect(worst <= AT_REST, f"{client.name}: at the end a cube is {worst * 1000:.1f} mm off")
+    expect(worst <= AT_REST, f"{client.name}: at the end the error of a cube is {worst * 1000:.1f} mm")
 
 
 def resident_bytes(process):
-    """Memory of a process that is in use, or None where the system does not tell."""
+    """Resident memory of a process; None if the system does not report it."""
     try:
         with open(f"/proc/{process.pid}/statm", encoding="utf-8") as file:
             return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
@@ -74,7 +75,7 @@ def resident_bytes(process):
 
 
 def processor_seconds(process):
-    """Processor time that a process has used so far, or None where the system does not tell."""
+    """Processor time that a process has used; None if the system does not report it."""
     try:
         with open(f"/proc/{process.pid}/stat", encoding="utf-8") as file:
             fields = file.read().rsplit(")", 1)[1].split()

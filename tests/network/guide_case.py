@@ -1,4 +1,4 @@
-"""Does what docs/guides/networking.md says, in a new project, and looks at what a client shows."""
+"""Follows docs/guides/networking.md in a new project and checks what a client shows."""
 
 import math
 import os
@@ -9,12 +9,13 @@ import time
 
 import checkout
 import engine_log
+from pose_error import percentile
 
 PAGE = os.path.join(checkout.ROOT, "docs", "guides", "networking.md")
 FILE = re.compile(r"^```(?:tscn|gdscript) (\S+)\n(.*?)^```$", re.M | re.S)
 SECONDS = 5.0
 RADIUS = 2.0
-# Added to what the guide says: prints where the cube is, with the clock that both processes have, then ends.
+# Autoload added to the guide's project: prints the cube's position with the system clock, then quits.
 PROBE = """extends Node
 
 
@@ -36,13 +37,13 @@ Probe="*res://probe.gd"
 """
 
 
-def the_guide_leads_to_smooth_motion(run):
+def guide_project_moves_smoothly(run):
     folder = make_project(run.folder)
     port = str(run.port)
     with open(os.path.join(folder, "main.gd"), encoding="utf-8") as file:
         script = file.read()
     if script.count("const PORT := 24900") != 1:
-        raise AssertionError("the guide's script has no port to replace")
+        raise AssertionError("the guide's main.gd does not contain 'const PORT := 24900' exactly once")
     with open(os.path.join(folder, "main.gd"), "w", encoding="utf-8") as file:
         file.write(script.replace("24900", port))
     host = start(run.engine, folder, "host", "host")
@@ -51,33 +52,32 @@ def the_guide_leads_to_smooth_motion(run):
     truth, shown = samples(host), samples(client)
     moving = [sample for sample in shown if abs(math.hypot(sample[1], sample[2]) - RADIUS) < 0.5]
     if len(moving) < 60:
-        raise AssertionError(f"the client showed the cube on its way in {len(moving)} frames only")
+        raise AssertionError(f"the client showed the cube in motion in only {len(moving)} frames")
     settled = [sample for sample in moving[len(moving) // 4:] if sample[0] < truth[-1][0]]
-    off = max(abs(math.hypot(x, z) - RADIUS) for _, x, z in settled)
-    if off > 0.006:
-        raise AssertionError(f"a client's cube is {off * 1000:.1f} mm off its circle")
-    # Angle over the clock: how far behind the host's, and how even.
-    behind = [delay(truth, sample) for sample in settled]
-    behind = sorted(value for value in behind if value is not None)
-    if len(behind) < 30:
-        raise AssertionError("host and client have too little time in common")
-    median = behind[len(behind) // 2]
+    deviation = max(abs(math.hypot(x, z) - RADIUS) for _, x, z in settled)
+    if deviation > 0.006:
+        raise AssertionError(f"the client's cube deviates from its circle by {deviation * 1000:.1f} mm")
+    delays = [delay(truth, sample) for sample in settled]
+    delays = [value for value in delays if value is not None]
+    if len(delays) < 30:
+        raise AssertionError("host and client ran at the same time for too short")
+    median = percentile(delays, 0.5)
     if not 0.1 < median < 0.35:
         raise AssertionError(f"the client is {median * 1000:.0f} ms behind")
-    spread = behind[int(0.95 * len(behind))] - behind[int(0.05 * len(behind))]
+    spread = percentile(delays, 0.95) - percentile(delays, 0.05)
     if spread > 0.08:
         raise AssertionError(f"the client's delay varies by {spread * 1000:.0f} ms")
 
 
 def make_project(folder):
-    """A new project with the addon and the guide's files."""
+    """A new project with the addon and the files of the guide."""
     project = os.path.join(folder, "guide")
     os.makedirs(os.path.join(project, ".godot"))
     shutil.copytree(os.path.join(checkout.PROJECT, "addons"), os.path.join(project, "addons"))
     with open(PAGE, encoding="utf-8") as page:
         files = dict(FILE.findall(page.read()))
     if sorted(files) != ["main.gd", "main.tscn"]:
-        raise AssertionError(f"the guide's files are {sorted(files)}")
+        raise AssertionError(f"the guide has the files {sorted(files)} instead of main.gd and main.tscn")
     files["probe.gd"] = PROBE.replace("SECONDS", str(SECONDS))
     files["project.godot"] = PROJECT
     files[".godot/extension_list.cfg"] = "res://addons/ga_godot/ga_godot.gdextension\n"
@@ -95,14 +95,14 @@ def start(engine, folder, name, argument):
 
 
 def samples(started):
-    """What the probe of a process printed: (clock, x, z)."""
+    """Waits for a process; returns what its probe printed: (clock, x, z)."""
     process, path = started
     try:
         process.wait(timeout=40)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
-        raise AssertionError("a process of the guide's project did not end") from None
+        raise AssertionError("a process of the guide's project did not quit within 40 s") from None
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
     problems = engine_log.problems_of(text)
@@ -112,12 +112,12 @@ def samples(started):
 
 
 def delay(truth, sample):
-    """How long before a sample of the client's the host's cube was at the same angle, in seconds."""
+    """The age, in seconds, of the host's sample nearest to the client's position; None if none is within 5 cm."""
     clock, x, z = sample
     best = None
     for at, host_x, host_z in truth:
         if clock - 1.0 < at <= clock:
-            gap = math.hypot(host_x - x, host_z - z)
-            if best is None or gap < best[0]:
-                best = (gap, clock - at)
+            distance = math.hypot(host_x - x, host_z - z)
+            if best is None or distance < best[0]:
+                best = (distance, clock - at)
     return best[1] if best is not None and best[0] < 0.05 else None

@@ -1,24 +1,25 @@
 extends SceneTree
-## A client of the multiplayer demo that joins like any other and then sends the server what it has no right to, or what
-## is no packet at all, GA_GODOT_BAD_PACKETS times a second: noise, noise behind a true beginning, packets of the
-## server's cut short, damaged and sent back, motion of bodies that are not its own, answers and goodbyes that nobody
-## waits for, oversized ones.
+## A client of the multiplayer demo that joins normally, then attacks the server with
+## GA_GODOT_BAD_PACKETS per second: random bytes with and without a valid envelope, the server's
+## packets truncated, damaged and sent back, motion of bodies that it does not own, unexpected
+## acknowledgements and close packets, oversized packets.
 ##
-## The arguments after `--` are those of the demo.
+## Takes the arguments of the demo after `--`.
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
 const KINDS := 8
-## The first byte of an envelope (src/net/delivery/envelope.hpp), without the kind.
+## The first byte of an envelope, without the kind (src/net/delivery/envelope.hpp).
 const MARK := 0x44
-const BYE := 1
+const CLOSE := 1
 const MOTION := 2
-const ANSWER := 3
-const ENVELOPE := 4
+const ACK := 3
+## Bytes of an envelope.
+const ENVELOPE_SIZE := 4
 const MAX_CAPTURED := 200
-const MAX_A_FRAME := 2000
-## One of so many is oversized: it goes as dozens of datagrams.
-const OVERSIZED_EVERY := 2000
-const OVERSIZED := 20000
+const MAX_PER_FRAME := 2000
+## Every such packet is oversized: ENet splits it into dozens of datagrams.
+const OVERSIZED_INTERVAL := 2000
+const OVERSIZED_SIZE := 20000
 
 var _rate := float(OS.get_environment("GA_GODOT_BAD_PACKETS"))
 var _demo: Node
@@ -33,7 +34,7 @@ var _sent := 0
 
 func _initialize() -> void:
 	_random.seed = 5
-	for i: int in OVERSIZED:
+	for i: int in OVERSIZED_SIZE:
 		_noise.append(_random.randi() & 255)
 	for id: int in 50:
 		_forger.add_body(
@@ -49,10 +50,10 @@ func _process(delta: float) -> bool:
 	if _api == null:
 		_api = _demo.multiplayer as SceneMultiplayer
 		_api.peer_packet.connect(_on_peer_packet)
-	# It begins once it has seen what to imitate.
+	# Starts when it has captured packets to imitate.
 	if _captured.size() < 20 or not _api.get_peers().has(1):
 		return false
-	_due = minf(_due + delta * _rate, MAX_A_FRAME)
+	_due = minf(_due + delta * _rate, MAX_PER_FRAME)
 	while _due >= 1.0:
 		_due -= 1.0
 		_sent += 1
@@ -65,30 +66,30 @@ func _finalize() -> void:
 
 
 func _on_peer_packet(_peer: int, packet: PackedByteArray) -> void:
-	if packet.size() > ENVELOPE and _captured.size() < MAX_CAPTURED:
+	if packet.size() > ENVELOPE_SIZE and _captured.size() < MAX_CAPTURED:
 		_captured.append(packet)
 
 
 func _make_packet() -> PackedByteArray:
-	if _sent % OVERSIZED_EVERY == 0:
+	if _sent % OVERSIZED_INTERVAL == 0:
 		return _with_envelope(MOTION, _noise)
-	var seen := _captured[_random.randi() % _captured.size()]
+	var captured := _captured[_random.randi() % _captured.size()]
 	match _sent % KINDS:
 		0:
 			return _take_noise()
 		1:
 			return _with_envelope(MOTION, _take_noise())
 		2:
-			return _with_envelope(ANSWER, _take_noise())
+			return _with_envelope(ACK, _take_noise())
 		3:
-			# Not its own stream's, which it may end as often as it likes.
-			return _with_envelope(BYE, PackedByteArray([2 + _random.randi() % 250]))
+			# Not the number of its own stream, which it is allowed to close.
+			return _with_envelope(CLOSE, PackedByteArray([2 + _random.randi() % 250]))
 		4:
-			return seen.slice(0, 1 + _random.randi() % seen.size())
+			return captured.slice(0, 1 + _random.randi() % captured.size())
 		5:
-			return seen
+			return captured
 		6:
-			var damaged := seen.duplicate()
+			var damaged := captured.duplicate()
 			damaged[_random.randi() % damaged.size()] ^= 1 << (_random.randi() & 7)
 			return damaged
 		_:
@@ -102,9 +103,9 @@ func _forge_motion() -> PackedByteArray:
 	return _with_envelope(MOTION, _take_noise())
 
 
-## The server's own key, and a stream's number that may or may not be the one in use.
+## Prepends an envelope with the server's key and a stream number that may be in use.
 func _with_envelope(kind: int, content: PackedByteArray) -> PackedByteArray:
-	var packet := _captured[0].slice(0, ENVELOPE)
+	var packet := _captured[0].slice(0, ENVELOPE_SIZE)
 	packet[0] = MARK | kind
 	if _random.randi() & 1:
 		packet[3] = _random.randi() & 255
@@ -113,5 +114,5 @@ func _with_envelope(kind: int, content: PackedByteArray) -> PackedByteArray:
 
 
 func _take_noise() -> PackedByteArray:
-	var begin := _random.randi() % (OVERSIZED - 400)
+	var begin := _random.randi() % (OVERSIZED_SIZE - 400)
 	return _noise.slice(begin, begin + 1 + _random.randi() % 300)

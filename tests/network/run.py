@@ -1,9 +1,9 @@
-"""The multiplayer demo with real processes over ENet on this machine: clients' cubes are where the server's are.
+"""Multi-process tests: the multiplayer demo over ENet on this machine.
 
 Usage: tests/network/run.py [--engine COMMAND] [--case NAME] [--long]
 
-Each case starts a server and clients, lets them play, and compares what the clients showed (their records) with
-what the server simulated. Ends with `[network] N passed, N failed`.
+Each case starts a server and clients and compares the poses that the clients showed with those that the server
+simulated. Ends with `[network] N passed, N failed`.
 """
 
 import argparse
@@ -26,15 +26,15 @@ import project  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
-CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, guide_case.the_guide_leads_to_smooth_motion)
+CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, guide_case.guide_project_moves_smoothly)
 LONG_SECONDS = "60"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
-    parser.add_argument("--case", metavar="NAME", help="only the cases whose name contains NAME")
-    parser.add_argument("--long", action="store_true", help=f"sessions with coming and going players last {LONG_SECONDS} s")
+    parser.add_argument("--engine", metavar="COMMAND", help="command that starts Godot (the one that tools/setup provides)")
+    parser.add_argument("--case", metavar="NAME", help="run only the cases whose name contains NAME")
+    parser.add_argument("--long", action="store_true", help=f"sessions in which players join and leave last {LONG_SECONDS} s")
     options = parser.parse_args()
     if options.long:
         os.environ["GA_GODOT_SESSION_SECONDS"] = LONG_SECONDS
@@ -64,13 +64,13 @@ def main():
 
 
 def run_case(case, engine):
-    """Runs a case in a folder of its own; returns what went wrong, or None."""
+    """Runs a case in a temporary folder; returns the failure, or None."""
     with tempfile.TemporaryDirectory(prefix="ga_godot_network_") as folder:
         try:
             with DemoRun(engine, folder) as run:
                 case(run)
         except (RunFailed, AssertionError) as problem:
-            return str(problem) or "a check without words failed"
+            return str(problem) or "an assertion without a message failed"
     return None
 
 

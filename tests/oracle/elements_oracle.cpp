@@ -2,9 +2,9 @@
 
 #include "elements.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"

@@ -1,4 +1,4 @@
-"""GA-Godot's plugin in the real editor, in copies of the project: with and without the library."""
+"""GA-Godot's plugin in the real editor, on copies of the project with and without the library."""
 
 import os
 import re
@@ -11,12 +11,12 @@ PROBE = "editor_probe"
 MESSAGE = re.compile(r"^WARNING: GA-Godot: .*$", re.MULTILINE)
 EDITOR_SECONDS = 120
 IMPORT_SECONDS = 120
-# Fewer bytes than this are a picture of nothing.
+# A smaller file (in bytes) is an empty picture.
 MIN_PICTURE = 20_000
 
 
 def tests(engine, project, output):
-    """Yields the title of each test and what is wrong, a list that is empty when it passed."""
+    """Yields the title of each test and a list of problems, empty if it passed."""
     with tempfile.TemporaryDirectory(prefix="ga_godot_editor_") as place:
         copy = os.path.join(place, "project")
         copy_project(project, copy)
@@ -37,7 +37,7 @@ def tests(engine, project, output):
 
 
 def copy_project(project, copy, probe=PROBE, base=None):
-    """A copy with a probe of this folder as a second plugin, and beside its scripts those of the folder `base`."""
+    """Copies the project, with a probe of this folder as a second plugin, to which the scripts of the folder `base` are added."""
     shutil.copytree(project, copy, ignore=shutil.ignore_patterns(".godot"))
     shutil.copytree(os.path.join(HERE, probe), os.path.join(copy, "addons", probe))
     if base:
@@ -55,7 +55,7 @@ def copy_project(project, copy, probe=PROBE, base=None):
 
 
 def make_bare_project(copy, bare):
-    """A project with the addon and the probe of that copy, and nothing that uses them."""
+    """Makes a project that has only the addon and the probe of that copy."""
     shutil.copytree(os.path.join(copy, "addons"), os.path.join(bare, "addons"))
     shutil.copytree(os.path.join(copy, ".godot"), os.path.join(bare, ".godot"),
                     ignore=lambda folder, names: [name for name in names if name != "extension_list.cfg"])
@@ -66,35 +66,35 @@ def make_bare_project(copy, bare):
 
 
 def run_problems(run):
-    """What is wrong with a run that should end well."""
+    """Problems of a run that should succeed."""
     return run.problems() + ([] if run.code == 0 else [f"exit code {run.code}", *run.text.splitlines()[-10:]])
 
 
 def check_editor(engine, copy, picture):
-    """The plugin goes off and on, a scene of the addon opens, nothing complains."""
+    """Disables and enables the plugin and opens a scene of the addon, without errors."""
     run = engine.run(["--path", copy, "-e", "--windowed", "--resolution", "1280x800", "--position", "0,0",
                       "--", f"--picture={picture}"], EDITOR_SECONDS)
-    said = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
+    printed = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
     expected = ["library loaded", "enabled true", "off false", "on true", "scene MultivectorLerp", "picture OK", "done"]
     problems = run_problems(run)
-    if said != expected:
-        problems.append(f"the probe said {said}, expected {expected}")
+    if printed != expected:
+        problems.append(f"the probe printed {printed}, expected {expected}")
     if MESSAGE.search(run.text):
-        problems.append(f"a message without need: {MESSAGE.search(run.text).group(0)}")
+        problems.append(f"unexpected message: {MESSAGE.search(run.text).group(0)}")
     if not os.path.exists(picture) or os.path.getsize(picture) < MIN_PICTURE:
-        problems.append(f"{picture} shows nothing")
+        problems.append(f"{picture} is empty")
     return problems
 
 
 def check_editor_without_library(engine, copy):
-    """One clear message each time the plugin is enabled; the engine's own error lines are its own affair."""
+    """The plugin prints one message each time it is enabled. Errors of the engine itself are ignored."""
     run = engine.run(["--path", copy, "-e", "--windowed", "--resolution", "1280x800", "--position", "0,0"],
                      EDITOR_SECONDS)
     problems = [] if run.code == 0 else [f"exit code {run.code}"]
-    said = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
+    printed = re.findall(r"^\[probe\] (.*)$", run.text, re.MULTILINE)
     expected = ["library missing", "enabled true", "off false", "on true", "done"]
-    if said != expected:
-        problems.append(f"the probe said {said}, expected {expected}")
+    if printed != expected:
+        problems.append(f"the probe printed {printed}, expected {expected}")
     messages = MESSAGE.findall(run.text)
     if len(messages) != 2:  # at the start, and when the probe enables the plugin again
         problems.append(f"{len(messages)} messages of the plugin, expected 2: {messages}")
@@ -106,7 +106,7 @@ def check_editor_without_library(engine, copy):
 
 
 def leave_only_another_system(extension):
-    """Makes the extension file list a library for a system that this is not."""
+    """Makes the extension file list only a library for another system."""
     with open(extension, encoding="utf-8") as file:
         text = file.read()
     before, _, after = text.partition("[libraries]")
@@ -116,20 +116,20 @@ def leave_only_another_system(extension):
 
 
 def check_message(engine, bare, words):
-    """One message with these words when the editor loads the project, which an import does too."""
+    """Loading the project, by an import, prints one message that contains these words."""
     run = engine.run(["--path", bare, "--import"], IMPORT_SECONDS, drawing=False)
     messages = MESSAGE.findall(run.text)
     if len(messages) != 1 or words not in messages[0]:
-        return [f"the plugin says {messages}, expected one message with: {words}"]
+        return [f"the plugin prints {messages}, expected one message with: {words}"]
     return ["a script failed:\n" + run.text] if "SCRIPT ERROR" in run.text else []
 
 
 def check_start_without_library(engine, copy):
-    """Exit code 1 and one line that says why."""
+    """The start fails with exit code 1 and one line with the reason."""
     run = engine.run(["--path", copy, "--", "--test"], 60, drawing=False)
     problems = [] if run.code == 1 else [f"exit code {run.code}, expected 1"]
     if "GA-Godot's library is not loaded. Build it with scons" not in run.text:
-        problems.append("it does not say that the library is missing:\n" + run.text)
+        problems.append("it does not report that the library is missing:\n" + run.text)
     if "SCRIPT ERROR" in run.text:
         problems.append("a script failed:\n" + run.text)
     return problems

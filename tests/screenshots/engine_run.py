@@ -1,4 +1,4 @@
-"""Runs the engine on a display and keeps what it says."""
+"""Runs the engine on a display and captures its output."""
 
 import os
 import shlex
@@ -7,24 +7,24 @@ from dataclasses import dataclass
 
 import engine_log
 
-# The renderer that runs without a graphics card, and no sound card needed.
+# Options that need neither a graphics card nor a sound card.
 DRAWING = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
 
 
 @dataclass
 class Run:
-    """The end of one run: its exit code (None if it was stopped for taking too long) and its output."""
+    """The result of one run: the exit code, None after a timeout, and the output."""
 
     code: object
     text: str
 
     def problems(self):
-        """Lines that no run should have."""
+        """Lines of the output that report errors."""
         return engine_log.problems_of(self.text)
 
 
 class Engine:
-    """An engine command, and the environment that it draws in."""
+    """An engine command with its environment and working folder."""
 
     def __init__(self, command, environment, folder=None):
         self._command = shlex.split(command)
@@ -32,15 +32,15 @@ class Engine:
         self._environment = {**os.environ, **environment}
 
     def with_environment(self, variables):
-        """The same engine with more variables."""
+        """A copy with further environment variables."""
         return Engine(shlex.join(self._command), {**self._environment, **variables}, self._folder)
 
     def in_folder(self, folder):
-        """The same engine, started in that folder."""
+        """A copy that starts in that folder."""
         return Engine(shlex.join(self._command), self._environment, folder)
 
     def run(self, arguments, seconds, drawing=True):
-        """Starts the engine and waits for it, at most that long."""
+        """Runs the engine, for at most `seconds`."""
         command = self._command + (DRAWING if drawing else ["--headless"]) + arguments
         try:
             done = subprocess.run(command, cwd=self._folder, env=self._environment, stdin=subprocess.DEVNULL,

@@ -1,13 +1,13 @@
-"""A scripted person at the interpolation lab of the dock, in the real editor on a copy of the project."""
+"""A scripted user of the interpolation lab in the dock, in the real editor on a copy of the project."""
 
 import os
 
-import person
+import scripted_user
 
 SECONDS = 60
 
 
 def tests(engine, project, output):
-    """Yields the title of each test and what is wrong, a list that is empty when it passed; leaves pictures of the dock."""
+    """Yields the title of each test and a list of problems, empty if it passed; saves pictures of the dock."""
     pictures = [f"--lab-picture={os.path.join(output, 'lab.png')}", f"--wide-picture={os.path.join(output, 'lab_wide.png')}"]
-    yield "a person at the interpolation lab", person.check(engine, project, "lab_probe", pictures, SECONDS)
+    yield "a user of the interpolation lab", scripted_user.check(engine, project, "lab_probe", pictures, SECONDS)

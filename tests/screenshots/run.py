@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What can only be seen with a display: pictures of the demos, the plugin, its dock and its 3D viewports in the real editor.
+"""Tests that need a display: pictures of the demos, and the plugin with its dock and 3D viewports in the real editor.
 
     tests/screenshots/run.py [--engine CMD] [--update | --docs]
 
 Ends with one line `[screenshots] N passed, N failed`; the exit code is 0 only if
-none failed. Draws on the display it is given by DISPLAY, or on an Xvfb of its own.
-Pictures of failures and of the editor are left in build/screenshots.
+none failed. Draws on the display in DISPLAY, or on its own Xvfb.
+Pictures of failures and of the editor are saved in build/screenshots.
 """
 
 import argparse
@@ -38,13 +38,13 @@ DOCS_IMAGES = os.path.join(ROOT, "docs", "images")
 OUTPUT = os.path.join(ROOT, "build", "screenshots")
 REFERENCE_SIZE = "1152x648"
 DOCS_SIZE = "1920x1080"
-# Only these of the pictures go into the documentation.
+# The pictures for the documentation.
 DOCS_PICTURES = ("interpolation.png", "interpolation_lab_frames.png")
-# A picture for each document of the gallery, and a sheet with all of them.
+# A picture of each document of the gallery, and one of all of them.
 GALLERY_IMAGES = os.path.join(DOCS_IMAGES, "gallery")
 GALLERY_SECONDS = 300
 MAX_IMAGE = 150_000
-# Pictures of windows, which go beside the gallery's folder.
+# Pictures of windows, saved next to the gallery's folder.
 WINDOW_IMAGES = ("playground.png", "playground_light.png", "playground_editor.png")
 MAX_SHEET_OR_WINDOW = 250_000
 
@@ -69,14 +69,14 @@ def main():
 
 
 def screen():
-    """The environment of the display to draw on, as a context."""
+    """A context with the environment of the display to draw on."""
     if os.environ.get("DISPLAY"):
         return contextlib.nullcontext({})
     return display.display()
 
 
 def run_tests(engine):
-    """Runs everything and prints the last line; the exit code."""
+    """Runs all tests and prints the last line; returns the exit code."""
     passed, failed = compare_pictures(engine)
     parts = [renderers.tests(engine, PROJECT, REFERENCES, OUTPUT)]
     parts += [part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, drawing, export, lab)]
@@ -88,13 +88,13 @@ def run_tests(engine):
                 print(f"   {problem}")
         else:
             passed += 1
-            print(f"{title}: as it should be")
+            print(f"{title}: passed")
     print(f"[screenshots] {passed} passed, {failed} failed")
     return 1 if failed else 0
 
 
 def compare_pictures(engine):
-    """The numbers of comparisons that passed and failed."""
+    """Compares pictures; returns the numbers of passed and failed ones."""
     run = draw(engine, REFERENCES, REFERENCE_SIZE, f"--output={OUTPUT}")
     print(run.text, end="", flush=True)
     last = re.search(r"^\[pictures\] (\d+) passed, (\d+) failed$", run.text, re.MULTILINE)
@@ -112,13 +112,13 @@ def compare_pictures(engine):
 
 
 def draw(engine, folder, size, *arguments):
-    """One run of the project's picture runner."""
+    """Runs the project's picture runner."""
     return engine.run(["--path", PROJECT, "--windowed", "--resolution", size, "--position", "0,0",
                        "--", f"--screenshots={folder}", *arguments], seconds=150)
 
 
 def write_pictures(engine, folder, size):
-    """Writes all pictures into a folder; the exit code."""
+    """Writes all pictures into a folder; returns the exit code."""
     os.makedirs(folder, exist_ok=True)
     run = draw(engine, folder, size, "--update")
     print(run.text, end="")
@@ -126,7 +126,7 @@ def write_pictures(engine, folder, size):
 
 
 def write_documentation(engine):
-    """The documentation's pictures, larger than the references."""
+    """Writes the documentation's pictures, which are larger than the references; returns the exit code."""
     folder = os.path.join(OUTPUT, "docs")
     code = write_pictures(engine, folder, DOCS_SIZE)
     if code == 0:
@@ -138,7 +138,7 @@ def write_documentation(engine):
 
 
 def write_gallery(engine):
-    """The pictures of the gallery, small enough for the repository."""
+    """Writes the pictures of the gallery, small enough for the repository; returns the exit code."""
     folder = os.path.join(OUTPUT, "gallery")
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
@@ -147,7 +147,7 @@ def write_gallery(engine):
     print(run.text, end="")
     if run.code != 0 or run.problems():
         return 1
-    # The editor is seen as the scripted person saw it.
+    # The picture of the editor is one of the scripted user's.
     problems = view.check_view(engine, PROJECT, OUTPUT)
     if problems:
         print("\n".join(problems))

@@ -1,4 +1,4 @@
-"""What tools/bench network makes of the benchmark program's rows, and of what it is asked for."""
+"""Tables and options of tools/bench network."""
 
 import argparse
 import contextlib
@@ -22,16 +22,16 @@ class ComparisonTest(unittest.TestCase):
     def test_cheapest_that_is_no_worse(self):
         rivals = {"5hz": method(200, 5.1), "10hz": method(400, 5.0), "20hz": method(800, 2.0)}
         self.assertEqual(self.said(method(40, 5.0), **rivals),
-                         "ga_godot: 1/10.0 of the cheapest baseline with p99 no worse (pqs_float32_10hz)")
+                         "ga_godot: 1/10.0 of the cheapest baseline whose p99 error is not larger (pqs_float32_10hz)")
 
     def test_none_is_as_good(self):
         self.assertEqual(self.said(method(40, 1.0), **{"30hz": method(1200, 3.0), "60hz": method(2400, 2.0)}),
-                         "ga_godot: 1/60.0 of pqs_float32_60hz, whose p99 is the best of pqs_float32_* and yet worse")
+                         "ga_godot: 1/60.0 of pqs_float32_60hz, whose p99 is the best of pqs_float32_* but worse than that of ga_godot")
 
     def test_nothing_shown(self):
-        self.assertEqual(self.said(method(40, None), **{"5hz": method(200, 1.0)}), "ga_godot: showed nothing that moved")
+        self.assertEqual(self.said(method(40, None), **{"5hz": method(200, 1.0)}), "ga_godot showed no moving body")
         self.assertEqual(self.said(method(40, 1.0), **{"5hz": method(200, None)}),
-                         "ga_godot: the cheapest baseline showed nothing that moved")
+                         "ga_godot: the cheapest baseline showed no moving body")
 
 
 class OptionsTest(unittest.TestCase):

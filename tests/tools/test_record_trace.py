@@ -1,4 +1,4 @@
-"""From the demo's pose records to recordings for the network benchmark."""
+"""Conversion of the demo's pose records to traces for the network benchmark."""
 
 import io
 import math
@@ -16,7 +16,7 @@ def rows_of(w, x, y, z):
 
 
 class Record:
-    """One body that turns about y, a tick at a time."""
+    """One body that rotates about y."""
 
     body_count = 1
     ticks = (0, 1, 2)
@@ -46,7 +46,7 @@ class RecordTraceTest(unittest.TestCase):
         self.assertEqual(lines[0], "t,id,x,y,z,qw,qx,qy,qz")
         self.assertEqual(lines[1], "0.000000,0,1.50000,0.25000,-2.00000,1.000000,0.000000,0.000000,0.000000")
         self.assertEqual(lines[2].split(",")[0], "0.016667")
-        # Past half a turn the quaternion goes on in its hemisphere.
+        # Beyond half a turn the quaternion stays in its hemisphere.
         self.assertEqual([line.split(",")[7] for line in lines[1:]], ["0.000000", "0.997495", "0.141120"])
 
 

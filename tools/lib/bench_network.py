@@ -1,8 +1,7 @@
-"""The suite network of tools/bench: recorded motion over a simulated link, and what a server has to do.
+"""The suite network of tools/bench: recorded motion over a simulated link, and the load of a server.
 
-Each trace is sent by every method through the same impaired link: poses replicated by the project's sender and
-receiver, float32 poses at fixed rates, and the GA-Unity paper's scheme. How error and cost are measured:
-docs/performance/network.md.
+Replicates each trace over the same impaired link with every method: the project's sender and receiver, float32 poses at
+fixed rates, and the GA-Unity paper's scheme. docs/performance/network.md defines error and cost.
 """
 
 import argparse
@@ -21,71 +20,71 @@ PARTS = ("build", "bench")
 TRACES = os.path.join(os.path.dirname(checkout.ROOT), "shared", "traces")
 IMPAIRED_RUNS = 5
 PLOT_TOLERANCES = (1, 2, 3, 5, 8, 12, 20)
-# What the program takes in other units than people: name of the option, of the program's, factor.
+# Options of the link: name here, name of the benchmark program's option, factor between their units.
 LINK = (("loss", "loss", 0.01), ("burst", "burst", 1.0), ("duplicates", "duplication", 0.01), ("delay", "delay", 0.001),
         ("jitter", "jitter", 0.001), ("bandwidth", "bytes-per-second", 1000.0))
 
 
 def add_options(parser):
-    """The options that only this suite takes."""
+    """Adds the options of this suite."""
     parser.add_argument("--trace", metavar="FILE", action="append", dest="traces", default=[],
-                        help="a recording to send, lines of t,id,x,y,z,qw,qx,qy,qz (repeatable); without it those of "
-                             "../shared/traces beside the checkout")
-    parser.add_argument("--loss", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams lost, each way (0)")
+                        help="recording to replicate, lines of t,id,x,y,z,qw,qx,qy,qz; repeatable (all in "
+                             "../shared/traces beside the checkout)")
+    parser.add_argument("--loss", type=within(0, 100), default=0.0, metavar="PERCENT", help="loss of datagrams, each way (0)")
     parser.add_argument("--jitter", type=within(0, 60000), default=0.0, metavar="MS",
-                        help="datagrams take up to this much longer, uniformly, and overtake each other (0)")
-    parser.add_argument("--delay", type=within(0, 60000), default=0.0, metavar="MS", help="datagrams take at least this, each way (0)")
+                        help="maximum of the additional, uniformly distributed delay, which reorders datagrams (0)")
+    parser.add_argument("--delay", type=within(0, 60000), default=0.0, metavar="MS", help="minimum delay, each way (0)")
     parser.add_argument("--burst", type=within(0, 1000000), default=0.0, metavar="N",
-                        help="mean number of datagrams lost in a row (0: each by itself)")
-    parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="datagrams that arrive twice (0)")
-    parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="what the link carries (0: any amount)")
+                        help="mean length of a loss burst, in datagrams (0: losses are independent)")
+    parser.add_argument("--duplicates", type=within(0, 100), default=0.0, metavar="PERCENT", help="duplication of datagrams (0)")
+    parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="bandwidth of the link (0: unlimited)")
     parser.add_argument("--tolerance-mm", type=within(0.01, 10000), default=5.0, metavar="MM",
-                        help="largest error of ga_godot, at the centre and 0.25 m from it (5)")
+                        help="maximum error of ga_godot, at the center and 0.25 m from it (5)")
     parser.add_argument("--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
-                        help="how far behind ga_godot's receiver may show (200)")
+                        help="maximum latency of ga_godot (200)")
     parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",
-                        help="ga_godot's path between samples (separate)")
-    parser.add_argument("--seed", type=whole(0, 10 ** 15), default=1, help="of the link's chances (1)")
-    parser.add_argument("--runs", type=whole(1, 1000), metavar="N",
-                        help=f"runs with seeds from --seed on, taken together ({IMPAIRED_RUNS} where chance decides, else 1)")
-    parser.add_argument("--engine-seconds", type=whole(0, 3600), default=0, metavar="S",
-                        help="also run tools/demo's scene in the engine for so long, over ENet, beside MultiplayerSynchronizer (0: no)")
+                        help="ga_godot's interpolation between samples (separate)")
+    parser.add_argument("--seed", type=integer(0, 10 ** 15), default=1, help="seed of the link's random numbers (1)")
+    parser.add_argument("--runs", type=integer(1, 1000), metavar="N",
+                        help=f"runs to pool, with consecutive seeds ({IMPAIRED_RUNS} if the link is random, else 1)")
+    parser.add_argument("--engine-seconds", type=integer(0, 3600), default=0, metavar="S",
+                        help="also run tools/demo over ENet for this long, with MultiplayerSynchronizer for comparison (0: do not)")
     parser.add_argument("--rate-distortion", metavar="PNG",
-                        help="instead draw bytes per second over error, ga_godot's for tolerances of "
+                        help="plot bytes per second over error instead, ga_godot's for tolerances of "
                              + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
 
 
-def within(least, most):
-    """A number from `least` to `most`, for argparse."""
+def within(minimum, maximum):
+    """An argparse type: a number from `minimum` to `maximum`."""
     def number(text):
         value = float(text)
-        if not least <= value <= most:
-            raise argparse.ArgumentTypeError(f"{text} is not from {least} to {most}")
+        if not minimum <= value <= maximum:
+            raise argparse.ArgumentTypeError(f"{text} is not in the range from {minimum} to {maximum}")
         return value
     return number
 
 
-def whole(least, most):
-    """A whole number from `least` to `most`, for argparse."""
+def integer(minimum, maximum):
+    """An argparse type: an integer from `minimum` to `maximum`."""
     def number(text):
         value = int(text)
-        if not least <= value <= most:
-            raise argparse.ArgumentTypeError(f"{text} is not from {least} to {most}")
+        if not minimum <= value <= maximum:
+            raise argparse.ArgumentTypeError(f"{text} is not in the range from {minimum} to {maximum}")
         return value
     return number
 
 
 def run_count(options):
-    """How often each method is run over the link: one run with losses says little about the next."""
+    """How many runs to pool: with a random link, one run is not representative."""
     return options.runs or (IMPAIRED_RUNS if options.loss or options.jitter or options.duplicates else 1)
 
 
 def measure(options):
-    """Builds, runs, prints tables; returns the rows."""
+    """Builds and runs the benchmark and prints its tables; returns the rows."""
     build("bench")
     traces = options.traces or sorted(glob.glob(os.path.join(TRACES, "*.csv")))
     if not traces:
-        print("network: no recordings in ../shared/traces; name some with --trace FILE", file=sys.stderr)
+        print("tools/bench network: there are no recordings in ../shared/traces; give one with --trace FILE", file=sys.stderr)
     if options.rate_distortion:
         return measure_rate_distortion(options, traces)
     rows = []
@@ -101,20 +100,20 @@ def measure(options):
 
 
 def measure_in_engine(options):
-    """The multiplayer demo with real processes: its table, and its rows by ENet's own counters."""
+    """Runs the multiplayer demo, which prints its table; returns its rows, measured by ENet's counters."""
     with tempfile.TemporaryDirectory(prefix="ga_godot_bench_") as folder:
         path = os.path.join(folder, "rows.json")
         command = [os.path.join(checkout.TOOLS, "demo"), f"--seconds={options.engine_seconds}", f"--loss={options.loss:g}",
                    f"--jitter={options.jitter:g}", "--json", path]
         print(flush=True)
         if subprocess.run(command, stdin=subprocess.DEVNULL, check=False).returncode != 0:
-            sys.exit("tools/bench: the demo did not run to its end")
+            sys.exit("tools/bench: the demo failed; see its message above")
         with open(path, encoding="utf-8") as file:
             return json.load(file)["rows"]
 
 
 def measure_rate_distortion(options, traces):
-    """Every method on every trace, ours at several tolerances, and the picture of it."""
+    """Measures every method on every trace, ours at several tolerances, and plots the results."""
     rows = []
     for trace in traces:
         baselines = run_trace(options, trace)
@@ -129,12 +128,12 @@ def measure_rate_distortion(options, traces):
         done = subprocess.run([checkout.setup_path("plots"), script, path, options.rate_distortion], check=False)
         if done.returncode != 0:
             sys.exit(1)
-    print(f"drawn: {options.rate_distortion}")
+    print(f"Saved the plot to {options.rate_distortion}")
     return rows
 
 
 def run_trace(options, trace, tolerance_mm=None, *arguments):
-    """The rows of a trace; ends the program with one line where it cannot be read or sent."""
+    """The rows of a trace. Exits with a message if the trace is invalid."""
     rows = run_program(options, tolerance_mm or options.tolerance_mm, f"--trace={trace}", *arguments)
     for row in rows:
         row["trace"] = os.path.basename(trace)
@@ -142,28 +141,28 @@ def run_trace(options, trace, tolerance_mm=None, *arguments):
 
 
 def run_program(options, tolerance_mm, *arguments):
-    """The rows that the benchmark program prints, with what it was asked for."""
+    """Runs the benchmark program; returns its rows, with the settings added."""
     command = [os.path.join(checkout.variant(), "bench", "network_bench"), *arguments,
                f"--tolerance={tolerance_mm / 1000:g}", f"--max-latency={options.max_latency_ms / 1000:g}",
                f"--mode={options.mode}", f"--seed={options.seed}", f"--runs={run_count(options)}"]
     command += [f"--{name}={getattr(options, option) * factor:g}" for option, name, factor in LINK]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     if done.returncode != 0:
-        reason = done.stderr.strip() or f"network_bench ended with exit code {done.returncode}"
+        reason = done.stderr.strip() or f"network_bench failed with exit code {done.returncode}"
         sys.exit(f"tools/bench: {reason}")
     rows = [json.loads(line) for line in done.stdout.splitlines()]
-    asked = {"loss_percent": options.loss, "jitter_ms": options.jitter, "delay_ms": options.delay,
-             "runs": run_count(options)}
+    settings = {"loss_percent": options.loss, "jitter_ms": options.jitter, "delay_ms": options.delay,
+                "runs": run_count(options)}
     for row in rows:
-        row.update(asked)
+        row.update(settings)
         if row["subject"] == "ga_godot":
             row["tolerance_mm"] = tolerance_mm
     return rows
 
 
 def link_text(options):
-    """The link's impairments in words."""
-    said = [(options.loss, f"{options.loss:g} % loss" + (f" in bursts of {options.burst:g}" if options.burst else "")),
-            (options.jitter, f"{options.jitter:g} ms jitter"), (options.delay, f"{options.delay:g} ms delay"),
-            (options.duplicates, f"{options.duplicates:g} % duplicates"), (options.bandwidth, f"{options.bandwidth:g} kB/s")]
-    return ", ".join(text for value, text in said if value) or "no loss, no delay"
+    """The impairments of the link as text."""
+    parts = [(options.loss, f"{options.loss:g} % loss" + (f" in bursts of {options.burst:g}" if options.burst else "")),
+             (options.jitter, f"{options.jitter:g} ms jitter"), (options.delay, f"{options.delay:g} ms delay"),
+             (options.duplicates, f"{options.duplicates:g} % duplicates"), (options.bandwidth, f"{options.bandwidth:g} kB/s")]
+    return ", ".join(text for value, text in parts if value) or "no loss, no delay"

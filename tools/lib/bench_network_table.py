@@ -1,14 +1,14 @@
-"""Tables of the suite network: a line for each method, and what it comes to at equal error."""
+"""Tables of the suite network: one line per method, and a comparison of cost at equal error."""
 
 OURS = "ga_godot"
-# Column: case, heading, format.
+# Case of the rows, heading, format.
 COLUMNS = (("bytes_per_second_per_body", "B/s/body", "{:.1f}"), ("packets_per_second", "packets/s", "{:.1f}"),
            ("error_p50", "p50 mm", "{:.2f}"), ("error_p99", "p99 mm", "{:.2f}"), ("error_max", "max mm", "{:.1f}"),
            ("error_rest_p99", "at rest p99", "{:.2f}"), ("playback_delay", "delay ms", "{:.0f}"))
 
 
 def by_subject(rows):
-    """{subject: {case: value}}, in the rows' order."""
+    """{subject: {case: value}}, in the order of the rows."""
     methods = {}
     for row in rows:
         methods.setdefault(row["subject"], {})[row["case"]] = row["value"]
@@ -16,7 +16,7 @@ def by_subject(rows):
 
 
 def print_trace(name, rows, link):
-    """One trace: what each method took and how far off it was; the comparison at equal error comes last."""
+    """Prints cost and error of each method on a trace, then the comparison at equal error."""
     methods = by_subject(rows)
     ours = methods[OURS]
     bodies, runs = rows[0]["n"], rows[0]["runs"]
@@ -25,42 +25,42 @@ def print_trace(name, rows, link):
     print(f"{'':<26}" + "".join(f"{heading:>13}" for _, heading, _ in COLUMNS))
     for subject, values in methods.items():
         print(f"{subject:<26}" + "".join(f"{number(values[case], form):>13}" for case, _, form in COLUMNS))
-    print(f"\n{OURS}: delay {number(ours['playback_delay_median'], '{:.0f}')} ms in the median; answers of "
-          f"{ours['answer_bytes_per_second_per_body']:.2f} B/s/body come back; encode {number(ours['encode'], '{:.0f}')}, "
-          f"decode {number(ours['decode'], '{:.0f}')} ns a pose; {number(ours['allocations_per_packet'], '{:.1f}')} allocations a packet")
+    print(f"\n{OURS}: median playback delay {number(ours['playback_delay_median'], '{:.0f}')} ms; acknowledgements "
+          f"{ours['ack_bytes_per_second_per_body']:.2f} B/s/body; encode {number(ours['encode'], '{:.0f}')} ns/pose, "
+          f"decode {number(ours['decode'], '{:.0f}')} ns/pose; {number(ours['allocations_per_packet'], '{:.1f}')} allocations/packet")
     if ours["samples_unseen"]:
-        print(f"{OURS}: {ours['samples_unseen']:.0f} samples passed before the receiver had anything to show of their body")
+        print(f"{OURS}: {ours['samples_unseen']:.0f} samples were not shown: their times passed before the receiver could show the body")
     print(comparison(methods, "paper_motor_float32_", "the paper's scheme"))
     print(comparison(methods, "pqs_float32_", "the cheapest baseline"), flush=True)
 
 
 def comparison(methods, prefix, name):
-    """Ours beside the cheapest of the baselines with this prefix whose p99 is no worse."""
+    """Compares our cost with that of the cheapest baseline with this prefix whose p99 is no worse."""
     ours = methods[OURS]
     if ours["error_p99"] is None:
-        return f"{OURS}: showed nothing that moved"
+        return f"{OURS} showed no moving body"
     rivals = {subject: values for subject, values in methods.items()
               if subject.startswith(prefix) and values["error_p99"] is not None}
     if not rivals:
-        return f"{OURS}: {name} showed nothing that moved"
+        return f"{OURS}: {name} showed no moving body"
     equals = [subject for subject, values in rivals.items() if values["error_p99"] <= ours["error_p99"]]
     if equals:
         best = min(equals, key=lambda subject: rivals[subject]["bytes_per_second_per_body"])
-        meaning = f"{name} with p99 no worse ({best})"
+        meaning = f"{name} whose p99 error is not larger ({best})"
     else:
         best = min(rivals, key=lambda subject: rivals[subject]["error_p99"])
-        meaning = f"{best}, whose p99 is the best of {prefix}* and yet worse"
+        meaning = f"{best}, whose p99 is the best of {prefix}* but worse than that of {OURS}"
     return f"{OURS}: 1/{rivals[best]['bytes_per_second_per_body'] / ours['bytes_per_second_per_body']:.1f} of {meaning}"
 
 
 def print_server(rows, link):
-    """What a server has to do."""
+    """Prints the load of a server."""
     values = by_subject(rows)[OURS]
-    print(f"\nserver: 1,000 moving bodies to 64 receivers, observed at 60 Hz, sent at 20 Hz; {link}\n"
+    print(f"\nserver: 1,000 moving bodies, 64 receivers, observed at 60 Hz, sent at 20 Hz; {link}\n"
           f"{OURS}: {100 * values['server_core_share']:.1f} % of a core; {values['server_bytes_per_second_per_body']:.1f} B/s/body "
           f"and {values['server_packets_per_second'] / 64:.0f} packets/s to each receiver", flush=True)
 
 
 def number(value, form):
-    """A value in a table; a dash where there is none."""
+    """A formatted value; a dash for None."""
     return "-" if value is None else form.format(value)

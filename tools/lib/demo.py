@@ -1,9 +1,9 @@
-"""Runs the multiplayer demo and prints what it took.
+"""Runs the multiplayer demo and prints its cost and error.
 
 Usage: tools/demo [OPTION]...
 
-A server simulates cubes; clients on this machine show them. Twice the same
-scene: poses sent as quantised motors, and by MultiplayerSynchronizer at 20 Hz.
+A server simulates cubes, and clients on this machine show them. The scene is run
+twice: replicated by MotorSynchronizer, and by MultiplayerSynchronizer at 20 Hz.
 Options: --cubes N  --clients K  --seconds S  --scene cubes|push  --window  --picture FILE
          --loss PERCENT  --burst PACKETS  --delay MS  --jitter MS  --reorder PERCENT
          --duplicate PERCENT  --rate BYTES  --json FILE  --engine COMMAND
@@ -28,32 +28,32 @@ from demo_run import DemoRun, RunFailed, progress
 from demo_table import json_rows, print_table
 
 
-
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(
         prog="tools/demo", formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="A server simulates cubes; clients on this machine show them. Twice the same scene: poses sent\n"
-                    "as quantised motors, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
-    parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; in the scene push 901)")
+        description="A server simulates cubes, and clients on this machine show them. The scene is run twice: replicated\n"
+                    "by MotorSynchronizer, and by MultiplayerSynchronizer at 20 Hz. Prints one table.")
+    parser.add_argument("--cubes", type=within(1, 2000), help="number of cubes (250; 901 in the scene push)")
     parser.add_argument("--clients", type=within(1, 6), default=2, help="number of clients (2)")
     parser.add_argument("--seconds", type=within(0, 3600), default=8,
-                        help="length of each run (8); 0: play in windows until they are closed, no table")
+                        help="duration of each run (8); 0: play in windows until they are closed, without a table")
     parser.add_argument("--scene", choices=("cubes", "push"), default="cubes",
-                        help="cubes: structures that fall; push: a field of cubes that a ball ploughs through")
-    parser.add_argument("--window", action="store_true", help="the clients open windows")
+                        help="cubes: collapsing structures; push: a ball plows through a field of cubes (cubes)")
+    parser.add_argument("--window", action="store_true", help="show the clients in windows")
     parser.add_argument("--picture", metavar="FILE",
-                        help="only save a picture of what the first client shows in the middle of the scene")
-    parser.add_argument("--json", metavar="FILE", help="write the figures to FILE")
-    parser.add_argument("--engine", metavar="COMMAND", help="the Godot to use (the one that tools/setup provides)")
+                        help="save a screenshot of the first client in the middle of the scene instead of measuring")
+    parser.add_argument("--json", metavar="FILE", help="write the results to FILE")
+    parser.add_argument("--engine", metavar="COMMAND", help="command that starts Godot (the one that tools/setup provides)")
     demo_network.add_arguments(parser, within)
     return parser.parse_args(arguments)
 
 
-def within(least, most):
+def within(minimum, maximum):
+    """An argparse type: an integer from `minimum` to `maximum`."""
     def number(text):
         value = int(text)
-        if not least <= value <= most:
-            raise argparse.ArgumentTypeError(f"{value} is not from {least} to {most}")
+        if not minimum <= value <= maximum:
+            raise argparse.ArgumentTypeError(f"{value} is not in the range from {minimum} to {maximum}")
         return value
     number.__name__ = "number"
     return number
@@ -73,7 +73,7 @@ def main():
             project.prepare(checkout.PROJECT)
         with tempfile.TemporaryDirectory(prefix="ga_godot_demo_") as folder:
             if options.picture:
-                take_picture(engine, folder, options)
+                take_screenshot(engine, folder, options)
             elif options.seconds == 0:
                 play(engine, folder, options)
             else:
@@ -88,7 +88,7 @@ def main():
 
 
 def measure(engine, folder, options):
-    """Both methods, one after the other; then the table."""
+    """Runs the scene with both methods, one after the other, and prints the table."""
     if options.window:
         need_display()
     arms = {}
@@ -105,7 +105,7 @@ def measure(engine, folder, options):
 
 
 def play(engine, folder, options):
-    """Windows to play in, until the last is closed."""
+    """Opens windows to play in; returns when the last is closed."""
     need_display()
     with DemoRun(engine, folder) as run:
         run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--quit-when-empty=on", "--record=")
@@ -114,8 +114,8 @@ def play(engine, folder, options):
         run.wait(float("inf"))
 
 
-def take_picture(engine, folder, options):
-    """What a client's window shows, with a second player who drives round; on a display of its own if there is none."""
+def take_screenshot(engine, folder, options):
+    """Saves what a client's window shows while a second player drives in circles; starts a display if there is none."""
     path = os.path.abspath(options.picture)
     with contextlib.ExitStack() as stack:
         if not os.environ.get("DISPLAY"):
@@ -128,13 +128,13 @@ def take_picture(engine, folder, options):
         first.process.wait(timeout=options.seconds + SPARE_SECONDS)
         first.check_log()
     if not os.path.isfile(path):
-        raise RunFailed(f"no picture was made: {first.last_words()}")
-    print(f"demo: picture in {options.picture}")
+        raise RunFailed(f"the client saved no screenshot; its last line of output: {first.last_line()}")
+    print(f"demo: saved the screenshot to {options.picture}")
 
 
 def need_display():
     if sys.platform.startswith("linux") and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        raise RunFailed("windows need a display: DISPLAY is not set; leave out --window to run without")
+        raise RunFailed("windows need a display, but DISPLAY is not set; omit --window to run without windows")
 
 
 def machine():

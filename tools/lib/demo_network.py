@@ -1,52 +1,52 @@
-"""The options of the demo that make the network between a client and the server bad, in each direction."""
+"""The options of the demo that impair the network between clients and the server, in each direction."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Condition:
-    """One way of being bad; `words` says it in a sentence, with the value in place of {}."""
+    """One impairment; `description` is text with the value in place of {}."""
 
     name: str
     metavar: str
-    most: int
+    maximum: int
     help: str
-    words: str
+    description: str
 
 
 CONDITIONS = (
-    Condition("loss", "PERCENT", 90, "share of the packets that are lost", "{} % loss"),
-    Condition("burst", "PACKETS", 100, "mean number of packets that are lost in a row", "in rows of {} packets"),
-    Condition("delay", "MS", 2000, "time that every packet takes", "{} ms delay"),
-    Condition("jitter", "MS", 2000, "random time on top, from 0 to this; packets overtake each other", "up to {} ms jitter"),
-    Condition("reorder", "PERCENT", 100, "share of the packets that others overtake besides", "{} % reordered"),
-    Condition("duplicate", "PERCENT", 100, "share of the packets that come twice", "{} % duplicated"),
-    Condition("rate", "BYTES", 10 ** 9, "bytes a second that pass; what does not fit waits in a short queue", "at most {} bytes/s"),
+    Condition("loss", "PERCENT", 90, "packets that are lost", "{} % loss"),
+    Condition("burst", "PACKETS", 100, "mean length of a loss burst", "in bursts of {} packets"),
+    Condition("delay", "MS", 2000, "minimum delay", "{} ms delay"),
+    Condition("jitter", "MS", 2000, "maximum of the additional, random delay, which reorders packets", "up to {} ms jitter"),
+    Condition("reorder", "PERCENT", 100, "additional packets that are reordered", "{} % reordered"),
+    Condition("duplicate", "PERCENT", 100, "packets that arrive twice", "{} % duplicated"),
+    Condition("rate", "BYTES", 10 ** 9, "bandwidth in bytes per second, with a short queue (0: unlimited)", "at most {} bytes/s"),
 )
 
 
 def add_arguments(parser, number_within):
-    """Adds the options, in a group of their own; `number_within(least, most)` makes their types."""
-    group = parser.add_argument_group("network", "made bad in each direction, by a proxy in front of each client; seeded")
+    """Adds the options as a group; `number_within(minimum, maximum)` returns their types."""
+    group = parser.add_argument_group("network", "impairments in each direction, simulated by a seeded proxy in front of each client")
     for condition in CONDITIONS:
-        group.add_argument("--" + condition.name, type=number_within(0, condition.most), default=0,
+        group.add_argument("--" + condition.name, type=number_within(0, condition.maximum), default=0,
                            metavar=condition.metavar, help=condition.help)
 
 
 def client_arguments(options, seed):
-    """What a client of the demo is started with."""
+    """The arguments of a client of the demo."""
     chosen = [f"--{condition.name}={getattr(options, condition.name)}" for condition in CONDITIONS
               if getattr(options, condition.name)]
     return [*chosen, f"--seed={seed}"] if chosen else []
 
 
 def describe(options):
-    """The network in words; empty if nothing is bad."""
-    chosen = [condition.words.format(getattr(options, condition.name)) for condition in CONDITIONS
+    """The impairments as text; empty if there are none."""
+    chosen = [condition.description.format(getattr(options, condition.name)) for condition in CONDITIONS
               if getattr(options, condition.name)]
     return ", ".join(chosen)
 
 
-def longest_delay(options):
-    """Seconds by which the network delays a packet at most."""
+def max_delay(options):
+    """The maximum delay of a packet in the network, in seconds."""
     return (options.delay + options.jitter) / 1000.0

@@ -1,4 +1,4 @@
-"""One run of the multiplayer demo: a server and clients as processes on this machine, watched until they end."""
+"""One run of the multiplayer demo: processes of a server and its clients on this machine."""
 
 import json
 import os
@@ -18,21 +18,21 @@ REPORT = "REPORT "
 
 
 class RunFailed(Exception):
-    """What went wrong, in one line."""
+    """A run failed; the message is one line."""
 
 
 def free_port():
-    """A UDP port that nobody uses at the moment."""
+    """A UDP port that is free at the moment."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
 
 
 class DemoProcess:
-    """One engine process; its output goes to a file."""
+    """One engine process, with its output in a file."""
 
     def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None):
-        """With a window, numbered for its place on the screen, or without; `script` runs instead of the demo's scene."""
+        """`window`: its number, which determines its position, or None for headless; `script` replaces the demo's scene."""
         self.name = name
         self.log_path = os.path.join(folder, name + ".log")
         self.record_path = os.path.join(folder, name + ".poses")
@@ -54,44 +54,44 @@ class DemoProcess:
             return file.read()
 
     def wait_for_line(self, start, seconds):
-        """Waits for a line that begins like that; raises RunFailed if none comes."""
+        """Waits for a line of output that begins with `start`; raises RunFailed after the timeout."""
         end = time.monotonic() + seconds
         while True:
             running = self.is_running()
             if any(line.startswith(start) for line in self.log().splitlines()):
                 return
             if not running:
-                raise RunFailed(f"{self.name} ended before it said '{start}': {self.last_words()}")
+                raise RunFailed(f"{self.name} ended before it printed '{start}'; its last line: {self.last_line()}")
             if time.monotonic() > end:
-                raise RunFailed(f"{self.name} did not say '{start}' within {seconds:g} s")
+                raise RunFailed(f"{self.name} did not print '{start}' within {seconds:g} s")
             time.sleep(0.05)
 
     def report(self):
-        """The counts that the process printed at its end; raises RunFailed if it did not."""
+        """The counters that the process printed at its end; raises RunFailed if there are none."""
         for line in self.log().splitlines():
             if line.startswith(REPORT):
                 return json.loads(line[len(REPORT):])
-        raise RunFailed(f"{self.name} printed no report: {self.last_words()}")
+        raise RunFailed(f"{self.name} printed no report; its last line: {self.last_line()}")
 
-    def last_words(self):
+    def last_line(self):
         lines = [line.strip() for line in self.log().splitlines() if line.strip()]
-        return lines[-1] if lines else "it printed nothing"
+        return lines[-1] if lines else "(no output)"
 
     def check_log(self):
-        """Raises RunFailed if the engine complained."""
+        """Raises RunFailed if the engine logged errors or warnings."""
         problems = engine_log.problems_of(self.log())
         if problems:
             raise RunFailed(f"{self.name}: {problems[0]} ({len(problems)} such lines)")
 
     def kill(self):
-        """Ends the process and what it started, at once."""
+        """Kills the process and its children."""
         if self.is_running():
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
 
 
 class DemoRun:
-    """A server and its clients. Use it in a with statement: whatever happens, no process is left."""
+    """A server and its clients. A context manager that kills all processes on exit."""
 
     def __init__(self, engine, folder, project=checkout.PROJECT):
         self.engine = engine
@@ -119,8 +119,8 @@ class DemoRun:
         self.clients.append(client)
         return client
 
-    def wait(self, seconds, tell=None):
-        """Waits until all have ended; raises RunFailed for who has not in time."""
+    def wait(self, seconds, on_progress=None):
+        """Waits until all processes have ended; raises RunFailed after the timeout. Calls `on_progress(elapsed seconds)`."""
         start = time.monotonic()
         while True:
             running = [process for process in [*self.clients, self.server] if process.is_running()]
@@ -128,9 +128,9 @@ class DemoRun:
                 return
             elapsed = time.monotonic() - start
             if elapsed > seconds:
-                raise RunFailed(f"{running[0].name} did not end within {seconds:g} s: {running[0].last_words()}")
-            if tell is not None:
-                tell(elapsed)
+                raise RunFailed(f"{running[0].name} did not end within {seconds:g} s; its last line: {running[0].last_line()}")
+            if on_progress is not None:
+                on_progress(elapsed)
             time.sleep(0.1)
 
     def check_logs(self):
@@ -144,7 +144,7 @@ class DemoRun:
 
 
 def progress(phase, detail=""):
-    """Shows a line that the next one replaces; where the output is no terminal, each phase once."""
+    """Shows a line that the next one replaces; if the output is not a terminal, prints each phase once."""
     if sys.stderr.isatty():
         print("\r\033[K" + phase + detail, end="", file=sys.stderr, flush=True)
     elif phase and not detail:

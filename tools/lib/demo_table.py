@@ -1,4 +1,4 @@
-"""The demo's figures as a table for people and as rows for programs."""
+"""The demo's figures as a table and as rows for JSON."""
 
 import demo_network
 
@@ -7,7 +7,7 @@ TITLES = {"motors": "MotorSynchronizer", "synchronizer": "MultiplayerSynchronize
 COLUMNS = (
     ("kB/s", lambda f: f"{f['bytes_per_second'] / 1000:.1f}"),
     ("packets/s", lambda f: f"{f['packets_per_second']:.0f}"),
-    ("B/s a moving cube", lambda f: f"{f['bytes_per_second'] / max(f['moving'], 1):.0f}"),
+    ("B/s per moving cube", lambda f: f"{f['bytes_per_second'] / max(f['moving'], 1):.0f}"),
     ("error p50", lambda f: f"{f['p50']:.1f} mm"),
     ("p99", lambda f: f"{f['p99']:.1f} mm"),
     ("max", lambda f: f"{f['max']:.1f} mm"),
@@ -17,7 +17,7 @@ COLUMNS = (
 
 
 def print_table(arms, options):
-    """Prints the table, what its columns mean, and one sentence of result."""
+    """Prints the table, the meaning of its columns, and a one-sentence result."""
     rows = [["", *(title for title, _ in COLUMNS)]]
     for method, figures in arms.items():
         rows.append([TITLES[method], *(cell(figures) for _, cell in COLUMNS)])
@@ -33,19 +33,19 @@ def print_table(arms, options):
         cells = [text.rjust(width) for text, width in zip(row[1:], widths[1:])]
         print("  ".join([row[0].ljust(widths[0]), *cells]).rstrip())
     print()
-    print("kB/s, packets/s: sent to one client, without the 28 bytes of IP and UDP a packet: ENet's own counters, or where the")
-    print("network is made bad the proxy's, before anything is lost.")
-    print("error: from what a client shows to where the server had it at the same media time; cubes that move, the worst")
-    print("of the centre and three points 0.25 m along the axes. Motors carry their time; the synchronizer, which shows what")
-    print("arrives as it arrives, has the one delay removed that makes its mean error smallest.")
+    print("kB/s, packets/s: sent to one client, without the 28 bytes of IP and UDP headers per packet; by ENet's counters, or, if")
+    print("the network is impaired, by the proxy's, before losses.")
+    print("error: distance between the client's and the server's pose at the same media time, for moving cubes; the largest of the")
+    print("center and three points 0.25 m along the axes. MultiplayerSynchronizer has no media time: the constant delay that")
+    print("minimizes its mean error is removed.")
     print()
     ratio = synchronizer["bytes_per_second"] / motors["bytes_per_second"]
-    print(f"Result: 1/{ratio:.1f} of MultiplayerSynchronizer's bytes; 99 % of what clients show is within "
+    print(f"Result: 1/{ratio:.1f} of MultiplayerSynchronizer's bytes; 99 % of the errors are within "
           f"{motors['p99']:.1f} mm, {motors['delay']:.0f} ms behind the server.")
 
 
 def json_rows(arms, options):
-    """Rows as every measurement of this project writes them."""
+    """Rows in the format of tools/bench."""
     rows = []
     for method, figures in arms.items():
         def add(case, value, unit, subject=SUBJECTS[method]):

@@ -1,23 +1,27 @@
 # shellcheck shell=sh
-# Python environments with the packages that their users pin: the oracle tests'
-# and that of the plots.
+# Python environments with pinned packages: for the oracle tests, the style suite
+# and the plots.
 
 environment_root=$tools/..
 
-# Packages that are installed alone are those of which the tests use no part that
-# needs the packages they ask for.
+# Packages in requirements_alone.txt are installed without their dependencies:
+# the tests use no part of them that needs those.
 ensure_oracle() {
     ensure_environment oracle "the oracle tests" tests/oracle/requirements.txt tests/oracle/requirements_alone.txt
+}
+
+ensure_style() {
+    ensure_environment style "the style suite" tests/style/requirements.txt
 }
 
 ensure_plots() {
     ensure_environment plots "the plots" tools/lib/plot_requirements.txt
 }
 
-# ensure_environment NAME USERS REQUIREMENTS [ALONE]: sets environment_python to
-# the environment's interpreter; makes the environment if it is not there. Its
-# folder's name holds what it was made from, so other pins or another Python get
-# another one.
+# ensure_environment NAME USERS REQUIREMENTS [ALONE]: creates the environment if
+# it does not exist and sets environment_python to its interpreter. The folder's
+# name contains a hash of the requirements and the Python version, so a change of
+# either creates another environment.
 ensure_environment() {
     environment_users=$2
     environment_requirements=$3
@@ -40,10 +44,10 @@ ensure_environment() {
     ensure_system_packages venv
     open_cache
     if "$environment_python" -c '' 2>/dev/null; then
-        return # another setup made it while this one waited
+        return # another setup created it while this one waited
     fi
     need_space 600 "the Python packages of $environment_users"
-    step "making a Python environment" python3 -m venv "$work/environment" ||
+    step "creating a Python environment" python3 -m venv "$work/environment" ||
         fail_step "python3 -m venv failed" "install python3-venv and run the same command again"
     step "installing the Python packages of $environment_users" install_environment_packages ||
         fail_step "pip could not install $environment_requirements" "check the network, and that Python is 3.11 or newer (this is $(python3 -V)), and run the same command again"

@@ -1,7 +1,7 @@
-"""Draws what each method costs over how far off it is: plot_rate_distortion.py ROWS.json PICTURE.png
+"""Plots the cost of each method over its error: plot_rate_distortion.py ROWS.json PLOT.png
 
-The rows are those of tools/bench network --rate-distortion: the methods at fixed rates, and ga_godot at several
-tolerances. One panel a trace, both axes logarithmic.
+The rows are those of tools/bench network --rate-distortion: baselines at fixed rates, ga_godot at several tolerances.
+One panel per trace, both axes logarithmic.
 """
 
 import json
@@ -15,19 +15,19 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: 
 
 INK = "#1f2933"
 FAINT = "#d9dee4"
-# Prefix of the subjects, name in the legend, colour, marker.
+# Prefix of the subjects, name in the legend, color, marker.
 KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c8553d", "s"),
          ("paper_motor_float32_", "fixed rate: GA-Unity's float32 motors", "#7d8a97", "^"),
          ("ga_godot", "GA-Godot, for tolerances", "#0b7285", "o"))
-# Errors below this are rounding: the method sent every sample.
+# Smaller errors, in mm, are rounding: the method sent every sample.
 MIN_ERROR = 0.3
-# Points with a label: enough to read the others. The paper's rates are those beside it.
+# Labels to draw; the others can be inferred.
 LABELLED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
 COLUMNS = 2
 
 
 def curves(rows, trace):
-    """{kind's prefix: [(p99 in mm, B/s a body, label)]} of a trace, by ascending cost."""
+    """{prefix of the subjects: [(p99 in mm, B/s per body, label)]} of a trace, by ascending cost."""
     points = {}
     for row in rows:
         if row["trace"] == trace and row["case"] in ("error_p99", "bytes_per_second_per_body"):
@@ -42,18 +42,18 @@ def curves(rows, trace):
 
 
 def draw_panel(axes, lines, title):
-    """The curves of one trace."""
-    for prefix, name, colour, marker in KINDS:
+    """Draws the curves of one trace."""
+    for prefix, name, color, marker in KINDS:
         line = lines[prefix]
         ours = prefix == "ga_godot"
-        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=colour, marker=marker, label=name,
+        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=color, marker=marker, label=name,
                   linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=4 if ours else 3)
-        for place, (p99, cost, label) in enumerate(line):
+        for index, (p99, cost, label) in enumerate(line):
             if label in LABELLED:
-                # Beside the line: ours below it, unless it bends back there.
-                below = ours and not (place > 0 and line[place - 1][0] < p99)
-                axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=colour,
+                # Ours below the curve, unless it bends back there.
+                below = ours and not (index > 0 and line[index - 1][0] < p99)
+                axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=color,
                               fontsize=8.5, ha="right" if below else "left", va="top" if below else "bottom")
     axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
     axes.set_xscale("log")
@@ -71,32 +71,32 @@ def draw_panel(axes, lines, title):
 
 
 def titles(rows):
-    """{trace: title}, in the rows' order."""
+    """{trace: title}, in the order of the rows."""
     counts = {row["trace"]: row["n"] for row in rows}
     return {trace: f"{trace}  ({count:,} {'body' if count == 1 else 'bodies'})" for trace, count in counts.items()}
 
 
-def main(rows_path, picture_path):
-    """Reads the rows, writes the picture."""
+def main(rows_path, plot_path):
+    """Reads the rows and saves the plot."""
     with open(rows_path, encoding="utf-8") as file:
         rows = json.load(file)["rows"]
     panels = titles(rows)
     columns = min(COLUMNS, len(panels))
-    lines_of_panels = -(-len(panels) // columns)
-    figure, grid = plt.subplots(lines_of_panels, columns, figsize=(5.6 * columns, 4.1 * lines_of_panels + 0.9), squeeze=False, sharey=True)
+    panel_rows = -(-len(panels) // columns)
+    figure, grid = plt.subplots(panel_rows, columns, figsize=(5.6 * columns, 4.1 * panel_rows + 0.9), squeeze=False, sharey=True)
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     for axes, (trace, title) in zip(grid.flat, panels.items()):
         draw_panel(axes, curves(rows, trace), title)
     for axes in grid[:, 0]:
-        axes.set_ylabel("bytes a second and body", color=INK)
+        axes.set_ylabel("bytes per second and body", color=INK)
     for axes in grid[-1]:
         axes.set_xlabel("error, 99th percentile of moving samples, mm", color=INK)
     handles, names = grid.flat[0].get_legend_handles_labels()
     figure.legend(handles[::-1], names[::-1], loc="upper left", ncols=3, frameon=False, fontsize=9.5, labelcolor=INK,
                   bbox_to_anchor=(0.055, 0.995), handlelength=1.6, columnspacing=1.8)
     figure.tight_layout(rect=(0, 0, 1, 0.955), w_pad=2.5, h_pad=2.0)
-    figure.savefig(picture_path, dpi=110, facecolor="white", metadata={"Software": None})
+    figure.savefig(plot_path, dpi=110, facecolor="white", metadata={"Software": None})
 
 
 if __name__ == "__main__":

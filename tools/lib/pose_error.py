@@ -1,29 +1,32 @@
-"""How far what a client shows is from where the server's bodies were, at the same media time."""
+"""The error of the poses that a client showed, relative to the server's at the same media time.
+
+Defined in docs/performance/network.md, as for tests/bench/network/pose_error.hpp.
+"""
 import bisect
 
 from pose_record import ROW_FLOATS, lever_distance
 
-# Of a client that shows what arrives as it arrives, in seconds, besides what the network delays.
+# Seconds that a client without playback delay lags behind the server, network delay excluded.
 MAX_DELAY = 0.25
-# How far from a tick a picture may be, in ticks.
-NEAR_A_TICK = 0.1
+# Frames further from a tick than this, in ticks, are not compared.
+MAX_TICK_OFFSET = 0.1
 
 
 class ErrorSummary:
-    """Errors in metres: over moving samples, and over resting ones apart."""
+    """Errors in meters, of moving and of resting samples; playback delays in seconds."""
 
     def __init__(self):
         self.moving = []
         self.resting = []
         self.delays = []
 
-    def add(self, truth, shown, moving, every_rest=5):
-        """One picture: `moving` lists the offsets of moving bodies; of the resting, every n-th is looked at."""
+    def add(self, truth, shown, moving, resting_step=5):
+        """Adds a frame: the moving bodies, given by the offsets of their rows, and one in `resting_step` of the others."""
         for at in moving:
             self.moving.append(lever_distance(truth, shown, at))
-        moves = set(moving)
-        for at in range(0, len(truth), ROW_FLOATS * every_rest):
-            if at not in moves:
+        moving_set = set(moving)
+        for at in range(0, len(truth), ROW_FLOATS * resting_step):
+            if at not in moving_set:
                 self.resting.append(lever_distance(truth, shown, at))
 
     def merge(self, other):
@@ -32,36 +35,47 @@ class ErrorSummary:
         self.delays += other.delays
 
     def figures(self):
-        """Percentiles in millimetres, delay in milliseconds; None where there was nothing to look at."""
+        """Percentiles in millimeters, median delay in milliseconds; None where there are no samples."""
         return {
             "samples": len(self.moving),
-            "p50": percentile(self.moving, 0.50, 1000.0),
-            "p99": percentile(self.moving, 0.99, 1000.0),
-            "max": percentile(self.moving, 1.0, 1000.0),
-            "rest_p50": percentile(self.resting, 0.50, 1000.0),
-            "rest_p99": percentile(self.resting, 0.99, 1000.0),
-            "delay": percentile(self.delays, 0.50, 1000.0),
+            "p50": milli(percentile(self.moving, 0.5)),
+            "p99": milli(percentile(self.moving, 0.99)),
+            "max": milli(percentile(self.moving, 1.0)),
+            "rest_p50": milli(percentile(self.resting, 0.5)),
+            "rest_p99": milli(percentile(self.resting, 0.99)),
+            "delay": milli(percentile(self.delays, 0.5)),
         }
 
 
-def percentile(values, share, scale=1.0):
+def percentile(values, share):
+    """The percentile at `share` (0 to 1), by linear interpolation between the closest ranks; None without values."""
     if not values:
         return None
     values = sorted(values)
-    return values[min(len(values) - 1, int(share * len(values)))] * scale
+    place = share * (len(values) - 1)
+    below = values[int(place)]
+    above = values[min(int(place) + 1, len(values) - 1)]
+    weight = place - int(place)
+    # Does not subtract infinities, which would give NaN.
+    return below if weight == 0.0 or above == below else below + (above - below) * weight
+
+
+def milli(value):
+    """A thousand times the value; None stays None."""
+    return None if value is None else 1000.0 * value
 
 
 def compare_by_tick(server, moving, client):
-    """For a client that knows which moment it shows: error at that moment; delay from the two wall clocks.
+    """For a client that records the media time it shows: errors at that time; delays by the two wall clocks.
 
-    Only pictures close to a tick count: between two ticks, where a collision may be, the server itself knows no pose.
+    Errors are taken only of frames close to a tick: between two ticks, where a collision may be, the server has no pose.
     """
     summary = ErrorSummary()
     for wall, tick, rows in zip(client.walls, client.ticks, client.rows):
         truth, index = rows_at(server, server.ticks, tick)
         if truth is None:
             continue
-        if abs(tick - round(tick)) <= NEAR_A_TICK:
+        if abs(tick - round(tick)) <= MAX_TICK_OFFSET:
             summary.add(truth, rows, moving[index])
         before, after = server.ticks[index - 1], server.ticks[index]
         weight = (tick - before) / (after - before)
@@ -70,7 +84,7 @@ def compare_by_tick(server, moving, client):
 
 
 def compare_by_wall_clock(server, moving, client, network_delay=0.0):
-    """For a client that knows no time: the one delay that makes the mean error smallest is removed."""
+    """For a client without media time: removes the constant delay that minimizes the mean error."""
     delay = best_delay(server, moving, client, MAX_DELAY + network_delay)
     summary = ErrorSummary()
     for wall, rows in zip(client.walls, client.rows):
@@ -81,14 +95,14 @@ def compare_by_wall_clock(server, moving, client, network_delay=0.0):
     return summary
 
 
-def best_delay(server, moving, client, longest=MAX_DELAY):
-    """Searches the delay in steps of 8 ms, then of 2 ms around the best, on a part of the pictures."""
+def best_delay(server, moving, client, max_delay=MAX_DELAY):
+    """Searches the delay in steps of 8 ms, then of 2 ms around the best, on a subset of the frames."""
     step = max(1, len(client) // 40)
-    pictures = list(zip(client.walls, client.rows))[::step]
+    frames = list(zip(client.walls, client.rows))[::step]
 
     def mean_error(delay):
         total, count = 0.0, 0
-        for wall, rows in pictures:
+        for wall, rows in frames:
             truth, index = rows_at(server, server.walls, wall - delay)
             if truth is None:
                 continue
@@ -97,22 +111,22 @@ def best_delay(server, moving, client, longest=MAX_DELAY):
                 count += 1
         return total / count if count else float("inf")
 
-    coarse = min((0.008 * i for i in range(int(longest / 0.008))), key=mean_error)
+    coarse = min((0.008 * i for i in range(int(max_delay / 0.008))), key=mean_error)
     fine = [max(0.0, coarse + 0.002 * i) for i in range(-4, 5)]
     return min(fine, key=mean_error)
 
 
-def rows_at(server, moments, moment):
-    """The server's rows at a moment, between two of its own in proportion, and the index of the later; None outside.
+def rows_at(server, times, time):
+    """The server's rows at a time, interpolated linearly, and the index of the record at or after it; (None, 0) outside.
 
-    `moments` are those of its rows, by any clock; before the first that is not negative none counts.
+    `times` are those of its records, on any clock; records at negative times are ignored.
     """
-    index = bisect.bisect_left(moments, moment)
-    if index == 0 or index >= len(moments) or moments[index - 1] < 0.0:
+    index = bisect.bisect_left(times, time)
+    if index == 0 or index >= len(times) or times[index - 1] < 0.0:
         return None, 0
     before, after = server.rows[index - 1], server.rows[index]
-    span = moments[index] - moments[index - 1]
-    weight = (moment - moments[index - 1]) / span if span > 0.0 else 1.0
+    span = times[index] - times[index - 1]
+    weight = (time - times[index - 1]) / span if span > 0.0 else 1.0
     if before == after:
         return after, index
     return [a + (b - a) * weight for a, b in zip(before, after)], index

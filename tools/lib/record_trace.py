@@ -1,7 +1,7 @@
 """Records a scene of the multiplayer demo for tools/bench network: python3 tools/lib/record_trace.py SCENE FILE.csv
 
-SCENE is cubes (250 cubes, structures that fall) or push (901 cubes, a field that a ball ploughs through). The file has
-the poses that the server simulated, 60 a second for 20 seconds: lines of t,id,x,y,z,qw,qx,qy,qz.
+SCENE is cubes (250 cubes, collapsing structures) or push (901 cubes, a ball plows through a field of them). The file has
+the server's poses at 60 Hz for 20 s, as lines of t,id,x,y,z,qw,qx,qy,qz.
 """
 
 import math
@@ -21,7 +21,7 @@ TICK_RATE = 60.0
 
 
 def main(arguments):
-    """Runs the scene with one client and writes the server's record."""
+    """Runs the scene with one client and writes the server's poses."""
     if len(arguments) != 2 or arguments[0] not in CUBES:
         sys.exit(__doc__.strip())
     scene, path = arguments
@@ -35,11 +35,11 @@ def main(arguments):
             sys.exit(f"record_trace: {failure}")
     with open(path, "w", encoding="utf-8") as file:
         write_trace(record, file)
-    print(f"{path}: {record.body_count} bodies, {len(record)} times")
+    print(f"Saved {record.body_count} bodies at {len(record)} times to {path}")
 
 
 def run_scene(scene, folder):
-    """The server's PoseRecord of a scene."""
+    """Runs a scene; returns the server's PoseRecord."""
     with DemoRun([checkout.ENGINE], folder) as run:
         run.start_server("--method=motors", f"--scene={scene}", f"--cubes={CUBES[scene]}", f"--seconds={SECONDS}", "--clients=1")
         run.start_client("--record=", f"--seconds={SECONDS}")
@@ -49,7 +49,7 @@ def run_scene(scene, folder):
 
 
 def write_trace(record, file):
-    """Writes a record as lines; consecutive quaternions of a body lie in one hemisphere."""
+    """Writes a record as lines. Consecutive quaternions of a body are in the same hemisphere."""
     file.write("t,id,x,y,z,qw,qx,qy,qz\n")
     last = [(1.0, 0.0, 0.0, 0.0)] * record.body_count
     for tick, rows in enumerate(record.rows):
@@ -57,14 +57,14 @@ def write_trace(record, file):
             row = rows[ROW_FLOATS * body:ROW_FLOATS * (body + 1)]
             q = quaternion((row[0:3], row[4:7], row[8:11]))
             if sum(a * b for a, b in zip(last[body], q)) < 0.0:
-                q = tuple(-part for part in q)
+                q = tuple(-component for component in q)
             last[body] = q
             numbers = ",".join(f"{number:.6f}" for number in q)
             file.write(f"{tick / TICK_RATE:.6f},{body},{row[3]:.5f},{row[7]:.5f},{row[11]:.5f},{numbers}\n")
 
 
 def quaternion(rows):
-    """(w, x, y, z) of the rows of a rotation matrix; found from the largest of the four."""
+    """(w, x, y, z) of a rotation matrix, computed from the component of largest magnitude."""
     trace = rows[0][0] + rows[1][1] + rows[2][2]
     i = max(range(3), key=lambda axis: rows[axis][axis])
     if trace > rows[i][i]:

@@ -25,7 +25,7 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs: one for each folder of src/ that tests/ mirrors in C++, and what the benchmarks measure with;
+    """The doctest programs, one for each folder of src/ that tests/ mirrors in C++ and two for the benchmarks' own code;
     and the fuzz programs."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
@@ -48,13 +48,16 @@ def runner(folder, *arguments, seconds, python=PYTHON, engine=True):
 
 
 def algebra_programs():
-    """The oracles, in the environment that has the packages to compare with."""
+    """The oracle tests, in the environment with the packages that they compare with."""
     return runner("oracle", seconds=400, python=checkout.setup_path("oracle"))
 
 
 SUITES = (
+    Suite("style", ("style", "build", "unit", "bench", "engine"), (LIBRARY,),
+          lambda: runner("style", seconds=1800, engine=False)),
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
+    Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
     Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),

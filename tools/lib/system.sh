@@ -1,11 +1,11 @@
 # shellcheck shell=sh
-# The operating system's packages: which of them are missing, and getting them.
+# The operating system's packages: finds which are missing and installs them.
 
 os_release=${GA_GODOT_OS_RELEASE:-/etc/os-release}
-# The compiler as SConstruct takes it; may be several words.
+# The compiler that SConstruct uses; may be several words.
 compiler=${CXX:-g++}
 
-# os_field NAME: a field of os-release, empty where there is none.
+# os_field NAME: a field of os-release; empty if it does not exist.
 os_field() {
     if [ -r "$os_release" ]; then
         # shellcheck disable=SC1090
@@ -19,7 +19,7 @@ os_name() {
     printf '%s' "${os_pretty_name:-$(uname -s)}"
 }
 
-# True on Debian, Ubuntu and systems made from them.
+# True on Debian, Ubuntu and their derivatives.
 has_apt() {
     case " $(os_field ID) $(os_field ID_LIKE) " in
         *' debian '* | *' ubuntu '*) command -v apt-get >/dev/null && command -v dpkg >/dev/null ;;
@@ -32,9 +32,19 @@ has_header() {
         $compiler -std=c++17 -E -x c++ - >/dev/null 2>&1
 }
 
-# missing_for PART: the packages that the part needs and this machine lacks, by
-# Debian's names. It asks for the things themselves, not for packages: whoever
-# has SCons from elsewhere is served.
+# True if clang tool NAME of version 19 or newer is on PATH, as NAME-19 or NAME.
+# tools/lib/clang_tools.py finds it in the same way.
+has_clang_tool() {
+    if command -v "$1-19" >/dev/null; then
+        return
+    fi
+    clang_major=$("$1" --version 2>/dev/null | sed -n 's/.* version \([0-9]*\)\..*/\1/p')
+    [ "${clang_major:-0}" -ge 19 ]
+}
+
+# missing_for PART: Debian's names of the packages that the part needs and this
+# machine lacks. It looks for programs and headers, not for packages, so a SCons
+# installed by other means counts.
 missing_for() {
     case $1 in
         python)
@@ -49,8 +59,15 @@ missing_for() {
         unit)
             has_header doctest/doctest.h || echo doctest-dev
             ;;
+        clang)
+            has_clang_tool clang-format || echo clang-format-19
+            has_clang_tool clang-tidy || echo clang-tidy-19
+            ;;
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev
+            ;;
+        package)
+            command -v cmake >/dev/null || echo cmake
             ;;
         display)
             command -v Xvfb >/dev/null || echo xvfb
@@ -67,7 +84,7 @@ missing_for() {
     esac
 }
 
-# Installs what the parts lack, in one go.
+# Installs the missing packages of the parts in one step.
 ensure_system_packages() {
     missing=$(for part in "$@"; do missing_for "$part"; done | sort -u | tr '\n' ' ')
     missing=${missing% }
@@ -75,32 +92,32 @@ ensure_system_packages() {
         return
     fi
     if ! has_apt; then
-        fail "missing here (Debian's names): $missing; setup installs them on Debian and Ubuntu only, on $(os_name) install their counterparts and run the same command again"
+        fail "missing packages (Debian's names): $missing; setup installs packages on Debian and Ubuntu only, so install their equivalents on $(os_name) and run the same command again"
     fi
     as_root=
     if [ "$(id -u)" -ne 0 ]; then
         if ! sudo -n true 2>/dev/null; then
-            fail "missing packages, and neither root nor sudo without a password to install them: run 'sudo apt-get install $missing', then the same command again"
+            fail "missing packages, and neither root nor passwordless sudo to install them: run 'sudo apt-get install $missing', then the same command again"
         fi
         as_root='sudo -n'
     fi
     open_cache
-    # Lists may be absent (containers) or old: then one update, and once more.
+    # Package lists may be absent (containers) or outdated: update them once and retry.
     if ! apt_can_install || ! step "installing $missing" apt_install; then
         step "reading the package lists" apt_update ||
-            fail_step "the system's package lists cannot be read" "no network, or a package source of this system does not answer; run 'apt-get update' to see which"
+            fail_step "the system's package lists cannot be read" "no network, or a package source of this system does not respond; run 'apt-get update' to see which"
         apt_can_install ||
-            fail_step "packages missing and not in this system's sources: $missing" "install their counterparts by hand and run the same command again"
+            fail_step "packages missing and not in this system's sources: $missing" "install their equivalents manually and run the same command again"
         step "installing $missing" apt_install ||
             fail_step "apt-get could not install $missing" "run 'apt-get install $missing' to see why"
     fi
     still_missing=$(for part in "$@"; do missing_for "$part"; done | sort -u | tr '\n' ' ')
     if [ -n "$still_missing" ]; then
-        fail "installed, yet not usable: ${still_missing% }; check PATH and the compiler (g++)"
+        fail "installed but not usable: ${still_missing% }; check PATH and the compiler (g++)"
     fi
 }
 
-# An engine that is not the cache's draws with the system's own GL.
+# An engine from outside the cache uses the system's OpenGL.
 ensure_graphics() {
     ensure_engine
     if [ "$engine_path" != "$engine_cached" ]; then

@@ -1,22 +1,22 @@
 @tool
 extends EditorPlugin
-## Everything GA-Godot offers to scripts and scenes comes from the extension, which the engine loads
-## with or without this plugin. The plugin adds the dock "GA Playground" and tells whoever enabled it when the library is
-## missing.
+## Adds the dock "GA Playground", and reports if the library is missing. The classes of GA-Godot
+## come from the extension, which the engine loads with or without this plugin.
 ##
-## It names no class of the extension: on the first opening of a project the library may not be there.
+## This script must not name a class of the extension, as the library may be missing when a project
+## is opened for the first time.
 
 const EXTENSION_PATH := "res://addons/ga_godot/ga_godot.gdextension"
 const ENTRY_CLASS := &"Multivector"
 const SCENE_CLASS := "GAScene"
-## Loaded once the classes that it names are there.
+## Loaded once the classes of the extension exist.
 const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
 const EXPORT_SCRIPT := "res://addons/ga_godot/editor/playground_export.gd"
 const TOOL_SCRIPT := "res://addons/ga_godot/editor/viewport_tool.gd"
 
 var _dock: EditorDock
 var _export: EditorExportPlugin
-## What the dock shows, in the 3D viewports.
+## Shows the document of the dock in the 3D viewports.
 var _tool: Node3D
 
 
@@ -24,7 +24,7 @@ func _enter_tree() -> void:
 	if ClassDB.class_exists(ENTRY_CLASS):
 		_open_dock()
 		return
-	# A copied addon is imported after the plugins are enabled for the first time.
+	# The files of a newly copied addon are imported after plugins are first enabled.
 	var file_system := EditorInterface.get_resource_filesystem()
 	if file_system.is_scanning():
 		file_system.filesystem_changed.connect(_report_missing_library, CONNECT_ONE_SHOT)
@@ -41,7 +41,7 @@ func _exit_tree() -> void:
 		_tool.free()
 		_tool = null
 	if _dock != null:
-		_dock.call(&"keep_session")
+		_dock.call(&"save_session")
 		remove_dock(_dock)
 		_dock.queue_free()
 		_dock = null
@@ -72,7 +72,7 @@ func _forward_3d_force_draw_over_viewport(viewport_control: Control) -> void:
 
 func _save_external_data() -> void:
 	if _tool != null:
-		_tool.call(&"keep")
+		_tool.call(&"save_document")
 
 
 func _open_dock() -> void:
@@ -101,7 +101,7 @@ func _report_missing_library() -> void:
 	EditorInterface.get_editor_toaster().push_toast(message, EditorToaster.SEVERITY_WARNING)
 
 
-## What is wrong, and what to do.
+## Why the library is not loaded, and what to do.
 func _describe_fault() -> String:
 	var description := ConfigFile.new()
 	if description.load(EXTENSION_PATH) != OK:
@@ -113,21 +113,27 @@ func _describe_fault() -> String:
 	var library := _find_library(description)
 	if library.is_empty():
 		return (
-			"this version has no library for %s. See the supported systems in the addon's README."
+			"this version has no library for %s. See the addon's README for supported systems."
 			% system
 		)
 	if not FileAccess.file_exists(library):
 		return (
-			"%s is missing. Build it with scons in GA-Godot's repository, or copy the addon from a release; then restart the editor."
+			(
+				"%s is missing. Build it with scons in GA-Godot's repository, or copy the addon from a"
+				+ " release; then restart the editor."
+			)
 			% library
 		)
 	return (
-		"%s is there but was not loaded. Restart the editor; if that does not help, build the library anew for %s."
+		(
+			"%s exists but was not loaded. Restart the editor; if that does not help, rebuild the"
+			+ " library for %s."
+		)
 		% [library, system]
 	)
 
 
-## The path of the library for this system, or an empty string.
+## The path of the library for this system; empty if there is none.
 func _find_library(description: ConfigFile) -> String:
 	if not description.has_section("libraries"):
 		return ""

@@ -1,5 +1,5 @@
 extends PanelContainer
-## The left panel: a preset, the mode, and the two poses.
+## The left panel: preset, mode and the two poses.
 
 signal mode_chosen(mode: MultivectorLerp.Mode)
 ## A preset was chosen or a slider moved; read the poses with get_start_pose() and get_end_pose().
@@ -11,7 +11,7 @@ const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes
 const PoseEditor := preload("res://demos/interpolation/pose_editor.gd")
 const Preset := preload("res://demos/interpolation/presets.gd")
 
-const EDITED_HINT := "Edited by hand. Choose a pair above to start again."
+const EDITED_HINT := "Edited. Choose a preset above to start over."
 
 var _presets := Preset.list()
 var _cards: Array[ModeCard] = []
@@ -47,7 +47,7 @@ func get_end_pose() -> DemoPose:
 	return _end_editor.get_pose()
 
 
-## Shows the preset's poses and emits poses_changed.
+## Selects a preset and emits poses_changed.
 func choose_preset(index: int) -> void:
 	var preset := _presets[index]
 	_preset.select(index)
@@ -57,7 +57,7 @@ func choose_preset(index: int) -> void:
 	poses_changed.emit()
 
 
-## Marks the mode's card without emitting mode_chosen.
+## Selects the card of the mode without emitting mode_chosen.
 func show_mode(mode: MultivectorLerp.Mode) -> void:
 	_cards[mode].set_pressed_no_signal(true)
 

@@ -3,9 +3,9 @@ extends RefCounted
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 
-## Metres.
+## Meters.
 var position: Vector3
-## Euler angles in degrees, in Godot's YXZ order.
+## Euler angles in degrees, in YXZ order.
 var rotation_degrees: Vector3
 ## Uniform scale, above zero.
 var scale: float

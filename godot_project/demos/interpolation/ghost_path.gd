@@ -1,6 +1,6 @@
 extends Node3D
-## The path of the cube in one mode: ghost cubes at even steps of the factor and a band along the
-## centres. The ghosts are one MotorPool: every body has the same two poses and a weight of its own.
+## The path of the cube in one mode: ghost cubes at equal steps of the factor and a band through
+## their centers. The ghosts are a MotorPool whose bodies share the two poses and differ in weight.
 
 const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
 const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
@@ -11,7 +11,7 @@ const LINE_POINTS := 97
 ## A row of the pool's buffer: three rows of a 3x4 matrix, the origin in the last column.
 const FLOATS_PER_BODY := 12
 const FRAME_THICKNESS := 0.016
-## Opacity of the ghosts and of the line in the mode that is chosen and in the others.
+## Opacities in the chosen mode and in the others.
 const CHOSEN_GHOST_ALPHA := 0.6
 const OTHER_GHOST_ALPHA := 0.22
 const CHOSEN_LINE_ALPHA := 1.0
@@ -46,7 +46,8 @@ func _ready() -> void:
 	instance.multimesh = _ghosts
 	instance.material_override = _ghost_material
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	# The bounds of a multimesh do not follow its buffer in time; the whole scene is near enough.
+	# The engine updates the bounds of a MultiMesh too late; a box around the whole scene is good
+	# enough.
 	instance.custom_aabb = AABB(Vector3.ONE * -50.0, Vector3.ONE * 100.0)
 	add_child(instance)
 
@@ -71,7 +72,7 @@ func show_path(from: Transform3D, to: Transform3D) -> void:
 	PathRibbon.build(_line, centers)
 
 
-## The chosen mode's path is drawn strong, the others faint.
+## Highlights the path of the chosen mode.
 func set_chosen(chosen: bool) -> void:
 	var color := Modes.COLORS[_mode]
 	_ghost_material.albedo_color = Color(color, CHOSEN_GHOST_ALPHA if chosen else OTHER_GHOST_ALPHA)
@@ -89,7 +90,7 @@ func _make_material() -> StandardMaterial3D:
 	return material
 
 
-## Puts `count` bodies into a new pool and returns their weights, spread evenly from 0 to 1.
+## Adds `count` bodies to an empty pool and returns their weights, evenly spaced from 0 to 1.
 func _fill(pool: MotorPool, count: int) -> PackedFloat32Array:
 	var weights := PackedFloat32Array()
 	pool.reserve(count)

@@ -1,6 +1,6 @@
 extends Node3D
-## The interpolation demo: a cube between two poses by factor, in three modes.
-## The cube is moved by a MultivectorLerp node; the paths are drawn by MotorPools (ghost_path.gd).
+## The interpolation demo: a cube between two poses, in three modes. A MultivectorLerp node moves
+## the cube; ghost_path.gd draws the paths with MotorPools.
 
 const ControlPanel := preload("res://demos/interpolation/control_panel.gd")
 const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
@@ -13,7 +13,7 @@ const ReadoutPanel := preload("res://demos/interpolation/readout_panel.gd")
 
 const FIRST_FACTOR := 0.4
 const FRAME_THICKNESS := 0.022
-## How strongly the start and end cubes are drawn.
+## Opacity of the start and end cubes.
 const POSE_ALPHA := 0.55
 const KEY_MODES: Dictionary[Key, int] = {KEY_1: 0, KEY_2: 1, KEY_3: 2}
 
@@ -49,7 +49,7 @@ func _ready() -> void:
 	set_factor(FIRST_FACTOR)
 
 
-## Space plays whatever has the focus; else it would press the button that was clicked last.
+## Handles Space before the focused button does.
 func _input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	if key != null and key.pressed and not key.echo and key.keycode == KEY_SPACE:
@@ -81,7 +81,7 @@ func choose_mode(mode: MultivectorLerp.Mode) -> void:
 	_on_factor_changed(_play_bar.get_factor())
 
 
-## Chooses a pair of poses by its index in presets.gd.
+## Chooses a preset by its index in presets.gd.
 func choose_preset(index: int) -> void:
 	_control_panel.choose_preset(index)
 
@@ -98,7 +98,7 @@ func show_panels(shown: bool) -> void:
 	_panels.visible = shown
 
 
-## The cube that moves.
+## The moving cube.
 func get_cube() -> MeshInstance3D:
 	return _cube
 
@@ -132,10 +132,10 @@ func _dress(cube: MeshInstance3D, faces: Material, edges: Material) -> void:
 	cube.add_child(frame)
 
 
-func _add_caption(cube: MeshInstance3D, words: String) -> void:
+func _add_caption(cube: MeshInstance3D, text: String) -> void:
 	var caption := Label3D.new()
 	caption.name = "Caption"
-	caption.text = words
+	caption.text = text
 	caption.billboard = BaseMaterial3D.BILLBOARD_ENABLED
 	caption.no_depth_test = true
 	caption.fixed_size = true

@@ -1,5 +1,5 @@
 extends HBoxContainer
-## Names the paths' colours; a click hides or shows the path.
+## The legend of the paths; a click shows or hides a path.
 
 signal path_toggled(mode: int, shown: bool)
 
@@ -16,7 +16,7 @@ func _ready() -> void:
 		var box := CheckBox.new()
 		box.text = Modes.TITLES[mode]
 		box.button_pressed = true
-		box.tooltip_text = "Show or hide this path"
+		box.tooltip_text = "Show or hide this path."
 		box.focus_mode = Control.FOCUS_NONE
 		for state: StringName in [
 			&"font_color", &"font_hover_color", &"font_pressed_color", &"font_hover_pressed_color"

@@ -1,5 +1,5 @@
 extends Button
-## One choice of the mode list: its colour, its name and what it does.
+## A button of the mode list: color, name and description.
 
 const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 
@@ -35,11 +35,11 @@ func _init(mode := 0, group: ButtonGroup = null) -> void:
 	lines.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	row.add_child(lines)
 	lines.add_child(_make_line(Modes.TITLES[mode], &"Label"))
-	lines.add_child(_make_line(Modes.LINES[mode], &"CaptionLabel"))
+	lines.add_child(_make_line(Modes.DESCRIPTIONS[mode], &"CaptionLabel"))
 
 
-func _make_line(words: String, variation: StringName) -> Label:
+func _make_line(text: String, variation: StringName) -> Label:
 	var label := Label.new()
-	label.text = words
+	label.text = text
 	label.theme_type_variation = variation
 	return label

@@ -1,12 +1,12 @@
 extends PanelContainer
-## The bar below: the factor by hand, or played to and fro.
+## The bottom bar: a slider for the factor, and playback back and forth.
 
 signal factor_changed(factor: float)
 
 ## Seconds from one pose to the other.
 const DURATION := 2.5
 
-## Where in the to and fro the play is, from 0 to 2: 0 to 1 is there, 1 to 2 is back.
+## Phase of the playback, 0 to 2: forward up to 1, then back.
 var _phase := 0.0
 
 @onready var _play: Button = %Play
@@ -23,7 +23,7 @@ func _ready() -> void:
 
 func _process(delta: float) -> void:
 	_phase = fposmod(_phase + delta / DURATION, 2.0)
-	# Eased at the ends, where it turns round.
+	# Ease in and out at both ends.
 	_factor.value = smoothstep(0.0, 1.0, 1.0 - absf(1.0 - _phase))
 
 
@@ -39,7 +39,7 @@ func is_playing() -> bool:
 	return is_processing()
 
 
-## Plays on from the present factor, or stops there.
+## Plays from the current factor, or pauses there.
 func set_playing(playing: bool) -> void:
 	if playing and not is_processing():
 		_phase = _phase_of(_factor.value)

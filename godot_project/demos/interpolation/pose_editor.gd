@@ -1,14 +1,15 @@
 extends VBoxContainer
 ## Sliders for one pose: position, rotation and scale.
 
-## Emitted when the person moved a slider; not when show_pose() did.
+## Emitted when the user moves a slider, not by show_pose().
 signal pose_changed
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 
 const NAME_WIDTH := 66
 const VALUE_WIDTH := 52
-const REACH := 4.0
+## Largest coordinate of a position, in meters.
+const MAX_POSITION := 4.0
 const MIN_SCALE := 0.5
 const MAX_SCALE := 2.5
 const ROW_NAMES: Array[String] = ["Position x", "y", "z", "Rotation x", "y", "z", "Scale"]
@@ -21,7 +22,7 @@ var _values: Array[Label] = []
 func _init() -> void:
 	add_theme_constant_override(&"separation", 2)
 	for i in 3:
-		_add_row(ROW_NAMES[i], -REACH, REACH, 0.01)
+		_add_row(ROW_NAMES[i], -MAX_POSITION, MAX_POSITION, 0.01)
 	for i in range(3, 6):
 		_add_row(ROW_NAMES[i], -180.0, 180.0, 1.0)
 	_add_row(ROW_NAMES[6], MIN_SCALE, MAX_SCALE, 0.01)
@@ -48,7 +49,7 @@ func show_pose(pose: DemoPose) -> void:
 		_show_value(i)
 
 
-func _add_row(row_name: String, lowest: float, highest: float, step: float) -> void:
+func _add_row(row_name: String, min_value: float, max_value: float, step: float) -> void:
 	var index := _sliders.size()
 	var row := HBoxContainer.new()
 	row.add_theme_constant_override(&"separation", 8)
@@ -61,8 +62,8 @@ func _add_row(row_name: String, lowest: float, highest: float, step: float) -> v
 	row.add_child(label)
 
 	var slider := HSlider.new()
-	slider.min_value = lowest
-	slider.max_value = highest
+	slider.min_value = min_value
+	slider.max_value = max_value
 	slider.step = step
 	slider.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	slider.size_flags_vertical = Control.SIZE_SHRINK_CENTER

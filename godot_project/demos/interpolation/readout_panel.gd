@@ -1,9 +1,10 @@
 extends PanelContainer
-## The right panel: the coefficients of the cube's motor, and how far the modes' paths lie apart.
+## The right panel: the coefficients of the cube's motor, and the deviations between the paths of
+## the modes.
 
 const Modes := preload("res://addons/ga_godot/playground/lab/interpolation_modes.gd")
 
-## The coefficients that a scaled motor can have, by their index among the 32 of a multivector.
+## The blades of a motor with scale, with their indices in Multivector.coefficients.
 const MOTOR_BLADES: Dictionary[String, int] = {
 	"1": 0,
 	"e45": 15,
@@ -27,7 +28,7 @@ const BLADE_WIDTH := 40
 const NUMBER_WIDTH := 56
 
 var _coefficients: Array[Label] = []
-## For each pair the labels of its distance and its angle.
+## Distance and angle of each pair.
 var _deviations: Array[Label] = []
 
 @onready var _coefficient_grid: GridContainer = %Coefficients
@@ -38,9 +39,10 @@ func _ready() -> void:
 	for blade: String in MOTOR_BLADES:
 		_add_label(_coefficient_grid, blade, BLADE_WIDTH, &"CaptionLabel")
 		_coefficients.append(_add_number(_coefficient_grid))
-	_add_label(_deviation_grid, "at most", 0, &"CaptionLabel")
-	_add_label(_deviation_grid, "mm", NUMBER_WIDTH, &"CaptionLabel").horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
-	_add_label(_deviation_grid, "degrees", NUMBER_WIDTH, &"CaptionLabel").horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	_add_label(_deviation_grid, "Maximum", 0, &"CaptionLabel")
+	for unit: String in ["mm", "degrees"]:
+		var heading := _add_label(_deviation_grid, unit, NUMBER_WIDTH, &"CaptionLabel")
+		heading.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
 	for pair in PAIRS:
 		_deviation_grid.add_child(_make_pair_label(pair))
 		_deviations.append(_add_number(_deviation_grid))
@@ -57,7 +59,7 @@ func show_motor(motor: Multivector) -> void:
 		_coefficients[i].modulate.a = 0.35 if absf(number) < 5e-5 else 1.0
 
 
-## The largest deviations over the whole path between two poses, of the centres and of the rotations.
+## Shows the largest deviations of position and rotation along the paths between two poses.
 func show_deviations(from: Multivector, to: Multivector) -> void:
 	for i in PAIRS.size():
 		var largest := MultivectorLerp.measure_deviation(
@@ -67,9 +69,9 @@ func show_deviations(from: Multivector, to: Multivector) -> void:
 		_deviations[2 * i + 1].text = "%.2f" % rad_to_deg(largest["angle"] as float)
 
 
-func _add_label(grid: GridContainer, words: String, width: int, variation: StringName) -> Label:
+func _add_label(grid: GridContainer, text: String, width: int, variation: StringName) -> Label:
 	var label := Label.new()
-	label.text = words
+	label.text = text
 	label.custom_minimum_size.x = width
 	label.theme_type_variation = variation
 	grid.add_child(label)
@@ -103,7 +105,7 @@ func _make_pair_label(pair: Vector2i) -> RichTextLabel:
 	return label
 
 
-## Four decimals, with a real minus sign of the width of a digit and no "-0".
+## Four decimals, with a minus sign as wide as a digit and no "-0".
 func _format(number: float) -> String:
 	if absf(number) < 5e-5:
 		return "0"

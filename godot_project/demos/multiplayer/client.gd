@@ -1,13 +1,13 @@
 extends Node
-## A client: joins the server, shows what it sends, and tells it what the player wants.
+## A client: joins the server, receives poses and sends the input of the player.
 
-## Why the client is no longer connected, in words for the player.
+## Emitted when the connection is closed, with a reason to show to the player.
 signal closed(reason: String)
-## Emitted when the server has told what it plays; the link is open.
+## Emitted when the server has described the scene and the link is open.
 signal opened(scene: String, cubes: int)
-## Emitted when the poses come by another method from now on.
+## Emitted when the replication method changes.
 signal method_changed
-## Emitted when another bound or path holds.
+## Emitted when tolerance or mode change.
 signal tuned
 
 const Connection := preload("connection.gd")
@@ -24,26 +24,26 @@ const TrafficMeter := preload("measure/traffic_meter.gd")
 const Truth := preload("measure/truth.gd")
 const UdpProxy := preload("network/udp_proxy.gd")
 
-## Seconds to wait for the server's answer.
+## Seconds to wait for the server's reply.
 const CONNECT_SECONDS := 8.0
-const LOST := "The server has closed the session or cannot be reached."
-## Other than the server's ticks, so that pictures come at every place between two ticks.
+const LOST := "The connection to the server was lost."
+## No multiple of the server's tick rate, so that frames sample all phases between two ticks.
 const HEADLESS_FRAMES_PER_SECOND := 75
-## Bytes that a truth costs besides its own.
+## Overhead of a ground truth packet in bytes.
 const TRUTH_HEADER := 13
 
 var meter: TrafficMeter
 var gauge := ErrorGauge.new()
-## Of the method that the poses come by; null before the server has told.
+## The link of the current method; null before the server has described the scene.
 var link: PoseLink
 ## All players, as [slot, peer, name] each.
 var roster: Array = []
 var cube_count := 0
 var method := ""
-## The bound in metres and the path that the server has decided on.
+## Tolerance in meters and mode, as decided by the server.
 var tolerance := 0.005
 var mode := MultivectorLerp.SEPARATE
-## How bad the network is made; change it with [method set_conditions].
+## Network impairments; change them with [method set_conditions].
 var conditions: LineConditions
 
 var _options: Options
@@ -52,7 +52,7 @@ var _input: PlayerInput
 var _peer := ENetMultiplayerPeer.new()
 var _recorder: PoseRecorder
 var _links: Dictionary[String, PoseLink]
-## Null where nothing shall be bad.
+## Null if the network is not impaired.
 var _proxy: UdpProxy
 var _report := RunReport.new()
 var _heard_at := 0.0
@@ -71,17 +71,17 @@ func _init(options: Options, session: Session, links: Dictionary[String, PoseLin
 	conditions = options.conditions
 
 
-## Starts to connect. Returns what is wrong, or an empty text.
+## Starts to connect. Returns an error message, or an empty string.
 func open() -> String:
 	var is_headless := DisplayServer.get_name() == "headless"
 	var address := _options.address
 	var port := _options.port
-	# With a window the network may become bad at any time.
+	# With a window the user can impair the network at any time.
 	if not is_headless or not conditions.is_perfect():
 		_proxy = UdpProxy.new()
 		add_child(_proxy)
 		if _proxy.open(address, port, _options.seed_value) != OK:
-			return "Cannot find %s." % address
+			return "Cannot resolve the address %s." % address
 		address = "127.0.0.1"
 		port = _proxy.get_port()
 	if _peer.create_client(address, port) != OK:
@@ -92,7 +92,7 @@ func open() -> String:
 	meter = TrafficMeter.new(_peer.host, _proxy)
 	multiplayer.connected_to_server.connect(_on_connected)
 	multiplayer.connection_failed.connect(
-		_close.bind("No answer from the server at %s:%d." % [_options.address, _options.port])
+		_close.bind("The server at %s:%d does not respond." % [_options.address, _options.port])
 	)
 	multiplayer.server_disconnected.connect(_close.bind(LOST))
 	_session.welcomed.connect(_on_welcomed)
@@ -102,12 +102,12 @@ func open() -> String:
 	_session.finished.connect(_on_finished)
 	_session.method_chosen.connect(_on_method_chosen)
 	_session.tuned.connect(_on_tuned)
-	_session.truth_told.connect(_on_truth_told)
+	_session.truth_received.connect(_on_truth_received)
 	get_tree().create_timer(CONNECT_SECONDS).timeout.connect(_on_connect_timeout)
 	return ""
 
 
-## The slot of this client's ball, or -1 before it has one.
+## Slot of this client's ball, or -1 before it has one.
 func get_own_slot() -> int:
 	for player: Array in roster:
 		if player[1] == _own_id:
@@ -115,31 +115,32 @@ func get_own_slot() -> int:
 	return -1
 
 
-## The input, for the view to tell it where the camera looks.
+## The input, to which the view passes the direction of the camera.
 func get_input() -> PlayerInput:
 	return _input
 
 
-## Makes the network as bad as this, at once; only with a window, or where it was bad from the start.
+## Impairs the network at once. Without a window it works only if the network was impaired from the
+## start.
 func set_conditions(p_conditions: LineConditions) -> void:
 	conditions = p_conditions
 	if _proxy != null:
 		_proxy.set_conditions(conditions)
 
 
-## Asks the server for poses by another method.
-func want_method(wanted: String) -> void:
-	_session.want_method.rpc_id(1, wanted)
+## Requests another replication method.
+func request_method(wanted: String) -> void:
+	_session.request_method.rpc_id(1, wanted)
 
 
-## Asks the server for another bound, in metres, and another path, for everybody.
-func want_tuning(wanted_tolerance: float, wanted_mode: MultivectorLerp.Mode) -> void:
-	_session.want_tuning.rpc_id(1, wanted_tolerance, wanted_mode)
+## Requests another tolerance, in meters, and another mode, for all players.
+func request_tuning(wanted_tolerance: float, wanted_mode: MultivectorLerp.Mode) -> void:
+	_session.request_tuning.rpc_id(1, wanted_tolerance, wanted_mode)
 
 
-## Asks the server for the truth by which [member gauge] measures, or for no more of it.
-func want_truth(wanted: bool) -> void:
-	_session.want_truth.rpc_id(1, wanted)
+## Starts or stops the ground truth that [member gauge] needs.
+func request_truth(wanted: bool) -> void:
+	_session.request_truth.rpc_id(1, wanted)
 
 
 func _exit_tree() -> void:
@@ -168,8 +169,8 @@ func _process(_delta: float) -> void:
 	gauge.update(link)
 	if _is_over and link.get_shown_tick() >= _last_tick:
 		_recorder.close()
-		_report.tell(link)
-		_close("The scene is over.")
+		_report.print_json(link)
+		_close("The scene has ended.")
 
 
 func _on_connected() -> void:
@@ -179,7 +180,7 @@ func _on_connected() -> void:
 
 func _on_connect_timeout() -> void:
 	if cube_count == 0 and not _is_closed:
-		_close("No answer from the server at %s:%d." % [_options.address, _options.port])
+		_close("The server at %s:%d does not respond." % [_options.address, _options.port])
 
 
 func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
@@ -200,7 +201,9 @@ func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
 	_recorder = PoseRecorder.new(_options.record, body_count)
 	_rows.resize(body_count * 12)
 	if _options.leave_after > 0.0:
-		get_tree().create_timer(_options.leave_after).timeout.connect(_close.bind("Left."))
+		get_tree().create_timer(_options.leave_after).timeout.connect(
+			_close.bind("Left the session.")
+		)
 	_input = PlayerInput.new(_session, _options.autopilot)
 	add_child(_input)
 	_session.enter.rpc_id(1, _options.player_name)
@@ -220,7 +223,8 @@ func _on_method_chosen(chosen: String) -> void:
 
 func _on_roster_changed(p_roster: Array) -> void:
 	if roster.is_empty():
-		# Not before: ENet's handshake waits twice as long after each loss, half a minute where a third is lost.
+		# Not before: ENet's handshake doubles its timeout after each loss, up to half a minute at
+		# 33% loss.
 		set_conditions(conditions)
 	roster = p_roster
 
@@ -229,12 +233,12 @@ func _on_begun() -> void:
 	_report.begin(meter)
 
 
-## Told again and again, until the client has left.
+## The server repeats this message until the client has left.
 func _on_finished(tick: float) -> void:
 	if _is_over:
 		return
 	_is_over = true
-	# A link that knows no time shows the end when it hears of it.
+	# A link without a clock shows the end when the message arrives.
 	_last_tick = tick if link.get_shown_tick() >= 0.0 else PoseLink.NO_TICK
 	_report.finish(method, meter)
 
@@ -254,7 +258,7 @@ func _on_tuned(p_tolerance: float, p_mode: MultivectorLerp.Mode) -> void:
 	tuned.emit()
 
 
-func _on_truth_told(bytes: PackedByteArray) -> void:
+func _on_truth_received(bytes: PackedByteArray) -> void:
 	meter.discount(bytes.size() + TRUTH_HEADER)
 	var truth := Truth.from_bytes(bytes, cube_count + Simulation.SLOTS)
 	if truth != null:

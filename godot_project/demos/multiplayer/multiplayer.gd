@@ -1,6 +1,6 @@
 extends Node3D
-## The multiplayer demo: one scene that is a server, a client, or asks which (options.gd has the
-## command line). It has a multiplayer API of its own, so that it runs wherever it stands in the tree.
+## The multiplayer demo: a server, a client, or the lobby, depending on the command line
+## (options.gd). It has its own multiplayer API, so that it runs anywhere in the scene tree.
 
 const Client := preload("client.gd")
 const ClientView := preload("view/client_view.gd")
@@ -24,7 +24,7 @@ func _ready() -> void:
 		get_tree().quit(2)
 		return
 	var api := SceneMultiplayer.new()
-	# Clients talk to the server alone.
+	# Clients communicate only with the server.
 	api.server_relay = false
 	get_tree().set_multiplayer(api, get_path())
 	match _options.role:
@@ -49,7 +49,7 @@ func _start_server() -> void:
 		printerr(problem)
 		get_tree().quit(1)
 	elif _has_window():
-		_say("Server on port %d. It runs until this window is closed." % _options.port)
+		_show_text("Server on port %d. Close this window to stop it." % _options.port)
 
 
 func _start_client() -> void:
@@ -71,13 +71,13 @@ func _on_client_closed(reason: String) -> void:
 		get_tree().quit()
 
 
-## Shows the start screen, with [param message] if there is something to say.
+## Shows the lobby, with a message if there is one.
 func _open_lobby(message: String) -> void:
 	for child: Node in get_children():
 		child.queue_free()
 		remove_child(child)
 	if not _has_window():
-		printerr("multiplayer demo: use --role=server or --role=client without a window.")
+		printerr("multiplayer demo: without a window, --role=server or --role=client is required.")
 		get_tree().quit(2)
 		return
 	_lobby = Lobby.new(_options, message)
@@ -97,7 +97,7 @@ func _add_session() -> void:
 	add_child(_session)
 
 
-## A link for each method.
+## One link per method.
 func _make_links() -> Dictionary[String, PoseLink]:
 	var links: Dictionary[String, PoseLink] = {
 		"motors": MotorLink.new(), "synchronizer": SynchronizerLink.new()
@@ -108,7 +108,7 @@ func _make_links() -> Dictionary[String, PoseLink]:
 	return links
 
 
-func _say(text: String) -> void:
+func _show_text(text: String) -> void:
 	var label := Label.new()
 	label.text = text
 	label.theme_type_variation = &"HeadingLabel"

@@ -1,6 +1,6 @@
 extends RefCounted
-## What the command line asks of the multiplayer demo: the arguments after `--`.
-## An argument that is not understood leaves one line in [member problem].
+## The options of the multiplayer demo, parsed from the arguments after `--`. [member problem]
+## describes an invalid one.
 
 const LineConditions := preload("res://demos/multiplayer/network/line_conditions.gd")
 const Options := preload("res://demos/multiplayer/options.gd")
@@ -11,44 +11,45 @@ const SCENES: PackedStringArray = ["cubes", "push"]
 const CUBES: Dictionary[String, int] = {"cubes": 250, "push": 901}
 const METHODS: PackedStringArray = ["motors", "synchronizer"]
 
-## "server", "client", or empty: ask the user.
+## "server", "client", or empty to show the lobby.
 var role := ""
-## The server's address, as a client uses it.
+## Address at which a client connects to the server.
 var address := "127.0.0.1"
 var port := DEFAULT_PORT
-## "cubes" or "push"; a client is told by the server.
+## "cubes" or "push". A client gets it from the server.
 var scene := "cubes"
-## Number of cubes, 0 for the scene's own; a client is told by the server.
+## Number of cubes, 0 for the default of the scene. A client gets it from the server.
 var cubes := 0
-## "motors" or "synchronizer": how a client first gets its poses; it may ask for the other.
+## Initial replication method, "motors" or "synchronizer". A client can request the other.
 var method := "motors"
-## Seconds of the scene to play, then everybody stops; 0 plays for ever.
+## Duration of the scene in seconds, after which all processes quit; 0 for no end.
 var seconds := 0.0
-## The server waits for this many clients before the scene begins.
+## Number of clients that the server waits for before the scene begins.
 var clients := 0
-## False: no scripted ball, no lifts; the cubes only fall and come to rest.
+## Whether there are a scripted ball and lifts. Without them the cubes fall and come to rest.
 var life := true
-## So many seconds before its end the scene goes calm: nobody drives, no lift works, and all comes to rest.
+## Seconds before the end at which players, ball and lifts stop, so that all bodies come to rest.
 var calm := 0.0
-## A client leaves after so many seconds; 0: it stays.
+## Seconds after which a client leaves; 0 to stay.
 var leave_after := 0.0
-## True: the server ends when the last player has left.
+## Whether the server quits when the last player leaves.
 var quit_when_empty := false
-## File for the poses of every tick (server) or as shown (client); empty: none.
+## File that records the poses of each tick (server) or of each frame (client); empty for none.
 var record := ""
-## How bad the network between a client and the server is made, in each direction.
+## Network impairments between a client and the server, in each direction.
 var conditions := LineConditions.new()
-## Seed of what the network does to each packet.
+## Seed of the network impairments.
 var seed_value := 1
-## Name over the player's ball.
+## Name shown above the player's ball.
 var player_name := "Player"
-## A scripted player: "none", "circle" (drives round), "kick" (kicks cube 0 every second) or "fiddle" (changes method,
-## bound and path in turn, one a second, and ends with what there was).
+## Scripted player: "none", "circle" (drives in a circle), "kick" (kicks cube 0 every second) or
+## "fiddle" (changes method, tolerance and mode in turn, one per second, and ends with the initial
+## ones).
 var autopilot := "none"
-## Where a window saves a picture, and after how many seconds, before it closes.
+## File for a screenshot, and the seconds after which a client takes it and quits; empty for none.
 var picture := ""
 var picture_after := 6.0
-## What is wrong with the arguments, or empty.
+## Describes the invalid argument, or empty.
 var problem := ""
 
 
@@ -124,18 +125,18 @@ func _take_condition(key: String, argument: String, value: String) -> void:
 		"rate":
 			conditions.rate = _number(argument, value, 0.0, 1e9)
 		_:
-			problem = "unknown argument %s" % argument
+			problem = "unknown argument %s; options.gd lists the valid ones" % argument
 
 
 func _choice(argument: String, value: String, choices: PackedStringArray) -> String:
 	if not choices.has(value):
-		problem = "%s: use one of %s" % [argument, ", ".join(choices)]
+		problem = "%s is invalid: use one of %s" % [argument, ", ".join(choices)]
 		return choices[0]
 	return value
 
 
-func _number(argument: String, value: String, least: float, most: float) -> float:
-	if not value.is_valid_float() or value.to_float() < least or value.to_float() > most:
-		problem = "%s: use a number from %d to %d" % [argument, least, most]
-		return least
+func _number(argument: String, value: String, min_value: float, max_value: float) -> float:
+	if not value.is_valid_float() or value.to_float() < min_value or value.to_float() > max_value:
+		problem = "%s is invalid: use a number from %d to %d" % [argument, min_value, max_value]
+		return min_value
 	return value.to_float()

@@ -1,5 +1,6 @@
 extends Node
-## The server: runs the simulation, decides what players do to it, and publishes the poses of every tick.
+## The server: runs the simulation, validates and applies the input of players, and publishes the
+## poses of each tick.
 
 const Connection := preload("connection.gd")
 const Options := preload("options.gd")
@@ -10,18 +11,19 @@ const Simulation := preload("world/simulation.gd")
 const TruthProbe := preload("measure/truth_probe.gd")
 
 const MAX_CLIENTS := 6
-## Seconds between two looks at who is still there.
-const LOOK_PAUSE := 0.5
-## Frames a second of the main loop without a window: often enough for punctual ticks.
+## Seconds between two checks for silent players.
+const CHECK_INTERVAL := 0.5
+## Frame rate of the main loop: twice the tick rate, for punctual ticks.
 const FRAMES_PER_SECOND := 120
-## Seconds after the end of the scene within which the players have left, or are left behind.
-const FAREWELL := 20.0
-## Seconds of silence after the end of the scene after which a player has left: farewells get lost too.
-const OVER_SILENCE := 2.0
+## Seconds after the end of the scene at which the server quits even if players remain.
+const MAX_SHUTDOWN := 20.0
+## Seconds of silence after the end of the scene after which a player counts as gone: disconnect
+## messages get lost, too.
+const MAX_FINAL_SILENCE := 2.0
 
 var _options: Options
 var _session: Session
-## Of each method; a client gets its poses by one of them.
+## By method.
 var _links: Dictionary[String, PoseLink]
 var _methods: Dictionary[int, String] = {}
 var _tolerance := 0.005
@@ -34,12 +36,12 @@ var _rows := PackedFloat32Array()
 var _tick := 0
 var _first_tick := -1
 var _last_tick := -1
-## What clients call the last tick.
+## The last tick on the clock of the clients.
 var _last_sent_tick := PoseLink.NO_TICK
-## Slot of each player's ball.
+## Slot of the ball by peer.
 var _slots: Dictionary[int, int] = {}
 var _names: Dictionary[int, String] = {}
-## Seconds on the local clock.
+## Time of the last message by peer, in seconds of the local clock.
 var _heard_at: Dictionary[int, float] = {}
 
 
@@ -53,11 +55,15 @@ func _ready() -> void:
 	set_physics_process(false)
 
 
-## Opens the port. Returns what is wrong, or an empty text.
+## Opens the port. Returns an error message, or an empty string.
 func open() -> String:
-	# Without a number of channels: Godot 4.6 tells clients that number as the bytes a second that the server can take.
+	# No channel count: Godot 4.6 passes it to clients as the incoming bandwidth of the server in
+	# bytes per second.
 	if _peer.create_server(_options.port, MAX_CLIENTS) != OK:
-		return "Cannot listen on UDP port %d: it is in use, or not allowed." % _options.port
+		return (
+			"Cannot listen on UDP port %d: it is in use or not permitted. Use --port to choose another."
+			% _options.port
+		)
 	Engine.max_fps = FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
 	multiplayer.peer_connected.connect(_on_peer_connected)
@@ -65,9 +71,9 @@ func open() -> String:
 	_session.entered.connect(_on_entered)
 	_session.steered.connect(_on_steered)
 	_session.kicked.connect(_on_kicked)
-	_session.method_wanted.connect(_on_method_wanted)
-	_session.tuning_wanted.connect(_on_tuning_wanted)
-	_session.truth_wanted.connect(_on_truth_wanted)
+	_session.method_requested.connect(_on_method_requested)
+	_session.tuning_requested.connect(_on_tuning_requested)
+	_session.truth_requested.connect(_on_truth_requested)
 	_simulation = Simulation.new(_options.scene, _options.cubes, _options.life)
 	add_child(_simulation)
 	var body_count := _options.cubes + Simulation.SLOTS
@@ -84,10 +90,10 @@ func open() -> String:
 	)
 	set_physics_process(true)
 	_begin_if_complete()
-	var looks := Timer.new()
-	looks.timeout.connect(_look_after_players)
-	add_child(looks)
-	looks.start(LOOK_PAUSE)
+	var check_timer := Timer.new()
+	check_timer.timeout.connect(_check_players)
+	add_child(check_timer)
+	check_timer.start(CHECK_INTERVAL)
 	return ""
 
 
@@ -108,7 +114,7 @@ func _physics_process(delta: float) -> void:
 	for link: PoseLink in _links.values():
 		link.publish(poses)
 	var sent_tick := _links["motors"].get_sent_tick()
-	_tell_truth(sent_tick, poses)
+	_send_truth(sent_tick, poses)
 	if _first_tick < 0 or _last_tick >= 0:
 		return
 	if _recorder.is_open():
@@ -119,12 +125,15 @@ func _physics_process(delta: float) -> void:
 		_finish(sent_tick)
 
 
-func _look_after_players() -> void:
+func _check_players() -> void:
 	var now := Time.get_ticks_msec() * 1e-3
 	for peer: int in _slots:
 		if _last_tick >= 0:
 			_session.finish.rpc_id(peer, _last_sent_tick)
-		if now - _heard_at[peer] > (Connection.MAX_SILENCE if _last_tick < 0 else OVER_SILENCE):
+		if (
+			now - _heard_at[peer]
+			> (Connection.MAX_SILENCE if _last_tick < 0 else MAX_FINAL_SILENCE)
+		):
 			Connection.give_up(_peer.get_peer(peer))
 
 
@@ -162,8 +171,8 @@ func _finish(sent_tick: float) -> void:
 			)
 		)
 	)
-	get_tree().create_timer(FAREWELL).timeout.connect(get_tree().quit)
-	_look_after_players()
+	get_tree().create_timer(MAX_SHUTDOWN).timeout.connect(get_tree().quit)
+	_check_players()
 	_quit_if_over()
 
 
@@ -207,7 +216,7 @@ func _on_entered(peer: int, player_name: String) -> void:
 	_heard_at[peer] = Time.get_ticks_msec() * 1e-3
 	_add_body(_options.cubes + slot)
 	_session.tune.rpc_id(peer, _tolerance, _mode)
-	_give_method(peer, _options.method)
+	_set_method(peer, _options.method)
 	_send_roster()
 	print("%s has joined." % player_name)
 	if _first_tick >= 0:
@@ -220,7 +229,7 @@ func _add_body(id: int) -> void:
 		link.add_body(id, _simulation.get_pose(id))
 
 
-func _give_method(peer: int, method: String) -> void:
+func _set_method(peer: int, method: String) -> void:
 	if _methods.has(peer):
 		_links[_methods[peer]].remove_receiver(peer)
 	_methods[peer] = method
@@ -228,13 +237,13 @@ func _give_method(peer: int, method: String) -> void:
 	_links[method].add_receiver(peer)
 
 
-func _on_method_wanted(peer: int, method: String) -> void:
+func _on_method_requested(peer: int, method: String) -> void:
 	if _slots.has(peer) and _links.has(method) and _methods[peer] != method:
-		_give_method(peer, method)
+		_set_method(peer, method)
 
 
-## One bound and one path for all: the motion is sampled once.
-func _on_tuning_wanted(peer: int, tolerance: float, mode: MultivectorLerp.Mode) -> void:
+## Tolerance and mode are common to all players, because the motion is sampled once.
+func _on_tuning_requested(peer: int, tolerance: float, mode: MultivectorLerp.Mode) -> void:
 	if not _slots.has(peer):
 		return
 	_tolerance = tolerance
@@ -245,17 +254,17 @@ func _on_tuning_wanted(peer: int, tolerance: float, mode: MultivectorLerp.Mode) 
 		_session.tune.rpc_id(player, tolerance, mode)
 
 
-func _on_truth_wanted(peer: int, wanted: bool) -> void:
+func _on_truth_requested(peer: int, wanted: bool) -> void:
 	_probe.watchers.erase(peer)
 	if wanted and _slots.has(peer):
 		_probe.watchers.append(peer)
 
 
-func _tell_truth(sent_tick: float, poses: Dictionary[int, Transform3D]) -> void:
+func _send_truth(sent_tick: float, poses: Dictionary[int, Transform3D]) -> void:
 	var truth := _probe.observe(sent_tick, poses)
 	if truth != null:
 		for peer: int in _probe.watchers:
-			_session.tell_truth.rpc_id(peer, truth.to_bytes())
+			_session.send_truth.rpc_id(peer, truth.to_bytes())
 
 
 func _on_steered(peer: int, drive: Vector2, jump: bool) -> void:
@@ -283,6 +292,6 @@ func _send_roster() -> void:
 	for peer: int in _slots:
 		roster.append([_slots[peer], peer, _names[peer]])
 	for peer: int in _slots:
-		# Of several that leave at once, all are gone before the first is reported.
+		# If several peers leave at once, all are disconnected before the first is reported.
 		if _peer.get_peer(peer).get_state() == ENetPacketPeer.STATE_CONNECTED:
 			_session.set_roster.rpc_id(peer, roster)

@@ -1,39 +1,39 @@
 extends Node
-## The talk between clients and server besides the poses: who plays, what they want, when the scene
-## begins and ends. Each message becomes a signal at the other side; the server checks what it
-## gets before it acts on it.
+## The messages between clients and server other than poses: players, input, settings, and the begin
+## and end of the scene. Each message emits a signal on the receiving side. The server validates the
+## messages of clients.
 
-## At a client: the server tells which scene it plays, with how many cubes, by which method.
+## On a client: the server describes its scene, the number of cubes and the initial method.
 signal welcomed(scene: String, cubes: int, method: String)
-## At a client: why the server does not let it in.
+## On a client: the server refuses the connection.
 signal refused(reason: String)
-## At a client: all players, as [slot, peer, name] each.
+## On a client: all players, each as [slot, peer, name].
 signal roster_changed(roster: Array)
-## At a client: the scene begins.
+## On a client: the scene begins.
 signal begun
-## At a client: the scene ended at this tick, as links tell it; negative if they do not.
+## On a client: the scene ended at this tick on the clock of the links; negative if unknown.
 signal finished(tick: float)
-## At a client: by which method it gets the poses from now on.
+## On a client: the method that replicates poses from now on.
 signal method_chosen(method: String)
-## At a client: the bound in metres and the path (a [enum MultivectorLerp.Mode]) that hold from now on.
+## On a client: the tolerance in meters and the mode (a [enum MultivectorLerp.Mode]) from now on.
 signal tuned(tolerance: float, mode: int)
-## At a client: where some bodies truly were (truth.gd).
-signal truth_told(bytes: PackedByteArray)
-## At the server: a client is ready to get poses.
+## On a client: the ground truth of some bodies (truth.gd).
+signal truth_received(bytes: PackedByteArray)
+## On the server: a client is ready to receive poses.
 signal entered(peer: int, player_name: String)
-## At the server: where a player drives, at most 1 long.
+## On the server: the direction in which a player drives, of length 1 at most.
 signal steered(peer: int, drive: Vector2, jump: bool)
-## At the server: a client wants its poses by another method.
-signal method_wanted(peer: int, method: String)
-## At the server: a client wants another bound and path, for everybody.
-signal tuning_wanted(peer: int, tolerance: float, mode: int)
-## At the server: a client wants to be told true poses, or no longer.
-signal truth_wanted(peer: int, wanted: bool)
-## At the server: a player kicks a cube.
+## On the server: a client requests another method.
+signal method_requested(peer: int, method: String)
+## On the server: a client requests another tolerance and mode for all players.
+signal tuning_requested(peer: int, tolerance: float, mode: int)
+## On the server: a client starts or stops ground truth.
+signal truth_requested(peer: int, enabled: bool)
+## On the server: a player kicks a cube.
 signal kicked(peer: int, cube: int, direction: Vector3)
 
 const MAX_NAME := 24
-## Limits of the bound, in metres.
+## Limits of the tolerance, in meters.
 const MIN_TOLERANCE := 0.0005
 const MAX_TOLERANCE := 0.1
 
@@ -73,32 +73,32 @@ func tune(tolerance: float, mode: int) -> void:
 
 
 @rpc("authority", "call_remote", "unreliable", 3)
-func tell_truth(bytes: PackedByteArray) -> void:
-	truth_told.emit(bytes)
+func send_truth(bytes: PackedByteArray) -> void:
+	truth_received.emit(bytes)
 
 
 @rpc("any_peer", "call_remote", "reliable")
-func want_method(method: String) -> void:
+func request_method(method: String) -> void:
 	if multiplayer.is_server():
-		method_wanted.emit(multiplayer.get_remote_sender_id(), method)
+		method_requested.emit(multiplayer.get_remote_sender_id(), method)
 
 
 @rpc("any_peer", "call_remote", "reliable")
-func want_tuning(tolerance: float, mode: int) -> void:
+func request_tuning(tolerance: float, mode: int) -> void:
 	if (
 		multiplayer.is_server()
 		and is_finite(tolerance)
 		and mode >= 0
 		and mode <= MultivectorLerp.SEPARATE
 	):
-		var bound := clampf(tolerance, MIN_TOLERANCE, MAX_TOLERANCE)
-		tuning_wanted.emit(multiplayer.get_remote_sender_id(), bound, mode)
+		var clamped := clampf(tolerance, MIN_TOLERANCE, MAX_TOLERANCE)
+		tuning_requested.emit(multiplayer.get_remote_sender_id(), clamped, mode)
 
 
 @rpc("any_peer", "call_remote", "reliable")
-func want_truth(wanted: bool) -> void:
+func request_truth(enabled: bool) -> void:
 	if multiplayer.is_server():
-		truth_wanted.emit(multiplayer.get_remote_sender_id(), wanted)
+		truth_requested.emit(multiplayer.get_remote_sender_id(), enabled)
 
 
 @rpc("any_peer", "call_remote", "reliable")

@@ -1,23 +1,23 @@
 extends MenuButton
-## Which kind of object a click into the view adds.
+## Chooses the kind of object that a click in the view adds.
+
+signal chosen(kind: StringName)
 
 const NewObjects := preload("res://addons/ga_godot/playground/document/new_objects.gd")
 const PlaygroundIcons := preload("res://addons/ga_godot/playground/theme/playground_icons.gd")
 
-signal chosen(kind: StringName)
-
-## A number has no place.
-const WITHOUT_PLACE: Array[StringName] = [&"scalar"]
+## Kinds without a position, which a click cannot add.
+const WITHOUT_POSITION: Array[StringName] = [&"scalar"]
 
 var _kinds: Array[StringName] = []
 
 
 func _ready() -> void:
 	name = "Adding"
-	tooltip_text = "Add objects by clicks into the view"
+	tooltip_text = "Add objects by clicking in the view."
 	theme_type_variation = &"FlatButton"
 	for kind in NewObjects.KINDS:
-		if not kind in WITHOUT_PLACE:
+		if not kind in WITHOUT_POSITION:
 			_kinds.append(kind)
 			get_popup().add_item(NewObjects.TITLES[kind])
 	get_popup().index_pressed.connect(func(index: int) -> void: chosen.emit(_kinds[index]))

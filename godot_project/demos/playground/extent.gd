@@ -1,14 +1,15 @@
 extends RefCounted
-## Where objects lie, to look at them.
+## Bounding boxes of objects, for framing them in the view.
 
 const MOTIONS: Array[StringName] = [&"motor", &"rotor", &"translator", &"dilator"]
-## What has no end has a place only.
+## Objects without bounds count as a point.
 const ENDLESS: Array[StringName] = [&"line", &"plane"]
-## Half the side of the box of what is only a place.
-const PLACE := 0.05
+## Half the size of the box around a point, in meters.
+const POINT_RADIUS := 0.05
 
 
-## A box around these entries; without volume if none of them has a place. What has no end counts if there is nothing else.
+## The box around the entries; without volume if none has a position. Endless objects count only if
+## there are no others.
 static func of(scene: GAScene, entries: PackedStringArray) -> AABB:
 	var bounded := AABB()
 	var endless := AABB()
@@ -26,13 +27,15 @@ static func of(scene: GAScene, entries: PackedStringArray) -> AABB:
 
 
 static func _box_of(value: Multivector, facts: Dictionary) -> AABB:
-	var radius: float = maxf(facts.get("radius", 0.0) as float, PLACE)
+	var radius: float = maxf(facts.get("radius", 0.0) as float, POINT_RADIUS)
 	if facts.has("center"):
 		return _box(facts["center"] as Vector3, radius)
 	if facts["kind"] == &"plane":
 		return _box((facts["normal"] as Vector3) * (facts["distance"] as float), radius)
 	if facts["kind"] in MOTIONS:
-		return _merge(_box(Vector3.ZERO, PLACE), _box(value.to_transform().origin, PLACE))
+		return _merge(
+			_box(Vector3.ZERO, POINT_RADIUS), _box(value.to_transform().origin, POINT_RADIUS)
+		)
 	return AABB()
 
 

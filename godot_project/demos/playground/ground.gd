@@ -1,15 +1,15 @@
 extends Node3D
-## What gives objects a place: a grid in the plane y = 0 and the axes, as fine and as wide as the view needs.
+## A grid in the plane y = 0 and the axes, whose spacing and extent follow the view.
 
 const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 
-## Of the distance of the camera.
+## In units of the distance of the camera.
 const REACH := 6.0
 const FADE_BEGIN := 1.5
 const SPACING_SHARE := 0.6
 const FINE_STRENGTH := 0.16
 const Y_AXIS_COLOR := Color(0.38, 0.72, 0.3)
-## Of the ground and of its lines.
+## Colors of the ground and of its lines.
 const DARK: Array[Color] = [Color(0.085, 0.098, 0.124), Color(0.4, 0.45, 0.54)]
 const LIGHT: Array[Color] = [Color(0.93, 0.938, 0.953), Color(0.55, 0.59, 0.66)]
 
@@ -45,7 +45,7 @@ func fit_to(view: OrbitCamera) -> void:
 	_material().set_shader_parameter(&"center", Vector2(center.x, center.z))
 	_material().set_shader_parameter(&"coarse_spacing", spacing)
 	_material().set_shader_parameter(&"fine_spacing", spacing / 10.0)
-	# The finer lines go before the coarser ones take their place.
+	# The fine lines fade out before the coarse lines replace them.
 	_material().set_shader_parameter(
 		&"fine_strength", FINE_STRENGTH * (1.0 - (power - floorf(power)))
 	)

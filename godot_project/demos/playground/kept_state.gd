@@ -1,5 +1,5 @@
 extends RefCounted
-## What the playground keeps from one start to the next: the document with unsaved changes, and how it looks.
+## What persists between sessions: the document with its unsaved changes, and settings of the view.
 
 const PlaygroundDocument := preload(
 	"res://addons/ga_godot/playground/document/playground_document.gd"
@@ -7,7 +7,7 @@ const PlaygroundDocument := preload(
 
 const SECTION := "playground"
 
-## Empty: nothing is kept.
+## The file; empty to persist nothing.
 var path: String
 
 var _file := ConfigFile.new()
@@ -19,11 +19,11 @@ func _init(p_path: String) -> void:
 		_file.load(path)
 
 
-func get_setting(key: String, otherwise: Variant) -> Variant:
-	return _file.get_value(SECTION, key, otherwise)
+func get_setting(key: String, default: Variant) -> Variant:
+	return _file.get_value(SECTION, key, default)
 
 
-func keep(document: PlaygroundDocument, settings: Dictionary[String, Variant]) -> void:
+func save(document: PlaygroundDocument, settings: Dictionary[String, Variant]) -> void:
 	if path.is_empty():
 		return
 	_file.set_value(SECTION, "path", document.path)

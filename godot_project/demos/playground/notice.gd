@@ -1,24 +1,24 @@
 extends PanelContainer
-## Words that a person should read, for some seconds at the edge of the view.
+## A message at the edge of the view that disappears after some seconds.
 
 const SECONDS := 6.0
 const WIDTH := 380.0
 const FADE_SECONDS := 0.4
 
-var _words := Label.new()
+var _label := Label.new()
 var _fading: Tween
 
 
 func _ready() -> void:
-	_words.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
-	_words.custom_minimum_size.x = WIDTH
-	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	add_child(_words)
+	_label.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
+	_label.custom_minimum_size.x = WIDTH
+	_label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	add_child(_label)
 	hide()
 
 
-func tell(words: String) -> void:
-	_words.text = words
+func show_text(text: String) -> void:
+	_label.text = text
 	modulate = Color.WHITE
 	show()
 	if _fading != null:
@@ -29,5 +29,5 @@ func tell(words: String) -> void:
 	_fading.tween_callback(hide)
 
 
-func get_words() -> String:
-	return _words.text if visible else ""
+func get_text() -> String:
+	return _label.text if visible else ""

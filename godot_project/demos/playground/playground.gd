@@ -1,5 +1,5 @@
 extends Control
-## The playground in a running game: the panel that the editor's dock has, beside a view of its objects.
+## The playground in a running game: the panel of the editor's dock beside a view of its objects.
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const LabDrawing := preload("res://addons/ga_godot/playground/lab/lab_drawing.gd")
@@ -18,15 +18,18 @@ const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 const ViewOverlay := preload("view_overlay.gd")
 const ViewPane := preload("view_pane.gd")
 
-const KEYS := "Drag objects   ·   right drag turn   ·   middle drag move   ·   wheel closer   ·   F frame   ·   Ctrl+Z undo   ·   Esc menu"
-const ADDING_KEYS := "Click to add: %s   ·   Ctrl snaps   ·   Esc ends"
+const KEYS := (
+	"Drag: move objects   ·   Right drag: orbit   ·   Middle drag: pan   ·   Wheel: zoom   ·   "
+	+ "F: frame   ·   Ctrl+Z: undo   ·   Esc: menu"
+)
+const ADDING_KEYS := "Click: add %s   ·   Ctrl: snap   ·   Esc: stop"
 const PANEL_WIDTH := 340
 const LIGHT := "light"
 const WIDTH := "width"
-## Of what has no size, such as a point, when it is framed.
+## Radius in meters at which an object without a size is framed.
 const MIN_FRAME := 1.2
 const FRAME_MARGIN := 1.05
-## A document to begin with, for who was never here.
+## The document of the first session.
 const FIRST_ENTRIES: Dictionary[String, String] = {
 	"A": "point(-1.6, 0.2, 1)",
 	"B": "point(1.5, 0.4, 1.2)",
@@ -37,7 +40,7 @@ const FIRST_ENTRIES: Dictionary[String, String] = {
 	"l": "A ^ B ^ einf",
 }
 
-## Where unsaved work and the look are kept between two starts; empty: nowhere.
+## File for what persists between sessions; empty for none.
 var state_path := "user://playground.cfg"
 var host := GameHost.new()
 var panel: PlaygroundPanel
@@ -80,10 +83,10 @@ func _ready() -> void:
 
 
 func _exit_tree() -> void:
-	_state.keep(panel.document, {LIGHT: _is_light, WIDTH: _split.split_offsets[0]})
+	_state.save(panel.document, {LIGHT: _is_light, WIDTH: _split.split_offsets[0]})
 
 
-## The dark look or the light one.
+## Switches between the light and the dark theme.
 func set_light(light: bool) -> void:
 	_is_light = light
 	theme = PlaygroundTheme.make(light)
@@ -101,25 +104,25 @@ func set_light(light: bool) -> void:
 func undo() -> void:
 	var title := host.own_history.undo()
 	if not title.is_empty():
-		_notice.tell("Undone: %s" % title)
+		_notice.show_text("Undo: %s" % title)
 
 
 func redo() -> void:
 	var title := host.own_history.redo()
 	if not title.is_empty():
-		_notice.tell("Done again: %s" % title)
+		_notice.show_text("Redo: %s" % title)
 
 
 func get_viewport_camera() -> Camera3D:
 	return _camera.camera
 
 
-## What is told at the moment.
+## The current message, or an empty string.
 func get_notice() -> String:
-	return _notice.get_words()
+	return _notice.get_text()
 
 
-## Moves the camera so that the selected entries fill the view, or all if none is.
+## Fits the selected entries into the view, or all if none is selected.
 func frame_selection() -> void:
 	_frame(
 		(
@@ -154,18 +157,18 @@ func _make_panel() -> void:
 	panel = PlaygroundPanel.new(host)
 	_side.add_child(panel)
 	panel.document.scene_switched.connect(_on_scene_switched)
-	host.warned.connect(_notice.tell)
+	host.warned.connect(_notice.show_text)
 	host.own_history.changed.connect(_show_history)
-	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z)", undo, panel.add_to_head)
-	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z)", redo, panel.add_to_head)
+	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z).", undo, panel.add_to_head)
+	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z).", redo, panel.add_to_head)
 	%Tools.add_child(_adding_menu)
 	_add_button(
-		_frame_button, "Frame", "Frame the selection (F)", frame_selection, %Tools.add_child
+		_frame_button, "Frame", "Frame the selection (F).", frame_selection, %Tools.add_child
 	)
 	_add_button(
 		_light_button,
 		"Light",
-		"Light or dark",
+		"Switch between light and dark theme.",
 		func() -> void: set_light(not _is_light),
 		%Tools.add_child
 	)
@@ -183,7 +186,7 @@ func _add_button(
 	place.call(button)
 
 
-## While nothing is typed, undo is for the document, although a line has the focus.
+## An empty text field leaves undo and redo to the document although it has the focus.
 func _input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	var line := get_viewport().gui_get_focus_owner() as LineEdit
@@ -237,9 +240,9 @@ func _on_scene_switched() -> void:
 		_look_at_scene()
 
 
-## As the document tells, or so that all of it is seen.
+## Uses the camera stored in the document, or fits all objects into the view.
 func _look_at_scene() -> void:
-	if ViewPoint.is_told_by(_shown_scene):
+	if ViewPoint.is_stored_in(_shown_scene):
 		var view := ViewPoint.of(_shown_scene)
 		_camera.camera.fov = view.fov_in(_view.size)
 		_camera.look_from(view.from, view.to)

@@ -1,5 +1,5 @@
 extends Control
-## Handles and the like, over the view.
+## Draws handles over the view.
 
 const HandleOverlay := preload("res://addons/ga_godot/playground/view/handle_overlay.gd")
 const ViewPointer := preload("res://addons/ga_godot/playground/view/view_pointer.gd")

@@ -1,8 +1,8 @@
 extends Control
-## Shows a SubViewport, its child, in the pixels of the screen, and hands it what the mouse does here. Places in the
-## viewport are those of this control.
+## Shows its child, a SubViewport, at the resolution of the screen and forwards mouse input to it.
+## The viewport has the coordinates of this control.
 
-## Asked before the viewport with each event; true if it was used.
+## Called with each event before the viewport; returns true if it handled the event.
 var first_listener := Callable()
 
 @onready var viewport: SubViewport = $Viewport
@@ -21,8 +21,8 @@ func _draw() -> void:
 
 
 func _gui_input(event: InputEvent) -> void:
-	var is_used: bool = first_listener.call(event) if first_listener.is_valid() else false
-	if not is_used:
+	var is_handled: bool = first_listener.call(event) if first_listener.is_valid() else false
+	if not is_handled:
 		viewport.push_input(event, true)
 	if event is InputEventMouseButton:
 		accept_event()

@@ -1,7 +1,7 @@
 extends Node3D
-## Motion over a UDP socket of one's own: [MotorSender] and [MotorReceiver] do what [MotorSynchronizer] does, but leave the
-## transport to the game. Here both ends are in one process, over the loopback interface: the orange cube is moved, the blue
-## one is what arrives.
+## Replication over a custom UDP socket: [MotorSender] and [MotorReceiver] do what
+## [MotorSynchronizer] does, but leave the transport to the game. Both run in one process and use
+## the loopback interface. The orange cube is the sent one, the blue cube the received one.
 
 const BODY := 1
 const RECEIVER := 1
@@ -27,7 +27,7 @@ func _ready() -> void:
 	sender.add_receiver(RECEIVER, 0.0)
 
 
-## The sending end: each tick the pose, then the packets that are due, then the answers that came.
+## The sender, each tick: observe the pose, send the packets that are due, process acknowledgements.
 func _physics_process(_delta: float) -> void:
 	_ticks += 1
 	var time := float(_ticks) / Engine.physics_ticks_per_second
@@ -40,29 +40,29 @@ func _physics_process(_delta: float) -> void:
 		sender.accept(RECEIVER, _out.get_packet(), time)
 
 
-## The receiving end: each frame the packets that came, then an answer, then the pose.
+## The receiver, each frame: process packets, send an acknowledgement, show the pose.
 func _process(_delta: float) -> void:
 	var now := Time.get_ticks_usec() * 1e-6
 	while _in.get_available_packet_count() > 0:
 		var problem := receiver.accept(_in.get_packet(), now)
 		if not problem.is_empty():
-			push_warning("A packet was refused: %s." % problem)
+			push_warning("Rejected a packet: %s." % problem)
 		_in.set_dest_address(_in.get_packet_ip(), _in.get_packet_port())
 	receiver.advance(now)
-	var answer := receiver.take_answer(now)
-	if not answer.is_empty():
-		_in.put_packet(answer)
+	var ack := receiver.take_ack(now)
+	if not ack.is_empty():
+		_in.put_packet(ack)
 	if receiver.has_body(BODY):
 		_shown.transform = receiver.get_transform(BODY)
 		_shown.position.y -= 1.5
 		var bytes: int = sender.get_statistics(RECEIVER).bytes_sent
 		_label.text = (
-			"moved above, as it arrives below: %.0f bytes a second"
+			"Top: sent. Bottom: received. %.0f bytes/s"
 			% (bytes * Engine.physics_ticks_per_second / float(_ticks))
 		)
 
 
-## Where the orange cube is at a time: somewhere on a loop, turning.
+## The pose of the orange cube at a time in seconds.
 func get_pose(time: float) -> Transform3D:
 	var at := Vector3(2.0 * sin(time), 1.0 + 0.4 * sin(2.3 * time), 1.2 * cos(0.8 * time))
 	return Transform3D(Basis.from_euler(Vector3(0.7 * time, 1.1 * time, 0.0)), at)

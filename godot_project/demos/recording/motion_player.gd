@@ -1,5 +1,5 @@
 extends RefCounted
-## Plays what a motion recorder wrote. The receiver cannot tell it from a network: packets come when they were made.
+## Plays a file of motion_recorder.gd: passes each packet to a receiver at the time it was recorded.
 
 const MotionRecorder := preload("motion_recorder.gd")
 
@@ -24,7 +24,7 @@ func open(path: String) -> Error:
 	return OK
 
 
-## Shows the recording at [param time] seconds; never less than before.
+## Advances to [param time] in seconds, which must not decrease.
 func play(time: float) -> void:
 	while not _packet.is_empty() and _time <= time:
 		receiver.accept(_packet, _time)

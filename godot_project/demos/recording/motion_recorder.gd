@@ -1,8 +1,8 @@
 extends RefCounted
-## Writes the motion of bodies into a file: the packets that a [MotorReceiver] would get, each with the time it was made.
+## Records the motion of bodies: writes the packets of a [MotorSender] with their times to a file.
 ##
-## Layout, little endian: "GAMOTION", then for each packet f32 seconds, u16 length, the bytes. A file loses nothing, so
-## each packet is answered at once by a receiver of the recorder's own.
+## Format, little-endian: "GAMOTION", then per packet f32 seconds, u16 length, the bytes. A file
+## loses no packets, so an internal receiver acknowledges each one at once.
 
 const MAGIC := "GAMOTION"
 const RECEIVER := 1
@@ -14,7 +14,7 @@ var _reader := MotorReceiver.new()
 var _time := 0.0
 
 
-## Begins a file. [param bodies]: the pose of each at time 0.
+## Creates the file. [param bodies] are the poses at time 0.
 func open(path: String, bodies: Dictionary[int, Transform3D]) -> Error:
 	_file = FileAccess.open(path, FileAccess.WRITE)
 	if _file == null:
@@ -26,7 +26,7 @@ func open(path: String, bodies: Dictionary[int, Transform3D]) -> Error:
 	return OK
 
 
-## Takes the poses of a time; call it in each tick.
+## Records the poses at a time in seconds. Call it each tick.
 func record(time: float, bodies: Dictionary[int, Transform3D]) -> void:
 	_time = time
 	for id: int in bodies:
@@ -38,14 +38,14 @@ func record(time: float, bodies: Dictionary[int, Transform3D]) -> void:
 		_file.store_buffer(bytes)
 		_reader.accept(bytes, time)
 	_reader.advance(time)
-	var answer := _reader.take_answer(time)
-	if not answer.is_empty():
-		sender.accept(RECEIVER, answer, time)
+	var ack := _reader.take_ack(time)
+	if not ack.is_empty():
+		sender.accept(RECEIVER, ack, time)
 
 
-## Ends the file, and returns how many bytes it has.
+## Closes the file and returns its size in bytes.
 func close() -> int:
-	# The last poses leave the sender when its window is over.
+	# The sender sends the last poses after its latency window.
 	var end := _time + sender.max_latency
 	while _time < end:
 		record(_time + 1.0 / sender.ticks_per_second, {})

@@ -1,5 +1,6 @@
 extends Node3D
-## Records four seconds of a swarm's motion into a file, then plays it, over and over. The label tells the file's size.
+## Records four seconds of a swarm to a file, then plays it in a loop. The label shows the size of
+## the file.
 
 const MotionPlayer := preload("motion_player.gd")
 const MotionRecorder := preload("motion_recorder.gd")
@@ -27,7 +28,7 @@ func _ready() -> void:
 		recorder.record(float(tick) / rate, get_poses(float(tick) / rate))
 	var size := recorder.close()
 	_label.text = (
-		"%d cubes for %.0f s: %.1f kB, %.0f times less than %d float32 poses a second"
+		"%d cubes, %.0f s: %.1f kB, %.0f times smaller than float32 poses at %d Hz"
 		% [COUNT, SECONDS, size / 1000.0, COUNT * SECONDS * rate * 28.0 / size, rate]
 	)
 	_rewind()
@@ -49,7 +50,7 @@ func _rewind() -> void:
 	_player.open(PATH)
 
 
-## The swarm at a time.
+## The poses of the swarm at a time in seconds.
 static func get_poses(time: float) -> Dictionary[int, Transform3D]:
 	var poses: Dictionary[int, Transform3D] = {}
 	for id in COUNT:

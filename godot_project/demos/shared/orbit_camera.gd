@@ -1,12 +1,13 @@
 extends Node3D
-## A camera that circles a point: drag turns it, the wheel or a pinch brings it closer; with other buttons it moves along.
+## A camera that orbits a point: dragging rotates or pans it, the wheel or a pinch gesture zooms.
 
 signal moved
 
 const TURN_SPEED := 0.008
 const ZOOM_STEP := 1.1
-const STEEPEST := 1.5
-## Pixels of mouse for a unit of a touchpad's pan.
+## In radians.
+const MAX_PITCH := 1.5
+## Mouse pixels per unit of a pan gesture.
 const PAN_GESTURE := 12.0
 
 @export var yaw_degrees := -24.0
@@ -16,7 +17,8 @@ const PAN_GESTURE := 12.0
 @export var farthest := 20.0
 @export_flags("Left:1", "Right:2", "Middle:4")
 var turning_buttons := MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT
-## Move the point in the plane of the picture, as do the turning buttons with Shift if there are such; none by default.
+## Buttons that pan parallel to the view plane. If there are any, Shift with a turning button pans
+## too.
 @export_flags("Left:1", "Right:2", "Middle:4") var panning_buttons := 0
 
 var _yaw := 0.0
@@ -30,7 +32,7 @@ func _ready() -> void:
 	reset()
 
 
-## Back to the exported angles and distance.
+## Returns to the exported angles and distance.
 func reset() -> void:
 	_yaw = deg_to_rad(yaw_degrees)
 	_pitch = deg_to_rad(pitch_degrees)
@@ -38,19 +40,19 @@ func reset() -> void:
 	_apply()
 
 
-## Looks from there at a point.
+## Moves to [param from], clamped to the allowed distances, and looks at a point.
 func look_from(from: Vector3, at: Vector3) -> void:
 	var offset := from - at
 	position = at
 	_distance = clampf(offset.length(), nearest, farthest)
 	_yaw = atan2(offset.x, offset.z)
 	_pitch = clampf(
-		asin(clampf(offset.y / maxf(offset.length(), 1e-6), -1.0, 1.0)), -STEEPEST, STEEPEST
+		asin(clampf(offset.y / maxf(offset.length(), 1e-6), -1.0, 1.0)), -MAX_PITCH, MAX_PITCH
 	)
 	_apply()
 
 
-## From the same side, so that a ball of that radius fills the view.
+## Keeps the direction of view and fits a sphere into the view.
 func frame(center: Vector3, radius: float) -> void:
 	position = center
 	_distance = clampf(radius / sin(deg_to_rad(camera.fov) / 2.0), nearest, farthest)
@@ -80,14 +82,14 @@ func _unhandled_input(event: InputEvent) -> void:
 		_drag(-pan.delta * PAN_GESTURE, pan.shift_pressed and panning_buttons != 0)
 
 
-func _drag(pixels: Vector2, along: bool) -> void:
-	if along:
+func _drag(pixels: Vector2, pans: bool) -> void:
+	if pans:
 		var height := camera.get_viewport().get_visible_rect().size.y
 		var unit := 2.0 * _distance * tan(deg_to_rad(camera.fov) / 2.0) / height
 		position += basis * Vector3(-pixels.x, pixels.y, 0.0) * unit
 	else:
 		_yaw -= pixels.x * TURN_SPEED
-		_pitch = clampf(_pitch + pixels.y * TURN_SPEED, -STEEPEST, STEEPEST)
+		_pitch = clampf(_pitch + pixels.y * TURN_SPEED, -MAX_PITCH, MAX_PITCH)
 	_apply()
 
 

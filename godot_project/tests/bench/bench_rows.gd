@@ -1,8 +1,8 @@
 extends RefCounted
-## What a benchmark says: rows of JSON, to a file or as a line of output.
+## The output of a benchmark: rows of JSON in a file, or on one line of standard output.
 
 
-## The exit code of the run. Without a path the rows are printed.
+## Writes the rows to a file, or prints them if [param path] is empty. Returns the exit code.
 static func write(rows: Array[Dictionary], path: String) -> int:
 	var text := JSON.stringify({"rows": rows})
 	if path.is_empty():

@@ -1,10 +1,12 @@
-## What 1,000 drawn objects cost each frame, beside the engine's own primitives of about the same size on the screen.
+## The cost per frame of 1,000 drawn objects, compared with the engine's primitives of about the
+## same size on the screen.
 ##
-## godot --path godot_project --disable-vsync --script res://tests/bench/drawing.gd -- [--sizes=64x36,1152x648]
-##     [--frames=N] [--json=FILE]
+## godot --path godot_project --disable-vsync --script res://tests/bench/drawing.gd --
+##     [--sizes=64x36,1152x648] [--frames=N] [--json=FILE]
 ##
-## Each subject is drawn still, and with 200 objects changed each frame. "frame" is all of a frame, "render" the part of
-## culling and draw calls; both in milliseconds, medians over the frames. A small size leaves out what pixels cost.
+## Each subject is drawn without changes, and with 200 objects changed in each frame. "frame" is the
+## time of a whole frame, "render" of culling and draw calls; both are medians in milliseconds. A
+## small size excludes the cost of pixels.
 extends SceneTree
 
 const BenchRows := preload("res://tests/bench/bench_rows.gd")

@@ -1,11 +1,11 @@
 extends Node3D
-## 1,000 objects of mixed kinds in view, drawn by GANode3D or as MeshInstance3D of the engine's primitives of about the
-## same size on the screen; and what changes 200 of them.
+## 1,000 objects of mixed kinds in view, 200 of which can be changed: GANode3D nodes, or
+## MeshInstance3D nodes with the engine's primitives of about the same size on the screen.
 
 const DrawnWorld := preload("res://tests/bench/drawn_world.gd")
 
 const SUBJECTS: Array[StringName] = [&"ga_godot", &"engine_primitives"]
-## How many of each kind.
+## The number of objects by kind.
 const KINDS: Dictionary[StringName, int] = {
 	&"point": 300,
 	&"pair": 150,
@@ -16,19 +16,23 @@ const KINDS: Dictionary[StringName, int] = {
 	&"motor": 20,
 }
 const CHANGING := 200
-## Places that a changing object goes through.
+## The number of positions that a changing object cycles through.
 const PHASES := 8
 const EXTENT := 10.0
 const RADIUS := 0.5
-## Of what is thin in the engine's primitives: about two pixels where most objects are.
+## The radius of thin primitives in meters: about two pixels at the distance of most objects.
 const THIN := 0.02
+
+# Shared by all nodes, as usual for the engine's primitives.
+static var _meshes: Dictionary[StringName, Mesh] = {}
+static var _materials: Dictionary[String, StandardMaterial3D] = {}
 
 var _colors: Array[Color] = [
 	Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)
 ]
 var _random := RandomNumberGenerator.new()
 var _nodes: Array[Node3D] = []
-# Of the first CHANGING nodes: a multivector or a transform for each phase.
+# The multivectors or transforms of the first CHANGING nodes, one for each phase.
 var _multivectors: Array[Array] = []
 var _transforms: Array[Array] = []
 var _scene: GAScene
@@ -37,7 +41,7 @@ var _scene: GAScene
 static func make(subject: StringName) -> DrawnWorld:
 	var world := DrawnWorld.new()
 	world._random.seed = 2026
-	# Kinds take turns, so that of each kind the same part changes.
+	# Kinds alternate, so that the same fraction of each kind changes.
 	var left: Dictionary[StringName, int] = KINDS.duplicate()
 	while not left.is_empty():
 		for kind: StringName in left.keys():
@@ -49,7 +53,8 @@ static func make(subject: StringName) -> DrawnWorld:
 	return world
 
 
-## One document of 1,000 objects, of which 200 depend on a point that is dragged; a GANode3D for each.
+## 1,000 entries of one document, each with a GANode3D; 200 of them depend on a point that is
+## dragged.
 static func make_document() -> DrawnWorld:
 	var world := DrawnWorld.new()
 	world._random.seed = 2026
@@ -72,7 +77,7 @@ static func make_document() -> DrawnWorld:
 	return world
 
 
-## Moves what changes to its next place.
+## Moves the changing objects to their next positions.
 func change(frame: int) -> void:
 	var phase := frame % PHASES
 	if _scene != null:
@@ -111,12 +116,10 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.color = color
 		_nodes.append(node)
 		if changes:
-			_multivectors.append(
-				range(PHASES).map(
-					func(phase: int) -> Multivector:
-						return _multivector(kind, place + _step(phase), axis)
-				)
-			)
+			var phases: Array[Multivector] = []
+			for phase in PHASES:
+				phases.append(_multivector(kind, place + _step(phase), axis))
+			_multivectors.append(phases)
 	else:
 		var node := MeshInstance3D.new()
 		node.mesh = _mesh(kind)
@@ -125,11 +128,10 @@ func _add(kind: StringName, by_algebra: bool) -> void:
 		node.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		_nodes.append(node)
 		if changes:
-			_transforms.append(
-				range(PHASES).map(
-					func(phase: int) -> Transform3D: return _pose(kind, place + _step(phase), axis)
-				)
-			)
+			var phases: Array[Transform3D] = []
+			for phase in PHASES:
+				phases.append(_pose(kind, place + _step(phase), axis))
+			_transforms.append(phases)
 	add_child(_nodes[index])
 
 
@@ -138,34 +140,29 @@ func _step(phase: int) -> Vector3:
 
 
 func _multivector(kind: StringName, place: Vector3, axis: Vector3) -> Multivector:
+	var result: Multivector
 	match kind:
 		&"point":
-			return Multivector.point(place)
+			result = Multivector.point(place)
 		&"pair":
-			return Multivector.point_pair(place - RADIUS * axis, place + RADIUS * axis)
+			result = Multivector.point_pair(place - RADIUS * axis, place + RADIUS * axis)
 		&"line":
-			return Multivector.line(place, axis)
+			result = Multivector.line(place, axis)
 		&"circle":
-			return Multivector.circle(place, axis, RADIUS)
+			result = Multivector.circle(place, axis, RADIUS)
 		&"sphere":
-			return Multivector.sphere(place, RADIUS)
+			result = Multivector.sphere(place, RADIUS)
 		&"plane":
-			return Multivector.plane(axis, axis.dot(place))
+			result = Multivector.plane(axis, axis.dot(place))
 		_:
-			return Multivector.translator(place).geometric_product(
-				Multivector.rotor(Quaternion(axis, 2.0))
-			)
+			result = Multivector.motor_from(place, Quaternion(axis, 2.0), 1.0)
+	return result
 
 
 func _pose(kind: StringName, place: Vector3, axis: Vector3) -> Transform3D:
 	if kind == &"plane":
 		place = axis * axis.dot(place)
 	return Transform3D(Basis(Quaternion(Vector3.UP, axis)), place)
-
-
-# One of each, as a person who knows the engine shares them.
-static var _meshes: Dictionary[StringName, Mesh] = {}
-static var _materials: Dictionary[String, StandardMaterial3D] = {}
 
 
 static func free_shared() -> void:

@@ -1,15 +1,16 @@
-## The engine's own pose blend beside MotorPool, on the same poses, in one run.
+## MotorPool compared with the engine's Transform3D.interpolate_with, on the same poses in one run.
 ##
-## godot --headless --path godot_project --script res://tests/bench/kernels.gd -- [--sizes=1,1000] [--json=FILE]
+## godot --headless --path godot_project --script res://tests/bench/kernels.gd --
+##     [--sizes=1,1000] [--json=FILE]
 ##
-## Every size is timed in rounds that alternate between the subjects; a row holds
-## the median over the rounds in nanoseconds a pose.
+## Rounds alternate between the subjects. A row holds the median of the rounds in nanoseconds per
+## pose.
 extends SceneTree
 
 const BenchRows := preload("res://tests/bench/bench_rows.gd")
 
 const ROUNDS: int = 7
-## A round repeats its subject until it has done at least this many poses.
+## A round interpolates at least this many poses.
 const POSES_PER_ROUND: int = 40_000
 
 const ENGINE_SUBJECT: String = "transform3d_interpolate_with"
@@ -77,7 +78,7 @@ func _measure(case: String, size: int) -> Array[Dictionary]:
 	for round_index: int in ROUNDS:
 		var weight: float = (round_index + 0.5) / ROUNDS
 		engine_times.append(_time_engine(weight, repeats) / (repeats * size))
-		# The pool is two orders faster: more repeats make its time as long.
+		# MotorPool is about 50 times as fast; more repeats make its rounds as long.
 		pool_times.append(_time_pool(weight, MODES[case], repeats * 50) / (repeats * 50 * size))
 	return [
 		_row(case, ENGINE_SUBJECT, size, engine_times),
@@ -86,7 +87,7 @@ func _measure(case: String, size: int) -> Array[Dictionary]:
 
 
 func _time_engine(weight: float, repeats: int) -> float:
-	# Locals, which GDScript reaches faster than members: the rival at its best.
+	# GDScript reads local variables faster than members.
 	var from: Array[Transform3D] = _from
 	var to: Array[Transform3D] = _to
 	var blended: Array[Transform3D] = _blended

@@ -1,17 +1,17 @@
 extends RefCounted
-## The class reference of one class, as its XML file has it, beside what the class registers.
+## The class reference of one class: what its XML file documents and what the class registers.
 
 const FOLDER := "src/godot/doc_classes"
 const CODE := "(?s)\\[codeblock\\](.*?)\\[/codeblock\\]"
 
-## The text of each description, by what it describes.
+## The text of each description by its subject: a name, or "signal NAME".
 var descriptions: Dictionary[String, String] = {}
-## "name(first: Type, second: Type = default) -> Type static" by name.
+## Signatures by name, as "name(first: Type, second: Type = default) -> Type static".
 var methods: Dictionary[String, String] = {}
 ## Type and default value by name.
 var members: Dictionary[String, String] = {}
 var signals := PackedStringArray()
-## Why the file could not be read; OK if it could.
+## The error of reading the file, or OK.
 var error := OK
 
 var _type: StringName
@@ -80,7 +80,7 @@ func _init(type: StringName) -> void:
 			is_signal = false
 
 
-## The samples in a description, without the indentation that all lines have.
+## The code samples in a description, without their common indentation.
 func samples_of(title: String) -> PackedStringArray:
 	var samples := PackedStringArray()
 	for found in RegEx.create_from_string(CODE).search_all(descriptions[title]):
@@ -88,7 +88,7 @@ func samples_of(title: String) -> PackedStringArray:
 	return samples
 
 
-## As [member methods], of the class itself; setters and getters of properties are left out.
+## Like [member methods], from ClassDB, without setters and getters.
 func registered_methods() -> Dictionary[String, String]:
 	var accessors := PackedStringArray()
 	for property in ClassDB.class_get_property_list(_type, true):
@@ -132,7 +132,7 @@ func registered_methods() -> Dictionary[String, String]:
 	return result
 
 
-## As [member members], of the class itself.
+## Like [member members], from ClassDB.
 func registered_members() -> Dictionary[String, String]:
 	var result: Dictionary[String, String] = {}
 	for property in ClassDB.class_get_property_list(_type, true):
@@ -150,7 +150,7 @@ func registered_members() -> Dictionary[String, String]:
 	return result
 
 
-## As [member signals], of the class itself.
+## Like [member signals], from ClassDB.
 func registered_signals() -> PackedStringArray:
 	var result := PackedStringArray()
 	for entry in ClassDB.class_get_signal_list(_type, true):

@@ -1,8 +1,8 @@
 extends RefCounted
-## A sample of GDScript from a guide or from the class reference: it must compile, run to its end, and
-## print what the comments behind its print() calls say.
+## Checks a GDScript sample of a guide or of the class reference: it must compile, run to its end,
+## and print what the comments after its print() calls state.
 
-## `print(EXPRESSION) # TEXT`: EXPRESSION must print TEXT.
+## `print(EXPRESSION) # TEXT`, where EXPRESSION must print TEXT.
 const PRINT := "(?m)^(\\t*)print\\((.*)\\) # (.*)$"
 const SCRIPT := """extends %s
 
@@ -16,13 +16,13 @@ func run() -> bool:
 """
 
 
-## How many print() calls say what they print.
+## The number of print() calls with such a comment.
 static func count_prints(sample: String) -> int:
 	return RegEx.create_from_string(PRINT).search_all(sample).size()
 
 
-## What is wrong with a sample, in words. An assertion that fails, or any other error, ends its run.
-## Given a parent, the sample is one of a node, below that parent; what it adds is freed with it.
+## Describes what is wrong with a sample. A failed assertion, or any other error, ends its run. With
+## a [param parent], the sample runs in a child node of it, which is freed with its children.
 static func find_faults(sample: String, parent: Node = null) -> PackedStringArray:
 	var pattern := RegEx.create_from_string(PRINT)
 	var script := GDScript.new()
@@ -46,7 +46,5 @@ static func find_faults(sample: String, parent: Node = null) -> PackedStringArra
 	for i in calls.size():
 		var text := printed[i] if i < printed.size() else "nothing"
 		if text != calls[i].get_string(3):
-			faults.append(
-				"prints %s where it says %s" % [text, calls[i].get_string().strip_edges()]
-			)
+			faults.append("prints %s instead of %s" % [text, calls[i].get_string().strip_edges()])
 	return faults

@@ -1,8 +1,8 @@
 extends Logger
-## Hears every error and warning of the engine, of the extension and of scripts while tests run, and
-## tells those that a test announced from those that nobody expected. They may come from any thread.
+## Records the errors and warnings of the engine, the extension and scripts while tests run, from
+## any thread, and compares them with those that a test expects.
 
-## Stands before a warning's text, as in the engine's output.
+## The prefix of warnings, as in the engine's output.
 const WARNING := "WARNING: "
 
 var _mutex := Mutex.new()
@@ -37,19 +37,19 @@ func _log_error(
 	_mutex.unlock()
 
 
-## Announces one error with exactly this message; a warning's begins with WARNING.
+## Expects one error with exactly this message; for a warning, prefixed with [constant WARNING].
 func expect(message: String) -> void:
 	_mutex.lock()
 	_expected.append(message)
 	_mutex.unlock()
 
 
-## What went wrong since the last call: what nobody announced, and announced errors that never came.
+## The unexpected messages, and the expected ones that were not logged, since the last call.
 func take_faults() -> PackedStringArray:
 	_mutex.lock()
 	var faults := _unexpected.duplicate()
 	for message in _expected:
-		faults.append("expected this error, which did not come: %s" % message)
+		faults.append("expected error was not logged: %s" % message)
 	_expected.clear()
 	_unexpected.clear()
 	_mutex.unlock()

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Mouse and keyboard: events as a window would get them, in its own places, whatever the size of the screen.
+## Simulates mouse and keyboard: pushes input events to a viewport, in its own coordinates.
 
 
 static func click(
@@ -12,7 +12,7 @@ static func click(
 	press(control.get_viewport(), place, false, button, with_control)
 
 
-## Drags between places in controls, given as parts of their sizes, in steps.
+## Drags in steps between positions in two controls, relative to their sizes (0 to 1).
 static func drag(
 	from: Control,
 	start: Vector2,
@@ -36,7 +36,7 @@ static func drag(
 	press(viewport, last, false, button)
 
 
-## Presses a field that captures the mouse, and moves so many pixels to the right.
+## Drags a control that captures the mouse to the right by [param pixels].
 static func drag_with(control: Control, pixels: int, steps := 8) -> void:
 	var place := place_in(control, Vector2(0.5, 0.5))
 	press(control.get_viewport(), place, true)
@@ -95,7 +95,7 @@ static func type(viewport: Viewport, text: String) -> void:
 		press_key(viewport, KEY_NONE, 0, letter.unicode_at(0))
 
 
-## Clicks into a text, and writes another in its place.
+## Replaces the text of a line edit.
 static func write_over(edit: LineEdit, text: String) -> void:
 	click(edit)
 	press_key(edit.get_viewport(), KEY_A, KEY_MASK_CTRL)

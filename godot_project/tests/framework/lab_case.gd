@@ -1,5 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The playground's panel with the interpolation lab, for tests that use it as a person does.
+## The base class of tests that use the interpolation lab in the playground's panel by mouse and
+## keyboard.
 
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
 const PlaygroundPanel := preload("res://addons/ga_godot/playground/playground_panel.gd")
@@ -68,7 +69,7 @@ func _choose(title: String, entry: String) -> void:
 			return
 
 
-## What is told about the poses.
+## The text about the poses.
 func _words() -> String:
 	var label: Label = _lab_panel.find_child("Ends", true, false).find_child("Words", true, false)
 	return label.text if label.visible else ""

@@ -1,6 +1,6 @@
 extends RefCounted
-## One peer of several in this process: a branch of the tree with a MultiplayerAPI, a MotorSynchronizer
-## and bodies of its own. Branches have the same nodes below them, as peers have.
+## One of several peers in this process: a branch of the tree with its own MultiplayerAPI, a
+## MotorSynchronizer and bodies. All branches have the same nodes, like real peers.
 
 const LOCALHOST := "127.0.0.1"
 const FIRST_PORT := 27200
@@ -10,22 +10,22 @@ var root := Node.new()
 var api := SceneMultiplayer.new()
 var world := Node3D.new()
 var synchronizer := MotorSynchronizer.new()
-## What packet_rejected said: [peer, reason] each.
+## [peer, reason] of each packet_rejected signal.
 var rejections: Array[Array] = []
-## What target_added and target_removed said: "+name" and "-name".
+## "+name" and "-name" for each target_added and target_removed signal.
 var changes := PackedStringArray()
 
 var _tree: SceneTree
 
 
-## The synchronizer replicates the group "bodies", and is not in the tree before [method start].
+## The synchronizer replicates the group "bodies" and enters the tree in [method start].
 func _init(tree: SceneTree, branch_name: String) -> void:
 	_tree = tree
 	root.name = branch_name
 	world.name = "World"
 	synchronizer.name = "Motors"
 	synchronizer.target_group = &"bodies"
-	# So that tests need not wait long until motion is shown.
+	# Keeps the playback delay, and so the tests, short.
 	synchronizer.max_latency = 0.1
 	synchronizer.packet_rejected.connect(
 		func(peer: int, reason: String) -> void: rejections.append([peer, reason])
@@ -39,7 +39,7 @@ func _init(tree: SceneTree, branch_name: String) -> void:
 	tree.set_multiplayer(api, root.get_path())
 
 
-## Bodies in the group "bodies", "Body0" and so on, of that authority.
+## Adds bodies named "Body0", "Body1" and so on to the group "bodies".
 func add_bodies(count: int, authority := 1) -> void:
 	for i in count:
 		add_body("Body%d" % i, authority)
@@ -62,7 +62,7 @@ func get_body(index: int) -> Node3D:
 	return world.get_node("Body%d" % index)
 
 
-## Opens a server on some free port, and returns the port.
+## Opens a server on a free port and returns the port, or 0 if none was free.
 func host(websocket := false) -> int:
 	var port := randi_range(FIRST_PORT, LAST_PORT)
 	for attempt in 50:
@@ -95,13 +95,12 @@ func is_joined() -> bool:
 	)
 
 
-## Ends the connection at once, as a process that dies.
+## Closes the connection without notice, like a process that crashes.
 func leave() -> void:
 	api.multiplayer_peer.close()
 	api.multiplayer_peer = OfflineMultiplayerPeer.new()
 
 
-## Frees everything.
 func free_all() -> void:
 	var path := root.get_path()
 	leave()

@@ -1,25 +1,25 @@
 extends "res://tests/framework/test_case.gd"
-## The base of tests with several peers in one process: makes them, moves bodies on one, and tells how
-## far from their paths the others show them.
+## The base class of tests with several peers in one process. It creates the peers, moves bodies on
+## one peer and measures their deviation from their paths on the others.
 
 const NetworkBranch := preload("res://tests/framework/network_branch.gd")
 
-## Long enough for a stream to be asked for and shown.
+## Seconds for a stream to be requested and played back.
 const SETTLE := 0.3
-## Ticks more where a busy machine does several of them in one frame, between which no packet comes.
+## Additional ticks for a busy machine that runs several ticks, without packets between, in a frame.
 const MORE_TICKS := 120
-## Pictures a second in these tests, so that they do not take a whole core.
+## Limits these tests to a part of one core.
 const FRAMES_PER_SECOND := 120
 
 var branches: Array[NetworkBranch] = []
 ## Seconds that bodies have moved.
 var time := 0.0
 
-## Where each body of the moving peer was in the last ticks, by name.
+## The latest positions of each body on the moving peer, by name.
 var _paths: Dictionary[String, PackedVector3Array] = {}
 
 
-## A peer that is the server, and its port.
+## Adds a peer.
 func make_branch(branch_name: String) -> NetworkBranch:
 	Engine.max_fps = FRAMES_PER_SECOND
 	var branch := NetworkBranch.new(tree, branch_name)
@@ -27,7 +27,7 @@ func make_branch(branch_name: String) -> NetworkBranch:
 	return branch
 
 
-## A server and clients, each with the same bodies, connected.
+## Connects a server and clients that all have the same bodies.
 func connect_peers(clients: int, bodies: int, websocket := false) -> void:
 	var port := make_branch("Server").host(websocket)
 	for i in clients:
@@ -46,14 +46,14 @@ func wait_until(condition: Callable, what: String, limit := 4.0) -> bool:
 	var deadline := Time.get_ticks_msec() + limit * 1000.0
 	while not condition.call():
 		if Time.get_ticks_msec() > deadline:
-			fail("waited %.1f s in vain for %s" % [limit, what])
+			fail("timed out after %.1f s waiting for %s" % [limit, what])
 			return false
 		await tree.process_frame
 	expect_true(true, what)
 	return true
 
 
-## Moves the bodies of a branch for that long.
+## Moves the bodies of a branch for [param seconds].
 func move(branch: NetworkBranch, seconds: float, pose := default_pose) -> void:
 	var ticks := roundi(seconds * Engine.physics_ticks_per_second)
 	for tick in ticks:
@@ -69,7 +69,7 @@ func move(branch: NetworkBranch, seconds: float, pose := default_pose) -> void:
 				_paths[String(body.name)] = path.slice(-60)
 
 
-## A turning body on a circle of its own.
+## The pose of a body that moves on its own closed curve and rotates.
 static func default_pose(body_name: StringName, seconds: float) -> Transform3D:
 	var number := String(body_name).to_int()
 	var angle := seconds * (1.0 + 0.1 * number)
@@ -77,7 +77,7 @@ static func default_pose(body_name: StringName, seconds: float) -> Transform3D:
 	return Transform3D(Basis(Vector3(1.0, number, 0.5).normalized(), angle * 0.7), place)
 
 
-## The largest distance in metres of a branch's bodies from the path of the last second.
+## The largest distance in meters of a branch's bodies from their paths of the last second.
 func distance_from_paths(branch: NetworkBranch) -> float:
 	var worst := 0.0
 	for body: Node3D in branch.synchronizer.get_active_targets():
@@ -100,7 +100,7 @@ func distance_from_path(body: Node3D) -> float:
 	return nearest
 
 
-## Moves the first branch's bodies while the others must show them on their paths.
+## Moves the bodies of [param mover] and expects them on their paths in the watched branches.
 func expect_motion(
 	seconds: float, watched: Array[NetworkBranch], mover: NetworkBranch = branches[0]
 ) -> void:
@@ -113,7 +113,7 @@ func expect_motion(
 			break
 		await move(mover, 1.0 / Engine.physics_ticks_per_second)
 	var worst := 0.0
-	var travelled := 0.0
+	var traveled := 0.0
 	var ticks := roundi(seconds * Engine.physics_ticks_per_second)
 	for tick in ticks:
 		var before := _positions(watched)
@@ -122,12 +122,12 @@ func expect_motion(
 			worst = maxf(worst, distance_from_paths(branch))
 		var after := _positions(watched)
 		for i in mini(before.size(), after.size()):
-			travelled += before[i].distance_to(after[i]) / before.size()
+			traveled += before[i].distance_to(after[i]) / before.size()
 	expect_true(
 		worst <= bound,
-		"a distance of %.1f mm from the path, at most %.1f mm," % [worst * 1000.0, bound * 1000.0]
+		"a distance of %.1f mm from the path, limit %.1f mm" % [worst * 1000.0, bound * 1000.0]
 	)
-	expect_true(travelled > 0.3 * seconds, "%.2f m that bodies travelled" % travelled)
+	expect_true(traveled > 0.3 * seconds, "%.2f m traveled by the bodies" % traveled)
 
 
 func free_nodes() -> void:

@@ -1,9 +1,9 @@
 extends RefCounted
-## The three interpolations again, by other means than the extension's: quaternions and 3x4 matrices
-## of the engine, in single precision.
+## Reference implementations of the three modes of interpolation with the engine's quaternions and
+## transforms, in single precision.
 
 
-## Dual quaternion linear blending, scale by itself.
+## Dual quaternion linear blending, with separate interpolation of the scale.
 static func linear(from: Transform3D, to: Transform3D, weight: float) -> Transform3D:
 	var first := from.basis.get_rotation_quaternion()
 	var second := to.basis.get_rotation_quaternion()
@@ -28,8 +28,8 @@ static func separate(from: Transform3D, to: Transform3D, weight: float) -> Trans
 	return _compose(from.origin.lerp(to.origin, weight), rotation, _blended_scale(from, to, weight))
 
 
-## What a step of the screw path must satisfy: taken `count` times it leads from one end to the other.
-## Returns where `count` steps from `from` lead, the step being `first_step` relative to `from`.
+## Returns the pose after [param count] steps of the motion from [param from] to [param first_step].
+## With the first of n equal steps of a screw path, n steps must reach its end.
 static func repeat_motion(from: Transform3D, first_step: Transform3D, count: int) -> Transform3D:
 	var motion := first_step * from.affine_inverse()
 	var pose := from

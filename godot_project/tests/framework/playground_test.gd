@@ -1,5 +1,5 @@
 extends "res://tests/framework/test_case.gd"
-## The base of tests that use the playground of a running game by mouse and keyboard.
+## The base class of tests that use the playground of a running game by mouse and keyboard.
 
 const EntryRow := preload("res://addons/ga_godot/playground/entries/entry_row.gd")
 const Hands := preload("res://tests/framework/hands.gd")
@@ -47,7 +47,7 @@ func _numbers(first: float) -> PackedStringArray:
 	return numbers
 
 
-## Between places in the view.
+## Drags between positions in the view.
 func _drag_in_view(from: Vector2, to: Vector2) -> void:
 	Hands.drag(_view(), from / _view().size, _view(), to / _view().size)
 

@@ -1,10 +1,10 @@
 extends RefCounted
-## Poses for tests: the degenerate ones by name, and random ones from a fixed seed.
+## Poses for tests: degenerate ones by name, and random ones.
 
 const FAR := 10000.0
 
 
-## Uniform scale, then rotation, then translation, as a transform.
+## The transform that scales uniformly, then rotates, then translates.
 static func make(
 	translation: Vector3, rotation := Quaternion.IDENTITY, scale := 1.0
 ) -> Transform3D:

@@ -1,7 +1,7 @@
 extends RefCounted
-## The base of every test file: each method whose name begins with test_ is one test, run on a fresh
-## object. A test may await; it fails if an expectation fails, if an error or a warning nobody
-## announced is logged, if an announced one is not, or if it expects nothing at all.
+## The base class of all test files. Each method whose name begins with test_ is a test and runs on
+## a new object; it may await. A test fails if an expectation fails, if it has no expectation, if an
+## unexpected error or warning is logged, or if an expected one is not.
 
 const ErrorLog := preload("res://tests/framework/error_log.gd")
 
@@ -20,7 +20,7 @@ func expect_true(condition: bool, what: String) -> void:
 		fail("does not hold: %s" % what)
 
 
-## Equal in value and in type: 1 and 1.0 differ.
+## Compares value and type: 1 and 1.0 differ.
 func expect_equal(actual: Variant, expected: Variant, what := "value") -> void:
 	_expectations += 1
 	if typeof(actual) != typeof(expected) or actual != expected:
@@ -48,7 +48,7 @@ func expect_vector_near(
 		fail("%s is %s, expected %s within %s" % [what, actual, expected, tolerance])
 
 
-## Every entry of the basis and the origin within the tolerance.
+## Each component of the basis and the origin must be within the tolerance.
 func expect_transform_near(
 	actual: Transform3D, expected: Transform3D, tolerance: float, what := "transform"
 ) -> void:
@@ -57,7 +57,7 @@ func expect_transform_near(
 	var expected_columns := _columns(expected)
 	for difference in _columns(actual):
 		difference -= expected_columns.pop_front() as Vector3
-		# NaN would vanish in a maximum.
+		# maxf() would drop NaN.
 		worst = (
 			maxf(worst, difference.abs()[difference.abs().max_axis_index()])
 			if difference.is_finite()
@@ -66,13 +66,13 @@ func expect_transform_near(
 	if worst > tolerance:
 		fail(
 			(
-				"%s is off by %s, allowed %s\n      actual   %s\n      expected %s"
+				"%s deviates by %s, more than %s\n      actual   %s\n      expected %s"
 				% [what, worst, tolerance, actual, expected]
 			)
 		)
 
 
-## The coefficients of a multivector, all 32, given those that are not zero by index.
+## Compares all 32 coefficients. [param nonzero] has the expected ones by index; the rest is zero.
 func expect_coefficients(
 	actual: Multivector, nonzero: Dictionary[int, float], tolerance := 1e-12, what := "multivector"
 ) -> void:
@@ -88,8 +88,8 @@ func expect_coefficients(
 			return
 
 
-## Announces that the next lines log exactly this error. The line that this prints lets whoever reads
-## the output tell it from an error that nobody expected.
+## Expects the code that follows to log exactly this error. The printed line marks the error as
+## expected in the output.
 func expect_error(message: String, times := 1) -> void:
 	_expectations += 1
 	for i in times:
@@ -97,7 +97,7 @@ func expect_error(message: String, times := 1) -> void:
 		error_log.expect(message)
 
 
-## Announces that the next line logs exactly this warning.
+## Expects the code that follows to log exactly this warning.
 func expect_warning(message: String) -> void:
 	_expectations += 1
 	error_log.expect(ErrorLog.WARNING + message)
@@ -135,7 +135,7 @@ func _columns(transform: Transform3D) -> Array[Vector3]:
 	return [transform.basis.x, transform.basis.y, transform.basis.z, transform.origin]
 
 
-## The nearest line of the test itself.
+## The innermost line on the stack outside the framework.
 func _place() -> String:
 	for frame: Dictionary in get_stack():
 		var source: String = frame["source"]

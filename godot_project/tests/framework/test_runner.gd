@@ -1,17 +1,17 @@
 extends Node
-## Runs every test under res://tests and ends the program: exit code 0 only if all tests that were
-## found ran and passed. The last line is `[engine] N passed, N failed`.
+## Runs all tests in res://tests and quits, with exit code 0 only if all tests ran and passed. The
+## last line is `[engine] N passed, N failed`.
 
 const ErrorLog := preload("res://tests/framework/error_log.gd")
 const TestCase := preload("res://tests/framework/test_case.gd")
 const Watchdog := preload("res://tests/framework/watchdog.gd")
 
 const FOLDER := "res://tests"
-## Seconds for one test before it fails; seconds before it is taken to block and the process ends.
+## Seconds until a test fails; seconds until a test that blocks the main thread ends the process.
 const TEST_LIMIT := 60.0
 const BLOCK_LIMIT := 90.0
 
-## Only tests whose file or method name contains this; empty for all.
+## Runs only tests whose file or method name contains this; empty for all.
 var argument := ""
 
 var _log := ErrorLog.new()
@@ -67,7 +67,7 @@ func _run_file(file: String) -> void:
 		_report(title, await _run_test(test_case, method_name))
 
 
-## What failed, in words.
+## Returns the failure messages.
 func _run_test(test_case: TestCase, method_name: String) -> PackedStringArray:
 	test_case.tree = get_tree()
 	test_case.error_log = _log

@@ -1,5 +1,6 @@
 extends RefCounted
-## Ends the process when a test blocks the main thread, which no timer of the scene tree can notice.
+## Ends the process when a test blocks the main thread, which also blocks the timers of the scene
+## tree.
 
 const POLL_MILLISECONDS := 100
 
@@ -14,7 +15,7 @@ func _init() -> void:
 	_thread.start(_watch)
 
 
-## From now on `subject` has that many seconds, until the next call or stop().
+## Starts the time limit of [param subject], in place of the previous one.
 func allow(subject: String, seconds: float) -> void:
 	_mutex.lock()
 	_subject = subject
@@ -22,7 +23,7 @@ func allow(subject: String, seconds: float) -> void:
 	_mutex.unlock()
 
 
-## Ends the watch; must be called before the last reference goes.
+## Ends the thread. Must be called before the last reference is dropped.
 func stop() -> void:
 	_mutex.lock()
 	_stopped = true
@@ -41,6 +42,6 @@ func _watch() -> void:
 		if stopped:
 			return
 		if expired:
-			print("FAIL %s: blocks the main thread; the run ends here" % subject)
+			print("FAIL %s: blocks the main thread; the run is aborted" % subject)
 			OS.kill(OS.get_process_id())
 			return

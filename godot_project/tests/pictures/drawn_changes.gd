@@ -1,14 +1,14 @@
 extends Control
-## Objects in two worlds side by side that come to their last state at once, or through hiding, freeing, other values and
-## other worlds: both ways must look the same.
+## Objects in two worlds side by side, created in their final state or brought there by hiding,
+## freeing, and changes of value and world. Both must look the same.
 
 const DrawnChanges := preload("res://tests/pictures/drawn_changes.gd")
 
 const COLORS: Array[Color] = [
 	Color(0.36, 0.72, 1.0), Color(1.0, 0.68, 0.3), Color(0.45, 0.85, 0.5), Color(1.0, 0.48, 0.55)
 ]
-## What there is at last: a name, and in which world.
-const LAST: Dictionary[String, int] = {
+## The final objects, with the index of their world.
+const FINAL: Dictionary[String, int] = {
 	"ring": 0, "ball": 0, "axis": 0, "dot": 0, "moved": 0, "lone": 1, "guest": 1, "pair": 1
 }
 
@@ -17,7 +17,7 @@ var _nodes: Dictionary[String, GANode3D] = {}
 var _frame := -1
 
 
-## With `through_changes`, the last state is there after four frames.
+## With `through_changes`, the final state is reached after four frames.
 static func make(through_changes: bool) -> DrawnChanges:
 	var picture := DrawnChanges.new()
 	picture.set_anchors_preset(PRESET_FULL_RECT)
@@ -30,7 +30,7 @@ static func make(through_changes: bool) -> DrawnChanges:
 		picture._begin()
 		picture._frame = 0
 	else:
-		picture._build_last()
+		picture._build_final()
 	return picture
 
 
@@ -75,30 +75,27 @@ func _add(title: String, value: Multivector, color: int, parent: Node3D) -> GANo
 	return node
 
 
-func _last_value(title: String) -> Multivector:
-	match title:
-		"ring":
-			return Multivector.circle(Vector3(-2, 0, 0), Vector3(1, 2, 1).normalized(), 1.2)
-		"ball":
-			return Multivector.sphere(Vector3(1.5, 0, 0), 1.1)
-		"axis":
-			return Multivector.line(Vector3(0, -1, 0), Vector3(2, 0.5, 0.2).normalized())
-		"dot":
-			return Multivector.point(Vector3(0, 2, 0))
-		"moved":
-			return Multivector.circle(Vector3.ZERO, Vector3.BACK, 0.5)
-		"lone":
-			return Multivector.sphere(Vector3(0, 0.5, 0), 1.0)
-		"guest":
-			return Multivector.circle(Vector3(0, -1, 0), Vector3.UP, 1.5)
-		_:
-			return Multivector.point_pair(Vector3(-2, 1, 0), Vector3(2, 2, 0))
+func _final_value(title: String) -> Multivector:
+	var values: Dictionary[String, Multivector] = {
+		"ring": Multivector.circle(Vector3(-2, 0, 0), Vector3(1, 2, 1).normalized(), 1.2),
+		"ball": Multivector.sphere(Vector3(1.5, 0, 0), 1.1),
+		"axis": Multivector.line(Vector3(0, -1, 0), Vector3(2, 0.5, 0.2).normalized()),
+		"dot": Multivector.point(Vector3(0, 2, 0)),
+		"moved": Multivector.circle(Vector3.ZERO, Vector3.BACK, 0.5),
+		"lone": Multivector.sphere(Vector3(0, 0.5, 0), 1.0),
+		"guest": Multivector.circle(Vector3(0, -1, 0), Vector3.UP, 1.5),
+		"pair": Multivector.point_pair(Vector3(-2, 1, 0), Vector3(2, 2, 0)),
+	}
+	return values[title]
 
 
-func _build_last() -> void:
-	for title: String in LAST:
+func _build_final() -> void:
+	for title: String in FINAL:
 		_add(
-			title, _last_value(title), LAST.keys().find(title) % COLORS.size(), _worlds[LAST[title]]
+			title,
+			_final_value(title),
+			FINAL.keys().find(title) % COLORS.size(),
+			_worlds[FINAL[title]]
 		)
 	_finish_moved()
 	_nodes["axis"].line_width = 4.0
@@ -110,7 +107,8 @@ func _finish_moved() -> void:
 	)
 
 
-## As many circles as make the batch grow more than once, in a parent that goes; what stays has another look.
+## Enough circles to make the batch grow more than once, under a temporary parent. The final objects
+## start different.
 func _begin() -> void:
 	var crowd := Node3D.new()
 	crowd.name = "Crowd"
@@ -122,7 +120,7 @@ func _begin() -> void:
 			3,
 			crowd
 		)
-	for title: String in LAST:
+	for title: String in FINAL:
 		_add(title, Multivector.circle(Vector3(0, 0.2, 0), Vector3.UP, 2.0), 3, _worlds[0])
 	for i in range(11, 20):
 		_add("crowd%d" % i, Multivector.sphere(Vector3(0.4 * i - 6.0, 0, 1), 0.6), 3, crowd)
@@ -133,23 +131,23 @@ func _hide_and_free() -> void:
 		_nodes["crowd%d" % i].free()
 	_nodes["ring"].hide()
 	_nodes["crowd3"].get_parent_node_3d().hide()
-	# While hidden they change, too.
+	# Change hidden nodes, too.
 	_nodes["crowd4"].multivector = Multivector.plane(Vector3.UP, 0.0)
 	_nodes["ball"].get_parent().remove_child(_nodes["ball"])
 
 
 func _change_values() -> void:
-	for title: String in LAST:
-		_nodes[title].multivector = _last_value(title)
-		_nodes[title].color = COLORS[LAST.keys().find(title) % COLORS.size()]
+	for title: String in FINAL:
+		_nodes[title].multivector = _final_value(title)
+		_nodes[title].color = COLORS[FINAL.keys().find(title) % COLORS.size()]
 	_nodes["axis"].line_width = 4.0
 	_finish_moved()
 	_nodes["crowd3"].get_parent_node_3d().show()
 
 
 func _change_worlds() -> void:
-	for title: String in LAST:
-		if LAST[title] == 1:
+	for title: String in FINAL:
+		if FINAL[title] == 1:
 			_nodes[title].reparent(_worlds[1], false)
 	var crowd := _nodes["crowd3"].get_parent_node_3d()
 	crowd.reparent(_worlds[1], false)

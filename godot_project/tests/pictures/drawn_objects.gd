@@ -1,5 +1,5 @@
 extends Control
-## Every kind of object that GANode3D draws, each in a view of its own: primal, dual, imaginary, motors.
+## Every kind of object that GANode3D draws, each in its own view: direct, dual, imaginary, motors.
 
 const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
 
@@ -13,7 +13,7 @@ const COLORS: Array[Color] = [
 const COLORS_ON_LIGHT: Array[Color] = [
 	Color(0.05, 0.42, 0.8), Color(0.75, 0.38, 0.02), Color(0.08, 0.5, 0.2), Color(0.8, 0.14, 0.26)
 ]
-## By what it is; what begins with "dual:" is read in IPNS.
+## Expressions by title. Those with the prefix "dual:" are interpreted as IPNS.
 const OBJECTS: Dictionary[String, String] = {
 	"point": "point(0, 0, 0)",
 	"dual point": "dual:!point(0, 0, 0)",

@@ -1,6 +1,6 @@
 extends Node3D
-## Objects together in one space: what has no end reaches the horizon, what lies behind a surface is seen through it,
-## labels stand beside what they name.
+## Objects in one space: endless ones reach the horizon, surfaces are transparent, labels are beside
+## their objects.
 
 const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
 
@@ -8,7 +8,7 @@ const BLUE := Color(0.36, 0.72, 1.0)
 const ORANGE := Color(1.0, 0.68, 0.3)
 const GREEN := Color(0.45, 0.85, 0.5)
 const RED := Color(1.0, 0.48, 0.55)
-const GREY := Color(0.72, 0.76, 0.82)
+const GRAY := Color(0.72, 0.76, 0.82)
 
 
 static func make() -> DrawnScene:
@@ -36,7 +36,7 @@ func _build() -> void:
 	var farther := Multivector.sphere(Vector3(7.0, 1.3, -5.0), 1.1)
 	var ground := Multivector.plane(Vector3.UP, 0.0)
 	var line := Multivector.line(Vector3(-3.2, 0.0, 2.0), Vector3(1.8, 2.4, -0.8))
-	_draw("ground", ground, GREY)
+	_draw("ground", ground, GRAY)
 	_draw("S", sphere, BLUE)
 	_draw("T", other, GREEN)
 	_draw("S meets T", sphere.meet(other), ORANGE, 3.0)

@@ -1,4 +1,4 @@
-## Draws a scene and ends after a few frames, in which shaders are still compiled in the background.
+## Draws a scene and quits after a few frames, while shaders are still compiling in the background.
 ##
 ## godot --path godot_project --script res://tests/pictures/early_end.gd
 extends SceneTree

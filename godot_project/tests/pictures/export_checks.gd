@@ -1,6 +1,5 @@
 extends RefCounted
-## That a document is exported as the picture that one asked for: size, background, alpha, file, and what is told where
-## it cannot be.
+## Checks of exported pictures: size, background, alpha, file, and error messages.
 
 const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
@@ -12,11 +11,11 @@ const TITLE := "gallery_three_spheres"
 const EXAMPLE := "three_spheres"
 const SIZE := Vector2i(640, 360)
 const FILE := "user://export_checks.png"
-## With the beginnings of what is told.
+## Invalid paths with the beginnings of the error messages.
 const WRONG_PATHS: Dictionary[String, String] = {
 	"user://there/is/no/folder.png": "user://there/is/no/folder.png cannot be written",
-	"user://picture.jpg": "user://picture.jpg: a picture is saved as PNG",
-	" ": "Give the picture a file name",
+	"user://picture.jpg": "user://picture.jpg is not a PNG file name",
+	" ": "Enter a file name",
 }
 
 var _host: Node
@@ -27,12 +26,12 @@ func _init(host: Node) -> void:
 	_host = host
 
 
-## To be awaited.
+## Draws the reference. A coroutine.
 func draw_reference() -> Image:
 	return await _draw(SIZE, true)
 
 
-## What is wrong; empty if nothing is. To be awaited.
+## Returns descriptions of the failed checks. A coroutine.
 func find_problems(reference: Image) -> PackedStringArray:
 	var opaque := await _draw(SIZE, true)
 	_expect(opaque.get_size() == SIZE, "the size is %s" % opaque.get_size())
@@ -59,7 +58,7 @@ func _check_transparent(picture: Image, opaque: Image) -> void:
 		picture.get_used_rect().size.x > SIZE.x / 3,
 		"there is something to see in %s" % picture.get_used_rect()
 	)
-	# Laid onto the background it is the same picture.
+	# Over the background it must equal the opaque picture.
 	var laid := Image.create_empty(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8)
 	laid.fill(ViewPoint.DEFAULT_BACKGROUND)
 	laid.blend_rect(picture, Rect2i(Vector2i.ZERO, SIZE), Vector2i.ZERO)
@@ -72,7 +71,7 @@ func _check_larger(reference: Image) -> void:
 		picture.get_size() == 2 * SIZE, "the size of the larger picture is %s" % picture.get_size()
 	)
 	picture.resize(SIZE.x, SIZE.y, Image.INTERPOLATE_LANCZOS)
-	# Not quite the same: lines are smoother.
+	# Lines are smoother, so allow more.
 	var comparison := PictureComparison.compare(picture, reference)
 	_expect(
 		comparison.obstacle.is_empty() and comparison.share < 0.02 and comparison.mean < 1.0,
@@ -94,10 +93,10 @@ func _check_dialog() -> void:
 	sizes.select(PictureDialog.Size.TWICE)
 	for wrong: String in WRONG_PATHS:
 		path.text = wrong
-		var told := await dialog.export_picture()
+		var message := await dialog.export_picture()
 		_expect(
-			told.begins_with(WRONG_PATHS[wrong]) and dialog.visible,
-			'the error for "%s" is "%s"' % [wrong, told]
+			message.begins_with(WRONG_PATHS[wrong]) and dialog.visible,
+			'the error for "%s" is "%s"' % [wrong, message]
 		)
 	path.text = FILE
 	var error := await dialog.export_picture()

@@ -1,9 +1,9 @@
 extends Node
-## Writes a picture of each document of the gallery, a sheet with all of them, and the playground with some of them open,
-## for the documentation. Ends the program; the last line is `[gallery] N written, N failed`.
+## Renders pictures for the documentation: each document of the gallery, a contact sheet of all, and
+## screenshots of the playground. Quits; the last line is `[gallery] N written, N failed`.
 ##
-## --gallery-pictures=DIR   the folder of the pictures
-## --only=NAME,NAME         only these documents, and nothing else
+## --gallery-pictures=DIR   output folder
+## --only=NAME,NAME         render only these documents
 
 const Gallery := preload("res://addons/ga_godot/playground/document/gallery.gd")
 const Playground := preload("res://demos/playground/playground.gd")
@@ -12,8 +12,8 @@ const ViewPoint := preload("res://addons/ga_godot/playground/picture/view_point.
 
 const PLAYGROUND := "res://demos/playground/playground.tscn"
 const PLAYGROUND_SIZE := Vector2i(1280, 720)
-## Examples that are shown in the playground, by the picture's name: which, what is selected, and whether on light.
-const OPENED: Dictionary[String, Array] = {
+## Screenshots of the playground: example, selected entry, and whether the theme is light.
+const PLAYGROUNDS: Dictionary[String, Array] = {
 	"playground": ["three_spheres", "A", false],
 	"playground_light": ["sphere_and_plane", "touched", true],
 }
@@ -23,7 +23,7 @@ const SHEET_GAP := 6
 const SHEET_CELL := Vector2i(320, 180)
 const SHEET_COLOR := Color(0.16, 0.175, 0.2)
 
-## The folder of the pictures.
+## The output folder.
 var argument := ""
 
 
@@ -47,9 +47,11 @@ func _write_all() -> void:
 	var written := pictures.size()
 	if writes_all and failed == 0:
 		var others: Dictionary[String, Image] = {"all": _make_sheet(pictures)}
-		for title in OPENED:
+		for title in PLAYGROUNDS:
 			others[title] = await _open(
-				OPENED[title][0] as String, OPENED[title][1] as String, OPENED[title][2] as bool
+				PLAYGROUNDS[title][0] as String,
+				PLAYGROUNDS[title][1] as String,
+				PLAYGROUNDS[title][2] as bool
 			)
 		for title in others:
 			var is_saved := _save(others[title], title)
@@ -70,7 +72,7 @@ func _draw(example: String) -> Image:
 	return await export.draw(self, scene)
 
 
-## The playground as a person sees it.
+## Takes a screenshot of the playground.
 func _open(example: String, selected: String, light: bool) -> Image:
 	var viewport := SubViewport.new()
 	viewport.size = PLAYGROUND_SIZE
@@ -81,7 +83,7 @@ func _open(example: String, selected: String, light: bool) -> Image:
 	playground.state_path = ""
 	viewport.add_child(playground)
 	playground.set_light(light)
-	# The view has its size in the next frame.
+	# The layout is done in the next frame.
 	await RenderingServer.frame_post_draw
 	playground.panel.document.show_scene(Gallery.load_example(example), "")
 	playground.panel.list.select([selected])

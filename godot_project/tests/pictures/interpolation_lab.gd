@@ -1,5 +1,6 @@
 extends Node3D
-## The lab's panel, narrow and wide, in the dark and the light look, beside what it draws of two poses.
+## The panel of the interpolation lab, narrow with the dark theme and wide with the light one,
+## beside its drawing.
 
 const InterpolationLabPicture := preload("res://tests/pictures/interpolation_lab.gd")
 const GameHost := preload("res://addons/ga_godot/playground/game_host.gd")
@@ -51,7 +52,7 @@ func _build(body: String) -> void:
 	var camera := Camera3D.new()
 	camera.fov = 50.0
 	camera.look_at_from_position(Vector3(0.6, 3.0, 5.8), Vector3(0.05, 0.7, 0.0))
-	# What is seen between the panels.
+	# Center the poses between the panels.
 	camera.h_offset = 0.65
 	add_child(camera)
 	var drawing := SceneDrawing.new()

@@ -1,18 +1,19 @@
 extends RefCounted
-## That a line has the same width along its whole way to the horizon, also where it begins behind the camera.
+## Checks that a line has a constant width up to the horizon, also if it starts behind the camera.
 
 const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
 
 const SIZE := Vector2i(640, 360)
 const WIDTH := 10.0
 const LIT := 0.3
-## Below the horizon.
+## First checked row, below the horizon.
 const FIRST_ROW := 30
-## In pixels.
+## Tolerance in pixels.
 const ALLOWED := 1.5
 
 
-## What is wrong; empty if nothing is. To be awaited. The host is any node in the tree.
+## Returns a description of the error, or an empty string. A coroutine. The host is any node in the
+## tree.
 static func find_problem(host: Node) -> String:
 	var scene := GAScene.new()
 	scene.add_entry("l", "line(point(1, 0, 0), e3)")
@@ -24,7 +25,7 @@ static func find_problem(host: Node) -> String:
 	export.view.from = Vector3(3.2, 4.0, 6.8)
 	export.view.to = Vector3(0.0, 1.45, 0.0)
 	var picture := await export.draw(host, scene)
-	# Rows cut the line askew, and arrowheads only make it wider.
+	# Rows cut the line at an angle. Arrowheads only make it wider.
 	var direction := _direction_on_screen(export)
 	var expected := WIDTH / absf(direction.y)
 	for y in range(FIRST_ROW, SIZE.y):

@@ -1,12 +1,12 @@
 extends RefCounted
-## Compares two pictures so that a thing that moved or vanished is found, while another driver's
-## rounding at the edges of triangles and letters is not: both are averaged over 4 x 4 pixels first.
+## Compares two pictures. Averages over 4 x 4 pixels first, so that objects that moved or vanished
+## are detected, but not the rounding of another driver at the edges of triangles and letters.
 
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
-## Times that the size is halved by averaging.
+## Number of times that averaging halves the size.
 const HALVINGS := 2
-## A difference that counts, of 255, in any channel.
+## Minimum difference in any channel that counts as visible, of 255.
 const VISIBLE_DIFFERENCE := 20
 ## Largest share of averaged pixels that may differ visibly, and largest mean difference of 255.
 const ALLOWED_SHARE := 0.0015
@@ -50,7 +50,7 @@ func describe() -> String:
 	if not obstacle.is_empty():
 		return obstacle
 	return (
-		"%.3f %% of the picture differs (allowed %.3f), mean difference %.3f (allowed %.3f)"
+		"%.3f%% of the picture differs (allowed %.3f), mean difference %.3f (allowed %.3f)"
 		% [100.0 * share, 100.0 * ALLOWED_SHARE, mean, ALLOWED_MEAN]
 	)
 

@@ -1,14 +1,13 @@
 extends Node
-## Compares pictures of the project's scenes with references, and makes sure that the comparison
-## would notice if something had moved or vanished. Ends the program; the last line is
-## `[pictures] N passed, N failed`.
+## Compares screenshots of the project's scenes with references, and checks that the comparison
+## detects objects that moved or vanished. Quits; the last line is `[pictures] N passed, N failed`.
 ##
-## --screenshots=DIR   the folder of the references
-## --output=DIR        where the pictures of failed comparisons are written
-## --update            writes the references instead of comparing
-## --picture=NAME      this picture alone
+## --screenshots=DIR   folder of the references
+## --output=DIR        folder for the screenshots of failed comparisons
+## --update            write the references instead of comparing
+## --picture=NAME      only this screenshot
 ##
-## The window's size is the pictures' size.
+## The screenshots have the size of the window.
 
 const DrawnChanges := preload("res://tests/pictures/drawn_changes.gd")
 const ExportChecks := preload("res://tests/pictures/export_checks.gd")
@@ -19,10 +18,10 @@ const Scenes := preload("res://tests/pictures/scenes.gd")
 
 ## Frames until shaders are compiled and layouts are settled.
 const SETTLING_FRAMES := 6
-## A change of the cube's place that must be noticed, as a part of its path.
+## A displacement of the cube that must be detected, as a fraction of its path.
 const NOTICED_STEP := 0.05
 
-## The folder of the references.
+## Folder of the references.
 var argument := ""
 
 var _output := ""
@@ -41,7 +40,7 @@ func _ready() -> void:
 			_only = other.trim_prefix("--picture=")
 		update = update or other == "--update"
 	if DisplayServer.get_name() == "headless":
-		printerr("Pictures need a display; without a screen start under Xvfb.")
+		printerr("Screenshots need a display. Run under Xvfb if there is none.")
 		get_tree().quit(1)
 		return
 	if update:
@@ -55,7 +54,7 @@ func _update() -> void:
 	for title: String in scenes:
 		var picture := await _take(scenes[title])
 		if picture.save_png(_reference_path(title)) != OK:
-			printerr("%s cannot be written." % _reference_path(title))
+			printerr("Cannot write %s." % _reference_path(title))
 			get_tree().quit(1)
 			return
 		print("wrote %s" % _reference_path(title))
@@ -71,7 +70,7 @@ func _compare_all() -> void:
 	for title: String in scenes:
 		await _expect_alike(title, scenes[title])
 	if _only.is_empty():
-		await _expect_different("a cube that moved by 5 % of its path", _with_moved_cube)
+		await _expect_different("a cube that moved by 5% of its path", _with_moved_cube)
 		await _expect_different("a cube that vanished", _with_hidden.bind(^"Cube"))
 		await _expect_different("paths that vanished", _with_hidden.bind(^"Paths"))
 		await _expect_different("a floor that vanished", _with_hidden.bind(^"Floor"))
@@ -110,7 +109,8 @@ func _scenes() -> Dictionary[String, Callable]:
 	return {_only: scenes[_only]}
 
 
-## The changed scene must not pass for the picture of what it was; by default that of the demo without panels.
+## Checks that the changed scene does not match the reference of the original, by default the demo
+## without panels.
 func _expect_different(
 	change: String, make_scene: Callable, title := "interpolation_paths"
 ) -> void:
@@ -121,7 +121,7 @@ func _expect_different(
 	var comparison := PictureComparison.compare(await _take(make_scene), reference)
 	print("%s: %s" % [change, comparison.describe()])
 	if comparison.is_alike() or not comparison.obstacle.is_empty():
-		_fail("%s is not noticed" % change)
+		_fail("%s is not detected" % change)
 	else:
 		_passed += 1
 
@@ -145,7 +145,7 @@ func _check_line() -> void:
 		_fail(problem)
 
 
-## Drawn objects look as they are, whatever came before.
+## Drawn objects do not depend on earlier states.
 func _expect_same_after_changes() -> void:
 	var picture := await _take(_with_changes.bind(true))
 	var comparison := PictureComparison.compare(picture, await _take(_with_changes.bind(false)))
@@ -158,7 +158,7 @@ func _expect_same_after_changes() -> void:
 		picture.save_png(_output.path_join("drawn_changes.png"))
 
 
-## A hundred circles are as many draw calls as one.
+## A hundred circles take as many draw calls as one.
 func _expect_shared_draw_calls() -> void:
 	await _take(_with_circles.bind(1))
 	var one := _last_draw_calls

@@ -1,5 +1,5 @@
 extends RefCounted
-## The pictures that are compared: how each scene is brought into one state that never changes.
+## The screenshots to compare: brings each scene into a fixed state.
 
 const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
 const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
@@ -13,7 +13,7 @@ const PLAYGROUND := "res://demos/playground/playground.tscn"
 const FACTOR := 0.4
 
 
-## Makes each picture's scene, by the picture's name.
+## Functions that open the scenes, by the name of the screenshot.
 static func list() -> Dictionary[String, Callable]:
 	return {
 		"menu": open.bind(MENU),
@@ -67,7 +67,7 @@ static func interpolation(
 	return demo
 
 
-## With an object selected; in the light, with its coefficients.
+## With an object selected; with the light theme also with its coefficients.
 static func playground(parent: Node, light: bool) -> Playground:
 	var packed: PackedScene = load(PLAYGROUND)
 	var demo: Playground = packed.instantiate()

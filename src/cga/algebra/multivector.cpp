@@ -3,6 +3,8 @@
 #include "cga/algebra/geometric_product_avx2.hpp"
 #include "cga/algebra/multivector_product.hpp"
 #include "cga/algebra/null_basis.hpp"
+#include "cga/platform/compiler.hpp"
+#include "cga/platform/processor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +14,13 @@ namespace cga {
 
 namespace {
 
-// Below this fraction of the sum of squares, a norm is the rounding of zero.
+// A norm below this fraction of the sum of squares is zero within rounding.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
 // The pseudoscalar I as a bitmap.
 constexpr unsigned PSEUDOSCALAR = BLADE_COUNT - 1;
 
-// I^2, a sign, from the table.
+// I^2, a sign.
 constexpr int PSEUDOSCALAR_SQUARED = product_sign(PSEUDOSCALAR, PSEUDOSCALAR);
 
 // X I times a sign: each blade becomes its complement.
@@ -30,6 +32,14 @@ Multivector times_pseudoscalar(const Multivector &x, int sign) {
 	}
 	return result;
 }
+
+#if CGA_X86_64
+Multivector multiply_avx2(const Multivector &left, const Multivector &right) {
+	Multivector product;
+	geometric_product_avx2(&left.coefficients()[0], &right.coefficients()[0], &product[0]);
+	return product;
+}
+#endif
 
 // `x` with a sign for each grade.
 template <class SignOfGrade>
@@ -43,7 +53,7 @@ Multivector signed_by_grade(const Multivector &x, SignOfGrade sign_of_grade) {
 	return result;
 }
 
-// The largest absolute coefficient among grades of one parity.
+// The largest absolute coefficient of the grades of one parity (0 even, 1 odd).
 double max_abs_of_parity(const Multivector &x, int parity) {
 	double largest = 0.0;
 	for (int index = 0; index < BLADE_COUNT; ++index) {
@@ -107,10 +117,10 @@ Multivector &Multivector::operator*=(double factor) {
 }
 
 Multivector Multivector::geometric_product(const Multivector &right) const {
-#if defined(CGA_HAS_AVX2_PRODUCT)
-	static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-	if (has_avx2) {
-		return avx2::geometric_product(*this, right);
+#if CGA_X86_64
+	static const bool HAS_AVX2 = processor_features().avx2;
+	if (HAS_AVX2) {
+		return multiply_avx2(*this, right);
 	}
 #endif
 	return multiply<Product::GEOMETRIC>(*this, right);

@@ -1,5 +1,7 @@
 #include "cga/algebra/null_basis.hpp"
 
+#include <cmath>
+
 namespace cga {
 
 Multivector e_infinity() {
@@ -16,6 +18,19 @@ Multivector euclidean(const Vector3<double> &vector) {
 	result[E2] = vector.y;
 	result[E3] = vector.z;
 	return result;
+}
+
+Multivector point(const Vector3<double> &position) {
+	return euclidean(position) + e_infinity() * (0.5 * glm::dot(position, position)) + e_origin();
+}
+
+std::optional<Vector3<double>> position_of(const Multivector &point) {
+	const double weight = -e_infinity().scalar_product(point);
+	const Vector3<double> position = Vector3<double>(point[E1], point[E2], point[E3]) / weight;
+	if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+		return std::nullopt;
+	}
+	return position;
 }
 
 } // namespace cga

@@ -3,7 +3,7 @@
 #include "cga/algebra/multivector.hpp"
 #include "cga/vector.hpp"
 
-// The vectors that conformal geometry is written in: e1, e2, e3 for directions, and two null ones.
+// The vectors of conformal geometry: e1, e2, e3 for directions, two null vectors, and points made of them.
 
 namespace cga {
 
@@ -11,7 +11,12 @@ namespace cga {
 [[nodiscard]] Multivector e_infinity();
 // e_o = (e5 - e4) / 2: the origin; e_o . e_inf = -1.
 [[nodiscard]] Multivector e_origin();
-// The Euclidean vector x e1 + y e2 + z e3.
+// x e1 + y e2 + z e3.
 [[nodiscard]] Multivector euclidean(const Vector3<double> &vector);
+
+// The conformal point x + (1/2) x^2 e_inf + e_o.
+[[nodiscard]] Multivector point(const Vector3<double> &position);
+// The position of a point of any weight: x / (-e_inf . X). Empty if it is not finite.
+[[nodiscard]] std::optional<Vector3<double>> position_of(const Multivector &point);
 
 } // namespace cga

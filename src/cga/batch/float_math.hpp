@@ -1,31 +1,33 @@
 #pragma once
 
-#include "cga/flatten.hpp"
+#include "cga/platform/compiler.hpp"
 
 #include <cstdint>
 #include <cstring>
 
-// Elementary functions of one float without branches or calls, so that a loop over lanes becomes vector code.
-// Taylor polynomials on a reduced range, their remainders below float's rounding.
+// Elementary functions of one float without branches or calls, so that loops over lanes vectorize. Taylor polynomials on a
+// reduced range; their remainders are below the rounding of float.
 
 namespace cga::float_math {
 
-CGA_FLATTEN float min(float left, float right) noexcept {
+namespace {
+
+CGA_ALWAYS_INLINE float min(float left, float right) noexcept {
 	return left < right ? left : right;
 }
 
-CGA_FLATTEN float max(float left, float right) noexcept {
+CGA_ALWAYS_INLINE float max(float left, float right) noexcept {
 	return left > right ? left : right;
 }
 
 // The nearest integer of |x| < 2^22: adding 1.5 * 2^23 leaves no bits for the fraction.
-CGA_FLATTEN float round_to_integer(float x) noexcept {
+CGA_ALWAYS_INLINE float round_to_integer(float x) noexcept {
 	constexpr float NO_FRACTION = 12582912.0f;
 	return (x + NO_FRACTION) - NO_FRACTION;
 }
 
 // 2^k, -126 <= k <= 127.
-CGA_FLATTEN float power_of_two(int32_t k) noexcept {
+CGA_ALWAYS_INLINE float power_of_two(int32_t k) noexcept {
 	const int32_t bits = (k + 127) * (1 << 23);
 	float result;
 	std::memcpy(&result, &bits, sizeof(result));
@@ -39,7 +41,7 @@ struct Exponential {
 
 // x is clamped to -87..87.
 // x = k ln 2 + r, |r| <= ln(2)/2, exp(x) - 1 = 2^k (exp(r) - 1) + (2^k - 1); the remainder r^8/8! is below 6e-9.
-CGA_FLATTEN Exponential exponential(float x) noexcept {
+CGA_ALWAYS_INLINE Exponential exponential(float x) noexcept {
 	constexpr float LIMIT = 87.0f;
 	constexpr float INVERSE_LN2 = 1.44269504f;
 	constexpr float LN2_HIGH = 0.693359375f; // 9 bits, so that k LN2_HIGH is exact
@@ -59,7 +61,7 @@ struct SinCos {
 };
 
 // Sine and cosine of |x| < 2e4. x = k pi/2 + r, |r| <= pi/4; remainders r^11/11! and r^10/10!, below 3e-8.
-CGA_FLATTEN SinCos sin_cos(float x) noexcept {
+CGA_ALWAYS_INLINE SinCos sin_cos(float x) noexcept {
 	constexpr float INVERSE_HALF_PI = 0.636619772f;
 	constexpr float HALF_PI_HIGH = 1.5703125f; // 8 bits, so that k HALF_PI_HIGH is exact
 	constexpr float HALF_PI_MIDDLE = 4.83751297e-4f; // 12 bits
@@ -76,5 +78,7 @@ CGA_FLATTEN SinCos sin_cos(float x) noexcept {
 	const float plain_cosine = swaps ? sine : cosine;
 	return { (quadrant & 2) != 0 ? -plain_sine : plain_sine, ((quadrant + 1) & 2) != 0 ? -plain_cosine : plain_cosine };
 }
+
+} // namespace
 
 } // namespace cga::float_math

@@ -1,31 +1,33 @@
 #pragma once
 
 #include "cga/batch/motor_block.hpp"
-#include "cga/batch/row_transpose.hpp"
+#include "cga/batch/row_columns.hpp"
 
-#include <cmath>
+#include <math.h>
 
-// The batch kernels of motors, for one lane each (pose_kernel.hpp has those of pairs of poses).
+// The kernels of motors, for one block (pose_kernel.hpp has those of pose pairs).
 
 namespace cga::kernel {
 
-// A quaternion of one lane.
+namespace {
+
+// A quaternion in one lane.
 struct LaneQuaternion {
 	float w, x, y, z;
 };
 
-CGA_FLATTEN LaneQuaternion load_lane(const PoseBlock::Row (&rows)[4], int lane) noexcept {
+CGA_ALWAYS_INLINE LaneQuaternion load_lane(const PoseBlock::Row (&rows)[4], int lane) noexcept {
 	return { rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
 }
 
-CGA_FLATTEN void store_lane(PoseBlock::Row (&rows)[4], int lane, const LaneQuaternion &quaternion) noexcept {
+CGA_ALWAYS_INLINE void store_lane(PoseBlock::Row (&rows)[4], int lane, const LaneQuaternion &quaternion) noexcept {
 	rows[0][lane] = quaternion.w;
 	rows[1][lane] = quaternion.x;
 	rows[2][lane] = quaternion.y;
 	rows[3][lane] = quaternion.z;
 }
 
-CGA_FLATTEN LaneQuaternion product(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
+CGA_ALWAYS_INLINE LaneQuaternion product(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
 	return {
 		p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
 		p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
@@ -34,15 +36,15 @@ CGA_FLATTEN LaneQuaternion product(const LaneQuaternion &p, const LaneQuaternion
 	};
 }
 
-CGA_FLATTEN LaneQuaternion sum(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
+CGA_ALWAYS_INLINE LaneQuaternion sum(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
 	return { p.w + q.w, p.x + q.x, p.y + q.y, p.z + q.z };
 }
 
-CGA_FLATTEN LaneQuaternion scaled(const LaneQuaternion &q, float factor) noexcept {
+CGA_ALWAYS_INLINE LaneQuaternion scaled(const LaneQuaternion &q, float factor) noexcept {
 	return { q.w * factor, q.x * factor, q.y * factor, q.z * factor };
 }
 
-CGA_FLATTEN float squared(const LaneQuaternion &q) noexcept {
+CGA_ALWAYS_INLINE float squared(const LaneQuaternion &q) noexcept {
 	return (q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z);
 }
 
@@ -51,7 +53,7 @@ struct LaneVector {
 	float x, y, z;
 };
 
-CGA_FLATTEN LaneVector vector_of_quotient(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
+CGA_ALWAYS_INLINE LaneVector vector_of_quotient(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
 	return {
 		p.x * q.w - p.w * q.x - p.y * q.z + p.z * q.y,
 		p.y * q.w - p.w * q.y - p.z * q.x + p.x * q.z,
@@ -60,14 +62,14 @@ CGA_FLATTEN LaneVector vector_of_quotient(const LaneQuaternion &p, const LaneQua
 }
 
 // 1 / x, and 0 where x is 0.
-CGA_FLATTEN float inverse_or_zero(float x) noexcept {
+CGA_ALWAYS_INLINE float inverse_or_zero(float x) noexcept {
 	const bool is_zero = x == 0.0f;
 	return (is_zero ? 0.0f : 1.0f) / (is_zero ? 1.0f : x);
 }
 
 // M1 M2 = (a1 a2, b1 b2, b1 v2 + v1 a2)
-CGA_FLATTEN void compose_block(const MotorBlock &first, const MotorBlock &second, MotorBlock &products) noexcept {
-	CGA_LANES_APART
+CGA_ALWAYS_INLINE void compose_block(const MotorBlock &first, const MotorBlock &second, MotorBlock &products) noexcept {
+	CGA_INDEPENDENT_ITERATIONS
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LaneQuaternion b1 = load_lane(first.b, lane);
 		const LaneQuaternion a2 = load_lane(second.a, lane);
@@ -83,8 +85,8 @@ CGA_FLATTEN void compose_block(const MotorBlock &first, const MotorBlock &second
 using PointColumns = PoseBlock::Row[3];
 
 // t + s q x q* = (b x - 2 v) conj(a) / |a|^2
-CGA_FLATTEN void transform_block(const MotorBlock &motors, PointColumns &points) noexcept {
-	CGA_LANES_APART
+CGA_ALWAYS_INLINE void transform_block(const MotorBlock &motors, PointColumns &points) noexcept {
+	CGA_INDEPENDENT_ITERATIONS
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LaneQuaternion a = load_lane(motors.a, lane);
 		const LaneQuaternion point = { 0.0f, points[0][lane], points[1][lane], points[2][lane] };
@@ -98,11 +100,11 @@ CGA_FLATTEN void transform_block(const MotorBlock &motors, PointColumns &points)
 }
 
 // q = a / |a|, s = |b| / |a|, t = -2 v conj(a) / |a|^2; basis = s R(q), with the squares of q divided by |a|^2.
-CGA_FLATTEN void extract_block(const MotorBlock &motors, RowColumns &columns) noexcept {
+CGA_ALWAYS_INLINE void extract_block(const MotorBlock &motors, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LaneQuaternion a = load_lane(motors.a, lane);
 		const float inverse = inverse_or_zero(squared(a));
-		const float scale = std::sqrt(squared(load_lane(motors.b, lane)) * inverse);
+		const float scale = sqrtf(squared(load_lane(motors.b, lane)) * inverse);
 		const LaneVector origin = vector_of_quotient(scaled(load_lane(motors.v, lane), -2.0f * inverse), a);
 		const float twice = 2.0f * scale * inverse;
 		const float x = twice * a.x;
@@ -128,14 +130,14 @@ CGA_FLATTEN void extract_block(const MotorBlock &motors, RowColumns &columns) no
 //   4 w x = R32 - R23               4 x y = R21 + R12               and so on
 // Its row with the largest diagonal entry is q times a number of at least 1, without cancellation.
 //   a = q / sqrt(s)     b = q sqrt(s)     v = -(1/2) t a
-CGA_FLATTEN void motors_from_columns(const RowColumns &columns, MotorBlock &motors) noexcept {
+CGA_ALWAYS_INLINE void motors_from_columns(const RowColumns &columns, MotorBlock &motors) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const float r11 = columns[0][lane], r12 = columns[1][lane], r13 = columns[2][lane];
 		const float r21 = columns[4][lane], r22 = columns[5][lane], r23 = columns[6][lane];
 		const float r31 = columns[8][lane], r32 = columns[9][lane], r33 = columns[10][lane];
 		// The mean of the squared lengths of the axes.
 		const float squares = ((r11 * r11 + r12 * r12 + r13 * r13) + (r21 * r21 + r22 * r22 + r23 * r23)) + (r31 * r31 + r32 * r32 + r33 * r33);
-		const float scale = std::sqrt(squares * (1.0f / 3.0f));
+		const float scale = sqrtf(squares * (1.0f / 3.0f));
 
 		const float ww = scale + (r11 + r22 + r33);
 		const float xx = scale + (r11 - r22 - r33);
@@ -154,8 +156,8 @@ CGA_FLATTEN void motors_from_columns(const RowColumns &columns, MotorBlock &moto
 		largest = y_is_larger ? yy : largest;
 		q = zz > largest ? LaneQuaternion{ wz, xz, yz, zz } : q;
 
-		const float root = std::sqrt(scale);
-		const float size = std::sqrt(squared(q));
+		const float root = sqrtf(scale);
+		const float size = sqrtf(squared(q));
 		const LaneQuaternion b = scaled(q, root * inverse_or_zero(size));
 		const LaneQuaternion a = scaled(q, inverse_or_zero(root * size));
 		const LaneQuaternion half = { 0.0f, -0.5f * columns[3][lane], -0.5f * columns[7][lane], -0.5f * columns[11][lane] };
@@ -164,5 +166,7 @@ CGA_FLATTEN void motors_from_columns(const RowColumns &columns, MotorBlock &moto
 		store_lane(motors.v, lane, product(half, a));
 	}
 }
+
+} // namespace
 
 } // namespace cga::kernel

@@ -1,5 +1,6 @@
 #include "cga/batch/pose_block.hpp"
 
+#include "cga/batch/lane_access.hpp"
 #include "cga/motor/axis_angle.hpp"
 #include "cga/motor/pose_motion.hpp"
 #include "cga/motor/similarity_phi.hpp"
@@ -13,38 +14,17 @@ namespace cga {
 
 namespace {
 
-void store(PoseBlock::Row (&rows)[4], int lane, const Quaternion<float> &quaternion) {
-	rows[0][lane] = quaternion.w;
-	rows[1][lane] = quaternion.x;
-	rows[2][lane] = quaternion.y;
-	rows[3][lane] = quaternion.z;
-}
-
-void store(PoseBlock::Row (&rows)[3], int lane, const Vector3<float> &vector) {
-	rows[0][lane] = vector.x;
-	rows[1][lane] = vector.y;
-	rows[2][lane] = vector.z;
-}
-
-Quaternion<float> load(const PoseBlock::Row (&rows)[4], int lane) {
-	return { rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
-}
-
-Vector3<float> load(const PoseBlock::Row (&rows)[3], int lane) {
-	return { rows[0][lane], rows[1][lane], rows[2][lane] };
-}
-
-// A shift that the kernels can still multiply and add within float's range.
-float bounded(double shift) {
+// A displacement that the kernels can multiply and add without leaving the range of float.
+float bounded(double displacement) {
 	constexpr double LIMIT = double(std::numeric_limits<float>::max()) / 16.0;
-	return float(std::clamp(shift, -LIMIT, LIMIT));
+	return float(std::clamp(displacement, -LIMIT, LIMIT));
 }
 
-Vector3<float> bounded(const Vector3<double> &shift) {
-	return { bounded(shift.x), bounded(shift.y), bounded(shift.z) };
+Vector3<float> bounded(const Vector3<double> &displacement) {
+	return { bounded(displacement.x), bounded(displacement.y), bounded(displacement.z) };
 }
 
-// Turns to_rotation to the hemisphere 1 or -1.
+// Moves to_rotation to the hemisphere 1 or -1.
 void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	for (PoseBlock::Row &row : block.to_rotation) {
 		row[lane] *= block.hemisphere[lane] * hemisphere;
@@ -52,7 +32,7 @@ void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	block.hemisphere[lane] = hemisphere;
 }
 
-// 1 / (exp(z) - 1), or the factor of a plain weight where z is too small for float to tell the two apart.
+// 1 / (exp(z) - 1); where z is too small for float to tell the power from a plain weight, the factor of that weight.
 struct PowerFactor {
 	std::complex<double> factor{ 0.0 };
 	double linear = 0.0;
@@ -66,21 +46,21 @@ PowerFactor power_factor(const std::complex<double> &z) {
 	return { 1.0 / (z * phi(z)), 0.0 };
 }
 
-// Everything that depends on both poses.
+// Computes everything that depends on both poses.
 void prepare(PoseBlock &block, int lane) {
 	const Pose<double> from = pose_cast<double>(block.get_from(lane));
 	const Pose<double> to = pose_cast<double>(block.get_to(lane));
 	const PoseMotion motion = motion_between(from, to);
-	const Vector3<double> turn_vector = vector_part(motion.turn);
-	store(block.shift, lane, bounded(motion.shift));
-	block.shrinking[lane] = float(2.0 - 2.0 * motion.turn.w);
-	store(block.bend, lane, bounded(motion.shift * motion.turn.w + glm::cross(motion.shift, turn_vector)));
+	const Vector3<double> rotation_vector_part = vector_part(motion.rotation);
+	store_lane(block.displacement, lane, bounded(motion.displacement));
+	block.shortening[lane] = float(2.0 - 2.0 * motion.rotation.w);
+	store_lane(block.curvature, lane, bounded(motion.displacement * motion.rotation.w + glm::cross(motion.displacement, rotation_vector_part)));
 	set_hemisphere(block, lane, float(motion.hemisphere));
 
-	const double sine = detail::length(turn_vector);
-	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.turn.w) : 0.0;
+	const double sine = detail::length(rotation_vector_part);
+	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.rotation.w) : 0.0;
 	block.half_angle[lane] = float(half_angle);
-	store(block.axis, lane, sine > 0.0 ? Vector3<float>(turn_vector / sine) : Vector3<float>(0.0f));
+	store_lane(block.axis, lane, sine > 0.0 ? Vector3<float>(rotation_vector_part / sine) : Vector3<float>(0.0f));
 
 	const bool positive = from.scale > 0.0 && to.scale > 0.0;
 	const double log_scale = positive ? std::log(to.scale / from.scale) : 0.0;
@@ -97,15 +77,15 @@ void prepare(PoseBlock &block, int lane) {
 }
 
 void store_from(PoseBlock &block, int lane, const Pose<float> &from) {
-	store(block.from_rotation, lane, unit_rotation(from.rotation));
-	store(block.from_translation, lane, from.translation);
+	store_lane(block.from_rotation, lane, unit_rotation(from.rotation));
+	store_lane(block.from_translation, lane, from.translation);
 	block.from_scale[lane] = from.scale;
 }
 
 void store_to(PoseBlock &block, int lane, const Pose<float> &to) {
-	store(block.to_rotation, lane, unit_rotation(to.rotation));
+	store_lane(block.to_rotation, lane, unit_rotation(to.rotation));
 	block.hemisphere[lane] = 1.0f;
-	store(block.to_translation, lane, to.translation);
+	store_lane(block.to_translation, lane, to.translation);
 	block.to_scale[lane] = to.scale;
 }
 
@@ -134,11 +114,11 @@ void PoseBlock::set_to(int lane, const Pose<float> &to) noexcept {
 }
 
 Pose<float> PoseBlock::get_from(int lane) const noexcept {
-	return { load(from_translation, lane), load(from_rotation, lane), from_scale[lane] };
+	return { load_lane(from_translation, lane), load_lane(from_rotation, lane), from_scale[lane] };
 }
 
 Pose<float> PoseBlock::get_to(int lane) const noexcept {
-	return { load(to_translation, lane), load(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
+	return { load_lane(to_translation, lane), load_lane(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
 }
 
 } // namespace cga

@@ -13,11 +13,11 @@ const char *describe(MatrixError error) noexcept {
 		case MatrixError::NOT_FINITE:
 			return "has a value that is not finite (NaN or infinity); check where it was computed";
 		case MatrixError::SINGULAR:
-			return "has scale zero along an axis; a motor needs a positive scale";
+			return "has zero scale along an axis; a motor needs a positive scale";
 		case MatrixError::MIRRORED:
-			return "is mirrored (negative scale), which no motor can express; mirror a child node instead";
+			return "is mirrored (negative scale), which a motor cannot represent; mirror a child node instead";
 		case MatrixError::NON_UNIFORM:
-			return "is scaled differently along its axes, or sheared; a motor holds one uniform scale, so scale a child node instead";
+			return "has non-uniform scale or shear; a motor has one uniform scale, so scale a child node instead";
 	}
 	return "";
 }

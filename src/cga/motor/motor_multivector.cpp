@@ -1,7 +1,7 @@
 #include "cga/motor/motor_multivector.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_packing.hpp"
-#include "cga/motor/versor.hpp"
 
 #include <algorithm>
 #include <cmath>

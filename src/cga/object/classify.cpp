@@ -15,11 +15,11 @@ namespace cga {
 namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
-// Parts this small, relative to what they were computed from, are zero, rounded.
+// Parts at most this large, relative to the numbers they were computed from, are zero within rounding.
 constexpr double ROUNDING = 64.0 * EPSILON;
-// Smaller parts of a blade of another grade are noise.
+// Parts of other grades below this are noise.
 constexpr double NOISE = 1e-10;
-// A smaller X ^ X is: what far objects come to when they are moved and multiplied.
+// X ^ X below this is noise, which products and motions of distant objects accumulate.
 constexpr double BLADE_NOISE = 1e-8;
 
 using Vector = Vector3<double>;
@@ -39,10 +39,10 @@ Classification flat(const ConformalParts &parts, int grade) {
 	Classification found;
 	set_attitude(found, parameters.attitude, k);
 	if (k == 2) {
-		found.kind = Kind::plane;
+		found.kind = Kind::PLANE;
 		found.distance = glm::dot(foot, *found.normal);
 	} else {
-		found.kind = k == 0 ? Kind::flat_point : Kind::line;
+		found.kind = k == 0 ? Kind::FLAT_POINT : Kind::LINE;
 		found.center = foot;
 	}
 	return found;
@@ -61,7 +61,7 @@ Classification round(const ConformalParts &parts, int grade) {
 	set_attitude(found, parameters.attitude, k);
 	if (is_tangent) {
 		// e_o + c + c^2/2 e_inf is a point; its dual, the sphere of radius zero, is one in IPNS.
-		found.kind = k == 0 || k == 3 ? Kind::point : Kind::tangent;
+		found.kind = k == 0 || k == 3 ? Kind::POINT : Kind::TANGENT;
 		found.ipns = k == 3;
 		return found;
 	}
@@ -70,22 +70,22 @@ Classification round(const ConformalParts &parts, int grade) {
 	switch (k) {
 		case 0:
 			// A vector that is not null: e_o + c + (c^2 - r^2)/2 e_inf, a sphere in IPNS.
-			found.kind = Kind::sphere;
+			found.kind = Kind::SPHERE;
 			found.ipns = true;
 			found.imaginary = squared_radius > 0.0;
 			break;
 		case 1:
-			found.kind = Kind::point_pair;
+			found.kind = Kind::POINT_PAIR;
 			if (!found.imaginary) {
 				const Vector to_end = *found.direction * *found.radius;
 				found.points = std::array<Vector, 2>{ center - to_end, center + to_end };
 			}
 			break;
 		case 2:
-			found.kind = Kind::circle;
+			found.kind = Kind::CIRCLE;
 			break;
 		default:
-			found.kind = Kind::sphere;
+			found.kind = Kind::SPHERE;
 			break;
 	}
 	return found;
@@ -96,7 +96,7 @@ Classification flipped(Classification found) {
 	return found;
 }
 
-// Of an OPNS blade of grade 1 to 4.
+// Classifies an OPNS blade of grade 1 to 4.
 Classification blade(const Multivector &x, int grade) {
 	const ConformalParts parts = parts_of(x);
 	const double a = parts.euclidean.max_abs(), q = parts.infinity.max_abs(), d = parts.both.max_abs();
@@ -107,7 +107,7 @@ Classification blade(const Multivector &x, int grade) {
 	const bool across_infinity = d <= NOISE * a + ROUNDING * q; // e_inf . X = 0
 	if (kills_infinity && across_infinity) {
 		Classification found;
-		found.kind = Kind::direction;
+		found.kind = Kind::DIRECTION;
 		set_attitude(found, parts.infinity, grade - 1);
 		return found;
 	}
@@ -130,13 +130,13 @@ Classification motor(const Motor<double> &motor) {
 	const bool moves = glm::length(pose->translation) > 0.0;
 	const bool scales = std::abs(pose->scale - 1.0) > ROUNDING;
 	if (int(turns) + int(moves) + int(scales) > 1) {
-		found.kind = Kind::motor;
+		found.kind = Kind::MOTOR;
 	} else if (turns) {
-		found.kind = Kind::rotor;
+		found.kind = Kind::ROTOR;
 	} else if (scales) {
-		found.kind = Kind::dilator;
+		found.kind = Kind::DILATOR;
 	} else {
-		found.kind = Kind::translator;
+		found.kind = Kind::TRANSLATOR;
 	}
 	return found;
 }
@@ -155,7 +155,7 @@ Classification classify(const Multivector &x, bool ipns) {
 		const std::optional<Motor<double>> as_motor = to_motor(scaled);
 		Classification found = as_motor ? motor(*as_motor) : none;
 		found.ipns = ipns;
-		if (found.kind == Kind::none) {
+		if (found.kind == Kind::NONE) {
 			double second = 0.0, first = 0.0;
 			for (int k = 0; k <= DIMENSION; ++k) {
 				const double size = scaled.grade(k).max_abs();
@@ -167,7 +167,7 @@ Classification classify(const Multivector &x, bool ipns) {
 		return found;
 	}
 	if (*grade == 0 || *grade == DIMENSION) {
-		none.kind = (*grade == 0) != ipns ? Kind::scalar : Kind::none;
+		none.kind = (*grade == 0) != ipns ? Kind::SCALAR : Kind::NONE;
 		return none;
 	}
 	const Multivector only = scaled.grade(*grade);

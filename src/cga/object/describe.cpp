@@ -15,7 +15,7 @@ const char *name_of(Kind kind) {
 }
 
 std::string describe(const Classification &found) {
-	if (found.kind == Kind::none) {
+	if (found.kind == Kind::NONE) {
 		return found.residual > 0.0 ? "not a blade (residual " + readable(found.residual) + ")" : "no object";
 	}
 	std::string text = name_of(found.kind);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "cga/algebra/null_coefficients.hpp"
 #include "cga/algebra/product_table.hpp"
 
 // The products of null blades: basis blades with e_inf in the place of e4 and e_o in that of e5, at the same indices
-// (null_coefficients.hpp). Made at compile time by writing both factors in e4 and e5, multiplying, and writing the result
-// in e_inf and e_o again. The product of two is one null blade or two, each with a sign: e_inf e_o = -1 + E.
+// (null_coefficients.hpp). The product of two is one null blade or two, each with a sign: e_inf e_o = -1 + E.
 
 namespace cga::typed {
 
@@ -14,30 +12,29 @@ using NullTable = std::array<std::array<std::array<int8_t, BLADE_COUNT>, BLADE_C
 
 namespace detail {
 
-[[nodiscard]] constexpr Multivector null_blade(size_t index) {
-	Multivector::Coefficients coefficients{};
-	coefficients[index] = 1.0;
-	return from_null_coefficients(coefficients);
-}
+// A null blade is a blade of e1, e2, e3 times one of 1, e_inf, e_o, E: the bits of e4 and e5, as a number 0..3.
+inline constexpr int NULL_SHIFT = 3;
+inline constexpr unsigned EUCLIDEAN_BITS = (1u << NULL_SHIFT) - 1u;
 
-[[nodiscard]] constexpr Multivector multiply_once(const Multivector &a, const Multivector &b) {
-	Multivector product;
-	for (unsigned left = 0; left < BLADE_COUNT; ++left) {
-		const double factor = a[BLADE_INDICES[left]];
-		for (unsigned right = 0; factor != 0.0 && right < BLADE_COUNT; ++right) {
-			product[BLADE_INDICES[left ^ right]] += product_sign(left, right) * factor * b[BLADE_INDICES[right]];
-		}
-	}
-	return product;
-}
+// The products of 1, e_inf, e_o, E: left, right, result.
+inline constexpr int8_t NULL_PLANE_PRODUCTS[4][4][4] = {
+	{ { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } },
+	{ { 0, 1, 0, 0 }, { 0, 0, 0, 0 }, { -1, 0, 0, 1 }, { 0, 1, 0, 0 } },
+	{ { 0, 0, 1, 0 }, { -1, 0, 0, -1 }, { 0, 0, 0, 0 }, { 0, 0, -1, 0 } },
+	{ { 0, 0, 0, 1 }, { 0, -1, 0, 0 }, { 0, 0, 1, 0 }, { 1, 0, 0, 0 } },
+};
 
+// (A M)(B N) = (-1)^(|M| |B|) (A B)(M N), with A, B of e1, e2, e3 and M, N of e_inf, e_o.
 [[nodiscard]] constexpr NullTable make_null_table() {
 	NullTable table{};
-	for (size_t left = 0; left < BLADE_COUNT; ++left) {
-		for (size_t right = 0; right < BLADE_COUNT; ++right) {
-			const Multivector::Coefficients product = to_null_coefficients(multiply_once(null_blade(left), null_blade(right)));
-			for (size_t index = 0; index < BLADE_COUNT; ++index) {
-				table[left][right][index] = int8_t(product[index]);
+	for (unsigned left = 0; left < BLADE_COUNT; ++left) {
+		for (unsigned right = 0; right < BLADE_COUNT; ++right) {
+			const unsigned a = left & EUCLIDEAN_BITS, b = right & EUCLIDEAN_BITS;
+			const unsigned m = left >> NULL_SHIFT, n = right >> NULL_SHIFT;
+			const int sign = product_sign(a, b) * ((grade_of_bitmap(m) * grade_of_bitmap(b)) % 2 == 0 ? 1 : -1);
+			for (unsigned result = 0; result < 4; ++result) {
+				const unsigned bitmap = (a ^ b) | (result << NULL_SHIFT);
+				table[BLADE_INDICES[left]][BLADE_INDICES[right]][BLADE_INDICES[bitmap]] = int8_t(sign * NULL_PLANE_PRODUCTS[m][n][result]);
 			}
 		}
 	}
@@ -48,10 +45,10 @@ namespace detail {
 
 inline constexpr NullTable NULL_TABLE = detail::make_null_table();
 
-// The sign of the null blade at `result` in a product of those at `left` and `right`; 0 where it has none.
+// The coefficient of the null blade at `result` in the product of those at `left` and `right`: -1, 0 or 1.
 [[nodiscard]] constexpr int null_sign(Product product, int left, int right, int result) {
-	const bool keeps = keeps_grade(product, blade_grade(left), blade_grade(right), blade_grade(result));
-	return keeps ? NULL_TABLE[size_t(left)][size_t(right)][size_t(result)] : 0;
+	const int sign = NULL_TABLE[size_t(left)][size_t(right)][size_t(result)];
+	return sign != 0 && keeps_grade(product, blade_grade(left), blade_grade(right), blade_grade(result)) ? sign : 0;
 }
 
 } // namespace cga::typed

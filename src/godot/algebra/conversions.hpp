@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "cga/motor/matrix_pose.hpp"
 #include "cga/motor/pose.hpp"
 
 #include <godot_cpp/variant/quaternion.hpp>
@@ -10,37 +11,36 @@
 
 #include <string>
 
-// Between the engine's types and those of src/cga. Poses are double here: the engine's floats go in and come out,
-// nothing is rounded between.
+// Conversions between the engine's types and those of src/cga, which compute in double precision.
 
 namespace ga_godot {
 
-cga::Vector3<double> to_glm(const godot::Vector3 &p_vector);
-cga::Quaternion<double> to_glm(const godot::Quaternion &p_quaternion);
+cga::Vector3<double> to_glm(const godot::Vector3 &vector);
+cga::Quaternion<double> to_glm(const godot::Quaternion &quaternion);
 
-/// Beyond the range of float (extrapolation far out) the largest float, never infinity.
-godot::Vector3 to_godot(const cga::Vector3<double> &p_vector);
-godot::Quaternion to_godot(const cga::Quaternion<double> &p_quaternion);
-godot::Transform3D to_godot(const cga::Pose<double> &p_pose);
+/// Values beyond the range of float (extrapolated far out) are clamped to the largest float, never infinite.
+godot::Vector3 to_godot(const cga::Vector3<double> &vector);
+godot::Quaternion to_godot(const cga::Quaternion<double> &quaternion);
+godot::Transform3D to_godot(const cga::Pose<double> &pose);
 
-/// A transform from 12 floats in the layout of a MultiMesh's 3D transforms.
-godot::Transform3D transform_from_row(const float *p_row);
+/// The transform in 12 floats, in the layout of MultiMesh.buffer.
+godot::Transform3D transform_from_row(const float *row);
 
-/// Text in UTF-8, as src/cga reads and writes it.
-std::string to_utf8(const godot::String &p_text);
-godot::String to_godot(const std::string &p_utf8);
+/// src/cga and src/playground read and write UTF-8.
+std::string to_utf8(const godot::String &text);
+godot::String to_godot(const std::string &text);
 
-bool is_finite(const godot::Vector3 &p_vector);
-bool is_finite(const godot::Quaternion &p_quaternion);
+bool is_finite(const godot::Vector3 &vector);
+bool is_finite(const godot::Quaternion &quaternion);
 
-/// The pose of a transform with uniform positive scale. Otherwise returns what is wrong and what to do, as the end of
-/// a sentence about the transform, and leaves r_pose alone; null on success.
-const char *pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose);
+using PoseResult = cga::Result<cga::Pose<double>, cga::MatrixError>;
 
-/// As above, but a transform that is scaled differently along its axes gives the nearest pose; r_is_uniform tells.
-const char *nearest_pose_from_transform(const godot::Transform3D &p_transform, cga::Pose<double> &r_pose, bool &r_is_uniform);
+/// The pose of a transform with a uniform, positive scale.
+PoseResult pose_from_transform(const godot::Transform3D &transform);
+/// The nearest pose to a transform, whose scale may be non-uniform.
+PoseResult nearest_pose_from_transform(const godot::Transform3D &transform);
 
-/// Whether a script's number is one of MultivectorLerp's modes.
-bool is_mode(int64_t p_mode);
+/// Whether a number passed by a script is a value of cga::Mode.
+bool is_mode(int64_t mode);
 
 } // namespace ga_godot

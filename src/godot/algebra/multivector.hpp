@@ -14,77 +14,78 @@
 #include <godot_cpp/variant/vector3.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace ga_godot {
 
-/// An element of Cl(4,1) as a resource. Operations return new objects; doc_classes/Multivector.xml documents them.
+/// An element of Cl(4,1) as a resource. Operations return new objects. Documented in doc_classes/Multivector.xml.
 class Multivector : public godot::Resource {
 	GDCLASS(Multivector, godot::Resource)
 
 public:
 	using Handle = godot::Ref<Multivector>;
 
-	/// Null and an error if a coefficient is not finite.
-	static Handle make(const cga::Multivector &p_value);
+	/// Returns null and prints an error if a coefficient is not finite.
+	static Handle make(const cga::Multivector &value);
 	const cga::Multivector &get_value() const { return _value; }
-	/// Goes up with each change in place, so that users of a multivector can keep what they computed from it.
+	/// Increases with each change of the coefficients, to validate what was computed from them.
 	uint64_t get_revision() const { return _revision; }
-	/// The pose of a motor of any weight; false if this is none.
-	bool get_pose(cga::Pose<double> &r_pose) const;
+	/// The pose of a motor of any weight; empty if this is not a motor with a positive scale.
+	std::optional<cga::Pose<double>> get_pose() const;
 
-	void set_coefficients(const godot::PackedFloat64Array &p_coefficients);
+	void set_coefficients(const godot::PackedFloat64Array &coefficients);
 	godot::PackedFloat64Array get_coefficients() const;
 
-	static Handle scalar(double p_value);
-	static Handle basis_blade(int64_t p_index);
-	static Handle basis(const godot::String &p_name);
+	static Handle scalar(double value);
+	static Handle basis_blade(int64_t index);
+	static Handle basis(const godot::String &name);
 
-	static Handle point(const godot::Vector3 &p_position);
-	static Handle flat_point(const godot::Vector3 &p_position);
-	static Handle point_pair(const godot::Vector3 &p_a, const godot::Vector3 &p_b);
-	static Handle line(const godot::Vector3 &p_point, const godot::Vector3 &p_direction);
-	static Handle line_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b);
-	static Handle circle(const godot::Vector3 &p_center, const godot::Vector3 &p_normal, double p_radius);
-	static Handle circle_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c);
-	static Handle plane(const godot::Vector3 &p_normal, double p_distance);
-	static Handle plane_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c);
-	static Handle sphere(const godot::Vector3 &p_center, double p_radius);
-	static Handle sphere_through(const godot::Vector3 &p_a, const godot::Vector3 &p_b, const godot::Vector3 &p_c, const godot::Vector3 &p_d);
+	static Handle point(const godot::Vector3 &position);
+	static Handle flat_point(const godot::Vector3 &position);
+	static Handle point_pair(const godot::Vector3 &a, const godot::Vector3 &b);
+	static Handle line(const godot::Vector3 &point, const godot::Vector3 &direction);
+	static Handle line_through(const godot::Vector3 &a, const godot::Vector3 &b);
+	static Handle circle(const godot::Vector3 &center, const godot::Vector3 &normal, double radius);
+	static Handle circle_through(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Vector3 &c);
+	static Handle plane(const godot::Vector3 &normal, double distance);
+	static Handle plane_through(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Vector3 &c);
+	static Handle sphere(const godot::Vector3 &center, double radius);
+	static Handle sphere_through(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Vector3 &c, const godot::Vector3 &d);
 
-	static Handle translator(const godot::Vector3 &p_offset);
-	static Handle rotor(const godot::Quaternion &p_quaternion);
-	static Handle dilator(double p_scale);
-	static Handle motor(const godot::Transform3D &p_transform);
-	static Handle motor_from(const godot::Vector3 &p_translation, const godot::Quaternion &p_rotation, double p_scale);
+	static Handle translator(const godot::Vector3 &offset);
+	static Handle rotor(const godot::Quaternion &quaternion);
+	static Handle dilator(double scale);
+	static Handle motor(const godot::Transform3D &transform);
+	static Handle motor_from(const godot::Vector3 &translation, const godot::Quaternion &rotation, double scale);
 
-	static Handle evaluate(const godot::String &p_expression, const godot::Dictionary &p_variables);
-	static Handle from_json(const godot::String &p_text);
+	static Handle evaluate(const godot::String &expression, const godot::Dictionary &variables);
+	static Handle from_json(const godot::String &text);
 
-	Handle add(const Handle &p_other) const;
-	Handle subtract(const Handle &p_other) const;
-	Handle scaled(double p_factor) const;
-	Handle geometric_product(const Handle &p_right) const;
-	Handle outer_product(const Handle &p_right) const;
-	Handle inner_product(const Handle &p_right) const;
-	Handle left_contraction(const Handle &p_right) const;
-	Handle right_contraction(const Handle &p_right) const;
-	Handle regressive_product(const Handle &p_right) const;
-	Handle commutator_product(const Handle &p_right) const;
-	double scalar_product(const Handle &p_right) const;
-	Handle sandwich(const Handle &p_x) const;
+	Handle add(const Handle &other) const;
+	Handle subtract(const Handle &other) const;
+	Handle scaled(double factor) const;
+	Handle geometric_product(const Handle &right) const;
+	Handle outer_product(const Handle &right) const;
+	Handle inner_product(const Handle &right) const;
+	Handle left_contraction(const Handle &right) const;
+	Handle right_contraction(const Handle &right) const;
+	Handle regressive_product(const Handle &right) const;
+	Handle commutator_product(const Handle &right) const;
+	double scalar_product(const Handle &right) const;
+	Handle sandwich(const Handle &x) const;
 
-	Handle meet(const Handle &p_other) const;
-	Handle join(const Handle &p_other) const;
-	Handle project_onto(const Handle &p_onto) const;
-	Handle reject_from(const Handle &p_from) const;
-	Handle reflect_in(const Handle &p_mirror) const;
+	Handle meet(const Handle &other) const;
+	Handle join(const Handle &other) const;
+	Handle project_onto(const Handle &onto) const;
+	Handle reject_from(const Handle &from) const;
+	Handle reflect_in(const Handle &mirror) const;
 
 	Handle reverse() const;
 	Handle grade_involution() const;
 	Handle clifford_conjugate() const;
 	Handle dual() const;
 	Handle undual() const;
-	Handle grade(int64_t p_grade) const;
+	Handle grade(int64_t grade) const;
 
 	double norm() const;
 	double norm_squared() const;
@@ -93,9 +94,9 @@ public:
 	Handle exp() const;
 	Handle log() const;
 	Handle sqrt() const;
-	Handle power(double p_exponent) const;
+	Handle power(double exponent) const;
 
-	bool is_equal_approx(const Handle &p_other) const;
+	bool is_equal_approx(const Handle &other) const;
 	bool is_blade() const;
 	bool is_versor() const;
 	bool is_motor() const;
@@ -104,11 +105,11 @@ public:
 	godot::Vector3 get_translation() const;
 	godot::Quaternion get_rotation() const;
 	double get_scale() const;
-	godot::Vector3 transform_point(const godot::Vector3 &p_point) const;
+	godot::Vector3 transform_point(const godot::Vector3 &point) const;
 
-	godot::Dictionary classify(bool p_ipns) const;
+	godot::Dictionary classify(bool ipns) const;
 
-	godot::String to_text(bool p_null_basis) const;
+	godot::String to_text(bool null_basis) const;
 	godot::String to_latex() const;
 	godot::String to_json() const;
 
@@ -117,11 +118,11 @@ protected:
 
 private:
 	using BinaryOperation = cga::Multivector (cga::Multivector::*)(const cga::Multivector &) const;
-	Handle binary(BinaryOperation p_operation, const Handle &p_right, const char *p_method) const;
+	Handle binary(BinaryOperation operation, const Handle &right, const char *method) const;
 	using BinaryFunction = cga::MultivectorResult (*)(const cga::Multivector &, const cga::Multivector &);
-	Handle binary(BinaryFunction p_function, const Handle &p_other, const char *p_method) const;
-	// The value, or null and the reason why there is none, as an error of that method.
-	static Handle make(const cga::MultivectorResult &p_result, const char *p_method);
+	Handle binary(BinaryFunction function, const Handle &other, const char *method) const;
+	// The value, or null and an error that names the method and the reason.
+	static Handle make(const cga::MultivectorResult &result, const char *method);
 
 	cga::Multivector _value;
 	uint64_t _revision = 0;

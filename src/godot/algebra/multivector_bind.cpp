@@ -4,7 +4,7 @@
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-// What scripts see of Multivector. The order is that of the class's header.
+// The methods and properties of Multivector, in the order of multivector.hpp.
 
 namespace ga_godot {
 

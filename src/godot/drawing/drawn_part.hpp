@@ -13,27 +13,27 @@
 
 namespace ga_godot {
 
-/// One part of a figure in a world, while it is to be seen: its lines and signs in the batch of their form, its surface
-/// alone, since surfaces are drawn from back to front. Strokes that are no shared form are drawn alone, too.
+/// A visible part of a figure. Its strokes join the StrokeBatch of their form. Its surface and the strokes of Form::CUSTOM
+/// are instances of their own; the engine sorts surfaces from back to front.
 class DrawnPart {
 public:
-	/// The meshes outlive it. Nothing is seen before write().
-	DrawnPart(FormMeshes &p_meshes, playground::drawing::Form p_form, const playground::drawing::Strokes &p_own, const godot::RID &p_scenario);
+	/// `meshes` must outlive it. Nothing is drawn before the first write().
+	DrawnPart(FormMeshes &meshes, playground::drawing::Form form, const playground::drawing::Strokes &custom, const godot::RID &scenario);
 	~DrawnPart();
 	DrawnPart(const DrawnPart &) = delete;
 	DrawnPart &operator=(const DrawnPart &) = delete;
 
 	playground::drawing::Form form() const { return _form; }
-	void write(const InstanceLook &p_look);
+	void write(const InstanceData &data);
 
 private:
 	FormMeshes &_meshes;
 	playground::drawing::Form _form;
 	godot::RID _scenario;
-	StrokeBatch *_batch = nullptr; // once it is in it
-	size_t _number = 0; // there
-	godot::RID _own_mesh;
-	std::unique_ptr<MultiMeshInstance> _alone;
+	StrokeBatch *_batch = nullptr; // null before the first write()
+	size_t _batch_id = 0; // in _batch
+	godot::RID _custom_mesh;
+	std::unique_ptr<MultiMeshInstance> _single; // the surface or the custom strokes
 };
 
 } // namespace ga_godot

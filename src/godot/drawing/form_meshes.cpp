@@ -25,18 +25,18 @@ using playground::drawing::Space;
 using playground::drawing::Strokes;
 using playground::drawing::StrokeVertex;
 
-// Their order is explained at StrokePass.
+// Drawing order of the passes, see StrokePass.
 static constexpr int CORE_PRIORITY = -1, FILL_PRIORITY = 0, FRINGE_PRIORITY = 1;
 
 FormMeshes::FormMeshes() {
 	const bool opengl = RenderingServer::get_singleton()->get_current_rendering_method() == "gl_compatibility";
-	_renderer = opengl ? playground::drawing::Renderer::compatibility : playground::drawing::Renderer::rendering_device;
+	_renderer = opengl ? playground::drawing::Renderer::COMPATIBILITY : playground::drawing::Renderer::RENDERING_DEVICE;
 }
 
 FormMeshes::~FormMeshes() {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const auto free_valid = [&](const auto &p_rids) {
-		for (const RID &rid : p_rids) {
+	const auto free_valid = [&](const auto &rids) {
+		for (const RID &rid : rids) {
 			if (rid.is_valid()) {
 				server->free_rid(rid);
 			}
@@ -60,90 +60,89 @@ std::shared_ptr<FormMeshes> FormMeshes::shared() {
 	return meshes;
 }
 
-RID FormMeshes::strokes_of(Form p_form) {
-	make_form(p_form);
-	return _strokes[size_t(p_form)];
+RID FormMeshes::strokes_of(Form form) {
+	make_form(form);
+	return _strokes[size_t(form)];
 }
 
-RID FormMeshes::fill_of(Form p_form) {
-	make_form(p_form);
-	return _fills[size_t(p_form)];
+RID FormMeshes::fill_of(Form form) {
+	make_form(form);
+	return _fills[size_t(form)];
 }
 
-RID FormMeshes::make_mesh(const Strokes &p_strokes) {
-	return make_strokes(p_strokes, Space::model);
+RID FormMeshes::make_mesh(const Strokes &strokes) {
+	return make_strokes(strokes, Space::MODEL);
 }
 
-// All forms have strokes.
-void FormMeshes::make_form(Form p_form) {
-	if (!_strokes[size_t(p_form)].is_valid()) {
-		const FormMesh form = playground::drawing::mesh_of(p_form);
-		_strokes[size_t(p_form)] = make_strokes(form.strokes, form.space);
-		_fills[size_t(p_form)] = make_fill(form.fill, form.space);
+void FormMeshes::make_form(Form form) {
+	if (!_strokes[size_t(form)].is_valid()) {
+		const FormMesh mesh = playground::drawing::mesh_of(form);
+		_strokes[size_t(form)] = make_strokes(mesh.strokes, mesh.space);
+		_fills[size_t(form)] = make_fill(mesh.fill, mesh.space);
 	}
 }
 
-RID FormMeshes::stroke_material(Space p_space) {
-	RID &material = _stroke_materials[size_t(p_space)];
+RID FormMeshes::stroke_material(Space space) {
+	RID &material = _stroke_materials[size_t(space)];
 	if (!material.is_valid()) {
 		using playground::drawing::stroke_shader;
 		using playground::drawing::StrokePass;
-		material = make_material(stroke_shader(p_space, _renderer, StrokePass::core), CORE_PRIORITY);
-		RID &fringe = _fringe_materials[size_t(p_space)];
-		fringe = make_material(stroke_shader(p_space, _renderer, StrokePass::fringe), FRINGE_PRIORITY);
+		material = make_material(stroke_shader(space, _renderer, StrokePass::CORE), CORE_PRIORITY);
+		RID &fringe = _fringe_materials[size_t(space)];
+		fringe = make_material(stroke_shader(space, _renderer, StrokePass::FRINGE), FRINGE_PRIORITY);
 		RenderingServer::get_singleton()->material_set_next_pass(material, fringe);
 	}
 	return material;
 }
 
-RID FormMeshes::fill_material(Space p_space) {
-	RID &material = _fill_materials[size_t(p_space)];
+RID FormMeshes::fill_material(Space space) {
+	RID &material = _fill_materials[size_t(space)];
 	if (!material.is_valid()) {
-		material = make_material(playground::drawing::fill_shader(p_space, _renderer), FILL_PRIORITY);
+		material = make_material(playground::drawing::fill_shader(space, _renderer), FILL_PRIORITY);
 	}
 	return material;
 }
 
-RID FormMeshes::make_material(const std::string &p_code, int p_priority) {
+RID FormMeshes::make_material(const std::string &code, int priority) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID shader = server->shader_create();
-	server->shader_set_code(shader, to_godot(p_code));
+	server->shader_set_code(shader, to_godot(code));
 	const RID material = server->material_create();
 	server->material_set_shader(material, shader);
-	server->material_set_render_priority(material, p_priority);
+	server->material_set_render_priority(material, priority);
 	_shaders.push_back(shader);
 	return material;
 }
 
-static PackedInt32Array packed(const std::vector<int32_t> &p_indices) {
+static PackedInt32Array packed(const std::vector<int32_t> &indices) {
 	PackedInt32Array result;
-	result.resize(int64_t(p_indices.size()));
-	std::copy(p_indices.begin(), p_indices.end(), result.ptrw());
+	result.resize(int64_t(indices.size()));
+	std::copy(indices.begin(), indices.end(), result.ptrw());
 	return result;
 }
 
-static godot::Vector3 narrow(const glm::vec3 &p_vector) {
-	return godot::Vector3(p_vector.x, p_vector.y, p_vector.z);
+static godot::Vector3 narrow(const glm::vec3 &vector) {
+	return godot::Vector3(vector.x, vector.y, vector.z);
 }
 
-RID FormMeshes::make_strokes(const Strokes &p_strokes, Space p_space) {
+RID FormMeshes::make_strokes(const Strokes &strokes, Space space) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID mesh = server->mesh_create();
-	if (p_strokes.vertices.empty()) {
+	if (strokes.vertices.empty()) {
 		return mesh;
 	}
-	const int64_t count = int64_t(p_strokes.vertices.size());
+	const int64_t count = int64_t(strokes.vertices.size());
 	PackedVector3Array positions;
-	PackedFloat32Array tangents, offsets, colours;
+	PackedFloat32Array tangents, offsets, colors; // CUSTOM0, CUSTOM1, CUSTOM2: shader.hpp
 	positions.resize(count);
 	tangents.resize(4 * count);
 	offsets.resize(4 * count);
-	colours.resize(4 * count);
+	colors.resize(4 * count);
 	godot::Vector3 *position = positions.ptrw();
 	float *tangent = tangents.ptrw();
 	float *offset = offsets.ptrw();
-	float *colour = colours.ptrw();
-	for (const StrokeVertex &vertex : p_strokes.vertices) {
+	float *color = colors.ptrw();
+	for (const StrokeVertex &vertex : strokes.vertices) {
 		*position++ = narrow(vertex.position);
 		for (const float value : { vertex.tangent.x, vertex.tangent.y, vertex.tangent.z, vertex.arc }) {
 			*tangent++ = value;
@@ -151,8 +150,8 @@ RID FormMeshes::make_strokes(const Strokes &p_strokes, Space p_space) {
 		for (const float value : { vertex.offset.x, vertex.offset.y, float(vertex.profile), vertex.opacity }) {
 			*offset++ = value;
 		}
-		for (const float value : { vertex.colour.r, vertex.colour.g, vertex.colour.b, vertex.colour.a }) {
-			*colour++ = value;
+		for (const float value : { vertex.color.r, vertex.color.g, vertex.color.b, vertex.color.a }) {
+			*color++ = value;
 		}
 	}
 	Array arrays;
@@ -160,33 +159,33 @@ RID FormMeshes::make_strokes(const Strokes &p_strokes, Space p_space) {
 	arrays[RenderingServer::ARRAY_VERTEX] = positions;
 	arrays[RenderingServer::ARRAY_CUSTOM0] = tangents;
 	arrays[RenderingServer::ARRAY_CUSTOM1] = offsets;
-	arrays[RenderingServer::ARRAY_CUSTOM2] = colours;
-	arrays[RenderingServer::ARRAY_INDEX] = packed(p_strokes.indices);
+	arrays[RenderingServer::ARRAY_CUSTOM2] = colors;
+	arrays[RenderingServer::ARRAY_INDEX] = packed(strokes.indices);
 	constexpr int64_t FLOATS = RenderingServer::ARRAY_CUSTOM_RGBA_FLOAT;
 	const int64_t format = FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM0_SHIFT | FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM1_SHIFT | FLOATS << RenderingServer::ARRAY_FORMAT_CUSTOM2_SHIFT;
 	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays, Array(), godot::Dictionary(), godot::BitField<RenderingServer::ArrayFormat>(format));
-	server->mesh_surface_set_material(mesh, 0, stroke_material(p_space));
+	server->mesh_surface_set_material(mesh, 0, stroke_material(space));
 	return mesh;
 }
 
-RID FormMeshes::make_fill(const Fill &p_fill, Space p_space) {
-	if (p_fill.vertices.empty()) {
+RID FormMeshes::make_fill(const Fill &fill, Space space) {
+	if (fill.vertices.empty()) {
 		return RID();
 	}
 	PackedVector3Array positions;
-	positions.resize(int64_t(p_fill.vertices.size()));
+	positions.resize(int64_t(fill.vertices.size()));
 	godot::Vector3 *position = positions.ptrw();
-	for (const glm::vec3 &vertex : p_fill.vertices) {
+	for (const glm::vec3 &vertex : fill.vertices) {
 		*position++ = narrow(vertex);
 	}
 	Array arrays;
 	arrays.resize(RenderingServer::ARRAY_MAX);
 	arrays[RenderingServer::ARRAY_VERTEX] = positions;
-	arrays[RenderingServer::ARRAY_INDEX] = packed(p_fill.indices);
+	arrays[RenderingServer::ARRAY_INDEX] = packed(fill.indices);
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID mesh = server->mesh_create();
 	server->mesh_add_surface_from_arrays(mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
-	server->mesh_surface_set_material(mesh, 0, fill_material(p_space));
+	server->mesh_surface_set_material(mesh, 0, fill_material(space));
 	return mesh;
 }
 

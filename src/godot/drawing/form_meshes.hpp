@@ -12,11 +12,10 @@
 
 namespace ga_godot {
 
-/// The meshes, materials and shaders that all GANode3D share: one of each, made when first asked for, on the
-/// rendering server. Main thread only.
+/// Meshes, materials and shaders on the rendering server, created on demand and shared by all GANode3D. Main thread only.
 ///
-/// They go with the last node that was drawn, not with the library: an engine that ends while the mobile renderer still
-/// compiles shaders that nobody has freed waits for that forever.
+/// Freed with the last node that uses them rather than with the library: the engine hangs at exit if the mobile renderer
+/// is still compiling a shader that was not freed.
 class FormMeshes {
 public:
 	FormMeshes();
@@ -24,32 +23,32 @@ public:
 	FormMeshes(const FormMeshes &) = delete;
 	FormMeshes &operator=(const FormMeshes &) = delete;
 
-	/// Those there are, or new ones.
+	/// The existing instance, or a new one if no node holds it.
 	static std::shared_ptr<FormMeshes> shared();
 
-	/// The lines and signs of a form.
-	godot::RID strokes_of(playground::drawing::Form p_form);
-	/// Its surface, invalid if it has none.
-	godot::RID fill_of(playground::drawing::Form p_form);
-	/// A new mesh with an object's own strokes, in metres; the caller frees it.
-	godot::RID make_mesh(const playground::drawing::Strokes &p_strokes);
+	/// The mesh of a form's lines and markers.
+	godot::RID strokes_of(playground::drawing::Form form);
+	/// The mesh of its surface; invalid if it has none.
+	godot::RID fill_of(playground::drawing::Form form);
+	/// A new mesh of strokes in meters; the caller frees it.
+	godot::RID make_mesh(const playground::drawing::Strokes &strokes);
 
 private:
-	static constexpr int SPACES = 5;
+	static constexpr size_t SPACE_COUNT = 5;
 
-	godot::RID stroke_material(playground::drawing::Space p_space);
-	godot::RID fill_material(playground::drawing::Space p_space);
-	godot::RID make_material(const std::string &p_code, int p_priority);
-	void make_form(playground::drawing::Form p_form);
-	godot::RID make_strokes(const playground::drawing::Strokes &p_strokes, playground::drawing::Space p_space);
-	godot::RID make_fill(const playground::drawing::Fill &p_fill, playground::drawing::Space p_space);
+	godot::RID stroke_material(playground::drawing::Space space);
+	godot::RID fill_material(playground::drawing::Space space);
+	godot::RID make_material(const std::string &code, int priority);
+	void make_form(playground::drawing::Form form);
+	godot::RID make_strokes(const playground::drawing::Strokes &strokes, playground::drawing::Space space);
+	godot::RID make_fill(const playground::drawing::Fill &fill, playground::drawing::Space space);
 
-	playground::drawing::Renderer _renderer = playground::drawing::Renderer::compatibility;
+	playground::drawing::Renderer _renderer = playground::drawing::Renderer::COMPATIBILITY;
 	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _strokes;
 	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _fills;
-	std::array<godot::RID, SPACES> _stroke_materials;
-	std::array<godot::RID, SPACES> _fringe_materials;
-	std::array<godot::RID, SPACES> _fill_materials;
+	std::array<godot::RID, SPACE_COUNT> _stroke_materials;
+	std::array<godot::RID, SPACE_COUNT> _fringe_materials;
+	std::array<godot::RID, SPACE_COUNT> _fill_materials;
 	std::vector<godot::RID> _shaders;
 };
 

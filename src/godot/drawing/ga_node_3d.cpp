@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-// How a GANode3D follows its value, and when it draws it.
+// When a GANode3D updates what it draws.
 
 namespace ga_godot {
 
@@ -22,8 +22,8 @@ GANode3D::GANode3D() {
 
 GANode3D::~GANode3D() = default;
 
-void GANode3D::_notification(int p_what) {
-	switch (p_what) {
+void GANode3D::_notification(int what) {
+	switch (what) {
 		case NOTIFICATION_ENTER_WORLD:
 			_in_world = true;
 			_meshes = FormMeshes::shared();
@@ -45,7 +45,7 @@ void GANode3D::_notification(int p_what) {
 	}
 }
 
-// Many changes in one frame are drawn once.
+// Draws once for all changes in a frame.
 void GANode3D::queue_update() {
 	_stale = true;
 	if (_in_world && !_queued) {
@@ -58,24 +58,24 @@ void GANode3D::value_changed() {
 	queue_update();
 }
 
-// Comes after each change of the scene, of which most are none of this entry's. To compare takes less than to look for its
-// name among those that have changed: a thousand nodes listen while hundreds of entries follow a drag.
+// The scene reports each change to all nodes, and most changes concern other entries. Comparing values is faster than
+// searching the names of the changed entries: a thousand nodes listen while a drag changes hundreds of entries.
 void GANode3D::scene_changed() {
-	if (!_stale && !is_drawn_as_it_is()) {
+	if (!_stale && !is_up_to_date()) {
 		queue_update();
 	}
 }
 
-// Bit for bit.
-static bool is_same(const cga::Multivector *p_value, const std::optional<cga::Multivector> &p_drawn) {
-	if (!p_value || !p_drawn) {
-		return !p_value && !p_drawn;
+// Compares bit for bit.
+static bool is_same(const cga::Multivector *value, const std::optional<cga::Multivector> &drawn) {
+	if (!value || !drawn) {
+		return !value && !drawn;
 	}
-	return std::memcmp(p_value->coefficients().data(), p_drawn->coefficients().data(), sizeof(cga::Multivector::Coefficients)) == 0;
+	return std::memcmp(value->coefficients().data(), drawn->coefficients().data(), sizeof(cga::Multivector::Coefficients)) == 0;
 }
 
-bool GANode3D::is_drawn_as_it_is() const {
-	return get_look() == _drawn_look && is_same(find_value(), _drawn_value);
+bool GANode3D::is_up_to_date() const {
+	return get_appearance() == _drawn_appearance && is_same(find_value(), _drawn_value);
 }
 
 void GANode3D::update_drawing() {
@@ -86,15 +86,15 @@ void GANode3D::update_drawing() {
 	_stale = false;
 	const cga::Multivector *value = find_value();
 	_drawn_value = value ? std::optional<cga::Multivector>(*value) : std::nullopt;
-	_drawn_look = get_look();
-	_figure = value && _drawn_look.visible ? playground::drawing::figure_of(*value, _drawn_look.ipns) : playground::drawing::Figure();
+	_drawn_appearance = get_appearance();
+	_figure = value && _drawn_appearance.visible ? playground::drawing::figure_of(*value, _drawn_appearance.ipns) : playground::drawing::Figure();
 	if (_in_world) {
 		show_parts();
 		update_label();
 	}
 }
 
-// What is hidden, by itself or a parent, costs nothing.
+// A hidden node holds nothing on the rendering server.
 void GANode3D::show_parts() {
 	if (_in_world && is_visible_in_tree()) {
 		draw_parts();
@@ -106,18 +106,18 @@ void GANode3D::show_parts() {
 bool GANode3D::has_drawn_forms() const {
 	bool same = _drawn.size() == _figure.parts.size();
 	for (size_t i = 0; same && i < _drawn.size(); i++) {
-		same = _drawn[i]->form() == _figure.parts[i].form && _figure.parts[i].form != Form::own;
+		same = _drawn[i]->form() == _figure.parts[i].form && _figure.parts[i].form != Form::CUSTOM;
 	}
 	return same;
 }
 
-// Parts stay where the new value has the same forms as the old one, which it has while something is dragged.
+// Keeps the parts if the new value has the same forms, as it does during a drag.
 void GANode3D::draw_parts() {
 	if (!has_drawn_forms()) {
 		_drawn.clear();
 		const godot::RID scenario = get_world_3d()->get_scenario();
 		for (const playground::drawing::Part &part : _figure.parts) {
-			_drawn.push_back(std::make_unique<DrawnPart>(*_meshes, part.form, _figure.own, scenario));
+			_drawn.push_back(std::make_unique<DrawnPart>(*_meshes, part.form, _figure.custom, scenario));
 		}
 	}
 	write_parts();
@@ -134,13 +134,13 @@ void GANode3D::write_parts() {
 		const bool dashed = _figure.imaginary || part.dashed;
 		const double width = part.dashed ? 0.6 * _line_width : _line_width;
 		const double radius = std::abs(part.radius);
-		const Placement place = playground::drawing::placed(part.placement, space);
-		InstanceLook look;
-		look.place = godot::Transform3D(godot::Basis(to_godot(place.x * radius), to_godot(place.y * radius), to_godot(place.z * radius)), to_godot(place.origin));
-		look.bounds = playground::drawing::placed(playground::drawing::box_of(part, _figure.own), place);
-		look.color = _drawn_look.color;
-		look.style = godot::Color(part.radius < 0.0 ? -1.0f : 1.0f, dashed ? 1.0f : 0.0f, _figure.dual ? 1.0f : 0.0f, float(width));
-		_drawn[i]->write(look);
+		const Placement placement = playground::drawing::placed(part.placement, space);
+		InstanceData data;
+		data.transform = godot::Transform3D(godot::Basis(to_godot(placement.x * radius), to_godot(placement.y * radius), to_godot(placement.z * radius)), to_godot(placement.origin));
+		data.bounds = playground::drawing::placed(playground::drawing::bounds_of(part, _figure.custom), placement);
+		data.color = _drawn_appearance.color;
+		data.custom = godot::Color(part.radius < 0.0 ? -1.0f : 1.0f, dashed ? 1.0f : 0.0f, _figure.dual ? 1.0f : 0.0f, float(width));
+		_drawn[i]->write(data);
 	}
 }
 

@@ -23,10 +23,10 @@
 
 namespace ga_godot {
 
-/// Draws a multivector as the object that it is, in the editor and in the game; doc_classes/GANode3D.xml documents it.
+/// Draws the geometric object that a multivector represents; doc_classes/GANode3D.xml documents it.
 ///
-/// Straight on the rendering server: its parts are drawn by drawn_part.hpp from shared meshes (form_meshes.hpp), whose
-/// shaders fit what has no end to each view. So a change costs no more than a transform, and a change of the view nothing.
+/// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit endless objects to each view. A new
+/// value of the same kind costs as much as a new transform, and a moving camera costs nothing.
 class GANode3D : public godot::Node3D {
 	GDCLASS(GANode3D, godot::Node3D)
 
@@ -34,54 +34,54 @@ public:
 	GANode3D();
 	~GANode3D();
 
-	void set_multivector(const godot::Ref<Multivector> &p_multivector);
+	void set_multivector(const godot::Ref<Multivector> &multivector);
 	godot::Ref<Multivector> get_multivector() const;
-	void set_scene(const godot::Ref<GAScene> &p_scene);
+	void set_scene(const godot::Ref<GAScene> &scene);
 	godot::Ref<GAScene> get_scene() const;
-	void set_entry(const godot::StringName &p_entry);
+	void set_entry(const godot::StringName &entry);
 	godot::StringName get_entry() const;
-	void set_ipns(bool p_ipns);
+	void set_ipns(bool ipns);
 	bool is_ipns() const;
-	void set_color(const godot::Color &p_color);
+	void set_color(const godot::Color &color);
 	godot::Color get_color() const;
-	void set_line_width(double p_pixels);
+	void set_line_width(double pixels);
 	double get_line_width() const;
-	void set_show_label(bool p_show);
+	void set_show_label(bool show);
 	bool is_showing_label() const;
-	void set_label(const godot::String &p_label);
+	void set_label(const godot::String &label);
 	godot::String get_label() const;
 
-	/// What is drawn: that of the scene's entry, or else the multivector's; null if there is none.
+	/// The value of the entry if the node draws one, otherwise `multivector`; null if there is none.
 	godot::Ref<Multivector> get_value() const;
-	/// One line of text about it.
+	/// One line of text that describes the value.
 	godot::String describe() const;
-	/// Pixels between a point of the screen and what is drawn there; INFINITY if that is behind the camera.
-	double get_screen_distance(godot::Camera3D *p_camera, const godot::Vector2 &p_point);
+	/// Distance in pixels from a point of the screen to the drawn object; infinite if the object is behind the camera.
+	double get_screen_distance(godot::Camera3D *camera, const godot::Vector2 &point);
 
-	/// Draws what has changed, if anything has.
+	/// Draws pending changes now.
 	void update_drawing();
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
 protected:
 	static void _bind_methods();
-	void _notification(int p_what);
+	void _notification(int what);
 
 private:
-	/// How it is drawn, by the entry's attributes, or else by the node's properties.
-	struct Look {
+	/// From the entry's attributes if the node draws an entry, otherwise from its properties.
+	struct Appearance {
 		bool visible = true;
 		bool ipns = false;
 		godot::Color color;
 
-		bool operator==(const Look &p_other) const { return visible == p_other.visible && ipns == p_other.ipns && color == p_other.color; }
+		bool operator==(const Appearance &other) const { return visible == other.visible && ipns == other.ipns && color == other.color; }
 	};
 
 	bool draws_entry() const;
 	const playground::Entry *find_entry() const;
 	const cga::Multivector *find_value() const;
-	Look get_look() const;
-	bool is_drawn_as_it_is() const;
+	Appearance get_appearance() const;
+	bool is_up_to_date() const;
 	void value_changed();
 	void scene_changed();
 	void queue_update();
@@ -95,21 +95,21 @@ private:
 	godot::Ref<Multivector> _multivector;
 	godot::Ref<GAScene> _scene;
 	godot::StringName _entry;
-	std::string _entry_name; // the same, as documents have it
+	std::string _entry_name; // _entry as UTF-8, as documents store it
 	godot::Color _color = godot::Color(0.35f, 0.7f, 1.0f);
 	double _line_width = 2.0;
 	bool _ipns = false;
 	bool _show_label = false;
 	godot::String _label;
 
-	// What the figure was made of.
-	Look _drawn_look;
+	// What _figure was made from.
+	Appearance _drawn_appearance;
 	std::optional<cga::Multivector> _drawn_value;
 	playground::drawing::Figure _figure;
-	std::shared_ptr<FormMeshes> _meshes; // since it was in a world
-	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is to be seen
+	std::shared_ptr<FormMeshes> _meshes; // null before the node first enters a world
+	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is visible
 	godot::Label3D *_label_node = nullptr;
-	bool _stale = true; // the value has changed since it was drawn
+	bool _stale = true; // the value may have changed since it was drawn
 	bool _queued = false;
 	bool _in_world = false;
 };

@@ -7,7 +7,7 @@
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-// The text beside the object.
+// The label of a GANode3D.
 
 namespace ga_godot {
 
@@ -15,7 +15,7 @@ using godot::Color;
 using godot::Label3D;
 using godot::String;
 
-// Twice the size at which it is shown, so that it stays sharp; and how large a pixel of it is at one metre.
+// The font is rendered at twice the size on the screen, to stay sharp. Size of one of its pixels at a depth of one meter.
 static constexpr int FONT_SIZE = 36, OUTLINE_SIZE = 12;
 static constexpr float PIXEL_SIZE = 0.00085f;
 
@@ -31,11 +31,11 @@ String GANode3D::label_text() const {
 
 String GANode3D::describe() const {
 	const cga::Multivector *value = find_value();
-	return value ? to_godot(cga::describe(cga::classify(*value, get_look().ipns))) : String("no value");
+	return value ? to_godot(cga::describe(cga::classify(*value, get_appearance().ipns))) : String("no value");
 }
 
 void GANode3D::update_label() {
-	const bool wanted = _show_label && _figure.label_place.has_value();
+	const bool wanted = _show_label && _figure.label_position.has_value();
 	if (!wanted) {
 		if (_label_node) {
 			_label_node->set_visible(false);
@@ -58,12 +58,12 @@ void GANode3D::update_label() {
 		_label_node->set_outline_render_priority(2);
 		add_child(_label_node, false, INTERNAL_MODE_FRONT);
 	}
-	// Letters on an outline that is as different from them as it gets: readable before light and dark.
-	const float lightness = 0.3f * _drawn_look.color.r + 0.59f * _drawn_look.color.g + 0.11f * _drawn_look.color.b;
-	_label_node->set_modulate(Color(_drawn_look.color.r, _drawn_look.color.g, _drawn_look.color.b));
+	// A dark outline around light text and the reverse: readable on any background.
+	const float lightness = 0.3f * _drawn_appearance.color.r + 0.59f * _drawn_appearance.color.g + 0.11f * _drawn_appearance.color.b;
+	_label_node->set_modulate(Color(_drawn_appearance.color.r, _drawn_appearance.color.g, _drawn_appearance.color.b));
 	_label_node->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));
 	_label_node->set_text(label_text());
-	_label_node->set_position(to_godot(*_figure.label_place));
+	_label_node->set_position(to_godot(*_figure.label_position));
 	_label_node->set_visible(true);
 }
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <variant>
 
-// The properties of a GANode3D, picking, and what scripts see of it.
+// Properties, picking and bindings of GANode3D.
 
 namespace ga_godot {
 
@@ -25,24 +25,24 @@ using godot::String;
 using godot::StringName;
 using godot::vformat;
 
-// "#rrggbb" or "#rrggbbaa", which is how entries have it.
-static godot::Color color_of(const std::string &p_text) {
-	const auto channel = [&](size_t p_index) {
-		const std::string digits = p_text.size() >= 2 * p_index + 3 ? p_text.substr(2 * p_index + 1, 2) : "ff";
+// From "#rrggbb" or "#rrggbbaa", the format of the attribute `color`.
+static godot::Color parse_color(const std::string &text) {
+	const auto channel = [&](size_t index) {
+		const std::string digits = text.size() >= 2 * index + 3 ? text.substr(2 * index + 1, 2) : "ff";
 		return float(std::strtol(digits.c_str(), nullptr, 16)) / 255.0f;
 	};
 	return godot::Color(channel(0), channel(1), channel(2), channel(3));
 }
 
-void GANode3D::set_multivector(const Ref<Multivector> &p_multivector) {
-	if (p_multivector == _multivector) {
+void GANode3D::set_multivector(const Ref<Multivector> &multivector) {
+	if (multivector == _multivector) {
 		return;
 	}
 	const Callable on_change(this, "_value_changed");
 	if (_multivector.is_valid()) {
 		_multivector->disconnect("changed", on_change);
 	}
-	_multivector = p_multivector;
+	_multivector = multivector;
 	if (_multivector.is_valid()) {
 		_multivector->connect("changed", on_change);
 	}
@@ -54,15 +54,15 @@ Ref<Multivector> GANode3D::get_multivector() const {
 	return _multivector;
 }
 
-void GANode3D::set_scene(const Ref<GAScene> &p_scene) {
-	if (p_scene == _scene) {
+void GANode3D::set_scene(const Ref<GAScene> &scene) {
+	if (scene == _scene) {
 		return;
 	}
 	const Callable on_change(this, "_scene_changed");
 	if (_scene.is_valid()) {
 		_scene->disconnect("changed", on_change);
 	}
-	_scene = p_scene;
+	_scene = scene;
 	if (_scene.is_valid()) {
 		_scene->connect("changed", on_change);
 	}
@@ -74,9 +74,9 @@ Ref<GAScene> GANode3D::get_scene() const {
 	return _scene;
 }
 
-void GANode3D::set_entry(const StringName &p_entry) {
-	_entry = p_entry;
-	_entry_name = to_utf8(String(p_entry));
+void GANode3D::set_entry(const StringName &entry) {
+	_entry = entry;
+	_entry_name = to_utf8(String(entry));
 	value_changed();
 	update_configuration_warnings();
 }
@@ -89,7 +89,7 @@ bool GANode3D::draws_entry() const {
 	return _scene.is_valid() && !_entry_name.empty();
 }
 
-// No entry of that name is a state to be in while names are edited, not an error.
+// A missing entry is no error: the name may be in the middle of an edit.
 const playground::Entry *GANode3D::find_entry() const {
 	return draws_entry() ? _scene->find_entry(_entry_name) : nullptr;
 }
@@ -102,18 +102,18 @@ const cga::Multivector *GANode3D::find_value() const {
 	return _multivector.is_valid() ? &_multivector->get_value() : nullptr;
 }
 
-GANode3D::Look GANode3D::get_look() const {
-	Look look{ true, _ipns, _color };
+GANode3D::Appearance GANode3D::get_appearance() const {
+	Appearance appearance{ true, _ipns, _color };
 	if (const playground::Entry *entry = find_entry()) {
-		look.visible = playground::is_set(entry->attributes, "visible");
-		look.ipns = _ipns || playground::is_set(entry->attributes, "ipns");
+		appearance.visible = playground::is_set(entry->attributes, "visible");
+		appearance.ipns = _ipns || playground::is_set(entry->attributes, "ipns");
 		const playground::AttributeValue color = playground::get_attribute(entry->attributes, "color");
 		const std::string *text = std::get_if<std::string>(&color);
 		if (text && !text->empty()) {
-			look.color = color_of(*text);
+			appearance.color = parse_color(*text);
 		}
 	}
-	return look;
+	return appearance;
 }
 
 Ref<Multivector> GANode3D::get_value() const {
@@ -124,8 +124,8 @@ Ref<Multivector> GANode3D::get_value() const {
 	return _multivector;
 }
 
-void GANode3D::set_ipns(bool p_ipns) {
-	_ipns = p_ipns;
+void GANode3D::set_ipns(bool ipns) {
+	_ipns = ipns;
 	value_changed();
 }
 
@@ -133,8 +133,8 @@ bool GANode3D::is_ipns() const {
 	return _ipns;
 }
 
-void GANode3D::set_color(const godot::Color &p_color) {
-	_color = p_color;
+void GANode3D::set_color(const godot::Color &color) {
+	_color = color;
 	queue_update();
 }
 
@@ -142,9 +142,9 @@ godot::Color GANode3D::get_color() const {
 	return _color;
 }
 
-void GANode3D::set_line_width(double p_pixels) {
-	ERR_FAIL_COND_MSG(!std::isfinite(p_pixels) || p_pixels <= 0.0 || p_pixels > 100.0, vformat("GANode3D: line_width is in pixels, above 0 and at most 100, not %f.", p_pixels));
-	_line_width = p_pixels;
+void GANode3D::set_line_width(double pixels) {
+	ERR_FAIL_COND_MSG(!std::isfinite(pixels) || pixels <= 0.0 || pixels > 100.0, vformat("GANode3D.line_width: %s is not a width in pixels above 0 and up to 100.", pixels));
+	_line_width = pixels;
 	write_parts();
 }
 
@@ -152,8 +152,8 @@ double GANode3D::get_line_width() const {
 	return _line_width;
 }
 
-void GANode3D::set_show_label(bool p_show) {
-	_show_label = p_show;
+void GANode3D::set_show_label(bool show) {
+	_show_label = show;
 	if (_in_world) {
 		update_label();
 	}
@@ -163,8 +163,8 @@ bool GANode3D::is_showing_label() const {
 	return _show_label;
 }
 
-void GANode3D::set_label(const String &p_label) {
-	_label = p_label;
+void GANode3D::set_label(const String &label) {
+	_label = label;
 	if (_in_world) {
 		update_label();
 	}
@@ -174,39 +174,39 @@ String GANode3D::get_label() const {
 	return _label;
 }
 
-double GANode3D::get_screen_distance(godot::Camera3D *p_camera, const godot::Vector2 &p_point) {
+double GANode3D::get_screen_distance(godot::Camera3D *camera, const godot::Vector2 &point) {
 	constexpr double NOTHING = std::numeric_limits<double>::infinity();
-	ERR_FAIL_COND_V_MSG(!p_camera || !p_camera->is_inside_tree(), NOTHING, "GANode3D.get_screen_distance: the camera is null or not in the scene tree; pass the one that shows this node.");
-	ERR_FAIL_COND_V_MSG(!is_inside_tree(), NOTHING, "GANode3D.get_screen_distance: the node is not in the scene tree; add it first.");
+	ERR_FAIL_COND_V_MSG(!camera || !camera->is_inside_tree(), NOTHING, "GANode3D.get_screen_distance: the camera is null or outside the scene tree; pass the camera that renders this node.");
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), NOTHING, "GANode3D.get_screen_distance: the node is outside the scene tree; add it first.");
 	update_drawing();
-	const godot::Vector2 beside = p_point + godot::Vector2(1, 0);
-	const cga::Vector3<double> origin = to_glm(p_camera->project_ray_origin(p_point)), direction = to_glm(p_camera->project_ray_normal(p_point));
-	const cga::Vector3<double> next_origin = to_glm(p_camera->project_ray_origin(beside)), next_direction = to_glm(p_camera->project_ray_normal(beside));
-	// Into the node's space, whose axes are all scaled alike.
+	const godot::Vector2 beside = point + godot::Vector2(1, 0);
+	const cga::Vector3<double> origin = to_glm(camera->project_ray_origin(point)), direction = to_glm(camera->project_ray_normal(point));
+	const cga::Vector3<double> next_origin = to_glm(camera->project_ray_origin(beside)), next_direction = to_glm(camera->project_ray_normal(beside));
+	// Into the space of the node, whose scale is uniform.
 	const godot::Transform3D global = get_global_transform();
 	const cga::Vector3<double> x = to_glm(global.basis.get_column(0)), y = to_glm(global.basis.get_column(1)), z = to_glm(global.basis.get_column(2));
 	const double scale = glm::length(x);
 	if (!(scale > 0.0)) {
 		return NOTHING;
 	}
-	const auto turned = [&](const cga::Vector3<double> &p_vector) {
-		return cga::Vector3<double>(glm::dot(p_vector, x), glm::dot(p_vector, y), glm::dot(p_vector, z)) / scale;
+	const auto turned = [&](const cga::Vector3<double> &vector) {
+		return cga::Vector3<double>(glm::dot(vector, x), glm::dot(vector, y), glm::dot(vector, z)) / scale;
 	};
 	playground::drawing::PickRay ray;
 	ray.origin = turned(origin - to_glm(global.origin)) / scale;
 	ray.direction = glm::normalize(turned(direction));
 	ray.pixel_at_origin = glm::length(next_origin - origin) / scale;
-	ray.pixel_per_metre = glm::length(next_direction - direction);
-	const std::optional<playground::drawing::Touch> touch = playground::drawing::touch(_figure, ray);
-	return touch ? touch->pixels : NOTHING;
+	ray.pixel_per_meter = glm::length(next_direction - direction);
+	const std::optional<playground::drawing::PickHit> hit = playground::drawing::pick(_figure, ray);
+	return hit ? hit->pixels : NOTHING;
 }
 
 godot::PackedStringArray GANode3D::_get_configuration_warnings() const {
 	godot::PackedStringArray warnings;
 	if (_scene.is_valid() && String(_entry).is_empty()) {
-		warnings.push_back("\"entry\" is empty: nothing of the scene is drawn. Give the name of one of its entries.");
+		warnings.push_back("\"entry\" is empty, so nothing is drawn. Set it to the name of an entry of the scene.");
 	} else if (_scene.is_valid() && !_scene->has_entry(_entry)) {
-		warnings.push_back(vformat("The scene has no entry \"%s\". Give the name of one that it has.", _entry));
+		warnings.push_back(vformat("The scene has no entry named \"%s\". Set \"entry\" to the name of an existing one.", _entry));
 	} else if (_scene.is_null() && _multivector.is_null()) {
 		warnings.push_back("There is nothing to draw. Assign a multivector, or a scene and the name of one of its entries.");
 	}

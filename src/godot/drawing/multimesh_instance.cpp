@@ -9,11 +9,11 @@ namespace ga_godot {
 using godot::RenderingServer;
 using playground::drawing::Box;
 
-MultiMeshInstance::MultiMeshInstance(const godot::RID &p_mesh, const godot::RID &p_scenario) {
+MultiMeshInstance::MultiMeshInstance(const godot::RID &mesh, const godot::RID &scenario) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	_multimesh = server->multimesh_create();
-	server->multimesh_set_mesh(_multimesh, p_mesh);
-	_instance = server->instance_create2(_multimesh, p_scenario);
+	server->multimesh_set_mesh(_multimesh, mesh);
+	_instance = server->instance_create2(_multimesh, scenario);
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
@@ -23,39 +23,39 @@ MultiMeshInstance::~MultiMeshInstance() {
 	server->free_rid(_multimesh);
 }
 
-void MultiMeshInstance::allocate(size_t p_count) {
-	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, int32_t(p_count), RenderingServer::MULTIMESH_TRANSFORM_3D, true, true);
+void MultiMeshInstance::allocate(size_t count) {
+	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, int32_t(count), RenderingServer::MULTIMESH_TRANSFORM_3D, true, true);
 }
 
-void MultiMeshInstance::draw_first(size_t p_count) {
-	RenderingServer::get_singleton()->multimesh_set_visible_instances(_multimesh, int32_t(p_count));
+void MultiMeshInstance::set_visible_count(size_t count) {
+	RenderingServer::get_singleton()->multimesh_set_visible_instances(_multimesh, int32_t(count));
 }
 
-void MultiMeshInstance::write(size_t p_index, const InstanceLook &p_look) {
+void MultiMeshInstance::write(size_t slot, const InstanceData &data) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const int32_t index = int32_t(p_index);
-	server->multimesh_instance_set_transform(_multimesh, index, p_look.place);
-	server->multimesh_instance_set_color(_multimesh, index, p_look.color);
-	server->multimesh_instance_set_custom_data(_multimesh, index, p_look.style);
+	const int32_t index = int32_t(slot);
+	server->multimesh_instance_set_transform(_multimesh, index, data.transform);
+	server->multimesh_instance_set_color(_multimesh, index, data.color);
+	server->multimesh_instance_set_custom_data(_multimesh, index, data.custom);
 }
 
-void MultiMeshInstance::write_changes(size_t p_index, const InstanceLook &p_before, const InstanceLook &p_look) {
+void MultiMeshInstance::write_changes(size_t slot, const InstanceData &previous, const InstanceData &data) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const int32_t index = int32_t(p_index);
-	if (p_look.place != p_before.place) {
-		server->multimesh_instance_set_transform(_multimesh, index, p_look.place);
+	const int32_t index = int32_t(slot);
+	if (data.transform != previous.transform) {
+		server->multimesh_instance_set_transform(_multimesh, index, data.transform);
 	}
-	if (p_look.color != p_before.color) {
-		server->multimesh_instance_set_color(_multimesh, index, p_look.color);
+	if (data.color != previous.color) {
+		server->multimesh_instance_set_color(_multimesh, index, data.color);
 	}
-	if (p_look.style != p_before.style) {
-		server->multimesh_instance_set_custom_data(_multimesh, index, p_look.style);
+	if (data.custom != previous.custom) {
+		server->multimesh_instance_set_custom_data(_multimesh, index, data.custom);
 	}
 }
 
-void MultiMeshInstance::set_bounds(const Box &p_bounds) {
+void MultiMeshInstance::set_bounds(const Box &bounds) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const godot::AABB box(to_godot(p_bounds.least), to_godot(p_bounds.greatest - p_bounds.least));
+	const godot::AABB box(to_godot(bounds.min), to_godot(bounds.max - bounds.min));
 	server->multimesh_set_custom_aabb(_multimesh, box);
 	server->instance_set_custom_aabb(_instance, box);
 }

@@ -10,30 +10,29 @@
 
 namespace ga_godot {
 
-/// How one instance of a MultiMesh is drawn, in the space of the world.
-struct InstanceLook {
-	godot::Transform3D place;
+/// Data of one instance of a MultiMesh, in world space.
+struct InstanceData {
+	godot::Transform3D transform;
 	playground::drawing::Box bounds;
 	godot::Color color;
-	godot::Color style; ///< INSTANCE_CUSTOM, see playground/drawing/shader.hpp
+	godot::Color custom; ///< INSTANCE_CUSTOM, see playground/drawing/shader.hpp
 };
 
-/// A MultiMesh with colours and custom data, and its instance in a world: what StrokeBatch and a part that
-/// is drawn alone keep on the rendering server. Frees both when it goes.
+/// Owns a MultiMesh with colors and custom data and its instance in a scenario, both on the rendering server.
 class MultiMeshInstance {
 public:
-	MultiMeshInstance(const godot::RID &p_mesh, const godot::RID &p_scenario);
+	MultiMeshInstance(const godot::RID &mesh, const godot::RID &scenario);
 	~MultiMeshInstance();
 	MultiMeshInstance(const MultiMeshInstance &) = delete;
 	MultiMeshInstance &operator=(const MultiMeshInstance &) = delete;
 
-	/// Room for that many; what was written is lost.
-	void allocate(size_t p_count);
-	void draw_first(size_t p_count);
-	void write(size_t p_index, const InstanceLook &p_look);
-	/// Only what is another than before.
-	void write_changes(size_t p_index, const InstanceLook &p_before, const InstanceLook &p_look);
-	void set_bounds(const playground::drawing::Box &p_bounds);
+	/// Discards all instance data.
+	void allocate(size_t count);
+	void set_visible_count(size_t count);
+	void write(size_t slot, const InstanceData &data);
+	/// Writes only what differs from the previous data.
+	void write_changes(size_t slot, const InstanceData &previous, const InstanceData &data);
+	void set_bounds(const playground::drawing::Box &bounds);
 
 private:
 	godot::RID _multimesh;

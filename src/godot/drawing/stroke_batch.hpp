@@ -12,33 +12,33 @@
 
 namespace ga_godot {
 
-/// The strokes of all objects of one form in one world: a single MultiMesh, so that a thousand circles are as many draw
-/// calls as one. They need no order among each other (StrokePass); surfaces do, and are drawn one by one.
+/// The strokes of all objects of one form in one scenario as a single MultiMesh, so that a thousand circles take as many
+/// draw calls as one. Strokes need no sorting (StrokePass); surfaces do, and are drawn one by one.
 ///
-/// There is a batch while something is in it. Main thread only.
+/// A batch exists while it has members. Main thread only.
 class StrokeBatch {
 public:
-	StrokeBatch(playground::drawing::Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario);
+	StrokeBatch(playground::drawing::Form form, const godot::RID &mesh, const godot::RID &scenario);
 
-	/// That of a form in a world, or one made now with the form's mesh.
-	static StrokeBatch &of(playground::drawing::Form p_form, const godot::RID &p_mesh, const godot::RID &p_scenario);
+	/// The batch of a form in a scenario, created with the form's mesh if there is none.
+	static StrokeBatch &of(playground::drawing::Form form, const godot::RID &mesh, const godot::RID &scenario);
 
-	/// The number by which to change and to remove it.
-	size_t add(const InstanceLook &p_look);
-	void change(size_t p_owner, const InstanceLook &p_look);
-	/// The batch is gone after the last one.
-	void remove(size_t p_owner);
+	/// Returns the ID that change() and remove() take.
+	size_t add(const InstanceData &data);
+	void change(size_t id, const InstanceData &data);
+	/// Deletes the batch with its last member.
+	void remove(size_t id);
 
 private:
-	void make_room();
-	void include(const playground::drawing::Box &p_bounds);
+	void grow();
+	void include(const playground::drawing::Box &bounds);
 
 	playground::drawing::Form _form;
 	godot::RID _scenario;
 	MultiMeshInstance _drawn;
 	playground::drawing::InstanceSlots _slots;
-	std::vector<InstanceLook> _looks; // by slot
-	size_t _room = 0;
+	std::vector<InstanceData> _instances; // by slot
+	size_t _capacity = 0; // instances
 	playground::drawing::Box _bounds;
 };
 

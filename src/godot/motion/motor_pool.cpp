@@ -17,16 +17,17 @@ using cga::PoseBlock;
 using godot::PackedFloat32Array;
 using godot::vformat;
 
+static constexpr const char *INVALID_MODE = "MotorPool.%s: mode %d is invalid; use MultivectorLerp.LINEAR (0), SCREW (1) or SEPARATE (2).";
 static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
 static constexpr int64_t MAX_COUNT = int64_t(1) << 24; // 4 GiB of blocks
-static constexpr uint32_t GENERATION_MASK = 0x7fffffffu; // so that an index is never negative
+static constexpr uint32_t GENERATION_MASK = 0x7fffffffu; // keeps indices positive
 
-static_assert(RowSplit::ROWS_PER_PIECE % PoseBlock::LANES == 0, "Threads share no block.");
+static_assert(RowSplit::ROWS_PER_PIECE % PoseBlock::LANES == 0, "Two threads must not write to the same block.");
 
 int64_t MotorPool::acquire() {
 	close_gaps();
 	const uint32_t row = uint32_t(_slot_of_row.size());
-	ERR_FAIL_COND_V_MSG(int64_t(row) >= MAX_COUNT, -1, vformat("MotorPool.acquire: a pool holds at most %d bodies.", MAX_COUNT));
+	ERR_FAIL_COND_V_MSG(int64_t(row) >= MAX_COUNT, -1, vformat("MotorPool.acquire: the pool is full; it holds at most %d bodies.", MAX_COUNT));
 	uint32_t slot = uint32_t(_slots.size());
 	if (_free_slots.empty()) {
 		_slots.emplace_back();
@@ -43,10 +44,10 @@ int64_t MotorPool::acquire() {
 	return int64_t(_slots[slot].generation) << 32 | int64_t(slot);
 }
 
-void MotorPool::release(int64_t p_index) {
-	Slot *slot = find_slot(p_index);
+void MotorPool::release(int64_t index) {
+	Slot *slot = find_slot(index);
 	if (slot == nullptr) {
-		report_index("release", p_index);
+		report_invalid_index("release", index);
 		return;
 	}
 	_slot_of_row[slot->row] = NO_ROW;
@@ -56,13 +57,13 @@ void MotorPool::release(int64_t p_index) {
 	_free_slots.push_back(uint32_t(slot - _slots.data()));
 }
 
-void MotorPool::reserve(int64_t p_count) {
-	ERR_FAIL_COND_MSG(p_count < 0 || p_count > MAX_COUNT, vformat("MotorPool.reserve: count %d is not in 0..%d.", p_count, MAX_COUNT));
-	_blocks.reserve(cga::block_count(size_t(p_count)));
-	_slots.reserve(size_t(p_count));
-	_slot_of_row.reserve(size_t(p_count));
-	_poses.reserve(size_t(p_count));
-	_nodes.reserve(size_t(p_count));
+void MotorPool::reserve(int64_t count) {
+	ERR_FAIL_COND_MSG(count < 0 || count > MAX_COUNT, vformat("MotorPool.reserve: count %d is not in 0..%d.", count, MAX_COUNT));
+	_blocks.reserve(cga::block_count(size_t(count)));
+	_slots.reserve(size_t(count));
+	_slot_of_row.reserve(size_t(count));
+	_poses.reserve(size_t(count));
+	_nodes.reserve(size_t(count));
 }
 
 int64_t MotorPool::get_count() const {
@@ -83,16 +84,16 @@ void MotorPool::clear() {
 	_gaps = 0;
 }
 
-MotorPool::Slot *MotorPool::find_slot(int64_t p_index) {
-	const uint64_t slot = uint64_t(p_index) & 0xffffffffu;
-	if (p_index < 0 || slot >= _slots.size() || _slots[slot].row == NO_ROW || _slots[slot].generation != uint64_t(p_index) >> 32) {
+MotorPool::Slot *MotorPool::find_slot(int64_t index) {
+	const uint64_t slot = uint64_t(index) & 0xffffffffu;
+	if (index < 0 || slot >= _slots.size() || _slots[slot].row == NO_ROW || _slots[slot].generation != uint64_t(index) >> 32) {
 		return nullptr;
 	}
 	return &_slots[slot];
 }
 
-void MotorPool::report_index(const char *p_method, int64_t p_index) const {
-	ERR_PRINT(vformat("MotorPool.%s: index %d is none that acquire() gave out and that is not yet released.", p_method, p_index));
+void MotorPool::report_invalid_index(const char *method, int64_t index) const {
+	ERR_PRINT(vformat("MotorPool.%s: index %d is not a live index returned by acquire().", method, index));
 }
 
 void MotorPool::close_gaps() {
@@ -122,13 +123,13 @@ void MotorPool::close_gaps() {
 	_gaps = 0;
 }
 
-void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode) {
-	// Measured: below this the other threads have not begun when the first one is done (docs/performance/engine.md).
+void MotorPool::interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode) {
+	// With fewer rows, the calling thread finishes before the others start; measured in docs/performance/engine.md.
 	constexpr uint32_t MIN_SHARED = 65536;
 	if (_slot_of_row.empty()) {
 		return;
 	}
-	// Writing to an array that the engine or a script shares would copy it, and allocate, in every frame.
+	// Writing to an array that the engine or a script also holds would copy it, which allocates, in each frame.
 	if (_is_shared) {
 		std::swap(_buffer, _spare_buffer);
 		_buffer.resize(int64_t(_slot_of_row.size()) * ROW_FLOATS);
@@ -136,29 +137,29 @@ void MotorPool::run(const float *p_weights, float p_weight, MultivectorLerp::Mod
 	}
 	const PoseBlock *blocks = _blocks.data();
 	float *rows = _buffer.ptrw();
-	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t p_first, uint32_t p_count) {
-		const float *weights = p_weights != nullptr ? p_weights + p_first : nullptr;
-		cga::interpolate_blocks(blocks + p_first / PoseBlock::LANES, p_count, weights, p_weight, cga::Mode(p_mode), rows + p_first * cga::ROW_FLOATS);
+	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t first, uint32_t count) {
+		const float *own_weights = weights != nullptr ? weights + first : nullptr;
+		cga::interpolate_blocks(blocks + first / PoseBlock::LANES, count, own_weights, common_weight, cga::Mode(mode), rows + first * cga::ROW_FLOATS);
 	});
 }
 
-void MotorPool::interpolate(double p_weight, MultivectorLerp::Mode p_mode) {
-	ERR_FAIL_COND_MSG(!std::isfinite(float(p_weight)), "MotorPool.interpolate: the weight is not finite.");
-	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+void MotorPool::interpolate(double weight, MultivectorLerp::Mode mode) {
+	ERR_FAIL_COND_MSG(!std::isfinite(float(weight)), "MotorPool.interpolate: the weight is not finite.");
+	ERR_FAIL_COND_MSG(!is_mode(mode), vformat(INVALID_MODE, "interpolate", int64_t(mode)));
 	close_gaps();
-	run(nullptr, float(p_weight), p_mode);
+	interpolate_rows(nullptr, float(weight), mode);
 }
 
-void MotorPool::interpolate_each(const PackedFloat32Array &p_weights, MultivectorLerp::Mode p_mode) {
-	ERR_FAIL_COND_MSG(!is_mode(p_mode), vformat("MotorPool.interpolate_each: mode %d is none of MultivectorLerp's.", int64_t(p_mode)));
+void MotorPool::interpolate_each(const PackedFloat32Array &weights, MultivectorLerp::Mode mode) {
+	ERR_FAIL_COND_MSG(!is_mode(mode), vformat(INVALID_MODE, "interpolate_each", int64_t(mode)));
 	close_gaps();
-	const int64_t count = p_weights.size();
-	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.interpolate_each: %d weights for %d bodies; give one for each, in the order in which they were acquired.", count, get_count()));
-	const float *weights = count > 0 ? p_weights.ptr() : nullptr;
+	const int64_t count = weights.size();
+	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.interpolate_each: got %d weights for %d bodies; pass one per body, in the order of acquire().", count, get_count()));
+	const float *values = count > 0 ? weights.ptr() : nullptr;
 	for (int64_t i = 0; i < count; i++) {
-		ERR_FAIL_COND_MSG(!std::isfinite(weights[i]), vformat("MotorPool.interpolate_each: the weight at index %d is not finite. No pose was changed.", i));
+		ERR_FAIL_COND_MSG(!std::isfinite(values[i]), vformat("MotorPool.interpolate_each: the weight at index %d is not finite. No pose was changed.", i));
 	}
-	run(weights, 0.0f, p_mode);
+	interpolate_rows(values, 0.0f, mode);
 }
 
 void MotorPool::_bind_methods() {

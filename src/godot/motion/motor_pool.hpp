@@ -16,39 +16,38 @@
 
 namespace ga_godot {
 
-/// Poses of many bodies, interpolated together; doc_classes/MotorPool.xml documents it.
+/// Interpolates the poses of many bodies together. Documented in doc_classes/MotorPool.xml.
 ///
-/// A body's index, as scripts see it, names a slot and the slot's generation; the slot knows the body's row. Rows are
-/// dense and in the order in which bodies were acquired: row r is lane r % 8 of block r / 8 and floats 12 r .. 12 r + 11
-/// of the buffer. Releasing marks the row; the rows behind it move up when the rows are next looked at, once for all
-/// bodies released until then.
+/// The index that acquire() returns holds a slot (low 32 bits) and the slot's generation; the slot holds the body's row.
+/// Rows are dense and in the order of acquire(): row r is lane r % 8 of block r / 8 and floats 12 r .. 12 r + 11 of the
+/// buffer. release() only marks the row as a gap; the next call that uses the order of rows closes all gaps.
 class MotorPool : public godot::RefCounted {
 	GDCLASS(MotorPool, godot::RefCounted)
 
 public:
 	int64_t acquire();
-	void release(int64_t p_index);
-	void reserve(int64_t p_count);
+	void release(int64_t index);
+	void reserve(int64_t count);
 	int64_t get_count() const;
 	void clear();
 
-	void set_from(int64_t p_index, const godot::Transform3D &p_transform);
-	void set_to(int64_t p_index, const godot::Transform3D &p_transform);
-	void set_from_all(const godot::TypedArray<godot::Transform3D> &p_transforms);
-	void set_to_all(const godot::TypedArray<godot::Transform3D> &p_transforms);
+	void set_from(int64_t index, const godot::Transform3D &transform);
+	void set_to(int64_t index, const godot::Transform3D &transform);
+	void set_from_all(const godot::TypedArray<godot::Transform3D> &transforms);
+	void set_to_all(const godot::TypedArray<godot::Transform3D> &transforms);
 
-	void set_from_buffer(const godot::PackedFloat32Array &p_buffer);
-	void set_to_buffer(const godot::PackedFloat32Array &p_buffer);
+	void set_from_buffer(const godot::PackedFloat32Array &buffer);
+	void set_to_buffer(const godot::PackedFloat32Array &buffer);
 	void advance();
 
-	void interpolate(double p_weight, MultivectorLerp::Mode p_mode);
-	void interpolate_each(const godot::PackedFloat32Array &p_weights, MultivectorLerp::Mode p_mode);
+	void interpolate(double weight, MultivectorLerp::Mode mode);
+	void interpolate_each(const godot::PackedFloat32Array &weights, MultivectorLerp::Mode mode);
 
-	godot::Transform3D get_transform(int64_t p_index);
-	godot::Ref<Multivector> get_motor(int64_t p_index);
+	godot::Transform3D get_transform(int64_t index);
+	godot::Ref<Multivector> get_motor(int64_t index);
 	godot::PackedFloat32Array get_buffer();
-	void apply_to_nodes(const godot::TypedArray<godot::Node3D> &p_nodes);
-	void apply_to_multimesh(const godot::Ref<godot::MultiMesh> &p_multimesh, const godot::PackedFloat32Array &p_instance_data);
+	void apply_to_nodes(const godot::TypedArray<godot::Node3D> &nodes);
+	void apply_to_multimesh(const godot::Ref<godot::MultiMesh> &multimesh, const godot::PackedFloat32Array &instance_data);
 
 protected:
 	static void _bind_methods();
@@ -66,32 +65,32 @@ private:
 		TO,
 	};
 
-	Slot *find_slot(int64_t p_index);
-	void report_index(const char *p_method, int64_t p_index) const;
+	Slot *find_slot(int64_t index);
+	void report_invalid_index(const char *method, int64_t index) const;
 	void close_gaps();
-	cga::PoseBlock &block_of(uint32_t p_row) { return _blocks[p_row / cga::PoseBlock::LANES]; }
-	static int lane_of(uint32_t p_row) { return int(p_row % cga::PoseBlock::LANES); }
-	void put_end(End p_end, uint32_t p_row, const cga::Pose<float> &p_pose);
+	cga::PoseBlock &block_of(uint32_t row) { return _blocks[row / cga::PoseBlock::LANES]; }
+	static int lane_of(uint32_t row) { return int(row % cga::PoseBlock::LANES); }
+	void put_end(End end, uint32_t row, const cga::Pose<float> &pose);
 	template <class Read>
-	void put_end_all(End p_end, const char *p_method, const char *p_what, int64_t p_count, const Read &p_read);
-	void set_end(End p_end, const char *p_method, int64_t p_index, const godot::Transform3D &p_transform);
-	void set_end_all(End p_end, const char *p_method, const godot::TypedArray<godot::Transform3D> &p_transforms);
-	void set_end_buffer(End p_end, const char *p_method, const godot::PackedFloat32Array &p_buffer);
-	godot::Node3D *find_node(const godot::Variant &p_node, int64_t p_row);
-	void run(const float *p_weights, float p_weight, MultivectorLerp::Mode p_mode);
+	void put_end_all(End end, const char *method, const char *elements, int64_t count, const Read &read);
+	void set_end(End end, const char *method, int64_t index, const godot::Transform3D &transform);
+	void set_end_all(End end, const char *method, const godot::TypedArray<godot::Transform3D> &transforms);
+	void set_end_buffer(End end, const char *method, const godot::PackedFloat32Array &buffer);
+	godot::Node3D *find_node(const godot::Variant &variant, int64_t row);
+	void interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode);
 
 	std::vector<cga::PoseBlock> _blocks;
 	godot::PackedFloat32Array _buffer; // 12 floats a row
-	godot::PackedFloat32Array _spare_buffer; // the next one, where _buffer was given to somebody
-	bool _is_shared = false;
+	godot::PackedFloat32Array _spare_buffer; // replaces _buffer when that is shared
+	bool _is_shared = false; // a script or the engine may hold _buffer
 	std::vector<uint32_t> _slot_of_row; // NO_ROW where the body was released
 	std::vector<Slot> _slots;
 	std::vector<uint32_t> _free_slots;
 	uint32_t _gaps = 0;
 
-	// Kept between calls so that a frame allocates nothing.
+	// Scratch memory, kept so that a frame allocates nothing.
 	std::vector<cga::Pose<float>> _poses;
-	/// The node that was last given for a row: finding the C++ side of a node costs as much as moving it.
+	/// The last node of a row: finding the C++ object of a node costs as much as moving the node.
 	struct KnownNode {
 		uint64_t id = 0;
 		godot::Node3D *node = nullptr;

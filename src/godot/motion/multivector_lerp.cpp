@@ -4,6 +4,7 @@
 #include "cga/motor/motor_multivector.hpp"
 #include "godot/algebra/conversions.hpp"
 
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/godot.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ga_godot {
 
@@ -18,46 +20,55 @@ using godot::Dictionary;
 using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
+using godot::PackedStringArray;
 using godot::Ref;
 using godot::Transform3D;
 using godot::vformat;
 
-static_assert(int(MultivectorLerp::LINEAR) == int(cga::Mode::LINEAR) && int(MultivectorLerp::SCREW) == int(cga::Mode::SCREW) && int(MultivectorLerp::SEPARATE) == int(cga::Mode::SEPARATE), "A mode is cast to the algebra's.");
+static_assert(int(MultivectorLerp::LINEAR) == int(cga::Mode::LINEAR) && int(MultivectorLerp::SCREW) == int(cga::Mode::SCREW) && int(MultivectorLerp::SEPARATE) == int(cga::Mode::SEPARATE), "Modes are cast to cga::Mode.");
 
-Ref<Multivector> MultivectorLerp::interpolate(const Ref<Multivector> &p_from, const Ref<Multivector> &p_to, double p_weight, Mode p_mode) {
-	cga::Pose<double> from, to;
-	ERR_FAIL_COND_V_MSG(p_from.is_null() || !p_from->get_pose(from), Ref<Multivector>(), "MultivectorLerp.interpolate: from is no motor with positive scale; make one with Multivector.motor or motor_from.");
-	ERR_FAIL_COND_V_MSG(p_to.is_null() || !p_to->get_pose(to), Ref<Multivector>(), "MultivectorLerp.interpolate: to is no motor with positive scale; make one with Multivector.motor or motor_from.");
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_weight), Ref<Multivector>(), "MultivectorLerp.interpolate: the weight is not finite.");
-	ERR_FAIL_COND_V_MSG(!is_mode(p_mode), Ref<Multivector>(), vformat(UNKNOWN_MODE, int64_t(p_mode)));
-	const cga::Pose<double> pose = cga::interpolate(from, to, p_weight, cga::Mode(p_mode));
+static constexpr const char *NOT_A_MOTOR = "is not a motor with a positive scale; create one with Multivector.motor or Multivector.motor_from";
+static constexpr const char *INVALID_MODE = "MultivectorLerp: mode %d is invalid; use LINEAR (0), SCREW (1) or SEPARATE (2).";
+
+static std::optional<cga::Pose<double>> pose_of(const Ref<Multivector> &motor) {
+	return motor.is_valid() ? motor->get_pose() : std::nullopt;
+}
+
+Ref<Multivector> MultivectorLerp::interpolate(const Ref<Multivector> &from, const Ref<Multivector> &to, double weight, Mode mode) {
+	const std::optional<cga::Pose<double>> from_pose = pose_of(from);
+	const std::optional<cga::Pose<double>> to_pose = pose_of(to);
+	ERR_FAIL_COND_V_MSG(!from_pose, Ref<Multivector>(), vformat("MultivectorLerp.interpolate: from %s.", NOT_A_MOTOR));
+	ERR_FAIL_COND_V_MSG(!to_pose, Ref<Multivector>(), vformat("MultivectorLerp.interpolate: to %s.", NOT_A_MOTOR));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(weight), Ref<Multivector>(), "MultivectorLerp.interpolate: the weight is not finite.");
+	ERR_FAIL_COND_V_MSG(!is_mode(mode), Ref<Multivector>(), vformat(INVALID_MODE, int64_t(mode)));
+	const cga::Pose<double> pose = cga::interpolate(*from_pose, *to_pose, weight, cga::Mode(mode));
 	return Multivector::make(cga::to_multivector(cga::Motor<double>::from_pose(pose)));
 }
 
-Transform3D MultivectorLerp::interpolate_transform(const Transform3D &p_from, const Transform3D &p_to, double p_weight, Mode p_mode) {
-	cga::Pose<double> from, to;
-	const char *fault = pose_from_transform(p_from, from);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, p_from, vformat("MultivectorLerp.interpolate_transform: from %s.", fault));
-	fault = pose_from_transform(p_to, to);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, p_from, vformat("MultivectorLerp.interpolate_transform: to %s.", fault));
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_weight), p_from, "MultivectorLerp.interpolate_transform: the weight is not finite.");
-	ERR_FAIL_COND_V_MSG(!is_mode(p_mode), p_from, vformat(UNKNOWN_MODE, int64_t(p_mode)));
-	return to_godot(cga::interpolate(from, to, p_weight, cga::Mode(p_mode)));
+Transform3D MultivectorLerp::interpolate_transform(const Transform3D &from, const Transform3D &to, double weight, Mode mode) {
+	const PoseResult from_pose = pose_from_transform(from);
+	const PoseResult to_pose = pose_from_transform(to);
+	ERR_FAIL_COND_V_MSG(!from_pose, from, vformat("MultivectorLerp.interpolate_transform: from %s.", cga::describe(from_pose.error())));
+	ERR_FAIL_COND_V_MSG(!to_pose, from, vformat("MultivectorLerp.interpolate_transform: to %s.", cga::describe(to_pose.error())));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(weight), from, "MultivectorLerp.interpolate_transform: the weight is not finite.");
+	ERR_FAIL_COND_V_MSG(!is_mode(mode), from, vformat(INVALID_MODE, int64_t(mode)));
+	return to_godot(cga::interpolate(*from_pose, *to_pose, weight, cga::Mode(mode)));
 }
 
-Dictionary MultivectorLerp::measure_deviation(const Ref<Multivector> &p_from, const Ref<Multivector> &p_to, Mode p_first, Mode p_second, double p_lever) {
-	cga::Pose<double> from, to;
-	ERR_FAIL_COND_V_MSG(p_from.is_null() || !p_from->get_pose(from), Dictionary(), "MultivectorLerp.measure_deviation: from is no motor with positive scale; make one with Multivector.motor or motor_from.");
-	ERR_FAIL_COND_V_MSG(p_to.is_null() || !p_to->get_pose(to), Dictionary(), "MultivectorLerp.measure_deviation: to is no motor with positive scale; make one with Multivector.motor or motor_from.");
-	ERR_FAIL_COND_V_MSG(!is_mode(p_first), Dictionary(), vformat(UNKNOWN_MODE, int64_t(p_first)));
-	ERR_FAIL_COND_V_MSG(!is_mode(p_second), Dictionary(), vformat(UNKNOWN_MODE, int64_t(p_second)));
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_lever) || p_lever < 0.0, Dictionary(), "MultivectorLerp.measure_deviation: the lever must be a distance of 0 or more.");
-	const cga::PathDeviation found = cga::path_deviation(from, to, cga::Mode(p_first), cga::Mode(p_second), p_lever);
+Dictionary MultivectorLerp::measure_deviation(const Ref<Multivector> &from, const Ref<Multivector> &to, Mode first, Mode second, double lever_arm) {
+	const std::optional<cga::Pose<double>> from_pose = pose_of(from);
+	const std::optional<cga::Pose<double>> to_pose = pose_of(to);
+	ERR_FAIL_COND_V_MSG(!from_pose, Dictionary(), vformat("MultivectorLerp.measure_deviation: from %s.", NOT_A_MOTOR));
+	ERR_FAIL_COND_V_MSG(!to_pose, Dictionary(), vformat("MultivectorLerp.measure_deviation: to %s.", NOT_A_MOTOR));
+	ERR_FAIL_COND_V_MSG(!is_mode(first), Dictionary(), vformat(INVALID_MODE, int64_t(first)));
+	ERR_FAIL_COND_V_MSG(!is_mode(second), Dictionary(), vformat(INVALID_MODE, int64_t(second)));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(lever_arm) || lever_arm < 0.0, Dictionary(), vformat("MultivectorLerp.measure_deviation: lever_arm must be a finite distance of at least 0, not %f.", lever_arm));
+	const cga::PathDeviation deviation = cga::path_deviation(*from_pose, *to_pose, cga::Mode(first), cga::Mode(second), lever_arm);
 	Dictionary result;
-	result["distance"] = found.distance;
-	result["distance_weight"] = found.distance_weight;
-	result["angle"] = found.angle;
-	result["angle_weight"] = found.angle_weight;
+	result["distance"] = deviation.distance;
+	result["distance_weight"] = deviation.distance_weight;
+	result["angle"] = deviation.angle;
+	result["angle_weight"] = deviation.angle_weight;
 	return result;
 }
 
@@ -76,23 +87,23 @@ bool MultivectorLerp::is_playing() const {
 	return _playing;
 }
 
-void MultivectorLerp::_notification(int p_what) {
-	if (p_what == NOTIFICATION_READY) {
+void MultivectorLerp::_notification(int what) {
+	if (what == NOTIFICATION_READY) {
 		_running = !is_part_of_edited_scene();
 		set_process(_running);
 		if (_running && _auto_play) {
 			play();
 		}
 		update_target();
-	} else if (p_what == NOTIFICATION_PROCESS) {
+	} else if (what == NOTIFICATION_PROCESS) {
 		advance(get_process_delta_time());
 	}
 }
 
-void MultivectorLerp::advance(double p_delta) {
+void MultivectorLerp::advance(double delta) {
 	bool finished = false;
 	if (_playing) {
-		_factor = std::min(_factor + p_delta / _duration, 1.0);
+		_factor = std::min(_factor + delta / _duration, 1.0);
 		_stale = true;
 		finished = _factor >= 1.0;
 		_playing = !finished;
@@ -103,13 +114,13 @@ void MultivectorLerp::advance(double p_delta) {
 	}
 }
 
-void MultivectorLerp::relink(NodeLink &r_link, const NodePath &p_path) {
-	r_link.path = p_path;
-	r_link.id = 0;
+void MultivectorLerp::set_path(NodeLink &link, const NodePath &path) {
+	link.path = path;
+	link.id = 0;
 	refresh();
 }
 
-// Something about the ends or the target changed: errors are reported anew.
+// After a change of the ends or the target. Errors that persist are reported again.
 void MultivectorLerp::refresh() {
 	for (End *end : { &_start, &_end }) {
 		end->known = false;
@@ -124,61 +135,65 @@ void MultivectorLerp::refresh() {
 	}
 }
 
-// The node is remembered by id, which a freed node cannot fool, and looked up again when it is gone.
-Node3D *MultivectorLerp::find_node(NodeLink &r_link, const char *p_name) {
-	Node3D *node = r_link.node;
-	if (r_link.id == 0 || godot::gdextension_interface::object_get_instance_from_id(r_link.id) == nullptr) {
-		node = r_link.path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(r_link.path));
-		r_link.node = node;
-		r_link.id = node != nullptr ? node->get_instance_id() : 0;
+// The id, unlike the pointer, tells whether the node was freed; if so, the path is resolved again.
+Node3D *MultivectorLerp::find_node(NodeLink &link, const char *name) {
+	Node3D *node = link.node;
+	if (link.id == 0 || godot::gdextension_interface::object_get_instance_from_id(link.id) == nullptr) {
+		node = link.path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(link.path));
+		link.node = node;
+		link.id = node != nullptr ? node->get_instance_id() : 0;
 	}
 	if (node == nullptr || !node->is_inside_tree()) {
-		// An end that is not set yet is no error; the scene dock warns of it.
-		if (!r_link.lost && !r_link.path.is_empty()) {
-			ERR_PRINT(vformat("MultivectorLerp: %s (\"%s\") leads to no Node3D in the scene; the target stays where it is.", p_name, r_link.path));
+		// The scene dock warns about an empty path.
+		if (!link.lost && !link.path.is_empty()) {
+			ERR_PRINT(vformat("MultivectorLerp: %s (\"%s\") does not lead to a Node3D in the scene tree; the target is not moved.", name, link.path));
 		}
-		r_link.lost = true;
+		link.lost = true;
 		return nullptr;
 	}
-	r_link.lost = false;
+	link.lost = false;
 	return node;
 }
 
-// Brings the pose of an end up to date. False if it has none, which is reported once.
-bool MultivectorLerp::read_end(End &r_end, const char *p_name) {
+// Updates the pose of an end. Returns false if the end has no pose, which is reported once.
+bool MultivectorLerp::update_end(End &end, const char *name) {
 	const char *fault = nullptr;
-	if (r_end.motor.is_valid()) {
-		if (r_end.known && r_end.motor_revision == r_end.motor->get_revision()) {
-			return !r_end.faulty;
+	if (end.motor.is_valid()) {
+		if (end.known && end.motor_revision == end.motor->get_revision()) {
+			return !end.faulty;
 		}
-		r_end.motor_revision = r_end.motor->get_revision();
-		fault = r_end.motor->get_pose(r_end.pose) ? nullptr : "is no motor with positive scale; make one with Multivector.motor or motor_from";
+		end.motor_revision = end.motor->get_revision();
+		const std::optional<cga::Pose<double>> pose = end.motor->get_pose();
+		fault = pose ? nullptr : NOT_A_MOTOR;
+		end.pose = pose.value_or(end.pose);
 	} else {
-		const Node3D *node = find_node(r_end, p_name);
+		const Node3D *node = find_node(end, name);
 		if (node == nullptr) {
 			return false;
 		}
 		const Transform3D transform = _local ? node->get_transform() : node->get_global_transform();
-		if (r_end.known && transform == r_end.transform) {
-			return !r_end.faulty;
+		if (end.known && transform == end.transform) {
+			return !end.faulty;
 		}
-		r_end.transform = transform;
-		fault = pose_from_transform(transform, r_end.pose);
+		end.transform = transform;
+		const PoseResult pose = pose_from_transform(transform);
+		fault = pose ? nullptr : cga::describe(pose.error());
+		end.pose = pose ? *pose : end.pose;
 	}
-	r_end.known = true;
+	end.known = true;
 	_stale = true;
-	if (fault != nullptr && !r_end.faulty) {
-		ERR_PRINT(vformat("MultivectorLerp: %s %s. The target stays where it is.", p_name, fault));
+	if (fault != nullptr && !end.faulty) {
+		ERR_PRINT(vformat("MultivectorLerp: %s %s. The target is not moved.", name, fault));
 	}
-	r_end.faulty = fault != nullptr;
-	return !r_end.faulty;
+	end.faulty = fault != nullptr;
+	return !end.faulty;
 }
 
 void MultivectorLerp::update_target() {
 	if (!_running || !is_inside_tree()) {
 		return;
 	}
-	if (!read_end(_start, "start") || !read_end(_end, "end")) {
+	if (!update_end(_start, "start") || !update_end(_end, "end")) {
 		return;
 	}
 	Node3D *target = find_node(_target, "target");
@@ -193,9 +208,175 @@ void MultivectorLerp::update_target() {
 		}
 	}
 	if (!_local) {
-		// In each frame: the target's parent may have moved.
+		// Also without a new result, because the target's parent may have moved.
 		target->set_global_transform(_result);
 	}
+}
+
+void MultivectorLerp::set_start(const NodePath &path) {
+	set_path(_start, path);
+}
+
+NodePath MultivectorLerp::get_start() const {
+	return _start.path;
+}
+
+void MultivectorLerp::set_end(const NodePath &path) {
+	set_path(_end, path);
+}
+
+NodePath MultivectorLerp::get_end() const {
+	return _end.path;
+}
+
+void MultivectorLerp::set_target(const NodePath &path) {
+	set_path(_target, path);
+}
+
+NodePath MultivectorLerp::get_target() const {
+	return _target.path;
+}
+
+void MultivectorLerp::set_start_motor(const Ref<Multivector> &motor) {
+	_start.motor = motor;
+	refresh();
+}
+
+Ref<Multivector> MultivectorLerp::get_start_motor() const {
+	return _start.motor;
+}
+
+void MultivectorLerp::set_end_motor(const Ref<Multivector> &motor) {
+	_end.motor = motor;
+	refresh();
+}
+
+Ref<Multivector> MultivectorLerp::get_end_motor() const {
+	return _end.motor;
+}
+
+void MultivectorLerp::set_factor(double factor) {
+	ERR_FAIL_COND_MSG(!std::isfinite(factor), "MultivectorLerp: factor must be finite; it is unchanged.");
+	_factor = std::clamp(factor, 0.0, 1.0);
+	_stale = true;
+	update_target();
+}
+
+double MultivectorLerp::get_factor() const {
+	return _factor;
+}
+
+void MultivectorLerp::set_mode(Mode mode) {
+	ERR_FAIL_COND_MSG(!is_mode(mode), vformat(INVALID_MODE, int64_t(mode)));
+	_mode = mode;
+	_stale = true;
+	update_target();
+}
+
+MultivectorLerp::Mode MultivectorLerp::get_mode() const {
+	return _mode;
+}
+
+void MultivectorLerp::set_local(bool local) {
+	_local = local;
+	refresh();
+}
+
+bool MultivectorLerp::is_local() const {
+	return _local;
+}
+
+void MultivectorLerp::set_auto_play(bool auto_play) {
+	_auto_play = auto_play;
+}
+
+bool MultivectorLerp::is_auto_play() const {
+	return _auto_play;
+}
+
+void MultivectorLerp::set_duration(double seconds) {
+	ERR_FAIL_COND_MSG(!std::isfinite(seconds) || !(seconds > 0.0), vformat("MultivectorLerp: duration must be a positive number of seconds, not %f.", seconds));
+	_duration = seconds;
+}
+
+double MultivectorLerp::get_duration() const {
+	return _duration;
+}
+
+PackedStringArray MultivectorLerp::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	const auto check = [&](const char *name, const NodePath &path) {
+		if (Object::cast_to<Node3D>(path.is_empty() ? nullptr : get_node_or_null(path)) == nullptr) {
+			warnings.push_back(vformat("\"%s\" does not lead to a Node3D. Assign one in the inspector.", name));
+		}
+	};
+	const auto check_end = [&](const char *name, const End &end) {
+		if (end.motor.is_null()) {
+			check(name, end.path);
+		} else if (!end.motor->get_pose()) {
+			warnings.push_back(vformat("\"%s_motor\" is not a motor with a positive scale. Clear it to use \"%s\", or assign one made by Multivector.motor.", name, name));
+		}
+	};
+	check_end("start", _start);
+	check_end("end", _end);
+	check("target", _target.path);
+	return warnings;
+}
+
+void MultivectorLerp::_bind_methods() {
+	using godot::ClassDB;
+	using godot::D_METHOD;
+	using godot::PropertyInfo;
+	using godot::Variant;
+
+	BIND_ENUM_CONSTANT(LINEAR);
+	BIND_ENUM_CONSTANT(SCREW);
+	BIND_ENUM_CONSTANT(SEPARATE);
+
+	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate);
+	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate_transform", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate_transform);
+	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("measure_deviation", "from", "to", "first", "second", "lever_arm"), &MultivectorLerp::measure_deviation, DEFVAL(1.0));
+
+	ClassDB::bind_method(D_METHOD("set_start", "path"), &MultivectorLerp::set_start);
+	ClassDB::bind_method(D_METHOD("get_start"), &MultivectorLerp::get_start);
+	ClassDB::bind_method(D_METHOD("set_end", "path"), &MultivectorLerp::set_end);
+	ClassDB::bind_method(D_METHOD("get_end"), &MultivectorLerp::get_end);
+	ClassDB::bind_method(D_METHOD("set_target", "path"), &MultivectorLerp::set_target);
+	ClassDB::bind_method(D_METHOD("get_target"), &MultivectorLerp::get_target);
+	ClassDB::bind_method(D_METHOD("set_start_motor", "motor"), &MultivectorLerp::set_start_motor);
+	ClassDB::bind_method(D_METHOD("get_start_motor"), &MultivectorLerp::get_start_motor);
+	ClassDB::bind_method(D_METHOD("set_end_motor", "motor"), &MultivectorLerp::set_end_motor);
+	ClassDB::bind_method(D_METHOD("get_end_motor"), &MultivectorLerp::get_end_motor);
+	ClassDB::bind_method(D_METHOD("set_factor", "factor"), &MultivectorLerp::set_factor);
+	ClassDB::bind_method(D_METHOD("get_factor"), &MultivectorLerp::get_factor);
+	ClassDB::bind_method(D_METHOD("set_mode", "mode"), &MultivectorLerp::set_mode);
+	ClassDB::bind_method(D_METHOD("get_mode"), &MultivectorLerp::get_mode);
+	ClassDB::bind_method(D_METHOD("set_local", "local"), &MultivectorLerp::set_local);
+	ClassDB::bind_method(D_METHOD("is_local"), &MultivectorLerp::is_local);
+	ClassDB::bind_method(D_METHOD("set_auto_play", "auto_play"), &MultivectorLerp::set_auto_play);
+	ClassDB::bind_method(D_METHOD("is_auto_play"), &MultivectorLerp::is_auto_play);
+	ClassDB::bind_method(D_METHOD("set_duration", "seconds"), &MultivectorLerp::set_duration);
+	ClassDB::bind_method(D_METHOD("get_duration"), &MultivectorLerp::get_duration);
+	ClassDB::bind_method(D_METHOD("play"), &MultivectorLerp::play);
+	ClassDB::bind_method(D_METHOD("stop"), &MultivectorLerp::stop);
+	ClassDB::bind_method(D_METHOD("is_playing"), &MultivectorLerp::is_playing);
+
+	using godot::PROPERTY_HINT_ENUM;
+	using godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES;
+	using godot::PROPERTY_HINT_RANGE;
+	using godot::PROPERTY_HINT_RESOURCE_TYPE;
+	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "start", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_start", "get_start");
+	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "end", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_end", "get_end");
+	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "start_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"), "set_start_motor", "get_start_motor");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "end_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"), "set_end_motor", "get_end_motor");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "factor", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_factor", "get_factor");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"), "set_mode", "get_mode");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "local"), "set_local", "is_local");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "auto_play"), "set_auto_play", "is_auto_play");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,60,0.01,or_greater,suffix:s"), "set_duration", "get_duration");
+
+	ADD_SIGNAL(godot::MethodInfo("finished"));
 }
 
 } // namespace ga_godot

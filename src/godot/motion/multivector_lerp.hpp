@@ -14,41 +14,41 @@
 
 namespace ga_godot {
 
-/// Moves a target node between two poses; doc_classes/MultivectorLerp.xml documents it.
+/// Moves a target node between two poses. Documented in doc_classes/MultivectorLerp.xml.
 class MultivectorLerp : public godot::Node {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	/// Signed and of fixed type: a script may pass any number, and an error message shows it.
+	/// The values of cga::Mode. Of fixed type because a script may pass any int, which an error message then shows.
 	enum Mode : int {
 		LINEAR,
 		SCREW,
 		SEPARATE,
 	};
 
-	static godot::Ref<Multivector> interpolate(const godot::Ref<Multivector> &p_from, const godot::Ref<Multivector> &p_to, double p_weight, Mode p_mode);
-	static godot::Transform3D interpolate_transform(const godot::Transform3D &p_from, const godot::Transform3D &p_to, double p_weight, Mode p_mode);
-	static godot::Dictionary measure_deviation(const godot::Ref<Multivector> &p_from, const godot::Ref<Multivector> &p_to, Mode p_first, Mode p_second, double p_lever);
+	static godot::Ref<Multivector> interpolate(const godot::Ref<Multivector> &from, const godot::Ref<Multivector> &to, double weight, Mode mode);
+	static godot::Transform3D interpolate_transform(const godot::Transform3D &from, const godot::Transform3D &to, double weight, Mode mode);
+	static godot::Dictionary measure_deviation(const godot::Ref<Multivector> &from, const godot::Ref<Multivector> &to, Mode first, Mode second, double lever_arm);
 
-	void set_start(const godot::NodePath &p_path);
+	void set_start(const godot::NodePath &path);
 	godot::NodePath get_start() const;
-	void set_end(const godot::NodePath &p_path);
+	void set_end(const godot::NodePath &path);
 	godot::NodePath get_end() const;
-	void set_target(const godot::NodePath &p_path);
+	void set_target(const godot::NodePath &path);
 	godot::NodePath get_target() const;
-	void set_start_motor(const godot::Ref<Multivector> &p_motor);
+	void set_start_motor(const godot::Ref<Multivector> &motor);
 	godot::Ref<Multivector> get_start_motor() const;
-	void set_end_motor(const godot::Ref<Multivector> &p_motor);
+	void set_end_motor(const godot::Ref<Multivector> &motor);
 	godot::Ref<Multivector> get_end_motor() const;
-	void set_factor(double p_factor);
+	void set_factor(double factor);
 	double get_factor() const;
-	void set_mode(Mode p_mode);
+	void set_mode(Mode mode);
 	Mode get_mode() const;
-	void set_local(bool p_local);
+	void set_local(bool local);
 	bool is_local() const;
-	void set_auto_play(bool p_auto_play);
+	void set_auto_play(bool auto_play);
 	bool is_auto_play() const;
-	void set_duration(double p_seconds);
+	void set_duration(double seconds);
 	double get_duration() const;
 
 	void play();
@@ -59,35 +59,33 @@ public:
 
 protected:
 	static void _bind_methods();
-	// Not _ready and _process: a script on the node that has its own would silence them.
-	void _notification(int p_what);
+	// Handles READY and PROCESS here, because a script's own _ready and _process would replace those of this class.
+	void _notification(int what);
 
 private:
-	static constexpr const char *UNKNOWN_MODE = "MultivectorLerp: mode %d is none of LINEAR (0), SCREW (1), SEPARATE (2).";
-
-	/// A node of the scene, looked up once.
+	/// A node path and the node that it was resolved to.
 	struct NodeLink {
 		godot::NodePath path;
-		uint64_t id = 0; // 0: not looked up, or gone
-		godot::Node3D *node = nullptr; // of that id; valid while the engine knows the id
-		bool lost = false; // leads to no node, which was reported
+		uint64_t id = 0; // 0 if not resolved
+		godot::Node3D *node = nullptr; // valid only while the engine knows the id
+		bool lost = false; // could not be resolved, which was reported
 	};
 
-	/// One end of the motion: a motor, or else a node. Its pose is kept, so that a resting end costs a comparison a frame.
+	/// One end of the motion: the motor if it is set, else the node. An end at rest costs one comparison per frame.
 	struct End : NodeLink {
 		godot::Ref<Multivector> motor;
 		uint64_t motor_revision = 0;
 		godot::Transform3D transform;
 		cga::Pose<double> pose;
-		bool known = false; // pose is that of transform, or of the motor's revision
-		bool faulty = false; // it has none, which was reported
+		bool known = false; // transform or motor_revision was read into pose
+		bool faulty = false; // it has no pose, which was reported
 	};
 
-	void relink(NodeLink &r_link, const godot::NodePath &p_path);
+	void set_path(NodeLink &link, const godot::NodePath &path);
 	void refresh();
-	godot::Node3D *find_node(NodeLink &r_link, const char *p_name);
-	bool read_end(End &r_end, const char *p_name);
-	void advance(double p_delta);
+	godot::Node3D *find_node(NodeLink &link, const char *name);
+	bool update_end(End &end, const char *name);
+	void advance(double delta);
 	void update_target();
 
 	End _start;
@@ -99,7 +97,7 @@ private:
 	bool _local = false;
 	bool _auto_play = false;
 	bool _playing = false;
-	bool _running = false; // ready, and not in the editor
+	bool _running = false; // ready and not in the editor
 	bool _stale = true; // factor, mode or an end changed since _result was computed
 	godot::Transform3D _result;
 };

@@ -11,8 +11,8 @@ using godot::OS;
 using godot::WorkerThreadPool;
 
 static uint32_t processor_count() {
-	static const uint32_t count = uint32_t(std::max(OS::get_singleton()->get_processor_count(), 1));
-	return count;
+	static const uint32_t COUNT = uint32_t(std::max(OS::get_singleton()->get_processor_count(), 1));
+	return COUNT;
 }
 
 bool RowSplit::can_share() {
@@ -31,7 +31,7 @@ void RowSplit::share() {
 		return;
 	}
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
-	const auto task = [](void *p_split, uint32_t) { static_cast<RowSplit *>(p_split)->take_pieces(); };
+	const auto task = [](void *split, uint32_t) { static_cast<RowSplit *>(split)->take_pieces(); };
 	const WorkerThreadPool::GroupID group = pool->add_native_group_task(task, this, others, others, true);
 	take_pieces();
 	pool->wait_for_group_task_completion(group);

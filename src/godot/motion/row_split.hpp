@@ -5,34 +5,33 @@
 
 namespace ga_godot {
 
-/// Work on many rows, shared between the calling thread and the engine's WorkerThreadPool where there are enough of them.
-/// Whoever is free takes the next piece, so that it does not matter which threads are busy with other things. A row's
-/// result must not depend on the piece that it is in.
+/// Runs a job on many rows, split between the calling thread and the engine's WorkerThreadPool. Each free thread takes
+/// the next piece, so a thread that is busy elsewhere delays nothing. A row's result must not depend on its piece.
 class RowSplit {
 public:
-	/// Pieces begin at multiples of this many rows: whole blocks.
+	/// Pieces begin at multiples of this.
 	static constexpr uint32_t ROWS_PER_PIECE = 2048;
 
-	/// Runs p_job(first, count) until every row is done; from p_least rows on in several threads.
+	/// Calls job(first, count) until all rows are done; in several threads if there are at least min_shared rows.
 	template <class Job>
-	static void run(uint32_t p_rows, uint32_t p_least, const Job &p_job) {
-		if (p_rows < p_least || !can_share()) {
-			p_job(0u, p_rows);
+	static void run(uint32_t rows, uint32_t min_shared, const Job &job) {
+		if (rows < min_shared || !can_share()) {
+			job(0u, rows);
 			return;
 		}
-		RowSplit split(p_rows, &p_job, [](const void *p_shared, uint32_t p_first, uint32_t p_count) {
-			(*static_cast<const Job *>(p_shared))(p_first, p_count);
+		RowSplit split(rows, &job, [](const void *shared, uint32_t first, uint32_t count) {
+			(*static_cast<const Job *>(shared))(first, count);
 		});
 		split.share();
 	}
 
 private:
-	using Call = void (*)(const void *p_job, uint32_t p_first, uint32_t p_count);
+	using Call = void (*)(const void *job, uint32_t first, uint32_t count);
 
-	RowSplit(uint32_t p_rows, const void *p_job, Call p_call) :
-			_rows(p_rows), _job(p_job), _call(p_call) {}
+	RowSplit(uint32_t rows, const void *job, Call call) :
+			_rows(rows), _job(job), _call(call) {}
 
-	/// Not from within a task: one that waits for others could keep them from starting. Not with a single processor.
+	/// False on a single processor and within a task of the pool, where waiting for other tasks could keep them from starting.
 	static bool can_share();
 	void share();
 	void take_pieces();

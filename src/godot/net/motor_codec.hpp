@@ -14,18 +14,18 @@
 
 namespace ga_godot {
 
-/// Poses of many bodies in one packet, as quantised motors; doc_classes/MotorCodec.xml documents it.
+/// Poses of many bodies in one packet, as quantized motors; doc_classes/MotorCodec.xml documents it.
 class MotorCodec : public godot::RefCounted {
 	GDCLASS(MotorCodec, godot::RefCounted)
 
 public:
-	void set_position_tolerance(double p_metres);
+	void set_position_tolerance(double meters);
 	double get_position_tolerance() const;
-	void set_rotation_tolerance(double p_degrees);
+	void set_rotation_tolerance(double degrees);
 	double get_rotation_tolerance() const;
 
-	godot::PackedByteArray encode(const godot::PackedInt32Array &p_ids, const godot::TypedArray<godot::Transform3D> &p_transforms);
-	godot::Dictionary decode(const godot::PackedByteArray &p_packet);
+	godot::PackedByteArray encode(const godot::PackedInt32Array &ids, const godot::TypedArray<godot::Transform3D> &transforms);
+	godot::Dictionary decode(const godot::PackedByteArray &packet);
 
 protected:
 	static void _bind_methods();

@@ -1,6 +1,7 @@
 #include "godot/net/motor_receiver.hpp"
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -8,7 +9,6 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
-#include <cstring>
 
 namespace ga_godot {
 
@@ -24,65 +24,62 @@ MotorReceiver::MotorReceiver() {
 }
 
 void MotorReceiver::clear() {
-	_receiver = std::make_unique<net::Receiver>(size_t(_most_bodies));
+	_receiver = net::Receiver(size_t(_max_bodies));
 	limits_changed();
 }
 
-void MotorReceiver::set_most_bodies(int64_t p_count) {
-	ERR_FAIL_COND_MSG(p_count < 1, vformat("MotorReceiver: most_bodies is at least 1, not %d.", p_count));
-	ERR_FAIL_COND_MSG(_receiver->statistics().packets_received > 0, "MotorReceiver: set most_bodies before the first packet, or call clear() first.");
-	_most_bodies = p_count;
+void MotorReceiver::set_max_bodies(int64_t count) {
+	ERR_FAIL_COND_MSG(count < 1, vformat("MotorReceiver: max_bodies is %d, but must be at least 1.", count));
+	ERR_FAIL_COND_MSG(_receiver.statistics().packets_received > 0, "MotorReceiver: set max_bodies before the first packet, or call clear() first.");
+	_max_bodies = count;
 	clear();
 }
 
-int64_t MotorReceiver::get_most_bodies() const {
-	return _most_bodies;
+int64_t MotorReceiver::get_max_bodies() const {
+	return _max_bodies;
 }
 
-String MotorReceiver::accept(const PackedByteArray &p_packet, double p_now) {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_now), "the time is not finite", "MotorReceiver.accept: the time is not finite.");
-	const char *fault = _receiver->accept(p_packet.ptr(), size_t(p_packet.size()), p_now);
-	return fault != nullptr ? String(fault) : String();
+String MotorReceiver::accept(const PackedByteArray &packet, double now) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(now), "the time is not finite", "MotorReceiver.accept: the time is not finite.");
+	const net::PacketResult result = _receiver.accept(packet.ptr(), size_t(packet.size()), now);
+	return result ? String() : String(net::describe(result.error()));
 }
 
-PackedByteArray MotorReceiver::take_answer(double p_now) {
-	PackedByteArray answer;
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_now), answer, "MotorReceiver.take_answer: the time is not finite.");
-	if (_receiver->take_answer(_answer, p_now) && !_answer.empty()) {
-		answer.resize(int64_t(_answer.size()));
-		std::memcpy(answer.ptrw(), _answer.data(), _answer.size());
-	}
-	return answer;
+PackedByteArray MotorReceiver::take_ack(double now) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(now), PackedByteArray(), "MotorReceiver.take_ack: the time is not finite.");
+	_receiver.take_ack(_ack, now);
+	return to_packed(_ack.data(), _ack.size());
 }
 
 bool MotorReceiver::is_ready() const {
-	return _receiver->is_ready();
+	return _receiver.is_ready();
 }
 
-void MotorReceiver::advance(double p_now) {
-	ERR_FAIL_COND_MSG(!std::isfinite(p_now), "MotorReceiver.advance: the time is not finite.");
-	_receiver->advance(p_now);
-	_receiver->take_events(_events);
+void MotorReceiver::advance(double now) {
+	ERR_FAIL_COND_MSG(!std::isfinite(now), "MotorReceiver.advance: the time is not finite.");
+	_receiver.advance(now);
+	_receiver.take_events(_events);
 	for (const net::BodyEvent &event : _events) {
 		emit_signal(event.kind == net::BodyEvent::ADDED ? "body_added" : "body_removed", int64_t(event.id));
 	}
 }
 
-Transform3D MotorReceiver::get_transform(int64_t p_id) const {
-	cga::Pose<double> pose;
-	const bool found = p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(uint32_t(p_id), pose);
-	ERR_FAIL_COND_V_MSG(!found, Transform3D(), vformat("MotorReceiver.get_transform: there is no body with id %d; has_body() and the signals tell which there are.", p_id));
-	return to_godot(pose);
+std::optional<cga::Pose<double>> MotorReceiver::find_pose(int64_t id) const {
+	return id >= 0 && id < int64_t(net::ID_LIMIT) ? _receiver.pose(uint32_t(id)) : std::nullopt;
 }
 
-bool MotorReceiver::has_body(int64_t p_id) const {
-	cga::Pose<double> pose;
-	return p_id >= 0 && p_id < int64_t(net::ID_LIMIT) && _receiver->pose(uint32_t(p_id), pose);
+Transform3D MotorReceiver::get_transform(int64_t id) const {
+	const auto pose = find_pose(id);
+	ERR_FAIL_COND_V_MSG(!pose, Transform3D(), vformat("MotorReceiver.get_transform: body %d does not exist at the media time shown. Check has_body() first, or follow the signals.", id));
+	return to_godot(*pose);
+}
+
+bool MotorReceiver::has_body(int64_t id) const {
+	return find_pose(id).has_value();
 }
 
 PackedInt32Array MotorReceiver::get_bodies() const {
-	std::vector<uint32_t> ids;
-	_receiver->bodies(ids);
+	const std::vector<uint32_t> ids = _receiver.bodies();
 	PackedInt32Array result;
 	result.resize(int64_t(ids.size()));
 	for (size_t i = 0; i < ids.size(); i++) {
@@ -92,19 +89,19 @@ PackedInt32Array MotorReceiver::get_bodies() const {
 }
 
 double MotorReceiver::get_media_time() const {
-	return _receiver->is_ready() ? _receiver->media_time() : 0.0;
+	return _receiver.is_ready() ? _receiver.media_time() : 0.0;
 }
 
 double MotorReceiver::get_known_time() const {
-	return _receiver->is_ready() ? _receiver->known_time() : 0.0;
+	return _receiver.is_ready() ? _receiver.known_time() : 0.0;
 }
 
 void MotorReceiver::limits_changed() {
-	limit(*_receiver);
+	_receiver.set_margin_limits(get_min_delay(), get_jitter_allowance());
 }
 
 Dictionary MotorReceiver::get_statistics() const {
-	const net::StreamStatistics statistics = _receiver->statistics();
+	const net::StreamStatistics statistics = _receiver.statistics();
 	Dictionary result;
 	result["bytes_received"] = int64_t(statistics.bytes_received);
 	result["packets_received"] = int64_t(statistics.packets_received);
@@ -124,12 +121,12 @@ void MotorReceiver::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	ClassDB::bind_method(D_METHOD("set_most_bodies", "count"), &MotorReceiver::set_most_bodies);
-	ClassDB::bind_method(D_METHOD("get_most_bodies"), &MotorReceiver::get_most_bodies);
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "most_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"), "set_most_bodies", "get_most_bodies");
+	ClassDB::bind_method(D_METHOD("set_max_bodies", "count"), &MotorReceiver::set_max_bodies);
+	ClassDB::bind_method(D_METHOD("get_max_bodies"), &MotorReceiver::get_max_bodies);
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"), "set_max_bodies", "get_max_bodies");
 	bind_playback_properties();
 	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
-	ClassDB::bind_method(D_METHOD("take_answer", "now"), &MotorReceiver::take_answer);
+	ClassDB::bind_method(D_METHOD("take_ack", "now"), &MotorReceiver::take_ack);
 	ClassDB::bind_method(D_METHOD("is_ready"), &MotorReceiver::is_ready);
 	ClassDB::bind_method(D_METHOD("advance", "now"), &MotorReceiver::advance);
 	ClassDB::bind_method(D_METHOD("get_transform", "id"), &MotorReceiver::get_transform);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "godot/net/playback_properties.hpp"
-#include "net/receiver.hpp"
+#include "net/endpoint/receiver.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -11,7 +11,7 @@
 #include <godot_cpp/variant/transform3d.hpp>
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace ga_godot {
@@ -24,16 +24,16 @@ class MotorReceiver : public godot::RefCounted, public PlaybackProperties<MotorR
 public:
 	MotorReceiver();
 
-	void set_most_bodies(int64_t p_count);
-	int64_t get_most_bodies() const;
+	void set_max_bodies(int64_t count);
+	int64_t get_max_bodies() const;
 
-	godot::String accept(const godot::PackedByteArray &p_packet, double p_now);
-	godot::PackedByteArray take_answer(double p_now);
+	godot::String accept(const godot::PackedByteArray &packet, double now);
+	godot::PackedByteArray take_ack(double now);
 	bool is_ready() const;
-	void advance(double p_now);
+	void advance(double now);
 
-	godot::Transform3D get_transform(int64_t p_id) const;
-	bool has_body(int64_t p_id) const;
+	godot::Transform3D get_transform(int64_t id) const;
+	bool has_body(int64_t id) const;
 	godot::PackedInt32Array get_bodies() const;
 	double get_media_time() const;
 	double get_known_time() const;
@@ -46,10 +46,12 @@ protected:
 private:
 	void limits_changed();
 
-	std::unique_ptr<net::Receiver> _receiver;
-	int64_t _most_bodies = 65536;
+	[[nodiscard]] std::optional<cga::Pose<double>> find_pose(int64_t id) const;
+
+	int64_t _max_bodies = 65536;
+	net::Receiver _receiver{ size_t(_max_bodies) };
 	// Kept between calls, so that a steady stream allocates only what it returns.
-	std::vector<uint8_t> _answer;
+	std::vector<uint8_t> _ack;
 	std::vector<net::BodyEvent> _events;
 };
 

@@ -1,8 +1,7 @@
 #include "godot/net/motor_sender.hpp"
 
+#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
-
-#include <cstring>
 
 namespace ga_godot {
 
@@ -15,17 +14,17 @@ using godot::vformat;
 
 static constexpr int64_t RECEIVER_LIMIT = int64_t(1) << 32;
 
-static bool is_body(int64_t p_id) {
-	return p_id >= 0 && p_id < int64_t(net::ID_LIMIT);
+static bool is_body(int64_t id) {
+	return id >= 0 && id < int64_t(net::ID_LIMIT);
 }
 
-static bool is_receiver(int64_t p_receiver) {
-	return p_receiver >= 0 && p_receiver < RECEIVER_LIMIT;
+static bool is_receiver(int64_t receiver) {
+	return receiver >= 0 && receiver < RECEIVER_LIMIT;
 }
 
-void MotorSender::set_ticks_per_second(double p_hertz) {
-	ERR_FAIL_COND_MSG(!is_positive(p_hertz), vformat("MotorSender: ticks_per_second is positive, not %f.", p_hertz));
-	_settings.tick = 1.0 / p_hertz;
+void MotorSender::set_ticks_per_second(double hertz) {
+	ERR_FAIL_COND_MSG(!is_positive(hertz), vformat("MotorSender: ticks_per_second is %f, but must be positive.", hertz));
+	_settings.tick = 1.0 / hertz;
 	settings_changed();
 }
 
@@ -37,89 +36,82 @@ void MotorSender::settings_changed() {
 	_sender.set_settings(_settings);
 }
 
-bool MotorSender::add_body(int64_t p_id, const Transform3D &p_transform) {
-	ERR_FAIL_COND_V_MSG(!is_body(p_id), false, vformat("MotorSender.add_body: id %d is not in 0 to 2147483647.", p_id));
-	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(p_id)), false, vformat("MotorSender.add_body: there is a body with id %d.", p_id));
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(p_transform, pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.add_body: the transform of body %d %s.", p_id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(p_id), pose), false, vformat("MotorSender.add_body: the transform of body %d is farther out, or its scale is larger or smaller, than a stream can say.", p_id));
+bool MotorSender::add_body(int64_t id, const Transform3D &transform) {
+	ERR_FAIL_COND_V_MSG(!is_body(id), false, vformat("MotorSender.add_body: id is %d, but must be 0 to 2147483647.", id));
+	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(id)), false, vformat("MotorSender.add_body: body %d exists already.", id));
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.add_body: the transform of body %d %s.", id, cga::describe(pose.error())));
+	ERR_FAIL_COND_V_MSG(!_sender.add_body(uint32_t(id), *pose), false, vformat("MotorSender.add_body: the transform of body %d is out of range: too far from the origin, or its scale is too small or too large.", id));
 	return true;
 }
 
-bool MotorSender::remove_body(int64_t p_id) {
-	return is_body(p_id) && _sender.remove_body(uint32_t(p_id));
+bool MotorSender::remove_body(int64_t id) {
+	return is_body(id) && _sender.remove_body(uint32_t(id));
 }
 
-bool MotorSender::has_body(int64_t p_id) const {
-	return is_body(p_id) && _sender.has_body(uint32_t(p_id));
+bool MotorSender::has_body(int64_t id) const {
+	return is_body(id) && _sender.has_body(uint32_t(id));
 }
 
 int64_t MotorSender::get_body_count() const {
 	return int64_t(_sender.body_count());
 }
 
-bool MotorSender::observe(int64_t p_id, double p_time, const Transform3D &p_transform) {
-	ERR_FAIL_COND_V_MSG(!has_body(p_id), false, vformat("MotorSender.observe: there is no body with id %d; add it first.", p_id));
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), false, "MotorSender.observe: the time is not finite.");
-	cga::Pose<double> pose;
-	const char *fault = pose_from_transform(p_transform, pose);
-	ERR_FAIL_COND_V_MSG(fault != nullptr, false, vformat("MotorSender.observe: the transform of body %d %s.", p_id, fault));
-	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(p_id), p_time, pose), false, vformat("MotorSender.observe: body %d was observed later than %f s already, or its transform is more than a stream can say.", p_id, p_time));
+bool MotorSender::observe(int64_t id, double time, const Transform3D &transform) {
+	ERR_FAIL_COND_V_MSG(!has_body(id), false, vformat("MotorSender.observe: body %d does not exist; call add_body() first.", id));
+	ERR_FAIL_COND_V_MSG(!std::isfinite(time), false, "MotorSender.observe: the time is not finite.");
+	const PoseResult pose = pose_from_transform(transform);
+	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.observe: the transform of body %d %s.", id, cga::describe(pose.error())));
+	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(id), time, *pose), false, vformat("MotorSender.observe: the transform of body %d at %f s is out of range: too far from the origin, or its scale is too small or too large.", id, time));
 	return true;
 }
 
-bool MotorSender::teleport(int64_t p_id) {
-	ERR_FAIL_COND_V_MSG(!has_body(p_id), false, vformat("MotorSender.teleport: there is no body with id %d.", p_id));
-	return _sender.teleport(uint32_t(p_id));
+bool MotorSender::teleport(int64_t id) {
+	ERR_FAIL_COND_V_MSG(!has_body(id), false, vformat("MotorSender.teleport: body %d does not exist.", id));
+	return _sender.teleport(uint32_t(id));
 }
 
-void MotorSender::add_receiver(int64_t p_receiver, double p_time) {
-	ERR_FAIL_COND_MSG(!is_receiver(p_receiver), vformat("MotorSender.add_receiver: receiver %d is not in 0 to 4294967295.", p_receiver));
-	ERR_FAIL_COND_MSG(!std::isfinite(p_time), "MotorSender.add_receiver: the time is not finite.");
-	_sender.add_receiver(uint32_t(p_receiver), p_time);
+void MotorSender::add_receiver(int64_t receiver, double time) {
+	ERR_FAIL_COND_MSG(!is_receiver(receiver), vformat("MotorSender.add_receiver: the receiver is %d, but must be 0 to 4294967295.", receiver));
+	ERR_FAIL_COND_MSG(!std::isfinite(time), "MotorSender.add_receiver: the time is not finite.");
+	_sender.add_receiver(uint32_t(receiver), time);
 }
 
-void MotorSender::remove_receiver(int64_t p_receiver) {
-	if (is_receiver(p_receiver)) {
-		_sender.remove_receiver(uint32_t(p_receiver));
+void MotorSender::remove_receiver(int64_t receiver) {
+	if (is_receiver(receiver)) {
+		_sender.remove_receiver(uint32_t(receiver));
 	}
 }
 
-bool MotorSender::has_receiver(int64_t p_receiver) const {
-	return is_receiver(p_receiver) && _sender.has_receiver(uint32_t(p_receiver));
+bool MotorSender::has_receiver(int64_t receiver) const {
+	return is_receiver(receiver) && _sender.has_receiver(uint32_t(receiver));
 }
 
-TypedArray<Dictionary> MotorSender::flush(double p_time) {
+TypedArray<Dictionary> MotorSender::flush(double time) {
 	TypedArray<Dictionary> packets;
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), packets, "MotorSender.flush: the time is not finite.");
-	_sender.flush(p_time);
+	ERR_FAIL_COND_V_MSG(!std::isfinite(time), packets, "MotorSender.flush: the time is not finite.");
+	_sender.flush(time);
 	for (const net::OutgoingPacket &outgoing : _sender.packets()) {
-		PackedByteArray bytes;
-		bytes.resize(int64_t(outgoing.size));
-		if (outgoing.size > 0) {
-			std::memcpy(bytes.ptrw(), _sender.bytes() + outgoing.begin, outgoing.size);
-		}
 		Dictionary packet;
 		packet["receiver"] = int64_t(outgoing.receiver);
-		packet["bytes"] = bytes;
+		packet["bytes"] = to_packed(_sender.bytes() + outgoing.begin, outgoing.size);
 		packets.push_back(packet);
 	}
 	return packets;
 }
 
-String MotorSender::accept(int64_t p_receiver, const PackedByteArray &p_answer, double p_time) {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_time), "the time is not finite", "MotorSender.accept: the time is not finite.");
-	if (!has_receiver(p_receiver)) {
-		return "comes from no receiver of this sender";
+String MotorSender::accept(int64_t receiver, const PackedByteArray &packet, double time) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(time), "the time is not finite", "MotorSender.accept: the time is not finite.");
+	if (!has_receiver(receiver)) {
+		return net::describe(net::PacketError::UNKNOWN_RECEIVER);
 	}
-	const char *fault = _sender.accept(uint32_t(p_receiver), p_answer.ptr(), size_t(p_answer.size()), p_time);
-	return fault != nullptr ? String(fault) : String();
+	const net::PacketResult result = _sender.accept(uint32_t(receiver), packet.ptr(), size_t(packet.size()), time);
+	return result ? String() : String(net::describe(result.error()));
 }
 
-Dictionary MotorSender::get_statistics(int64_t p_receiver) const {
-	ERR_FAIL_COND_V_MSG(!has_receiver(p_receiver), Dictionary(), vformat("MotorSender.get_statistics: there is no receiver %d.", p_receiver));
-	const net::ReceiverStatistics statistics = _sender.statistics(uint32_t(p_receiver));
+Dictionary MotorSender::get_statistics(int64_t receiver) const {
+	ERR_FAIL_COND_V_MSG(!has_receiver(receiver), Dictionary(), vformat("MotorSender.get_statistics: receiver %d does not exist.", receiver));
+	const net::ReceiverStatistics statistics = _sender.statistics(uint32_t(receiver));
 	Dictionary result;
 	result["bytes_sent"] = int64_t(statistics.bytes_sent);
 	result["packets_sent"] = int64_t(statistics.packets_sent);
@@ -151,7 +143,7 @@ void MotorSender::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), &MotorSender::remove_receiver);
 	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), &MotorSender::has_receiver);
 	ClassDB::bind_method(D_METHOD("flush", "time"), &MotorSender::flush);
-	ClassDB::bind_method(D_METHOD("accept", "receiver", "answer", "time"), &MotorSender::accept);
+	ClassDB::bind_method(D_METHOD("accept", "receiver", "packet", "time"), &MotorSender::accept);
 	ClassDB::bind_method(D_METHOD("get_statistics", "receiver"), &MotorSender::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_moving_count"), &MotorSender::get_moving_count);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "godot/net/stream_properties.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -19,23 +19,23 @@ class MotorSender : public godot::RefCounted, public StreamProperties<MotorSende
 	friend class StreamProperties<MotorSender>;
 
 public:
-	void set_ticks_per_second(double p_hertz);
+	void set_ticks_per_second(double hertz);
 	double get_ticks_per_second() const;
 
-	bool add_body(int64_t p_id, const godot::Transform3D &p_transform);
-	bool remove_body(int64_t p_id);
-	bool has_body(int64_t p_id) const;
+	bool add_body(int64_t id, const godot::Transform3D &transform);
+	bool remove_body(int64_t id);
+	bool has_body(int64_t id) const;
 	int64_t get_body_count() const;
-	bool observe(int64_t p_id, double p_time, const godot::Transform3D &p_transform);
-	bool teleport(int64_t p_id);
+	bool observe(int64_t id, double time, const godot::Transform3D &transform);
+	bool teleport(int64_t id);
 
-	void add_receiver(int64_t p_receiver, double p_time);
-	void remove_receiver(int64_t p_receiver);
-	bool has_receiver(int64_t p_receiver) const;
+	void add_receiver(int64_t receiver, double time);
+	void remove_receiver(int64_t receiver);
+	bool has_receiver(int64_t receiver) const;
 
-	godot::TypedArray<godot::Dictionary> flush(double p_time);
-	godot::String accept(int64_t p_receiver, const godot::PackedByteArray &p_answer, double p_time);
-	godot::Dictionary get_statistics(int64_t p_receiver) const;
+	godot::TypedArray<godot::Dictionary> flush(double time);
+	godot::String accept(int64_t receiver, const godot::PackedByteArray &packet, double time);
+	godot::Dictionary get_statistics(int64_t receiver) const;
 	int64_t get_moving_count() const;
 
 protected:

@@ -2,7 +2,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
-// What the inspector shows, and the names that scripts use.
+// Properties, methods and signals.
 
 namespace ga_godot {
 
@@ -11,33 +11,19 @@ using godot::StringName;
 using godot::TypedArray;
 using godot::vformat;
 
-void MotorSynchronizer::set_targets(const TypedArray<NodePath> &p_paths) {
-	_paths = p_paths;
-	_targets_stale = true;
-	_watch_in = 0;
+void MotorSynchronizer::set_targets(const TypedArray<NodePath> &paths) {
+	_selection.set_paths(paths);
+	_frames_to_check = 0;
 }
 
-TypedArray<NodePath> MotorSynchronizer::get_targets() const {
-	return _paths;
+void MotorSynchronizer::set_target_group(const StringName &group) {
+	_selection.set_group(group);
+	_frames_to_check = 0;
 }
 
-void MotorSynchronizer::set_target_group(const StringName &p_group) {
-	_group = p_group;
-	_targets_stale = true;
-	_watch_in = 0;
-}
-
-StringName MotorSynchronizer::get_target_group() const {
-	return _group;
-}
-
-void MotorSynchronizer::set_channel(int64_t p_channel) {
-	ERR_FAIL_COND_MSG(p_channel < 0 || p_channel > 255, vformat("MotorSynchronizer: channel is 0 to 255, not %d.", p_channel));
-	_channel = p_channel;
-}
-
-int64_t MotorSynchronizer::get_channel() const {
-	return _channel;
+void MotorSynchronizer::set_channel(int64_t channel) {
+	ERR_FAIL_COND_MSG(channel < 0 || channel > 255, vformat("MotorSynchronizer: channel is %d, but must be 0 to 255.", channel));
+	_channel = channel;
 }
 
 void MotorSynchronizer::_bind_methods() {
@@ -67,7 +53,7 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
 
-	// For signals of the engine's and for its debugger.
+	// Callbacks of the engine's signals and monitors.
 	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
 	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
 	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);

@@ -1,5 +1,7 @@
 #include "godot/net/motor_synchronizer.hpp"
 
+#include "net/session/path_hash.hpp"
+
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/array.hpp>
@@ -8,7 +10,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-// What is replicated: nodes by path, by group and by add_target, as they come and go.
+// Maps nodes to bodies and back.
 
 namespace ga_godot {
 
@@ -18,52 +20,27 @@ using godot::Node;
 using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
-using godot::ObjectDB;
-using godot::String;
+using godot::Transform3D;
 using godot::TypedArray;
 using godot::vformat;
 
-// Nobody tells when a node joins a group or leaves it: the number of its members is looked at in each tick, the
-// members themselves this often.
-static constexpr int64_t TICKS_BETWEEN_REFRESHES = 15;
-
-static bool erase(std::vector<uint64_t> &r_ids, uint64_t p_id) {
-	const auto found = std::find(r_ids.begin(), r_ids.end(), p_id);
-	if (found == r_ids.end()) {
-		return false;
-	}
-	r_ids.erase(found);
-	return true;
+static Target *find_target(std::vector<Target> &targets, uint64_t id) {
+	const auto found = std::find_if(targets.begin(), targets.end(), [id](const Target &target) { return target.node == id; });
+	return found != targets.end() ? &*found : nullptr;
 }
 
-static bool contains(const std::vector<uint64_t> &p_ids, uint64_t p_id) {
-	return std::find(p_ids.begin(), p_ids.end(), p_id) != p_ids.end();
-}
-
-Node3D *MotorSynchronizer::node_of(uint64_t p_id) {
-	return Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
-}
-
-void MotorSynchronizer::add_target(Node3D *p_node) {
-	ERR_FAIL_NULL_MSG(p_node, "MotorSynchronizer.add_target: the node is null.");
-	erase(_excluded, p_node->get_instance_id());
-	if (!contains(_added, p_node->get_instance_id())) {
-		_added.push_back(p_node->get_instance_id());
-	}
-	_targets_stale = true;
-	if (_running) {
+void MotorSynchronizer::add_target(Node3D *node) {
+	ERR_FAIL_NULL_MSG(node, "MotorSynchronizer.add_target: the node is null.");
+	_selection.add(node->get_instance_id());
+	if (_is_running) {
 		refresh_targets();
 	}
 }
 
-void MotorSynchronizer::remove_target(Node3D *p_node) {
-	ERR_FAIL_NULL_MSG(p_node, "MotorSynchronizer.remove_target: the node is null.");
-	erase(_added, p_node->get_instance_id());
-	if (!contains(_excluded, p_node->get_instance_id())) {
-		_excluded.push_back(p_node->get_instance_id());
-	}
-	_targets_stale = true;
-	if (_running) {
+void MotorSynchronizer::remove_target(Node3D *node) {
+	ERR_FAIL_NULL_MSG(node, "MotorSynchronizer.remove_target: the node is null.");
+	_selection.remove(node->get_instance_id());
+	if (_is_running) {
 		refresh_targets();
 	}
 }
@@ -71,85 +48,35 @@ void MotorSynchronizer::remove_target(Node3D *p_node) {
 TypedArray<Node3D> MotorSynchronizer::get_active_targets() const {
 	TypedArray<Node3D> nodes;
 	for (const Target &target : _targets) {
-		nodes.push_back(node_of(target.node));
+		nodes.push_back(find_node(target.node));
 	}
 	return nodes;
 }
 
-MotorSynchronizer::Target *MotorSynchronizer::find_target(uint64_t p_id) {
-	const auto found = std::find_if(_targets.begin(), _targets.end(), [&](const Target &p_target) { return p_target.node == p_id; });
-	return found != _targets.end() ? &*found : nullptr;
-}
-
-/// Ids of all nodes that should be replicated now, each once.
-std::vector<uint64_t> MotorSynchronizer::find_targets() {
-	std::vector<uint64_t> ids;
-	const auto is_gone = [](uint64_t p_id) { return ObjectDB::get_instance(p_id) == nullptr; };
-	_added.erase(std::remove_if(_added.begin(), _added.end(), is_gone), _added.end());
-	_excluded.erase(std::remove_if(_excluded.begin(), _excluded.end(), is_gone), _excluded.end());
-	std::unordered_set<uint64_t> seen(_excluded.begin(), _excluded.end());
-	const bool everywhere = _root == String("/root/");
-	const Node *root = everywhere ? nullptr : get_node_or_null(_root);
-	// Other branches of the tree may have a MultiplayerAPI, and a synchronizer, of their own.
-	const auto gather = [&](Node3D *p_node) {
-		if (p_node->is_inside_tree() && seen.insert(p_node->get_instance_id()).second && (everywhere || root == nullptr || root->is_ancestor_of(p_node))) {
-			ids.push_back(p_node->get_instance_id());
-		}
-	};
-	_unresolved.clear();
-	for (int64_t i = 0; i < _paths.size(); i++) {
-		const NodePath path = _paths[i];
-		if (path.is_empty()) {
-			continue;
-		}
-		if (Node3D *node = Object::cast_to<Node3D>(get_node_or_null(path))) {
-			gather(node);
-		} else {
-			_unresolved.push_back(path);
-		}
-	}
-	for (const uint64_t id : _added) {
-		gather(node_of(id));
-	}
-	if (_group != godot::StringName()) {
-		const TypedArray<Node> members = get_tree()->get_nodes_in_group(_group);
-		_group_count = members.size();
-		for (int64_t i = 0; i < members.size(); i++) {
-			if (Node3D *node = Object::cast_to<Node3D>(members[i].get_validated_object())) {
-				gather(node);
-			}
-		}
-	}
-	return ids;
-}
-
-bool MotorSynchronizer::is_refresh_due() {
-	if (_targets_stale || --_refresh_in <= 0) {
-		return true;
-	}
-	if (_group != godot::StringName() && get_tree()->get_node_count_in_group(_group) != _group_count) {
-		return true;
-	}
-	return std::any_of(_unresolved.begin(), _unresolved.end(), [this](const NodePath &p_path) { return Object::cast_to<Node3D>(get_node_or_null(p_path)) != nullptr; });
+void MotorSynchronizer::teleport(Node3D *node) {
+	ERR_FAIL_NULL_MSG(node, "MotorSynchronizer.teleport: the node is null.");
+	const Target *target = find_target(_targets, node->get_instance_id());
+	ERR_FAIL_NULL_MSG(target, vformat("MotorSynchronizer.teleport: %s is not a target of %s.", node->get_name(), get_name()));
+	const int32_t authority = node->get_multiplayer_authority();
+	ERR_FAIL_COND_MSG(_session.is_connected() && authority != _session.self(), vformat("MotorSynchronizer.teleport: only the authority of %s, peer %d, can teleport it.", node->get_name(), authority));
+	_session.teleport(target->body);
 }
 
 void MotorSynchronizer::refresh_targets() {
-	// Before the first tick nodes may still be about to enter, and the multiplayer root is not known.
-	if (_api.is_null() || !is_refresh_due()) {
+	// Before the first tick, nodes may still be entering the tree, and the multiplayer root is unknown.
+	if (_api.is_null() || !_selection.is_refresh_due(*this)) {
 		return;
 	}
-	_targets_stale = false;
-	_refresh_in = TICKS_BETWEEN_REFRESHES;
-	std::vector<uint64_t> ids = find_targets();
+	std::vector<uint64_t> ids = _selection.find(*this, _root);
 	if (ids == _found) {
 		return;
 	}
 	_found = ids;
-	const std::unordered_set<uint64_t> wanted(ids.begin(), ids.end());
+	const std::unordered_set<uint64_t> selected(ids.begin(), ids.end());
 	std::unordered_set<uint64_t> present;
 	std::vector<uint64_t> removed, added;
 	for (size_t i = _targets.size(); i-- > 0;) {
-		if (wanted.count(_targets[i].node) == 0) {
+		if (selected.count(_targets[i].node) == 0) {
 			removed.push_back(_targets[i].node);
 			end_target(i);
 		} else {
@@ -157,109 +84,148 @@ void MotorSynchronizer::refresh_targets() {
 		}
 	}
 	for (const uint64_t id : ids) {
-		if (present.count(id) == 0 && begin_target(id)) {
+		if (present.count(id) != 0) {
+			continue;
+		}
+		Node3D *node = find_node(id);
+		const Target target(id, net::path_body(to_utf8(relative_path(node))));
+		if (claim_body(target)) {
+			node->connect("tree_exiting", Callable(this, "_on_target_exiting").bindv(Array{ id }));
+			_targets.push_back(target);
 			added.push_back(id);
 		}
 	}
-	// Last, because who hears it may change everything.
+	// Last: the handlers may change anything.
 	for (const uint64_t id : removed) {
-		if (Node3D *node = node_of(id)) {
+		if (Node3D *node = find_node(id)) {
 			emit_signal("target_removed", node);
 		}
 	}
 	for (const uint64_t id : added) {
-		if (Node3D *node = node_of(id)) {
+		if (Node3D *node = find_node(id)) {
 			emit_signal("target_added", node);
 		}
 	}
 }
 
-uint32_t MotorSynchronizer::body_of(const Node3D *p_node) const {
-	return net::path_body(to_utf8(relative_path(p_node)));
-}
-
-/// False if the node cannot be told from another one, which is reported once.
-bool MotorSynchronizer::begin_target(uint64_t p_id) {
-	Node3D *node = node_of(p_id);
-	Target target;
-	target.node = p_id;
-	target.body = body_of(node);
-	if (!claim_body(target)) {
-		return false;
-	}
-	node->connect("tree_exiting", Callable(this, "_on_target_exiting").bindv(Array{ p_id }));
-	_targets.push_back(target);
-	return true;
-}
-
-bool MotorSynchronizer::claim_body(const Target &p_target) {
-	const auto [holder, claimed] = _node_of_body.emplace(p_target.body, p_target.node);
-	if (claimed) {
-		erase(_refused, p_target.node);
+/// Returns false, and reports it once, if another target has the same body.
+bool MotorSynchronizer::claim_body(const Target &target) {
+	const auto [holder, is_claimed] = _node_of_body.emplace(target.body, target.node);
+	const auto refused = std::find(_refused.begin(), _refused.end(), target.node);
+	if (is_claimed) {
+		if (refused != _refused.end()) {
+			_refused.erase(refused);
+		}
 		return true;
 	}
-	if (!contains(_refused, p_target.node)) {
-		_refused.push_back(p_target.node);
-		const Node3D *other = node_of(holder->second);
-		ERR_PRINT(vformat("MotorSynchronizer %s: the paths of %s and %s have the same hash, by which peers know bodies. The first is not replicated; rename one of them.", get_path(), node_of(p_target.node)->get_path(), other != nullptr ? other->get_path() : NodePath()));
+	if (refused == _refused.end()) {
+		_refused.push_back(target.node);
+		const Node3D *other = find_node(holder->second);
+		ERR_PRINT(vformat("MotorSynchronizer %s: the paths of %s and %s have the same hash, so peers cannot tell them apart. The first is not replicated; rename one of them on all peers.", get_path(), find_node(target.node)->get_path(), other != nullptr ? other->get_path() : NodePath()));
 	}
 	return false;
 }
 
-void MotorSynchronizer::end_target(size_t p_index) {
-	Target &target = _targets[p_index];
-	if (target.sent) {
-		_sender->remove_body(target.body);
-	}
-	if (Node3D *node = node_of(target.node)) {
-		release(target, node);
+void MotorSynchronizer::end_target(size_t index) {
+	Target &target = _targets[index];
+	target.release();
+	if (Node3D *node = find_node(target.node)) {
 		node->disconnect("tree_exiting", Callable(this, "_on_target_exiting"));
 	}
 	const auto holder = _node_of_body.find(target.body);
 	if (holder != _node_of_body.end() && holder->second == target.node) {
+		_session.remove_body(target.body);
 		_node_of_body.erase(holder);
 	}
-	_targets[p_index] = _targets.back();
+	_targets[index] = _targets.back();
 	_targets.pop_back();
 	_found.clear();
-	_streams_stale = true;
 }
 
-/// A name above or at a target changed: bodies are known by paths.
+/// Updates the bodies after a target, or a node above it, was renamed: a body is the hash of a path.
 void MotorSynchronizer::rename_targets() {
-	_names_stale = false;
+	_are_names_stale = false;
 	update_key();
 	_node_of_body.clear();
 	for (size_t i = _targets.size(); i-- > 0;) {
 		Target &target = _targets[i];
-		const Node3D *node = node_of(target.node);
-		const uint32_t body = node != nullptr ? body_of(node) : target.body;
-		if (body != target.body && target.sent) {
-			_sender->remove_body(target.body);
-			target.sent = false;
+		const Node3D *node = find_node(target.node);
+		const uint32_t body = node != nullptr ? net::path_body(to_utf8(relative_path(node))) : target.body;
+		if (body != target.body) {
+			_session.remove_body(target.body);
+			target.authority = 0;
+			target.body = body;
 		}
-		target.body = body;
 		if (!claim_body(target)) {
 			end_target(i);
 		}
 	}
 }
 
-void MotorSynchronizer::_on_target_exiting(int64_t p_id) {
-	const Target *target = find_target(uint64_t(p_id));
+void MotorSynchronizer::sample_targets() {
+	for (Target &target : _targets) {
+		Node3D *node = find_node(target.node);
+		if (node == nullptr) {
+			continue;
+		}
+		const int32_t authority = node->get_multiplayer_authority();
+		if (authority != target.authority) {
+			target.release();
+			target.authority = authority;
+			target.forget_transform();
+			_session.set_owner(target.body, authority);
+		}
+		if (authority != _session.self() || !_session.is_sending()) {
+			continue;
+		}
+		const Transform3D transform = node->get_transform();
+		if (target.is_unchanged(transform) && _session.observe(target.body)) {
+			continue;
+		}
+		const auto pose = target.read_pose(transform, get_path());
+		if (!pose) {
+			_session.observe(target.body);
+		} else if (_session.observe(target.body, *pose)) {
+			target.clear_fault();
+		} else {
+			target.report_out_of_range(get_path());
+		}
+	}
+}
+
+void MotorSynchronizer::show_streams() {
+	const bool is_interpolated = get_tree()->is_physics_interpolation_enabled();
+	const net::Receiver *stream = nullptr;
+	int32_t authority = 0;
+	for (Target &target : _targets) {
+		if (target.authority == _session.self()) {
+			continue;
+		}
+		if (target.authority != authority) {
+			authority = target.authority;
+			stream = _session.stream(authority);
+		}
+		if (const auto pose = stream != nullptr ? stream->pose(target.body) : std::nullopt) {
+			target.place(to_godot(*pose), is_interpolated);
+		}
+	}
+}
+
+void MotorSynchronizer::_on_target_exiting(int64_t id) {
+	const Target *target = find_target(_targets, uint64_t(id));
 	if (target == nullptr) {
 		return;
 	}
 	end_target(size_t(target - _targets.data()));
-	// It may be on its way to another place.
-	_targets_stale = true;
-	emit_signal("target_removed", node_of(uint64_t(p_id)));
+	// Its parent may be changing.
+	_selection.invalidate();
+	emit_signal("target_removed", find_node(uint64_t(id)));
 }
 
-void MotorSynchronizer::_on_node_renamed(const godot::Variant &p_node) {
-	const Node *renamed = Object::cast_to<Node>(p_node.get_validated_object());
-	const auto is_above = [renamed](Node *p_below) { return p_below != nullptr && (renamed == p_below || renamed->is_ancestor_of(p_below)); };
-	_names_stale = _names_stale || is_above(this) || std::any_of(_targets.begin(), _targets.end(), [&](const Target &p_target) { return is_above(node_of(p_target.node)); });
+void MotorSynchronizer::_on_node_renamed(const godot::Variant &node) {
+	const Node *renamed = Object::cast_to<Node>(node.get_validated_object());
+	const auto is_above = [renamed](Node *below) { return below != nullptr && (renamed == below || renamed->is_ancestor_of(below)); };
+	_are_names_stale = _are_names_stale || is_above(this) || std::any_of(_targets.begin(), _targets.end(), [&](const Target &target) { return is_above(find_node(target.node)); });
 }
 
 } // namespace ga_godot

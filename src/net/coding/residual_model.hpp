@@ -15,12 +15,12 @@ public:
 
 	void add(int32_t value) {
 		const int32_t magnitude = value < 0 ? -value : value;
-		_mean += ((magnitude < MOST ? magnitude : MOST) * 256 - _mean) / 8;
+		_mean += ((magnitude < MAX ? magnitude : MAX) * 256 - _mean) / 8;
 	}
 	[[nodiscard]] int32_t value() const { return _mean; }
 	void set_value(int32_t mean) { _mean = mean; }
 
-	static constexpr int32_t MOST = 1024;
+	static constexpr int32_t MAX = 1024;
 
 private:
 	int32_t _mean;

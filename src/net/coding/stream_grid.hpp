@@ -1,6 +1,6 @@
 #pragma once
 
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <cmath>
 
@@ -17,13 +17,13 @@ struct StreamGrid {
 	static constexpr int COARSE = 8;
 	static constexpr int HALF = 4;
 	/// Steps between values of a bend. It shows at a quarter of its size in the middle of a segment, less elsewhere.
-	static constexpr int BEND = 28;
+	static constexpr int CURVATURE = 28;
 	/// The tolerance in steps: with sqrt(3)/2 + sqrt(2)/2 of a half step as the largest rounding, it is never too coarse.
 	static constexpr double TOLERANCE = COARSE / 0.9;
 
 	double position = 0.0; ///< metres
 	double rotation = 0.0; ///< radians
-	double lever = 0.0; ///< metres
+	double lever_arm = 0.0; ///< metres
 
 	/// What the search may use of the tolerances; the rest is for the network, clocks and floats.
 	static constexpr double USED = 0.95;
@@ -31,9 +31,9 @@ struct StreamGrid {
 	StreamGrid() = default;
 	StreamGrid(float position_tolerance, float rotation_tolerance) {
 		const double radians = double(rotation_tolerance) * (3.14159265358979323846 / 180.0);
-		lever = std::sqrt(1.5) * double(position_tolerance) / radians;
+		lever_arm = std::sqrt(1.5) * double(position_tolerance) / radians;
 		position = USED * double(position_tolerance) / TOLERANCE;
-		rotation = position / lever;
+		rotation = position / lever_arm;
 	}
 };
 

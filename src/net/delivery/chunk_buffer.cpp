@@ -11,8 +11,8 @@ void ChunkBuffer::empty(Slot &slot) {
 }
 
 void ChunkBuffer::restart(uint8_t next) {
-	// What came before the state, and belongs behind it, is kept. What waited for its turn before `next` is not: its
-	// numbers will be used again.
+	// Chunks after the snapshot may have arrived before it: keep them. Drop those before `next`: their numbers will be
+	// used again.
 	const uint8_t forward = uint8_t(next - _next);
 	const int skipped = _started && forward < 256 - AHEAD / 2 ? forward : 0;
 	for (int i = 0; i < 256; ++i) {
@@ -33,55 +33,54 @@ void ChunkBuffer::forget() {
 	_broken = false;
 }
 
-bool ChunkBuffer::add(const ChunkItem &chunk, uint8_t &number) {
-	number = chunk.number;
+std::optional<uint8_t> ChunkBuffer::add(const ChunkItem &chunk) {
+	uint8_t number = chunk.number;
 	if (chunk.is_short) {
-		// Of the numbers with these low bits the one in reach.
+		// The number in reach that has these low bits.
 		const uint8_t lowest = uint8_t(first_missing() - ChunkItem::SHORT_REACH);
 		number = uint8_t(lowest + ((chunk.number - lowest) & 15));
 	}
 	Slot &slot = _slots[number];
 	if (slot.full || (_started ? uint8_t(number - _next) >= AHEAD : chunk.is_short)) {
-		return false;
+		return std::nullopt;
 	}
 	slot.full = true;
 	slot.first = chunk.first;
 	slot.last = chunk.last;
-	slot.check = chunk.check;
-	slot.check_mask = chunk.is_short ? 7 : 255;
+	slot.check = { chunk.check, uint8_t(chunk.is_short ? 7 : 255) };
 	if (!_spare.empty()) {
 		slot.bytes.swap(_spare.back());
 		_spare.pop_back();
 	}
 	slot.bytes.assign(chunk.bytes, chunk.bytes + chunk.size);
-	return true;
+	return number;
 }
 
-bool ChunkBuffer::take_window(std::vector<uint8_t> &window, uint8_t &check, uint8_t &check_mask) {
+std::optional<WindowCheck> ChunkBuffer::take_window(std::vector<uint8_t> &window) {
 	if (!_started || _broken) {
-		return false;
+		return std::nullopt;
 	}
 	int count = 0;
 	for (bool last = false; !last; ++count) {
 		const Slot &slot = _slots[uint8_t(_next + count)];
 		if (count == AHEAD || !slot.full) {
-			return false;
+			return std::nullopt;
 		}
 		if (slot.first != (count == 0)) {
 			_broken = true;
-			return false;
+			return std::nullopt;
 		}
 		last = slot.last;
 	}
 	window.clear();
+	WindowCheck check;
 	for (int i = 0; i < count; ++i) {
 		Slot &slot = _slots[_next++];
 		window.insert(window.end(), slot.bytes.begin(), slot.bytes.end());
 		check = slot.check;
-		check_mask = slot.check_mask;
 		empty(slot);
 	}
-	return true;
+	return check;
 }
 
 uint8_t ChunkBuffer::first_missing() const {

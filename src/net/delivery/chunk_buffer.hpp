@@ -1,30 +1,32 @@
 #pragma once
 
 #include "net/delivery/packet.hpp"
+#include "net/stream/stream_header.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace net {
 
-/// Chunks that have arrived, in any order, until their windows are complete.
+/// Reorders chunks until their windows are complete.
 class ChunkBuffer {
 public:
-	/// Chunks beyond the next one that are kept.
+	/// Chunks ahead of the next one that the buffer keeps.
 	static constexpr uint8_t AHEAD = 128;
 
-	/// Forgets all; the next chunk will be `next`.
+	/// The next chunk of the stream is `next`. Chunks after it that have arrived are kept.
 	void restart(uint8_t next);
-	/// Before `restart` all chunks are kept, as nobody knows which is the next.
+	/// Drops everything. Until `restart` the buffer keeps all chunks, as it does not know which comes next.
 	void forget();
-	/// False if it is known already, too far ahead, or short before `restart`. `number` becomes all 8 bits of its number.
-	bool add(const ChunkItem &chunk, uint8_t &number);
-	/// Puts the next window together if all of it is there, and moves on behind it. `check` is that of its last
-	/// chunk, of which `check_mask` has the bits that were sent.
-	bool take_window(std::vector<uint8_t> &window, uint8_t &check, uint8_t &check_mask);
-	/// True if the next chunks are no window: they do not begin with a first one, or a first one comes before a last.
+	/// The chunk's number with all 8 bits. Nothing if the chunk has arrived before, is too far ahead, or is short and comes
+	/// before `restart`.
+	std::optional<uint8_t> add(const ChunkItem &chunk);
+	/// If the next window is complete: replaces `window` with it, moves on behind it, and returns its checksum.
+	std::optional<WindowCheck> take_window(std::vector<uint8_t> &window);
+	/// True if the next chunks do not form a window: the first is not marked first, or a later one is.
 	[[nodiscard]] bool is_broken() const { return _broken; }
 	[[nodiscard]] AckItem ack() const;
 
@@ -33,13 +35,12 @@ private:
 		bool full = false;
 		bool first = false;
 		bool last = false;
-		uint8_t check = 0;
-		uint8_t check_mask = 0;
+		WindowCheck check;
 		std::vector<uint8_t> bytes;
 	};
 
 	[[nodiscard]] uint8_t first_missing() const;
-	/// Takes what is in a slot out, and keeps its memory for the next chunk.
+	/// Empties a slot and keeps its memory for the next chunk.
 	void empty(Slot &slot);
 
 	std::array<Slot, 256> _slots;

@@ -5,12 +5,12 @@
 namespace net {
 
 void ChunkRing::push_window(const std::vector<uint8_t> &window, uint8_t check) {
-	// Beside a chunk there is room for a round trip.
-	constexpr size_t MOST = size_t(MAX_PACKET_BYTES) - CHUNK_HEADER - ROUND_TRIP_BYTES;
+	// A packet has room for a chunk and a round trip.
+	constexpr size_t MAX_SIZE = size_t(MAX_PACKET_BYTES) - CHUNK_HEADER - ROUND_TRIP_BYTES;
 	size_t at = 0;
 	do {
 		Chunk &chunk = _chunks[_next++ % RING];
-		const size_t size = std::min(MOST, window.size() - at);
+		const size_t size = std::min(MAX_SIZE, window.size() - at);
 		chunk.size = size;
 		std::copy_n(window.begin() + ptrdiff_t(at), size, chunk.bytes.begin());
 		chunk.first = at == 0;

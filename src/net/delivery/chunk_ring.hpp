@@ -1,7 +1,7 @@
 #pragma once
 
 #include "net/delivery/packet.hpp"
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace net {
 
-/// The windows of a stream in pieces, the last RING of them.
+/// The last RING chunks of a stream, for retransmission.
 class ChunkRing {
 public:
 	static constexpr uint32_t RING = 256;
@@ -26,10 +26,10 @@ public:
 	ChunkRing() :
 			_chunks(RING) {}
 
-	/// Cuts a window up.
+	/// Splits a window into chunks.
 	void push_window(const std::vector<uint8_t> &window, uint8_t check);
 	[[nodiscard]] const Chunk &chunk(uint32_t number) const { return _chunks[number % RING]; }
-	/// The number that the next chunk will get.
+	/// The number of the next chunk.
 	[[nodiscard]] uint32_t next() const { return _next; }
 
 private:

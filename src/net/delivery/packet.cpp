@@ -1,6 +1,6 @@
 #include "net/delivery/packet.hpp"
 
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,19 @@ namespace net {
 
 namespace {
 
-// First bytes. A short chunk is 0 check(3) number(4), a chunk 10 first last length-follows 000, everything else 11.
+// First byte of an item: short chunk 0 check(3) number(4); chunk 10 first last has-length 000; others 11.
 constexpr uint8_t SHORT_CHUNK_BELOW = 0x80;
 constexpr uint8_t CHUNK = 0x80;
 constexpr uint8_t CHUNK_FIRST = 0x20;
 constexpr uint8_t CHUNK_LAST = 0x10;
 constexpr uint8_t CHUNK_LENGTH = 0x08;
 constexpr uint8_t CHUNK_BELOW = 0xc0;
-constexpr uint8_t STATE_PART = 0xe0;
+constexpr uint8_t FRAGMENT = 0xe0;
 constexpr uint8_t ROUND_TRIP = 0xe1;
 constexpr uint8_t ACK = 0xc0;
 constexpr uint8_t ACK_WITH_LATER = 0xc1;
-constexpr uint8_t STATE_WISH = 0xc2;
-constexpr uint8_t STATE_ACK = 0xc3;
+constexpr uint8_t SNAPSHOT_REQUEST = 0xc2;
+constexpr uint8_t SNAPSHOT_ACK = 0xc3;
 
 constexpr double ROUND_TRIP_STEPS = 10000.0; // a second
 
@@ -31,7 +31,7 @@ void put(std::vector<uint8_t> &packet, uint64_t value, int bytes) {
 	}
 }
 
-/// Reads little endian numbers; past the end zeros, and it stays failed.
+/// Reads little-endian numbers. Past the end it returns zeros and stays failed.
 class ByteReader {
 public:
 	ByteReader(const uint8_t *bytes, size_t size) :
@@ -84,23 +84,23 @@ void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	content.chunks.push_back(chunk);
 }
 
-void read_state_part(ByteReader &reader, PacketContent &content) {
-	StatePartItem part;
-	part.state = uint8_t(reader.number(1));
-	part.next_chunk = uint8_t(reader.number(1));
-	part.part = uint16_t(reader.number(2));
-	part.parts = uint16_t(reader.number(2));
-	part.size = size_t(reader.number(2));
-	part.bytes = reader.take(part.size);
-	content.parts.push_back(part);
+void read_fragment(ByteReader &reader, PacketContent &content) {
+	FragmentItem fragment;
+	fragment.snapshot = uint8_t(reader.number(1));
+	fragment.next_chunk = uint8_t(reader.number(1));
+	fragment.index = uint16_t(reader.number(2));
+	fragment.count = uint16_t(reader.number(2));
+	fragment.size = size_t(reader.number(2));
+	fragment.bytes = reader.take(fragment.size);
+	content.fragments.push_back(fragment);
 }
 
-void read_state_ack(ByteReader &reader, PacketContent &content) {
-	StateAckItem ack;
-	ack.state = uint8_t(reader.number(1));
+void read_snapshot_ack(ByteReader &reader, PacketContent &content) {
+	SnapshotAckItem ack;
+	ack.snapshot = uint8_t(reader.number(1));
 	ack.next = uint16_t(reader.number(2));
 	ack.later = uint32_t(reader.number(4));
-	content.state_acks.push_back(ack);
+	content.snapshot_acks.push_back(ack);
 }
 
 } // namespace
@@ -121,14 +121,14 @@ void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_las
 	packet.insert(packet.end(), chunk.bytes, chunk.bytes + chunk.size);
 }
 
-void put_state_part(std::vector<uint8_t> &packet, const StatePartItem &part) {
-	packet.push_back(STATE_PART);
-	packet.push_back(part.state);
-	packet.push_back(part.next_chunk);
-	put(packet, part.part, 2);
-	put(packet, part.parts, 2);
-	put(packet, part.size, 2);
-	packet.insert(packet.end(), part.bytes, part.bytes + part.size);
+void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
+	packet.push_back(FRAGMENT);
+	packet.push_back(fragment.snapshot);
+	packet.push_back(fragment.next_chunk);
+	put(packet, fragment.index, 2);
+	put(packet, fragment.count, 2);
+	put(packet, fragment.size, 2);
+	packet.insert(packet.end(), fragment.bytes, fragment.bytes + fragment.size);
 }
 
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
@@ -145,15 +145,15 @@ void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
 	}
 }
 
-void put_state_ack(std::vector<uint8_t> &packet, const StateAckItem &ack) {
-	packet.push_back(STATE_ACK);
-	packet.push_back(ack.state);
+void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack) {
+	packet.push_back(SNAPSHOT_ACK);
+	packet.push_back(ack.snapshot);
 	put(packet, ack.next, 2);
 	put(packet, ack.later, 4);
 }
 
-void put_state_wish(std::vector<uint8_t> &packet) {
-	packet.push_back(STATE_WISH);
+void put_snapshot_request(std::vector<uint8_t> &packet) {
+	packet.push_back(SNAPSHOT_REQUEST);
 }
 
 void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
@@ -161,26 +161,26 @@ void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
 	put(packet, uint64_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))), 2);
 }
 
-const char *read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
+PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
 	content.chunks.clear();
-	content.parts.clear();
+	content.fragments.clear();
 	content.acks.clear();
-	content.state_acks.clear();
-	content.wants_state = false;
+	content.snapshot_acks.clear();
+	content.requests_snapshot = false;
 	content.round_trip = 0.0;
 	if (size == 0) {
-		return "the packet is empty";
+		return PacketError::EMPTY;
 	}
 	if (size > size_t(MAX_PACKET_BYTES)) {
-		return "the packet is longer than any that is sent";
+		return PacketError::TOO_LONG;
 	}
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
 		const uint8_t kind = uint8_t(reader.number(1));
 		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & 7) == 0)) {
 			read_chunk(reader, kind, content);
-		} else if (kind == STATE_PART) {
-			read_state_part(reader, content);
+		} else if (kind == FRAGMENT) {
+			read_fragment(reader, content);
 		} else if (kind == ROUND_TRIP) {
 			content.round_trip = double(reader.number(2)) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
@@ -189,23 +189,23 @@ const char *read_packet(const uint8_t *packet, size_t size, PacketContent &conte
 			if (kind == ACK_WITH_LATER) {
 				const uint64_t bytes = reader.number(1);
 				if (bytes < 1 || bytes > 8) {
-					return "the packet's list of what arrived is of a wrong length";
+					return PacketError::BAD_ACK;
 				}
 				ack.later = reader.number(int(bytes));
 			}
 			content.acks.push_back(ack);
-		} else if (kind == STATE_WISH) {
-			content.wants_state = true;
-		} else if (kind == STATE_ACK) {
-			read_state_ack(reader, content);
+		} else if (kind == SNAPSHOT_REQUEST) {
+			content.requests_snapshot = true;
+		} else if (kind == SNAPSHOT_ACK) {
+			read_snapshot_ack(reader, content);
 		} else {
-			return "the packet holds something of an unknown kind";
+			return PacketError::UNKNOWN_ITEM;
 		}
 		if (reader.failed()) {
-			return "the packet is cut off";
+			return PacketError::TRUNCATED;
 		}
 	}
-	return nullptr;
+	return {};
 }
 
 } // namespace net

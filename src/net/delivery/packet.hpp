@@ -1,5 +1,7 @@
 #pragma once
 
+#include "net/stream/packet_error.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,71 +10,68 @@
 
 namespace net {
 
-/// Of the format of streams; a receiver of another one says so.
-inline constexpr uint8_t STREAM_VERSION = 1;
-
-/// A piece of a window, numbered in the order of the stream.
+/// A piece of a window. Chunks are numbered in the order of the stream.
 struct ChunkItem {
-	/// A short chunk is less than this behind or ahead of the first one that its receiver lacks.
+	/// A chunk may use the short form while its number is less than this away from the first chunk the receiver lacks.
 	static constexpr uint8_t SHORT_REACH = 8;
 
-	uint8_t number = 0; ///< the low 8 bits; of a short one the low 4
+	uint8_t number = 0; ///< the low 8 bits; in the short form the low 4
 	bool first = false; ///< of its window
 	bool last = false; ///< of its window
-	uint8_t check = 0; ///< of the state after the window, 8 bits; of a short one the low 3; 0 but in the last chunk
+	uint8_t check = 0; ///< checksum of the stream's state after the window: 8 bits, in the short form 3; 0 but in the last chunk
 	const uint8_t *bytes = nullptr;
 	size_t size = 0;
-	bool is_short = false; ///< a whole window, in the form with a header of one byte and 3 bits of the check
+	bool is_short = false; ///< a whole window behind a header of one byte
 };
 
-/// A piece of a whole state.
-struct StatePartItem {
-	uint8_t state = 0; ///< number of the state
-	uint8_t next_chunk = 0; ///< the first chunk after it
-	uint16_t part = 0;
-	uint16_t parts = 0;
+/// A piece of a snapshot.
+struct FragmentItem {
+	uint8_t snapshot = 0; ///< number of the snapshot
+	uint8_t next_chunk = 0; ///< the first chunk after the snapshot
+	uint16_t index = 0;
+	uint16_t count = 0; ///< of the snapshot's fragments
 	const uint8_t *bytes = nullptr;
 	size_t size = 0;
 };
 
-/// Which chunks have arrived: all before `next`, not `next`, and of those after it the ones whose bits are set.
+/// The chunks that have arrived: all before `next`, not `next` itself, and next + 1 + i for each bit i of `later`.
 struct AckItem {
 	uint8_t next = 0;
 	uint64_t later = 0;
 };
 
-/// Which parts of a state have arrived, likewise.
-struct StateAckItem {
-	uint8_t state = 0;
+/// The fragments of a snapshot that have arrived, in the same form.
+struct SnapshotAckItem {
+	uint8_t snapshot = 0;
 	uint16_t next = 0;
 	uint32_t later = 0;
 };
 
-/// What a packet holds. Pointers lead into the packet.
+/// The items of one packet. Pointers lead into the packet.
 struct PacketContent {
 	std::vector<ChunkItem> chunks;
-	std::vector<StatePartItem> parts;
+	std::vector<FragmentItem> fragments;
 	std::vector<AckItem> acks;
-	std::vector<StateAckItem> state_acks;
-	bool wants_state = false;
-	double round_trip = 0.0; ///< seconds; 0 if it is not told
+	std::vector<SnapshotAckItem> snapshot_acks;
+	bool requests_snapshot = false;
+	double round_trip = 0.0; ///< seconds; 0 if the packet does not contain it
 };
 
-/// Largest number of bytes that the header of a chunk, of a state's part takes.
+/// Maximum size of the header of a chunk and of a fragment, in bytes.
 inline constexpr size_t CHUNK_HEADER = 5;
-inline constexpr size_t STATE_PART_HEADER = 9;
-/// What the item of a round trip takes.
+inline constexpr size_t FRAGMENT_HEADER = 9;
+/// Size of a round-trip item, in bytes.
 inline constexpr size_t ROUND_TRIP_BYTES = 3;
 
-/// Appends an item. A chunk that is the packet's last item leaves its length out, and may be short.
+/// Each appends an item. Only a packet's last chunk omits its length, and only that one may be short.
 void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
-void put_state_part(std::vector<uint8_t> &packet, const StatePartItem &part);
+void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment);
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack);
-void put_state_ack(std::vector<uint8_t> &packet, const StateAckItem &ack);
-void put_state_wish(std::vector<uint8_t> &packet);
+void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack);
+void put_snapshot_request(std::vector<uint8_t> &packet);
 void put_round_trip(std::vector<uint8_t> &packet, double seconds);
 
-/// Reads all of a packet. Null, or what is wrong with it (a literal).
-const char *read_packet(const uint8_t *packet, size_t size, PacketContent &content);
+/// Parses a whole packet into `content`, whose memory is reused. Fails with the reason.
+PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &content);
 
 } // namespace net

@@ -6,33 +6,33 @@ namespace net {
 
 namespace {
 
-/// Seconds in which playback makes good what it is off.
+/// Time constant with which playback approaches its target, in seconds.
 constexpr double SETTLING = 0.4;
-/// Share of the speed by which it goes faster to catch up, slower to fall back.
-constexpr double FASTER = 0.15;
-constexpr double SLOWER = 0.4;
-/// Farther behind than this playback jumps ahead, in seconds.
-constexpr double JUMP = 0.75;
+/// Maximum change of speed, as a share, to catch up and to fall back.
+constexpr double MAX_SPEEDUP = 0.15;
+constexpr double MAX_SLOWDOWN = 0.4;
+/// Farther behind its target than this, in seconds, playback jumps ahead.
+constexpr double MAX_BEHIND = 0.75;
 
 } // namespace
 
 void RecentExtreme::add(double value, double now) {
 	if (_empty) {
-		_this = _before = value;
+		_current = _previous = value;
 		_begin = now;
 		_empty = false;
 		return;
 	}
 	if (now - _begin > _span) {
-		_before = _this;
-		_this = value;
+		_previous = _current;
+		_current = value;
 		_begin = now;
 	}
-	_this = _sign * std::max(_sign * _this, _sign * value);
+	_current = _sign * std::max(_sign * _current, _sign * value);
 }
 
 double RecentExtreme::value() const {
-	return _sign * std::max(_sign * _this, _sign * _before);
+	return _sign * std::max(_sign * _current, _sign * _previous);
 }
 
 void PlaybackClock::start(double end, double delay, double now) {
@@ -49,14 +49,14 @@ void PlaybackClock::observe(double end, double now) {
 	_lateness.add(now - end - _offset.value(), now);
 }
 
-double PlaybackClock::wanted_delay() const {
-	return std::clamp(_need.value(), std::min(_least, _most), _most);
+double PlaybackClock::target_delay() const {
+	return std::clamp(_need.value(), std::min(_min_delay, _max_delay), _max_delay);
 }
 
 double PlaybackClock::rate(double now, double step) const {
-	const double behind = now - _offset.value() - wanted_delay() - (_position + step);
-	// In a long step no more than what it is off.
-	return 1.0 + std::clamp(behind / std::max(SETTLING, step), -SLOWER, FASTER);
+	const double behind = now - _offset.value() - target_delay() - (_position + step);
+	// In a step longer than the time constant, correct no more than the deviation.
+	return 1.0 + std::clamp(behind / std::max(SETTLING, step), -MAX_SLOWDOWN, MAX_SPEEDUP);
 }
 
 double PlaybackClock::media_time_at(double now) const {
@@ -68,8 +68,8 @@ void PlaybackClock::advance(double now) {
 	if (!_running) {
 		return;
 	}
-	const double target = now - _offset.value() - wanted_delay();
-	_position = target - media_time_at(now) > JUMP ? target : media_time_at(now);
+	const double target = now - _offset.value() - target_delay();
+	_position = target - media_time_at(now) > MAX_BEHIND ? target : media_time_at(now);
 	_last = std::max(now, _last);
 }
 

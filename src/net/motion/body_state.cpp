@@ -46,13 +46,13 @@ cga::Pose<double> BodyState::pose(const StreamGrid &grid) const {
 
 void BodyState::rest() {
 	std::fill(_velocity, _velocity + 6, 0);
-	std::fill(_bend, _bend + 6, 0);
+	std::fill(_curvature, _curvature + 6, 0);
 	_ticks = 1;
 	for (int group = 0; group < 2; ++group) {
 		std::fill(_score[group], _score[group] + PREDICTORS, 0);
-		_bent[group] = false;
+		_curved[group] = false;
 		_end_mean[group] = MeanMagnitude(512);
-		_bend_mean[group] = MeanMagnitude(256);
+		_curvature_mean[group] = MeanMagnitude(256);
 	}
 	_scaled = false;
 	active = false;
@@ -64,7 +64,7 @@ int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const 
 		case HOLD:
 			return 0;
 		case ACCELERATED:
-			return steady - int64_t(_bend[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
+			return steady - int64_t(_curvature[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
 		case DAMPED:
 			return steady / 2;
 		default:
@@ -101,10 +101,10 @@ MotionSegment BodyState::segment(const SegmentCode &code, const SegmentSteps &st
 	segment.from = pose(grid);
 	segment.mode = mode;
 	for (int i = 0; i < 3; ++i) {
-		segment.way[i] = double(steps.way[i]) * grid.position;
-		segment.way_bend[i] = double(steps.bend[i]) * grid.position;
-		segment.turn[i] = double(steps.way[3 + i]) * grid.rotation;
-		segment.turn_bend[i] = double(steps.bend[3 + i]) * grid.rotation;
+		segment.displacement[i] = double(steps.displacement[i]) * grid.position;
+		segment.translation_curvature[i] = double(steps.curvature[i]) * grid.position;
+		segment.turn[i] = double(steps.displacement[3 + i]) * grid.rotation;
+		segment.rotation_curvature[i] = double(steps.curvature[3 + i]) * grid.rotation;
 	}
 	if (code.scaled) {
 		segment.scale_ratio = scale_of(_scale + code.scale) / segment.from.scale;
@@ -119,10 +119,10 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 	}
 	double turn = 0.0;
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(_position[i] + steps.way[i]) > MAX_STEPS) {
+		if (std::abs(_position[i] + steps.displacement[i]) > MAX_STEPS) {
 			return false;
 		}
-		turn += std::fabs(double(steps.way[3 + i]) * grid.rotation);
+		turn += std::fabs(double(steps.displacement[3 + i]) * grid.rotation);
 	}
 	if (!(turn < 16.0)) {
 		return false;
@@ -131,10 +131,10 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 		int64_t error[PREDICTORS] = { 0, 0, 0, 0 };
 		for (int i = 3 * group; i < 3 * group + 3; ++i) {
 			const int64_t steady = predicted_by(STEADY, i, code.ticks);
-			error[HOLD] += std::abs(steps.way[i]);
-			error[STEADY] += std::abs(steps.way[i] - steady);
-			error[DAMPED] += std::abs(steps.way[i] - steady / 2);
-			error[ACCELERATED] += std::abs(steps.way[i] - predicted_by(ACCELERATED, i, code.ticks));
+			error[HOLD] += std::abs(steps.displacement[i]);
+			error[STEADY] += std::abs(steps.displacement[i] - steady);
+			error[DAMPED] += std::abs(steps.displacement[i] - steady / 2);
+			error[ACCELERATED] += std::abs(steps.displacement[i] - predicted_by(ACCELERATED, i, code.ticks));
 		}
 		for (int predictor = 0; predictor < PREDICTORS; ++predictor) {
 			_score[group][predictor] += (int32_t(std::min<int64_t>(error[predictor], MAX_SCORE)) * 16 - _score[group][predictor]) / 4;
@@ -143,18 +143,18 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 	for (int i = 0; i < 6; ++i) {
 		const int group = i / 3;
 		_end_mean[group].add(code.fine ? code.end[i] / 2 : code.end[i]);
-		if (code.bent[group]) {
-			_bend_mean[group].add(code.bend[i]);
+		if (code.curved[group]) {
+			_curvature_mean[group].add(code.curvature[i]);
 		}
-		_bent[group] = code.bent[group];
+		_curved[group] = code.curved[group];
 		// Half of the bend's turn of the direction at the end: what it says of the next segment is half noise.
-		_velocity[i] = int32_t(std::clamp((256 * steps.way[i] - 128 * steps.bend[i]) / code.ticks, -MAX_SPEED, MAX_SPEED));
-		_bend[i] = int32_t(std::clamp(steps.bend[i], -MAX_CURVATURE, MAX_CURVATURE));
+		_velocity[i] = int32_t(std::clamp((256 * steps.displacement[i] - 128 * steps.curvature[i]) / code.ticks, -MAX_SPEED, MAX_SPEED));
+		_curvature[i] = int32_t(std::clamp(steps.curvature[i], -MAX_CURVATURE, MAX_CURVATURE));
 	}
 	for (int i = 0; i < 3; ++i) {
-		_position[i] += steps.way[i];
+		_position[i] += steps.displacement[i];
 	}
-	const cga::Vector3<double> vector(double(steps.way[3]), double(steps.way[4]), double(steps.way[5]));
+	const cga::Vector3<double> vector(double(steps.displacement[3]), double(steps.displacement[4]), double(steps.displacement[5]));
 	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation));
 	_ticks = code.ticks;
 	_scale = scale;
@@ -166,7 +166,7 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 
 bool BodyState::settle(const int32_t offset[6], const StreamGrid &grid) {
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(_position[i] + offset[i]) > MAX_STEPS || std::abs(offset[3 + i]) > MeanMagnitude::MOST) {
+		if (std::abs(_position[i] + offset[i]) > MAX_STEPS || std::abs(offset[3 + i]) > MeanMagnitude::MAX) {
 			return false;
 		}
 	}
@@ -186,13 +186,13 @@ bool BodyState::is_valid() const {
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
-		if (std::abs(int64_t(_velocity[i])) > MAX_SPEED || std::abs(int64_t(_bend[i])) > MAX_CURVATURE) {
+		if (std::abs(int64_t(_velocity[i])) > MAX_SPEED || std::abs(int64_t(_curvature[i])) > MAX_CURVATURE) {
 			return false;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
-		for (const MeanMagnitude &mean : { _end_mean[group], _bend_mean[group] }) {
-			if (mean.value() < 0 || mean.value() > MeanMagnitude::MOST * 256) {
+		for (const MeanMagnitude &mean : { _end_mean[group], _curvature_mean[group] }) {
+			if (mean.value() < 0 || mean.value() > MeanMagnitude::MAX * 256) {
 				return false;
 			}
 		}

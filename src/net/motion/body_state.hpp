@@ -1,7 +1,7 @@
 #pragma once
 
 #include "net/coding/lattice_rotation.hpp"
-#include "net/coding/quantisation.hpp"
+#include "net/coding/quantization.hpp"
 #include "net/coding/residual_model.hpp"
 #include "net/coding/stream_grid.hpp"
 #include "net/motion/motion_segment.hpp"
@@ -16,23 +16,23 @@ struct SegmentCode {
 	int ticks = 1;
 	bool fine = false; ///< `end` counts half steps
 	int32_t end[6] = { 0, 0, 0, 0, 0, 0 }; ///< what the prediction of the end is off by
-	bool bent[2] = { false, false }; ///< whether `bend` has anything for translation, rotation
-	int32_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+	bool curved[2] = { false, false }; ///< whether `bend` has anything for translation, rotation
+	int32_t curvature[6] = { 0, 0, 0, 0, 0, 0 };
 	bool scaled = false;
 	int32_t scale = 0; ///< change of the scale's level
 };
 
 /// A segment in steps: where it ends from where it begins, and how it bends.
 struct SegmentSteps {
-	int64_t way[6] = { 0, 0, 0, 0, 0, 0 };
-	int64_t bend[6] = { 0, 0, 0, 0, 0, 0 };
+	int64_t displacement[6] = { 0, 0, 0, 0, 0, 0 };
+	int64_t curvature[6] = { 0, 0, 0, 0, 0, 0 };
 
 	SegmentSteps() = default;
 	/// What a code stands for where these ends are predicted.
 	SegmentSteps(const int64_t predicted[6], const SegmentCode &code) {
 		for (int i = 0; i < 6; ++i) {
-			way[i] = predicted[i] + int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-			bend[i] = code.bent[i / 3] ? int64_t(code.bend[i]) * StreamGrid::BEND : 0;
+			displacement[i] = predicted[i] + int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+			curvature[i] = code.curved[i / 3] ? int64_t(code.curvature[i]) * StreamGrid::CURVATURE : 0;
 		}
 	}
 };
@@ -42,12 +42,12 @@ struct MotionModels {
 	static constexpr int MAX_BITS = 1024; ///< that `visit` visits
 
 	ResidualModel end[2];
-	ResidualModel bend[2];
+	ResidualModel curvature[2];
 	ResidualModel scale;
 	AdaptiveBit active[2][2];
 	AdaptiveBit split[3];
 	AdaptiveBit fine{ 60000 };
-	AdaptiveBit bent[2][2];
+	AdaptiveBit curved[2][2];
 	AdaptiveBit scaled[2] = { AdaptiveBit(65000), AdaptiveBit(10000) };
 	AdaptiveBit settled{ 50000 };
 	AdaptiveBit same_length{ 10000 };
@@ -57,10 +57,10 @@ struct MotionModels {
 	void visit(Visit &&visit) {
 		for (int group = 0; group < 2; ++group) {
 			end[group].visit(visit);
-			bend[group].visit(visit);
+			curvature[group].visit(visit);
 			for (int i = 0; i < 2; ++i) {
 				visit(active[group][i]);
-				visit(bent[group][i]);
+				visit(curved[group][i]);
 			}
 			visit(scaled[group]);
 		}
@@ -130,12 +130,12 @@ private:
 	LatticeRotation _rotation;
 	int32_t _scale = 0; // log2 in 1 / SCALE_LEVELS
 	int32_t _velocity[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step a tick
-	int32_t _bend[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
+	int32_t _curvature[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
 	int32_t _ticks = 1; // of the last segment
 	int32_t _score[2][PREDICTORS] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // recent error, 1/16 steps
 	MeanMagnitude _end_mean[2] = { MeanMagnitude(512), MeanMagnitude(512) };
-	MeanMagnitude _bend_mean[2] = { MeanMagnitude(256), MeanMagnitude(256) };
-	bool _bent[2] = { false, false };
+	MeanMagnitude _curvature_mean[2] = { MeanMagnitude(256), MeanMagnitude(256) };
+	bool _curved[2] = { false, false };
 	bool _scaled = false;
 };
 
@@ -148,13 +148,13 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 		for (int i = 0; i < 3; ++i) {
 			int32_t &value = code.end[3 * group + i];
 			models.end[group].code(coder, value, i == 0 ? mean : (3 * mean + before * 256 / i) / 4);
-			before += std::abs(value) < MeanMagnitude::MOST ? std::abs(value) : MeanMagnitude::MOST;
+			before += std::abs(value) < MeanMagnitude::MAX ? std::abs(value) : MeanMagnitude::MAX;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
-		coder.bit(models.bent[group][_bent[group] ? 1 : 0], code.bent[group]);
-		for (int i = 3 * group; code.bent[group] && i < 3 * group + 3; ++i) {
-			models.bend[group].code(coder, code.bend[i], _bend_mean[group].value());
+		coder.bit(models.curved[group][_curved[group] ? 1 : 0], code.curved[group]);
+		for (int i = 3 * group; code.curved[group] && i < 3 * group + 3; ++i) {
+			models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
 		}
 	}
 	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
@@ -180,7 +180,7 @@ void BodyState::visit(Visit &&visit) {
 	}
 	for (int i = 0; i < 6; ++i) {
 		visit(_velocity[i], 32);
-		visit(_bend[i], 32);
+		visit(_curvature[i], 32);
 	}
 	visit(_ticks, 8);
 	visit(_scaled, 2);
@@ -191,10 +191,10 @@ void BodyState::visit(Visit &&visit) {
 		int32_t mean = _end_mean[group].value();
 		visit(mean, 20);
 		_end_mean[group].set_value(mean);
-		mean = _bend_mean[group].value();
+		mean = _curvature_mean[group].value();
 		visit(mean, 20);
-		_bend_mean[group].set_value(mean);
-		visit(_bent[group], 2);
+		_curvature_mean[group].set_value(mean);
+		visit(_curved[group], 2);
 	}
 }
 

@@ -40,7 +40,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 			uint32_t value = uint32_t(motion.offset[i] + 16);
 			coder.bits(value, 5);
 			motion.offset[i] = int32_t(value) - 16;
-			steps.way[i] = motion.offset[i];
+			steps.displacement[i] = motion.offset[i];
 		}
 		SegmentCode code;
 		code.ticks = ticks;

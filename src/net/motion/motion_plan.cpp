@@ -39,11 +39,11 @@ bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 	}
 	const double most = StreamGrid::TOLERANCE * _grid.position;
 	const cga::Pose<double> &last = samples[count - 1].pose;
-	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever) <= STILL * most; });
+	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever_arm) <= STILL * most; });
 	const double tolerance = most * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
 	const cga::Pose<double> held = state.pose(_grid);
 	for (size_t i = count; i > 0; --i) {
-		if (pose_distance(held, samples[i - 1].pose, _grid.lever) > tolerance) {
+		if (pose_distance(held, samples[i - 1].pose, _grid.lever_arm) > tolerance) {
 			motion.active = true;
 			return plan_moving(state, begin, ticks, samples, count, available, models, motion);
 		}
@@ -57,10 +57,10 @@ void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &las
 		return;
 	}
 	const cga::Pose<double> held = state.pose(_grid);
-	const cga::Vector3<double> way = (last.pose.translation - held.translation) / _grid.position;
+	const cga::Vector3<double> displacement = (last.pose.translation - held.translation) / _grid.position;
 	const cga::Vector3<double> turn = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / _grid.rotation;
 	for (int i = 0; i < 3; ++i) {
-		motion.offset[i] = int32_t(std::clamp(std::nearbyint(way[i]), -16.0, 15.0));
+		motion.offset[i] = int32_t(std::clamp(std::nearbyint(displacement[i]), -16.0, 15.0));
 		motion.offset[3 + i] = int32_t(std::clamp(std::nearbyint(turn[i]), -16.0, 15.0));
 	}
 	motion.settles = true;

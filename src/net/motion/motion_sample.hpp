@@ -12,6 +12,6 @@ struct MotionSample {
 
 /// The largest distance between two poses of a body at its centre and at the points `lever` out on its axes, as if its
 /// scale were 1, and what the difference of scales adds at the lever; in metres.
-[[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever);
+[[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm);
 
 } // namespace net

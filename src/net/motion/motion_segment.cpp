@@ -15,18 +15,18 @@ cga::Pose<double> MotionSegment::pose_at(double time) const {
 		pose.scale *= std::exp(u * std::log(scale_ratio));
 	}
 	if (mode == cga::Mode::SEPARATE) {
-		pose.translation += way * u + way_bend * w;
-		pose.rotation = from.rotation * exp_rotation(turn * u + turn_bend * w);
+		pose.translation += displacement * u + translation_curvature * w;
+		pose.rotation = from.rotation * exp_rotation(turn * u + rotation_curvature * w);
 		return pose;
 	}
 	cga::Pose<double> end = from;
-	end.translation += way;
+	end.translation += displacement;
 	end.rotation = from.rotation * exp_rotation(turn);
 	end.scale *= scale_ratio;
 	const double scale = pose.scale;
 	pose = cga::interpolate(from, end, u, mode);
-	pose.translation += way_bend * w;
-	pose.rotation = pose.rotation * exp_rotation(turn_bend * w);
+	pose.translation += translation_curvature * w;
+	pose.rotation = pose.rotation * exp_rotation(rotation_curvature * w);
 	pose.scale = scale;
 	return pose;
 }

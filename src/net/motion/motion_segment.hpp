@@ -19,10 +19,10 @@ struct MotionSegment {
 	double length = 1.0; ///< ticks
 	cga::Pose<double> from;
 	double scale_ratio = 1.0; ///< of the end's scale to the start's
-	cga::Vector3<double> way{ 0.0 };
-	cga::Vector3<double> way_bend{ 0.0 };
+	cga::Vector3<double> displacement{ 0.0 };
+	cga::Vector3<double> translation_curvature{ 0.0 };
 	cga::Vector3<double> turn{ 0.0 };
-	cga::Vector3<double> turn_bend{ 0.0 };
+	cga::Vector3<double> rotation_curvature{ 0.0 };
 	cga::Mode mode = cga::Mode::SEPARATE;
 
 	[[nodiscard]] double end() const { return begin + length; }

@@ -6,8 +6,8 @@ namespace net {
 
 namespace {
 
-/// Segments that are mostly enough: of two windows, with some bends.
-constexpr size_t USUAL = 8;
+/// Usual number of segments: two windows with some breaks.
+constexpr size_t INITIAL_CAPACITY = 8;
 
 } // namespace
 
@@ -15,14 +15,14 @@ void MotionTrack::add(const BodyMotion &motion) {
 	while (_motions.size() > _first && _motions.back().segment.begin >= motion.segment.begin && (motion.appears || motion.vanishes || !_motions.back().appears)) {
 		_motions.pop_back();
 	}
-	if (_motions.size() - _first >= MOST) {
+	if (_motions.size() - _first >= MAX_SEGMENTS) {
 		++_first;
 	}
 	if (_motions.capacity() == 0) {
-		_motions.reserve(USUAL);
+		_motions.reserve(INITIAL_CAPACITY);
 	}
 	if (_motions.size() == _motions.capacity() && _first > 0) {
-		// Room for the new one is where forgotten ones are.
+		// Reuse the space of dropped ones.
 		_motions.erase(_motions.begin(), _motions.begin() + ptrdiff_t(_first));
 		_first = 0;
 	}
@@ -35,24 +35,23 @@ void MotionTrack::forget_before(double tick) {
 	}
 }
 
-bool MotionTrack::pose_at(double tick, cga::Pose<double> &pose) const {
+std::optional<cga::Pose<double>> MotionTrack::pose_at(double tick) const {
 	size_t at = _motions.size();
 	while (at > _first && _motions[at - 1].segment.begin > tick) {
 		--at;
 	}
 	if (at == _first) {
-		// Before all that is known: a body that does not appear later was there.
+		// Before all that is known: unless it appears later, the body existed.
 		if (is_empty() || _motions[_first].appears || _motions[_first].vanishes) {
-			return false;
+			return std::nullopt;
 		}
 		at = _first + 1;
 	}
 	const BodyMotion &motion = _motions[at - 1];
 	if (motion.vanishes) {
-		return false;
+		return std::nullopt;
 	}
-	pose = motion.segment.pose_at(tick);
-	return true;
+	return motion.segment.pose_at(tick);
 }
 
 bool MotionTrack::is_over(double tick) const {

@@ -4,14 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-// Where the processor has wider registers, the search uses them. (It might even round differently from machine to machine,
-// as only its result is sent.)
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define NET_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define NET_WIDE
-#endif
+#include <cstring>
 
 namespace net {
 
@@ -55,7 +48,7 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 	}
 	for (size_t k = 0; k < _loaded; ++k) {
 		const cga::Pose<double> &pose = samples[k].pose;
-		const cga::Vector3<double> way = (pose.translation - _start.translation) / _grid.position;
+		const cga::Vector3<double> displacement = (pose.translation - _start.translation) / _grid.position;
 		const cga::Vector3<double> turn = unwrapped(log_rotation(back * pose.rotation), before);
 		before = turn;
 		double jacobian[9];
@@ -63,7 +56,7 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 		right_jacobian(turn, jacobian);
 		inverse_matrix(pose.rotation, to_body);
 		for (size_t i = 0; i < 3; ++i) {
-			_target[i][k] = float(way[int(i)]);
+			_target[i][k] = float(displacement[int(i)]);
 			_target[3 + i][k] = float(turn[int(i)] / _grid.rotation);
 		}
 		for (size_t i = 0; i < 9; ++i) {
@@ -94,11 +87,11 @@ void SegmentFit::pin_end(int ticks) {
 	if (_pin_weight > 0.0 && k + 1 < _known) {
 		const MotionSample &next = _samples[k + 1];
 		const double share = (end - last.time) / (next.time - last.time);
-		const cga::Vector3<double> way = (next.pose.translation - _start.translation) / _grid.position;
+		const cga::Vector3<double> displacement = (next.pose.translation - _start.translation) / _grid.position;
 		const cga::Vector3<double> before = cga::Vector3<double>(_pin[3], _pin[4], _pin[5]) * _grid.rotation;
 		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(_start.rotation) * next.pose.rotation), before) / _grid.rotation;
 		for (int i = 0; i < 3; ++i) {
-			_pin[i] += share * (way[i] - _pin[i]);
+			_pin[i] += share * (displacement[i] - _pin[i]);
 			_pin[3 + i] += share * (turn[i] - _pin[3 + i]);
 		}
 		_pin_weight = 1.0;
@@ -119,13 +112,13 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 		const double scale = _start.scale * (_scale_change == 0 ? 1.0 : std::exp2(u * _scale_change / BodyState::SCALE_LEVELS));
 		scale_error = std::max(scale_error, std::fabs(scale - _samples[k].pose.scale));
 	}
-	std::fill(_u.begin() + _count, _u.begin() + _padded, 0.0f);
-	std::fill(_w.begin() + _count, _w.begin() + _padded, 0.0f);
+	std::fill(_u + _count, _u + _padded, 0.0f);
+	std::fill(_w + _count, _w + _padded, 0.0f);
 	for (int i = 0; i < 6; ++i) {
 		_predicted[i] = state.predicted(i, ticks);
 	}
 	pin_end(ticks);
-	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever / _grid.position);
+	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever_arm / _grid.position);
 	const size_t last = size_t(_count - 1);
 	const double turn = double(std::max({ std::fabs(_target[3][last]), std::fabs(_target[4][last]), std::fabs(_target[5][last]) })) * _grid.rotation;
 	return turn < MAX_TURN;
@@ -138,66 +131,28 @@ void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const Seg
 	const MotionSegment path = state.segment(code, steps, _grid, 0.0, _mode);
 	for (size_t k = 0; k < size_t(_count); ++k) {
 		const cga::Pose<double> pose = path.pose_at(double(_u[k]) * ticks);
-		const cga::Vector3<double> way = (pose.translation - path.from.translation - path.way * double(_u[k])) / _grid.position;
+		const cga::Vector3<double> displacement = (pose.translation - path.from.translation - path.displacement * double(_u[k])) / _grid.position;
 		const cga::Vector3<double> turn = log_rotation(glm::conjugate(path.from.rotation * exp_rotation(path.turn * double(_u[k]))) * pose.rotation) / _grid.rotation;
 		for (size_t i = 0; i < 3; ++i) {
-			_target[i][k] -= float(way[int(i)]);
+			_target[i][k] -= float(displacement[int(i)]);
 			_target[3 + i][k] -= float(turn[int(i)]);
 		}
 	}
 }
 
-NET_WIDE float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
-	float way[6];
-	float bend[6];
+float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
+	SegmentErrorInput input = { _target, _to_body, _jacobian, _u, _w, size_t(_padded), {}, {} };
 	for (int i = 0; i < 6; ++i) {
-		way[i] = float(steps.way[i]);
-		bend[i] = float(steps.bend[i]);
+		input.displacement[i] = float(steps.displacement[i]);
+		input.curvature[i] = float(steps.curvature[i]);
 	}
-	float worst[8] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-	for (size_t block = 0; block < size_t(_padded); block += 8) {
-		for (size_t lane = 0; lane < 8; ++lane) {
-			const size_t k = block + lane;
-			const float u = _u[k];
-			const float w = _w[k];
-			const float x = _target[0][k] - way[0] * u - bend[0] * w;
-			const float y = _target[1][k] - way[1] * u - bend[1] * w;
-			const float z = _target[2][k] - way[2] * u - bend[2] * w;
-			const float a = _target[3][k] - way[3] * u - bend[3] * w;
-			const float b = _target[4][k] - way[4] * u - bend[4] * w;
-			const float c = _target[5][k] - way[5] * u - bend[5] * w;
-			const float bx = _to_body[0][k] * x + _to_body[1][k] * y + _to_body[2][k] * z;
-			const float by = _to_body[3][k] * x + _to_body[4][k] * y + _to_body[5][k] * z;
-			const float bz = _to_body[6][k] * x + _to_body[7][k] * y + _to_body[8][k] * z;
-			const float ra = _jacobian[0][k] * a + _jacobian[1][k] * b + _jacobian[2][k] * c;
-			const float rb = _jacobian[3][k] * a + _jacobian[4][k] * b + _jacobian[5][k] * c;
-			const float rc = _jacobian[6][k] * a + _jacobian[7][k] * b + _jacobian[8][k] * c;
-			// The centre, and the centre plus r x e_i: a lever turns a step of rotation into one of position.
-			const float xx = bx * bx;
-			const float yy = by * by;
-			const float zz = bz * bz;
-			const float e0 = xx + yy + zz;
-			const float e1 = xx + (by + rc) * (by + rc) + (bz - rb) * (bz - rb);
-			const float e2 = (bx - rc) * (bx - rc) + yy + (bz + ra) * (bz + ra);
-			const float e3 = (bx + rb) * (bx + rb) + (by - ra) * (by - ra) + zz;
-			const float m1 = e0 > e1 ? e0 : e1;
-			const float m2 = e2 > e3 ? e2 : e3;
-			const float m = m1 > m2 ? m1 : m2;
-			const float counted = u > 0.0f ? m : 0.0f; // beyond the segment u is 0
-			worst[lane] = worst[lane] > counted ? worst[lane] : counted;
-		}
-		const float most = *std::max_element(worst, worst + 8);
-		if (most > limit * limit || block + 8 >= size_t(_padded)) {
-			return std::sqrt(most);
-		}
-	}
-	return 0.0f;
+	return segment_error(input, limit);
 }
 
-void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
+void SegmentFit::round_end(const double displacement[6], SegmentCode &code) const {
 	const double step = code.fine ? StreamGrid::HALF : StreamGrid::COARSE;
 	for (int i = 0; i < 6; ++i) {
-		const double value = (way[i] - double(_predicted[i])) / step;
+		const double value = (displacement[i] - double(_predicted[i])) / step;
 		code.end[i] = int32_t(std::clamp(std::nearbyint(value), double(-MAX_END - 1), double(MAX_END + 1)));
 	}
 }
@@ -205,8 +160,8 @@ void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
 bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
-		const int32_t *bend = code.bend + 3 * group;
-		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
+		const int32_t *curvature = code.curvature + 3 * group;
+		result.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
 	}
 	result.error = error_of(SegmentSteps(_predicted, result.code), limit);
 	return result.error <= _tolerance;
@@ -221,12 +176,12 @@ uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const
 
 bool SegmentFit::improve_error(Result &result) const {
 	for (int i = 0; i < 12; ++i) {
-		if (i >= 6 && !result.code.bent[(i - 6) / 3]) {
+		if (i >= 6 && !result.code.curved[(i - 6) / 3]) {
 			continue;
 		}
 		for (const int32_t step : { -1, 1 }) {
 			SegmentCode code = result.code;
-			(i < 6 ? code.end[i] : code.bend[i - 6]) += step;
+			(i < 6 ? code.end[i] : code.curvature[i - 6]) += step;
 			Result other;
 			if (try_code(code, result.error, other)) {
 				result = other;
@@ -244,12 +199,12 @@ bool SegmentFit::improve_error(Result &result) const {
 void SegmentFit::improve_cost(Result &result) const {
 	// A number nearer to zero is cheaper: what the models say would not change the choice often enough to ask them.
 	for (int i = 0; i < 12; ++i) {
-		const int32_t value = i < 6 ? result.code.end[i] : result.code.bend[i - 6];
+		const int32_t value = i < 6 ? result.code.end[i] : result.code.curvature[i - 6];
 		if (value == 0) {
 			continue;
 		}
 		SegmentCode code = result.code;
-		(i < 6 ? code.end[i] : code.bend[i - 6]) += value > 0 ? -1 : 1;
+		(i < 6 ? code.end[i] : code.curvature[i - 6]) += value > 0 ? -1 : 1;
 		Result other;
 		if (try_code(code, _tolerance, other)) {
 			result = other;
@@ -294,24 +249,24 @@ bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, Moti
 	// With bends: of the translation, the rotation, both.
 	const double determinant = uu * ww - uw * uw;
 	if (!found && _count >= 3 && determinant > 1e-3 * uu * ww) {
-		SegmentCode bent = straight;
-		double way[6];
+		SegmentCode curved = straight;
+		double displacement[6];
 		for (int i = 0; i < 6; ++i) {
-			way[i] = (uy[i] * ww - wy[i] * uw) / determinant;
+			displacement[i] = (uy[i] * ww - wy[i] * uw) / determinant;
 		}
-		round_end(way, bent);
-		const SegmentSteps steps(_predicted, bent);
+		round_end(displacement, curved);
+		const SegmentSteps steps(_predicted, curved);
 		for (int i = 0; i < 6; ++i) {
-			const double bend = (wy[i] - double(steps.way[i]) * uw) / ww;
-			bent.bend[i] = int32_t(std::clamp(std::nearbyint(bend / StreamGrid::BEND), double(-MAX_END), double(MAX_END)));
+			const double curvature = (wy[i] - double(steps.displacement[i]) * uw) / ww;
+			curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / StreamGrid::CURVATURE), double(-MAX_END), double(MAX_END)));
 		}
 		uint32_t least_cost = 0;
 		for (int groups = thoroughly ? 1 : 3; groups <= 3; ++groups) {
 			SegmentCode code = straight;
 			for (int i = 0; i < 6; ++i) {
 				if (((groups >> (i / 3)) & 1) != 0) {
-					code.end[i] = bent.end[i];
-					code.bend[i] = bent.bend[i];
+					code.end[i] = curved.end[i];
+					code.curvature[i] = curved.curvature[i];
 				}
 			}
 			Result other;
@@ -357,18 +312,18 @@ bool SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thoro
 	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
 	SegmentSteps straight;
 	for (size_t i = 0; i < 6; ++i) {
-		straight.way[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
+		straight.displacement[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
 	}
-	std::copy(_target, _target + 6, _base_target);
+	std::memcpy(_base_target, _target, sizeof(_target));
 	subtract_base_path(state, ticks, straight);
 	const bool found = search(state, ticks, thoroughly, models, result);
-	std::copy(_base_target, _base_target + 6, _target);
+	std::memcpy(_target, _base_target, sizeof(_target));
 	if (!found) {
 		return false;
 	}
 	const MotionSegment segment = state.segment(result.code, state.steps(result.code), _grid, _begin, _mode);
 	const double most = StreamGrid::TOLERANCE * _grid.position * 1.02;
-	return std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever) <= most; });
+	return std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= most; });
 }
 
 bool SegmentFit::reach(const BodyState &state, int ticks, size_t index, Result &result) {
@@ -381,12 +336,12 @@ bool SegmentFit::reach(const BodyState &state, int ticks, size_t index, Result &
 	code.fine = true;
 	code.scaled = _scale_change != 0;
 	code.scale = _scale_change;
-	double way[6];
+	double displacement[6];
 	for (size_t i = 0; i < 6; ++i) {
 		// Where the next sample is known, the end lies on the way to it.
-		way[i] = _pin_weight == 1.0 ? _pin[i] : double(_target[i][index]);
+		displacement[i] = _pin_weight == 1.0 ? _pin[i] : double(_target[i][index]);
 	}
-	round_end(way, code);
+	round_end(displacement, code);
 	return std::all_of(code.end, code.end + 6, [](int32_t value) { return std::abs(value) <= MAX_END; });
 }
 

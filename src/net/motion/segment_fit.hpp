@@ -2,8 +2,8 @@
 
 #include "net/motion/body_state.hpp"
 #include "net/motion/motion_sample.hpp"
+#include "net/motion/segment_error.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,7 +16,7 @@ namespace net {
 /// cheap. Errors of all samples are computed side by side.
 class SegmentFit {
 public:
-	static constexpr size_t MAX_SAMPLES = 256;
+	static constexpr size_t MAX_SAMPLES = SegmentErrorInput::MAX_SAMPLES;
 
 	struct Result {
 		SegmentCode code;
@@ -38,7 +38,7 @@ private:
 	void pin_end(int ticks);
 	bool set_length(const BodyState &state, int ticks, size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
-	void round_end(const double way[6], SegmentCode &code) const;
+	void round_end(const double displacement[6], SegmentCode &code) const;
 	bool try_code(const SegmentCode &code, float limit, Result &result) const;
 	/// In 1/256 bit.
 	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
@@ -47,7 +47,7 @@ private:
 	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
 	bool search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result);
 
-	using Row = std::array<float, MAX_SAMPLES>;
+	using Row = SegmentErrorInput::Row;
 
 	StreamGrid _grid;
 	cga::Mode _mode;

@@ -10,10 +10,10 @@ constexpr int NEVER = MAX_TICKS + 1;
 
 } // namespace
 
-StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, size_t most_bodies) :
-		_grid(position_tolerance, rotation_tolerance), _most_bodies(most_bodies) {}
+StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies) :
+		_grid(position_tolerance, rotation_tolerance), _max_bodies(max_bodies) {}
 
-bool StreamDecoder::read_state(const uint8_t *bytes, size_t size) {
+PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
 	uint32_t ticks = 0;
@@ -24,9 +24,12 @@ bool StreamDecoder::read_state(const uint8_t *bytes, size_t size) {
 	_new_models = MotionModels();
 	code_models(coder, _new_models);
 	coder.bits(count, INDEX_BITS);
-	// Even a body at rest takes some bytes: a short state cannot make us hold many.
-	if (ticks > MAX_TICKS || count > _most_bodies || count > size) {
-		return false;
+	// A body at rest takes at least a byte: a short snapshot cannot make the decoder allocate many.
+	if (ticks > MAX_TICKS || count > size) {
+		return PacketError::UNREADABLE_SNAPSHOT;
+	}
+	if (count > _max_bodies) {
+		return PacketError::TOO_MANY_BODIES;
 	}
 	_new_bodies.clear();
 	for (uint32_t i = 0; i < count; ++i) {
@@ -35,7 +38,7 @@ bool StreamDecoder::read_state(const uint8_t *bytes, size_t size) {
 		body.state.visit(state_coder);
 		body.until = NEVER;
 		if (!body.state.is_valid()) {
-			return false;
+			return PacketError::UNREADABLE_SNAPSHOT;
 		}
 		_new_bodies.push_back(body);
 	}
@@ -43,17 +46,17 @@ bool StreamDecoder::read_state(const uint8_t *bytes, size_t size) {
 	_bodies.swap(_new_bodies);
 	_last_ticks = int(ticks);
 	_check = check;
-	return true;
+	return {};
 }
 
-bool StreamDecoder::decode_window(const uint8_t *bytes, size_t size, uint8_t check, uint8_t check_mask, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks) {
+std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions) {
 	motions.clear();
 	_new_models = _models;
 	_new_bodies = _bodies;
 	RangeDecoder coder(bytes, size);
 	bool same_length = true;
 	coder.bit(_new_models.same_length, same_length);
-	ticks = _last_ticks;
+	int ticks = _last_ticks;
 	if (!same_length) {
 		uint32_t less_one = 0;
 		coder.bits(less_one, 6);
@@ -61,27 +64,27 @@ bool StreamDecoder::decode_window(const uint8_t *bytes, size_t size, uint8_t che
 	}
 	if (ticks < 1 || ticks > MAX_TICKS || !decode_changes(coder, ticks)) {
 		motions.clear();
-		return false;
+		return std::nullopt;
 	}
 	bool neighbour_active = false;
 	uint32_t new_check = _check;
 	for (Body &body : _new_bodies) {
 		if (!decode_motion(coder, body, begin, ticks, mode, neighbour_active, motions)) {
 			motions.clear();
-			return false;
+			return std::nullopt;
 		}
 		new_check = (new_check ^ body.state.hash()) * 0x01000193u;
 	}
-	if (((check_bits(new_check) ^ check) & check_mask) != 0) {
+	if (((check_bits(new_check) ^ check.value) & check.mask) != 0) {
 		motions.clear();
-		return false;
+		return std::nullopt;
 	}
 	_new_bodies.erase(std::remove_if(_new_bodies.begin(), _new_bodies.end(), [](const Body &body) { return body.until != NEVER; }), _new_bodies.end());
 	std::swap(_models, _new_models);
 	_bodies.swap(_new_bodies);
 	_check = new_check;
 	_last_ticks = ticks;
-	return true;
+	return ticks;
 }
 
 bool StreamDecoder::decode_changes(RangeDecoder &coder, int ticks) {
@@ -111,7 +114,7 @@ bool StreamDecoder::decode_changes(RangeDecoder &coder, int ticks) {
 			body.state = body.reached;
 			body.from = int(tick);
 			body.until = NEVER;
-			if (!body.state.is_valid() || body.state.active || _new_bodies.size() >= _most_bodies) {
+			if (!body.state.is_valid() || body.state.active || _new_bodies.size() >= _max_bodies) {
 				return false;
 			}
 			body.change = Change::APPEARS;

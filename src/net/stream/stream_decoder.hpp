@@ -1,34 +1,28 @@
 #pragma once
 
+#include "net/motion/body_motion.hpp"
 #include "net/motion/motion_code.hpp"
+#include "net/stream/packet_error.hpp"
 #include "net/stream/stream_header.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace net {
 
-/// Something to show of a body, from a time on: a motion, after which it stays where that ends; or that it is gone.
-struct BodyMotion {
-	uint32_t id = 0;
-	bool appears = false; ///< it is new, or jumps here: nothing leads from before to the segment
-	bool vanishes = false; ///< it is gone from segment.begin on
-	MotionSegment segment;
-};
-
-/// The other end of StreamEncoder: reads a state, then the windows after it, one by one. Any bytes are safe input; what
-/// cannot be read changes nothing. Times in ticks.
+/// The inverse of StreamEncoder: decodes a snapshot, then the windows after it, one by one. Any bytes are safe input; what
+/// cannot be decoded changes nothing. Times in ticks.
 class StreamDecoder {
 public:
-	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t most_bodies);
+	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies);
 
-	/// What StreamEncoder::encode_state wrote. False, with nothing changed, if it cannot be read.
-	[[nodiscard]] bool read_state(const uint8_t *bytes, size_t size);
-	/// The window after the last one, which begins at `begin`. Replaces `motions` by what is new, in order of time for each
-	/// body. False, with nothing changed, if it cannot be read or does not lead to those bits of `check`
-	/// that `check_mask` has.
-	[[nodiscard]] bool decode_window(const uint8_t *bytes, size_t size, uint8_t check, uint8_t check_mask, double begin, cga::Mode mode, std::vector<BodyMotion> &motions, int &ticks);
+	/// Reads the output of StreamEncoder::encode_snapshot.
+	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
+	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its motion, for each body in order of
+	/// time. Returns the window's length in ticks; nothing if it cannot be decoded or its checksum differs.
+	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);
 
 	/// The pose and id of each body at the end of the last window.
 	[[nodiscard]] size_t body_count() const { return _bodies.size(); }
@@ -57,7 +51,7 @@ private:
 	bool decode_span(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, bool &neighbour_active, std::vector<BodyMotion> &motions);
 
 	StreamGrid _grid;
-	size_t _most_bodies;
+	size_t _max_bodies;
 	MotionModels _models;
 	MotionModels _new_models;
 	std::vector<Body> _bodies;

@@ -7,18 +7,18 @@ namespace net {
 
 namespace {
 
-/// A body that nobody saw for more windows than this, and longer than this in ticks, is not taken to have moved steadily
-/// until it was seen again: it stays where it was, and jumps.
+/// A body that was not observed for longer than both is not assumed to have moved steadily in between: it stays, then
+/// jumps.
 constexpr double MAX_GAP_WINDOWS = 1.5;
 constexpr double MAX_GAP_TICKS = 6.0;
-/// The share of the tolerance within which a resting body is still no news.
-constexpr double NEWS = 0.9;
-/// Poses that come sooner than this after another, in ticks, are left out.
+/// Share of the tolerance that a resting body may deviate without counting as changed.
+constexpr double MAX_REST_DEVIATION = 0.9;
+/// Samples closer together than this, in ticks, are dropped.
 constexpr double MIN_STEP = 0.12;
-/// Times nearer than this to a whole tick are that tick: clocks round.
+/// Times this near to a whole tick are rounded to it.
 constexpr double SAME_TICK = 0.01;
 
-double longest_gap(int ticks) {
+double max_gap(int ticks) {
 	return std::max(MAX_GAP_WINDOWS * ticks, MAX_GAP_TICKS);
 }
 
@@ -37,12 +37,14 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 		return false;
 	}
 	body.id = id;
+	body.latest = pose;
+	body.latest.rotation = glm::normalize(pose.rotation);
 	body.added = true;
 	body.change_time = time;
 	body.seen_time = time;
 	_index[id] = _bodies.size();
 	_bodies.push_back(std::move(body));
-	_news = true;
+	_changed = true;
 	return true;
 }
 
@@ -55,7 +57,7 @@ bool StreamEncoder::remove_body(uint32_t id, double time) {
 	body.removed = true;
 	body.removal_time = time;
 	_index.erase(found);
-	_news = true;
+	_changed = true;
 	return true;
 }
 
@@ -69,36 +71,45 @@ bool StreamEncoder::jump(uint32_t id) {
 }
 
 bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
-	const double whole = std::floor(time + 0.5);
-	if (std::fabs(time - whole) < SAME_TICK) {
-		time = whole;
-	}
 	const auto found = _index.find(id);
 	if (found == _index.end() || !BodyState::can_hold(pose, _grid)) {
 		return false;
 	}
 	Body &body = _bodies[found->second];
-	cga::Pose<double> unit = pose;
-	unit.rotation = glm::normalize(pose.rotation);
+	body.latest = pose;
+	body.latest.rotation = glm::normalize(pose.rotation);
+	return observe(body, time);
+}
+
+bool StreamEncoder::observe(uint32_t id, double time) {
+	const auto found = _index.find(id);
+	return found != _index.end() && observe(_bodies[found->second], time);
+}
+
+bool StreamEncoder::observe(Body &body, double time) {
+	const double whole = std::floor(time + 0.5);
+	if (std::fabs(time - whole) < SAME_TICK) {
+		time = whole;
+	}
 	if (body.added && (body.jump_next || time <= body.change_time + 1e-6)) {
-		// Nobody has been told of it yet: it is simply there.
+		// No window contains the body yet: it simply begins here.
 		body.jump_next = false;
 		body.samples.clear();
 		if (time > body.change_time + MIN_STEP) {
-			body.samples.push_back({ time, unit });
+			body.samples.push_back({ time, body.latest });
 		}
-		return body.state.set_pose(pose, _grid);
+		return body.state.set_pose(body.latest, _grid);
 	}
 	if (body.jump_next) {
 		body.jump_next = false;
-		_news = true;
+		_changed = true;
 		if (body.jumped) {
-			// Of several jumps in a window one is shown, at the time of the first, to where the last one led.
+			// Several jumps in a window become one, at the time of the first, to where the last one led.
 			const double first = body.change_time;
 			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
-			body.samples.push_back({ first, unit });
+			body.samples.push_back({ first, body.latest });
 			if (time > first + MIN_STEP) {
-				body.samples.push_back({ time, unit });
+				body.samples.push_back({ time, body.latest });
 			}
 			return true;
 		}
@@ -107,19 +118,19 @@ bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &p
 		while (!body.samples.empty() && body.samples.back().time >= time) {
 			body.samples.pop_back();
 		}
-		body.samples.push_back({ time, unit });
+		body.samples.push_back({ time, body.latest });
 		return true;
 	}
-	_news = _news || is_news(body, unit);
+	_changed = _changed || is_change(body, body.latest);
 	if (!body.samples.empty() && time - body.samples.back().time < MIN_STEP) {
 		return true;
 	}
-	body.samples.push_back({ time, unit });
+	body.samples.push_back({ time, body.latest });
 	return true;
 }
 
-bool StreamEncoder::is_news(const Body &body, const cga::Pose<double> &pose) const {
-	return body.state.active || !body.state.settled || pose_distance(body.state.pose(_grid), pose, _grid.lever) > NEWS * StreamGrid::TOLERANCE * _grid.position;
+bool StreamEncoder::is_change(const Body &body, const cga::Pose<double> &pose) const {
+	return body.state.active || !body.state.settled || pose_distance(body.state.pose(_grid), pose, _grid.lever_arm) > MAX_REST_DEVIATION * StreamGrid::TOLERANCE * _grid.position;
 }
 
 void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> &bytes) {
@@ -151,19 +162,19 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 			_index[_bodies[i].id] = i;
 		}
 	}
-	_news = false;
+	_changed = false;
 	for (const Body &body : _bodies) {
-		_news = _news || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_news(body, body.samples.back().pose));
+		_changed = _changed || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_change(body, body.samples.back().pose));
 	}
 }
 
 void StreamEncoder::find_gaps(double begin, int ticks) {
-	const double most = longest_gap(ticks);
+	const double most = max_gap(ticks);
 	for (Body &body : _bodies) {
 		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.seen_time <= most) {
 			continue;
 		}
-		if (is_news(body, body.samples.front().pose)) {
+		if (is_change(body, body.samples.front().pose)) {
 			body.jumped = true;
 			body.change_time = body.samples.front().time;
 		}
@@ -171,13 +182,13 @@ void StreamEncoder::find_gaps(double begin, int ticks) {
 }
 
 void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks) {
-	// Only what happened up to the window's end; the rest waits for the next one.
+	// Changes after the window's end belong to the next one.
 	const double end = begin + ticks + 1e-6;
 	const auto is_added = [end](const Body &body) { return body.added && body.change_time <= end; };
 	const auto is_jumped = [end](const Body &body) { return body.jumped && body.change_time <= end; };
-	// One that was added after the end and has gone again was never there.
-	const auto is_told = [end](const Body &body) { return !body.added || body.change_time <= end; };
-	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_told(body)); };
+	// A body that was added after the end and has been removed again never existed for receivers.
+	const auto is_included = [end](const Body &body) { return !body.added || body.change_time <= end; };
+	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
 	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_change);
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
@@ -187,7 +198,7 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 	const auto put = [&coder](uint32_t value, int bits) { coder.bits(value, bits); };
 	int32_t index = -1;
 	for (Body &body : _bodies) {
-		if (!is_told(body)) {
+		if (!is_included(body)) {
 			continue;
 		}
 		++index;
@@ -229,7 +240,7 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 	if (body.added || body.jumped) {
 		if (body.change_time > end) {
 			if (body.added) {
-				return; // is not there yet
+				return; // does not exist yet
 			}
 		} else {
 			const int at = std::min(tick_in_window(body.change_time, begin, ticks), last);
@@ -238,8 +249,8 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 			}
 			if (body.jumped) {
 				encode_span(coder, body, begin, at, 0, first, first, neighbour_active);
-				const bool seen = first < count && body.state.set_pose(body.samples[first].pose, _grid);
-				if (!seen) {
+				const bool is_observed = first < count && body.state.set_pose(body.samples[first].pose, _grid);
+				if (!is_observed) {
 					body.state.rest();
 				}
 			}
@@ -262,11 +273,11 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 		--count;
 		--available;
 	}
-	// Between the tick at which it jumps or goes and the time at which it did.
+	// Samples between the tick of a jump or removal and its actual time.
 	while (count > 0 && samples[count - 1].time > begin + ticks + 1e-6) {
 		--count;
 	}
-	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= longest_gap(ticks)) {
+	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= max_gap(ticks)) {
 		_motion.active = true;
 		_motion.count = 1;
 		_motion.segments[0] = SegmentCode();
@@ -274,7 +285,7 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	} else {
 		body.seen_time = count == 0 ? body.seen_time : samples[count - 1].time;
 		if (!_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion)) {
-			// Out of the reach of a motion: stays, and is there at the next jump.
+			// No segment reaches it: the body stays and jumps at its next pose.
 			_motion.active = false;
 			_motion.settles = false;
 			body.jump_next = true;
@@ -284,7 +295,7 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	neighbour_active = _motion.active;
 }
 
-void StreamEncoder::encode_state(std::vector<uint8_t> &bytes) {
+void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
 	uint32_t ticks = uint32_t(_last_ticks);

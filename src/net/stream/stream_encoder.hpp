@@ -10,32 +10,37 @@
 
 namespace net {
 
-/// Turns the poses of many bodies into windows of motion, each coded against the window before it. Times in ticks.
+/// Encodes the poses of many bodies into windows of motion, each against the window before it. Times in ticks.
 class StreamEncoder {
 public:
 	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode);
 
-	/// False if there is such a body, or the pose is not finite or out of range.
+	/// False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
 	bool remove_body(uint32_t id, double time);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _index.size(); }
-	/// False if there is no such body, or the pose is not finite or out of range.
+	/// False if there is no such body or the pose is not finite or out of range.
 	bool observe(uint32_t id, double time, const cga::Pose<double> &pose);
-	/// The next pose is not interpolated to.
+	/// The body is still at its last pose. False if there is no such body.
+	bool observe(uint32_t id, double time);
+	/// The body jumps to its next pose instead of moving there.
 	bool jump(uint32_t id);
+	/// Calls visit(id, last pose) for each body.
+	template <class Visit>
+	void visit_bodies(Visit &&visit) const;
 
-	/// True if a body's motion since the last window is not that of rest, or bodies came, went or jumped.
-	[[nodiscard]] bool has_news() const { return _news; }
-	/// Bodies that moved in the last window.
+	/// True if a body has moved on or left its predicted motion since the last window, or bodies came, went or jumped.
+	[[nodiscard]] bool has_changes() const { return _changed; }
+	/// Number of bodies that moved in the last window.
 	[[nodiscard]] size_t moving_count() const { return _moving; }
 
-	/// Appends the window (begin, begin + ticks], begin being the end of the last one, to `bytes`.
+	/// Appends the window (begin, begin + ticks] to `bytes`. `begin` is the end of the window before.
 	void encode_window(double begin, int ticks, std::vector<uint8_t> &bytes);
-	/// Eight bits that depend on all of the state.
+	/// Eight-bit checksum of the whole state.
 	[[nodiscard]] uint8_t check() const { return check_bits(_check); }
-	/// Appends everything a receiver needs to decode the next window: the models and all bodies.
-	void encode_state(std::vector<uint8_t> &bytes);
+	/// Appends what a receiver needs to decode the next window: the models and all bodies.
+	void encode_snapshot(std::vector<uint8_t> &bytes);
 
 	[[nodiscard]] const StreamGrid &grid() const { return _grid; }
 
@@ -43,6 +48,7 @@ private:
 	struct Body {
 		uint32_t id = 0;
 		BodyState state;
+		cga::Pose<double> latest; // the last pose observed
 		std::vector<MotionSample> samples; // since the last window
 		bool added = false; // in this window, at `change_time`
 		bool jump_next = false;
@@ -50,14 +56,15 @@ private:
 		bool removed = false;
 		double change_time = 0.0;
 		double removal_time = 0.0;
-		double seen_time = 0.0; // of the last pose that a window took in
+		double seen_time = 0.0; // of the last sample that a window contains
 	};
 
+	bool observe(Body &body, double time);
 	void find_gaps(double begin, int ticks);
 	void encode_changes(RangeEncoder &coder, double begin, int ticks);
 	void encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active);
 	void encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available, bool &neighbour_active);
-	[[nodiscard]] bool is_news(const Body &body, const cga::Pose<double> &pose) const;
+	[[nodiscard]] bool is_change(const Body &body, const cga::Pose<double> &pose) const;
 
 	StreamGrid _grid;
 	MotionPlanner _planner;
@@ -68,7 +75,14 @@ private:
 	int _last_ticks = 0;
 	size_t _moving = 0;
 	uint32_t _check = 0;
-	bool _news = false;
+	bool _changed = false;
 };
+
+template <class Visit>
+void StreamEncoder::visit_bodies(Visit &&visit) const {
+	for (const auto &entry : _index) {
+		visit(entry.first, _bodies[entry.second].latest);
+	}
+}
 
 } // namespace net

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "net/coding/bit_stream.hpp"
+#include "net/coding/body_id.hpp"
 #include "net/motion/body_state.hpp"
-#include "net/stream/body_id.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,13 @@ namespace net {
 /// Of the number of a body in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
 
-/// The bits of a hash of the state that go with a window.
+/// Checksum that the sender sends with a window: those bits of `value` that `mask` has.
+struct WindowCheck {
+	uint8_t value = 0;
+	uint8_t mask = 255;
+};
+
+/// The checksum of a stream's state, from its hash.
 [[nodiscard]] inline uint8_t check_bits(uint32_t hash) {
 	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
 }

@@ -46,12 +46,12 @@ std::string describe(const Entry &entry) {
 	}
 	const cga::Classification found = cga::classify(value, is_set(entry.attributes, "ipns"));
 	switch (found.kind) {
-		case cga::Kind::scalar:
+		case cga::Kind::SCALAR:
 			return "number " + cga::readable(value[0]);
-		case cga::Kind::rotor:
-		case cga::Kind::translator:
-		case cga::Kind::dilator:
-		case cga::Kind::motor: {
+		case cga::Kind::ROTOR:
+		case cga::Kind::TRANSLATOR:
+		case cga::Kind::DILATOR:
+		case cga::Kind::MOTOR: {
 			const std::optional<cga::Motor<double>> motor = cga::to_motor(value);
 			const std::optional<cga::Pose<double>> pose = motor ? motor->to_pose() : std::nullopt;
 			return cga::name_of(found.kind) + (pose ? motion(*pose) : std::string());

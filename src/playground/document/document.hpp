@@ -66,6 +66,9 @@ public:
 	// The value of an expression that may refer to entries without becoming one. Referring to an entry with an error is an
 	// error.
 	[[nodiscard]] cga::TextResult<cga::Multivector> evaluate(std::string_view text) const;
+	// What the entry of that name, or a new one, would be with this expression; without a name, any new one. It is no part of
+	// the document and connected to none of its entries. Takes time for what the expression refers to, not for all entries.
+	[[nodiscard]] Entry trial_entry(std::string_view name, std::string_view text) const;
 
 private:
 	Entry *own_entry(std::string_view name);

@@ -20,19 +20,19 @@ namespace {
 using cga::Classification;
 using cga::Kind;
 
-constexpr double ENDLESS = 1e6, SIGN = 0.1;
+constexpr double ENDLESS = 1e6, MARKER_SIZE = 0.1; // meters
 
 bool is_finite(const Vector &v) {
 	return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Coefficients hundreds of orders of magnitude apart leave the range of doubles on the way to a centre.
+// Coefficients hundreds of orders of magnitude apart overflow while the center is computed.
 bool is_in_range(const Classification &found) {
 	const Vector nothing(0.0);
 	return is_finite(found.center.value_or(nothing)) && is_finite(found.normal.value_or(nothing)) && is_finite(found.direction.value_or(nothing)) && std::isfinite(found.radius.value_or(0.0)) && std::isfinite(found.distance.value_or(0.0));
 }
 
-// Of the sphere as in sphere(center, radius), R is -E123.
+// The part R of sphere(center, radius) is -E123: a positive one has the opposite orientation.
 bool points_inward(const cga::Multivector &x, bool ipns) {
 	return cga::parts_of(ipns ? x.undual() : x).origin[cga::E123] > 0.0;
 }
@@ -46,14 +46,14 @@ void add_motor(Figure &figure, const cga::Multivector &x) {
 	}
 	if (const std::optional<MotorAxis> axis = axis_of(*pose)) {
 		const Vector foot = axis->point - axis->direction * glm::dot(axis->point, axis->direction);
-		figure.parts.push_back({ Form::line, along(foot, axis->direction), 1.0, true });
+		figure.parts.push_back({ Form::LINE, along(foot, axis->direction), 1.0, true });
 	}
-	figure.parts.push_back({ Form::own, {}, 1.0, false });
-	figure.own = motor_strokes(*pose);
-	figure.label_place = pose->translation;
+	figure.parts.push_back({ Form::CUSTOM, {}, 1.0, false });
+	figure.custom = motor_strokes(*pose);
+	figure.label_position = pose->translation;
 }
 
-// The highest point of a circle.
+// The highest point of a circle, or any if it is horizontal.
 Vector top_of(const Vector &center, const Vector &normal, double radius) {
 	Vector up = Vector(0.0, 1.0, 0.0) - normal * normal.y;
 	up = glm::length(up) > 1e-3 ? glm::normalize(up) : Vector(1.0, 0.0, 0.0);
@@ -72,63 +72,63 @@ Figure figure_of(const cga::Multivector &x, bool ipns) {
 	figure.dual = found.ipns;
 	const Vector center = found.center.value_or(Vector(0.0));
 	const double radius = found.radius.value_or(1.0);
-	figure.label_place = center;
+	figure.label_position = center;
 	switch (found.kind) {
-		case Kind::point:
-			figure.parts.push_back({ Form::point, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
+		case Kind::POINT:
+			figure.parts.push_back({ Form::POINT, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
 			break;
-		case Kind::flat_point:
-			figure.parts.push_back({ Form::flat_point, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
+		case Kind::FLAT_POINT:
+			figure.parts.push_back({ Form::FLAT_POINT, across(center, { 0.0, 0.0, 1.0 }), 1.0, false });
 			break;
-		case Kind::point_pair:
-			figure.parts.push_back({ Form::pair, between(center, *found.direction, radius), 1.0, false });
-			figure.label_place = center + radius * *found.direction;
+		case Kind::POINT_PAIR:
+			figure.parts.push_back({ Form::POINT_PAIR, between(center, *found.direction, radius), 1.0, false });
+			figure.label_position = center + radius * *found.direction;
 			break;
-		case Kind::line:
-			figure.parts.push_back({ Form::line, along(center, *found.direction), 1.0, false });
+		case Kind::LINE:
+			figure.parts.push_back({ Form::LINE, along(center, *found.direction), 1.0, false });
 			break;
-		case Kind::circle:
-			figure.parts.push_back({ Form::ring, around(center, *found.normal, radius), radius, false });
-			figure.label_place = radius < LARGE_RADIUS ? top_of(center, *found.normal, radius) : figure.parts[0].placement.origin;
+		case Kind::CIRCLE:
+			figure.parts.push_back({ Form::CIRCLE, around(center, *found.normal, radius), radius, false });
+			figure.label_position = radius < LARGE_RADIUS ? top_of(center, *found.normal, radius) : figure.parts[0].placement.origin;
 			break;
-		case Kind::sphere:
-			figure.parts.push_back({ Form::globe, globe(center, radius), points_inward(x, found.ipns) ? -radius : radius, false });
-			figure.label_place = figure.parts[0].placement.origin;
+		case Kind::SPHERE:
+			figure.parts.push_back({ Form::SPHERE, globe(center, radius), points_inward(x, found.ipns) ? -radius : radius, false });
+			figure.label_position = figure.parts[0].placement.origin;
 			break;
-		case Kind::plane:
-			figure.label_place = *found.normal * *found.distance;
-			figure.parts.push_back({ Form::plane, across(*figure.label_place, *found.normal), 1.0, false });
-			figure.parts.push_back({ Form::normal, across(*figure.label_place, *found.normal), 1.0, false });
+		case Kind::PLANE:
+			figure.label_position = *found.normal * *found.distance;
+			figure.parts.push_back({ Form::PLANE, across(*figure.label_position, *found.normal), 1.0, false });
+			figure.parts.push_back({ Form::NORMAL, across(*figure.label_position, *found.normal), 1.0, false });
 			break;
-		case Kind::tangent:
-			figure.parts.push_back({ found.direction ? Form::tangent_along : Form::tangent_across, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
+		case Kind::TANGENT:
+			figure.parts.push_back({ found.direction ? Form::TANGENT_ALONG : Form::TANGENT_ACROSS, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
 			break;
-		case Kind::direction:
+		case Kind::DIRECTION:
 			if (found.direction || found.normal) {
-				figure.parts.push_back({ found.direction ? Form::direction_along : Form::direction_across, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
+				figure.parts.push_back({ found.direction ? Form::DIRECTION_ALONG : Form::DIRECTION_ACROSS, across(center, found.direction ? *found.direction : *found.normal), 1.0, false });
 			}
 			break;
-		case Kind::rotor:
-		case Kind::translator:
-		case Kind::dilator:
-		case Kind::motor:
+		case Kind::ROTOR:
+		case Kind::TRANSLATOR:
+		case Kind::DILATOR:
+		case Kind::MOTOR:
 			figure.dual = false;
-			figure.label_place.reset();
+			figure.label_position.reset();
 			add_motor(figure, x);
 			break;
-		case Kind::scalar:
-		case Kind::none:
+		case Kind::SCALAR:
+		case Kind::NONE:
 			break;
 	}
 	if (figure.parts.empty()) {
-		figure.label_place.reset();
+		figure.label_position.reset();
 	}
 	return figure;
 }
 
 Box placed(const Box &box, const Placement &placement) {
-	const Vector half = 0.5 * (box.greatest - box.least);
-	const Vector middle = placement.apply(box.least + half);
+	const Vector half = 0.5 * (box.max - box.min);
+	const Vector middle = placement.apply(box.min + half);
 	const Vector reach = glm::abs(placement.x) * half.x + glm::abs(placement.y) * half.y + glm::abs(placement.z) * half.z;
 	return { middle - reach, middle + reach };
 }
@@ -140,39 +140,39 @@ Placement placed(const Placement &inner, const Placement &space) {
 	return { turned(inner.x), turned(inner.y), turned(inner.z), space.apply(inner.origin) };
 }
 
-Box around_both(const Box &a, const Box &b) {
-	return { glm::min(a.least, b.least), glm::max(a.greatest, b.greatest) };
+Box merged(const Box &a, const Box &b) {
+	return { glm::min(a.min, b.min), glm::max(a.max, b.max) };
 }
 
 bool contains(const Box &outer, const Box &inner) {
-	return glm::all(glm::lessThanEqual(outer.least, inner.least)) && glm::all(glm::lessThanEqual(inner.greatest, outer.greatest));
+	return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
 }
 
-Box box_of(const Part &part, const Strokes &own) {
+Box bounds_of(const Part &part, const Strokes &custom) {
 	const double r = std::abs(part.radius);
 	switch (part.form) {
-		case Form::line:
-		case Form::plane:
+		case Form::LINE:
+		case Form::PLANE:
 			return { Vector(-ENDLESS), Vector(ENDLESS) };
-		case Form::ring:
-			return { { -r, -SIGN, -2.0 * r }, { r, SIGN, 0.0 } };
-		case Form::globe:
+		case Form::CIRCLE:
+			return { { -r, -MARKER_SIZE, -2.0 * r }, { r, MARKER_SIZE, 0.0 } };
+		case Form::SPHERE:
 			return { { -1.2 * r, -1.2 * r, -2.2 * r }, { 1.2 * r, 1.2 * r, 0.2 * r } };
-		case Form::pair:
-			return { { -1.0, -SIGN, -SIGN }, { 1.0, SIGN, SIGN } };
-		case Form::own: {
+		case Form::POINT_PAIR:
+			return { { -1.0, -MARKER_SIZE, -MARKER_SIZE }, { 1.0, MARKER_SIZE, MARKER_SIZE } };
+		case Form::CUSTOM: {
 			Box box{ Vector(0.0), Vector(0.0) };
-			for (const StrokeVertex &vertex : own.vertices) {
-				box.least = glm::min(box.least, Vector(vertex.position));
-				box.greatest = glm::max(box.greatest, Vector(vertex.position));
+			for (const StrokeVertex &vertex : custom.vertices) {
+				box.min = glm::min(box.min, Vector(vertex.position));
+				box.max = glm::max(box.max, Vector(vertex.position));
 			}
 			return box;
 		}
-		case Form::point:
-		case Form::flat_point:
-			return { Vector(-SIGN), Vector(SIGN) };
+		case Form::POINT:
+		case Form::FLAT_POINT:
+			return { Vector(-MARKER_SIZE), Vector(MARKER_SIZE) };
 		default:
-			return { Vector(-10.0 * SIGN), Vector(10.0 * SIGN) };
+			return { Vector(-10.0 * MARKER_SIZE), Vector(10.0 * MARKER_SIZE) };
 	}
 }
 

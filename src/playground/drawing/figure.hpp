@@ -7,13 +7,13 @@
 #include <optional>
 #include <vector>
 
-// What is drawn for an element: which forms, where. Metres, in the space that the element lives in.
+// The forms that draw a multivector, and their placement. Meters, in the space of the multivector.
 
 namespace playground::drawing {
 
 using Vector = cga::Vector3<double>;
 
-// Where the axes and the origin of a form come to lie.
+// An affine map: the images of the axes and of the origin of a form.
 struct Placement {
 	Vector x{ 1.0, 0.0, 0.0 }, y{ 0.0, 1.0, 0.0 }, z{ 0.0, 0.0, 1.0 };
 	Vector origin{ 0.0 };
@@ -22,37 +22,37 @@ struct Placement {
 };
 
 struct Part {
-	Form form = Form::point;
+	Form form = Form::POINT;
 	Placement placement;
-	double radius = 1.0; // of rings and globes; negative where the orientation points inward
+	double radius = 1.0; // of circles and spheres; negative if the orientation points inward
 	bool dashed = false;
 };
 
 struct Figure {
 	std::vector<Part> parts;
-	Strokes own; // of Form::own
-	bool imaginary = false; // drawn dashed and hollow
-	bool dual = false; // drawn with double lines
-	std::optional<Vector> label_place;
+	Strokes custom; // of Form::CUSTOM
+	bool imaginary = false; // dashed lines, hollow dots
+	bool dual = false; // double lines
+	std::optional<Vector> label_position;
 };
 
-// Empty of parts for what has no place and no direction: scalars, e_inf, what is no object.
+// Without parts for what has neither a position nor a direction: scalars, e_inf, and multivectors that are no object.
 [[nodiscard]] Figure figure_of(const cga::Multivector &x, bool ipns = false);
 
-// The corners of a box around a form, before it is placed. Signs of constant size on the screen count as a tenth of a
-// metre; endless forms as 1e6 m.
 struct Box {
-	Vector least, greatest;
+	Vector min, max;
 };
-[[nodiscard]] Box box_of(const Part &part, const Strokes &own);
-// The box along the axes around a placed one, and around two.
+// Bounds of a form in its own space. Dots count as 0.1 m, arrows and discs of constant size on the screen as 1 m, endless
+// forms as 1e6 m.
+[[nodiscard]] Box bounds_of(const Part &part, const Strokes &custom);
+// The axis-aligned box around a placed box.
 [[nodiscard]] Box placed(const Box &box, const Placement &placement);
-[[nodiscard]] Box around_both(const Box &a, const Box &b);
+[[nodiscard]] Box merged(const Box &a, const Box &b);
 [[nodiscard]] bool contains(const Box &outer, const Box &inner);
-// What is placed there within a space that is itself placed.
+// The composition: first `inner`, then `space`.
 [[nodiscard]] Placement placed(const Placement &inner, const Placement &space);
 
-// Rounds from this radius on are anchored where they pass the origin, smaller ones as it looks best.
+// From this radius on the anchor of a circle or sphere is its point nearest to the origin.
 inline constexpr double LARGE_RADIUS = 100.0;
 
 } // namespace playground::drawing

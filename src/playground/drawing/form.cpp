@@ -12,7 +12,7 @@ constexpr float TURN = 6.28318531f;
 constexpr float THIN_OPACITY = 0.4f;
 const glm::vec3 X(1.0f, 0.0f, 0.0f), Y(0.0f, 1.0f, 0.0f), Z(0.0f, 0.0f, 1.0f);
 
-// In Space::round: one great circle.
+// In Space::ROUND: one great circle.
 void add_ring(Strokes &strokes, float ring, int steps, const Pen &pen) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= steps; ++i) {
@@ -21,14 +21,14 @@ void add_ring(Strokes &strokes, float ring, int steps, const Pen &pen) {
 	strokes.add_curve(points, pen);
 }
 
-// Index of the arrow 1, 2, ..: 0 says that a vertex is none of an arrow's.
+// `arrow` counts from 1: it is 0 in vertices that are not of an arrow.
 void add_arrows(Strokes &strokes, int count) {
 	for (int i = 1; i <= count; ++i) {
-		strokes.add_sign(Profile::arrow, ARROW, { 0.0f, 0.0f, float(i) }, X);
+		strokes.add_marker(Profile::ARROW, ARROW, { 0.0f, 0.0f, float(i) }, X);
 	}
 }
 
-// In the plane z = 0, of Space::model or Space::screen.
+// In the plane z = 0 of Space::MODEL or Space::SCREEN.
 std::vector<CurvePoint> arc(float radius, float from, float to, int steps) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= steps; ++i) {
@@ -38,14 +38,14 @@ std::vector<CurvePoint> arc(float radius, float from, float to, int steps) {
 	return points;
 }
 
-// (0, turn) in the middle, then circles of steps 1 / count, 2 / count, .. of `last`.
-Fill polar_fill(int count, int turns, float last) {
+// A disc in polar coordinates (step, azimuth, 0), in `count` rings up to step `last`.
+Fill polar_fill(int count, int sectors, float last) {
 	Fill fill;
 	for (int i = 0; i <= count; ++i) {
-		for (int j = 0; j <= turns; ++j) {
-			fill.vertices.push_back({ last * float(i) / float(count), TURN * float(j) / float(turns), 0.0f });
+		for (int j = 0; j <= sectors; ++j) {
+			fill.vertices.push_back({ last * float(i) / float(count), TURN * float(j) / float(sectors), 0.0f });
 			if (i > 0 && j > 0) {
-				const int32_t here = int32_t(fill.vertices.size()) - 1, below = here - turns - 1;
+				const int32_t here = int32_t(fill.vertices.size()) - 1, below = here - sectors - 1;
 				fill.indices.insert(fill.indices.end(), { below - 1, here - 1, here, below - 1, here, below });
 			}
 		}
@@ -65,14 +65,14 @@ Fill disc(float radius) {
 	return fill;
 }
 
-void add_globe(FormMesh &mesh) {
+void add_sphere(FormMesh &mesh) {
 	for (int ring = 0; ring < 3; ++ring) {
-		add_ring(mesh.strokes, float(ring), GLOBE_RING_STEPS, { HALF_THIN, THIN_OPACITY, {} });
+		add_ring(mesh.strokes, float(ring), SPHERE_RING_STEPS, { HALF_THIN, THIN_OPACITY, {} });
 	}
 	for (int tick = 0; tick < 6; ++tick) {
 		const float which = FIRST_TICK + float(tick);
 		mesh.strokes.add_segment({ 0.0f, which, 0.0f }, { 1.0f, which, 0.0f }, { HALF_LINE, 0.8f, {} });
-		mesh.strokes.add_sign(Profile::arrow, 0.8f * ARROW, { 1.0f, which, 0.0f }, X, { HALF_LINE, 0.8f, {} });
+		mesh.strokes.add_marker(Profile::ARROW, 0.8f * ARROW, { 1.0f, which, 0.0f }, X, { HALF_LINE, 0.8f, {} });
 	}
 	std::vector<CurvePoint> outline;
 	for (int i = 0; i <= OUTLINE_STEPS; ++i) {
@@ -91,7 +91,7 @@ void add_plane(FormMesh &mesh) {
 	mesh.fill = polar_fill(3, 32, 3.0f);
 }
 
-// Parallel arrows, which are nowhere in particular.
+// Several at once: a direction has no position.
 void add_parallel_arrows(Strokes &strokes) {
 	for (int i = -1; i <= 1; ++i) {
 		const glm::vec3 middle = 13.0f * float(i) * X - 10.0f * float(i * i) * Z;
@@ -99,8 +99,7 @@ void add_parallel_arrows(Strokes &strokes) {
 	}
 }
 
-// Turns side by side.
-void add_parallel_turns(Strokes &strokes) {
+void add_parallel_circles(Strokes &strokes) {
 	for (int i = -1; i <= 1; ++i) {
 		std::vector<CurvePoint> circle = arc(10.0f, 0.4f, TURN, 32);
 		for (CurvePoint &point : circle) {
@@ -108,7 +107,7 @@ void add_parallel_turns(Strokes &strokes) {
 		}
 		const Pen pen{ HALF_LINE, i == 0 ? 1.0f : 0.7f, {} };
 		strokes.add_curve(circle, pen);
-		strokes.add_sign(Profile::arrow, 0.8f * ARROW, circle.back().position, circle.back().tangent, pen);
+		strokes.add_marker(Profile::ARROW, 0.8f * ARROW, circle.back().position, circle.back().tangent, pen);
 	}
 }
 
@@ -116,21 +115,21 @@ void add_parallel_turns(Strokes &strokes) {
 
 Space space_of(Form form) {
 	switch (form) {
-		case Form::line:
-			return Space::line;
-		case Form::ring:
-		case Form::globe:
-			return Space::round;
-		case Form::plane:
-			return Space::plane;
-		case Form::normal:
-		case Form::tangent_along:
-		case Form::tangent_across:
-		case Form::direction_along:
-		case Form::direction_across:
-			return Space::screen;
+		case Form::LINE:
+			return Space::LINE;
+		case Form::CIRCLE:
+		case Form::SPHERE:
+			return Space::ROUND;
+		case Form::PLANE:
+			return Space::PLANE;
+		case Form::NORMAL:
+		case Form::TANGENT_ALONG:
+		case Form::TANGENT_ACROSS:
+		case Form::DIRECTION_ALONG:
+		case Form::DIRECTION_ACROSS:
+			return Space::SCREEN;
 		default:
-			return Space::model;
+			return Space::MODEL;
 	}
 }
 
@@ -139,20 +138,20 @@ FormMesh mesh_of(Form form) {
 	mesh.space = space_of(form);
 	Strokes &strokes = mesh.strokes;
 	switch (form) {
-		case Form::point:
-			strokes.add_sign(Profile::dot, DOT, {}, X);
+		case Form::POINT:
+			strokes.add_marker(Profile::DOT, DOT, {}, X);
 			break;
-		case Form::flat_point:
-			strokes.add_sign(Profile::dot, 0.75f * DOT, {}, X);
-			strokes.add_sign(Profile::halo, HALO, {}, X);
+		case Form::FLAT_POINT:
+			strokes.add_marker(Profile::DOT, 0.75f * DOT, {}, X);
+			strokes.add_marker(Profile::HALO, HALO, {}, X);
 			break;
-		case Form::pair:
+		case Form::POINT_PAIR:
 			strokes.add_segment(-X, X, { HALF_THIN, 0.7f, {} });
-			strokes.add_sign(Profile::arrow, ARROW, 0.25f * X, X);
-			strokes.add_sign(Profile::dot, DOT, -X, X);
-			strokes.add_sign(Profile::dot, DOT, X, X);
+			strokes.add_marker(Profile::ARROW, ARROW, 0.25f * X, X);
+			strokes.add_marker(Profile::DOT, DOT, -X, X);
+			strokes.add_marker(Profile::DOT, DOT, X, X);
 			break;
-		case Form::line: {
+		case Form::LINE: {
 			std::vector<CurvePoint> points;
 			for (int step = -3; step <= 3; ++step) {
 				points.push_back({ { float(step), 0.0f, 0.0f }, X });
@@ -161,39 +160,39 @@ FormMesh mesh_of(Form form) {
 			add_arrows(strokes, LINE_ARROWS);
 			break;
 		}
-		case Form::ring:
-			add_ring(strokes, 0.0f, RING_STEPS, {});
-			add_arrows(strokes, RING_ARROWS);
+		case Form::CIRCLE:
+			add_ring(strokes, 0.0f, CIRCLE_STEPS, {});
+			add_arrows(strokes, CIRCLE_ARROWS);
 			break;
-		case Form::globe:
-			add_globe(mesh);
+		case Form::SPHERE:
+			add_sphere(mesh);
 			break;
-		case Form::plane:
+		case Form::PLANE:
 			add_plane(mesh);
 			break;
-		case Form::normal:
+		case Form::NORMAL:
 			strokes.add_arrow({}, 34.0f * Z);
 			break;
-		case Form::tangent_along:
+		case Form::TANGENT_ALONG:
 			strokes.add_arrow({}, 38.0f * Z);
-			strokes.add_sign(Profile::dot, DOT, {}, X);
+			strokes.add_marker(Profile::DOT, DOT, {}, X);
 			break;
-		case Form::tangent_across: {
+		case Form::TANGENT_ACROSS: {
 			const std::vector<CurvePoint> rim = arc(20.0f, 0.0f, TURN, 48);
 			strokes.add_curve(rim);
-			strokes.add_sign(Profile::arrow, 0.8f * ARROW, rim[6].position, rim[6].tangent);
-			strokes.add_sign(Profile::arrow, 0.8f * ARROW, rim[30].position, rim[30].tangent);
-			strokes.add_sign(Profile::dot, DOT, {}, X);
+			strokes.add_marker(Profile::ARROW, 0.8f * ARROW, rim[6].position, rim[6].tangent);
+			strokes.add_marker(Profile::ARROW, 0.8f * ARROW, rim[30].position, rim[30].tangent);
+			strokes.add_marker(Profile::DOT, DOT, {}, X);
 			mesh.fill = disc(20.0f);
 			break;
 		}
-		case Form::direction_along:
+		case Form::DIRECTION_ALONG:
 			add_parallel_arrows(strokes);
 			break;
-		case Form::direction_across:
-			add_parallel_turns(strokes);
+		case Form::DIRECTION_ACROSS:
+			add_parallel_circles(strokes);
 			break;
-		case Form::own:
+		case Form::CUSTOM:
 			break;
 	}
 	return mesh;

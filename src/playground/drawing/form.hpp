@@ -4,54 +4,54 @@
 
 #include <vector>
 
-// The shapes that everything is drawn with. Each is one mesh, shared by all objects, in one of a few spaces, which say
-// how the vertex shader reads `position`.
+// The shapes that figures consist of. All objects share one mesh per form; the space of the mesh tells the vertex shader
+// how to read `position`.
 
 namespace playground::drawing {
 
 enum class Form {
-	point,
-	flat_point,
-	pair, // ends at x = -1 and 1
-	line, // along x
-	ring, // a circle through the origin, its centre at (0, 0, -radius), its normal y
-	globe, // a sphere, likewise
-	plane, // across z
-	normal, // an arrow along z: the side that a plane faces
-	tangent_along, // an arrow along z
-	tangent_across, // a disc across z
-	direction_along, // along z
-	direction_across, // across z
-	own, // no shared shape: the object's own strokes
+	POINT,
+	FLAT_POINT,
+	POINT_PAIR, // at x = -1 and 1
+	LINE, // along x
+	CIRCLE, // through the origin, center (0, 0, -radius), normal y
+	SPHERE, // through the origin, center (0, 0, -radius)
+	PLANE, // normal z
+	NORMAL, // an arrow along z on the side that a plane faces
+	TANGENT_ALONG, // an arrow along z
+	TANGENT_ACROSS, // a disc with normal z
+	DIRECTION_ALONG, // arrows along z
+	DIRECTION_ACROSS, // circles with normal z
+	CUSTOM, // the strokes of one object
 };
-inline constexpr int SHARED_FORM_COUNT = int(Form::own);
+inline constexpr int SHARED_FORM_COUNT = int(Form::CUSTOM);
 
 enum class Space {
-	model, // position in metres
-	screen, // position in pixels, at the place of the origin
-	round, // (s, ring, arrow): round_places.hpp
-	line, // (step, 0, arrow): endless_places.hpp
-	plane, // (step, turn, 0)
+	MODEL, // meters
+	SCREEN, // pixels, scaled at the depth of the origin
+	ROUND, // (s, ring, arrow): shaders/round_places.gdshaderinc
+	LINE, // (step, 0, arrow): shaders/endless_places.gdshaderinc
+	PLANE, // (step, azimuth, 0): likewise
 };
 
-// A surface without width on the screen.
+// The triangles of a surface.
 struct Fill {
 	std::vector<glm::vec3> vertices;
 	std::vector<int32_t> indices;
 };
 
 struct FormMesh {
-	Space space = Space::model;
+	Space space = Space::MODEL;
 	Strokes strokes;
-	Fill fill; // of the globe (s, turn, 0), the plane (step, turn, 0) and discs; otherwise empty
+	Fill fill; // of the sphere (s, azimuth, 0), the plane (step, azimuth, 0) and discs; otherwise empty
 };
 
 [[nodiscard]] Space space_of(Form form);
 [[nodiscard]] FormMesh mesh_of(Form form);
 
-// On `position.y` of strokes in Space::round: ticks of the globe, which show its orientation, and its outline.
+// Values of `ring` beyond the great circles 0 to 2: the six ticks of a sphere, which show its orientation, and its outline.
 inline constexpr float FIRST_TICK = 3.0f, OUTLINE = 9.0f;
-inline constexpr int LINE_ARROWS = 12, RING_ARROWS = 8;
-inline constexpr int RING_STEPS = 160, GLOBE_RING_STEPS = 64, OUTLINE_STEPS = 80;
+inline constexpr int LINE_ARROWS = 12, CIRCLE_ARROWS = 8;
+inline constexpr int CIRCLE_STEPS = 160, SPHERE_RING_STEPS = 64, OUTLINE_STEPS = 80;
 
 } // namespace playground::drawing

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-// Which slot of a dense row is whose, while owners come and go: the last one moves into a slot that becomes free. So a
-// row of instances is drawn by its length alone, and nothing is drawn that is not there.
+// Assigns slots of a dense array to owners. When an owner is removed, the last slot moves into the freed one, so that the
+// first size() instances are always those to draw.
 
 namespace playground::drawing {
 
@@ -13,7 +13,7 @@ public:
 	[[nodiscard]] size_t size() const { return _owners.size(); }
 	[[nodiscard]] size_t slot_of(size_t owner) const { return _slots[owner]; }
 
-	// A new owner, whose slot is the last. Numbers of removed owners are given again.
+	// Returns a new owner, whose slot is the last one. IDs of removed owners are reused.
 	size_t add() {
 		size_t owner = _slots.size();
 		if (_removed.empty()) {
@@ -27,7 +27,7 @@ public:
 		return owner;
 	}
 
-	// The slot that becomes free. Unless it is the new size(), what was in slot size() belongs there now.
+	// Returns the freed slot. Unless it equals the new size(), the caller must move the data of slot size() there.
 	size_t remove(size_t owner) {
 		const size_t slot = _slots[owner];
 		_owners[slot] = _owners.back();

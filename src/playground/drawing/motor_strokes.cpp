@@ -17,8 +17,8 @@ namespace {
 
 using Pose = cga::Pose<double>;
 
-// Smaller turns and scales show no axis.
-constexpr double LEAST = 1e-9;
+// Smaller angles and changes of scale count as none.
+constexpr double EPSILON = 1e-9;
 
 Vector moved(const Pose &pose, const Vector &point) {
 	return pose.translation + pose.scale * (pose.rotation * point);
@@ -28,7 +28,7 @@ glm::vec3 narrow(const Vector &v) {
 	return glm::vec3(v);
 }
 
-// Where a point goes on its way. Nothing if it stays.
+// The path of a point, unless it stays in place.
 void add_path(Strokes &strokes, const Pose &pose, const Vector &start, const Pen &pen) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= PATH_STEPS; ++i) {
@@ -42,33 +42,33 @@ void add_path(Strokes &strokes, const Pose &pose, const Vector &start, const Pen
 	}
 	if (length > 1e-6f) {
 		strokes.add_curve(points, pen);
-		strokes.add_sign(Profile::arrow, ARROW, points.back().position, points.back().tangent, pen);
+		strokes.add_marker(Profile::ARROW, ARROW, points.back().position, points.back().tangent, pen);
 	}
 }
 
 void add_frame(Strokes &strokes, const Pose &pose, float opacity) {
-	static const glm::vec4 COLOURS[3] = { { 0.94f, 0.27f, 0.32f, 1.0f }, { 0.47f, 0.76f, 0.17f, 1.0f }, { 0.20f, 0.53f, 0.96f, 1.0f } };
+	static const glm::vec4 COLORS[3] = { { 0.94f, 0.27f, 0.32f, 1.0f }, { 0.47f, 0.76f, 0.17f, 1.0f }, { 0.20f, 0.53f, 0.96f, 1.0f } };
 	for (int axis = 0; axis < 3; ++axis) {
 		Vector end(0.0);
 		end[axis] = FRAME_SIZE;
-		strokes.add_arrow(narrow(pose.translation), narrow(moved(pose, end)), { HALF_LINE, opacity, COLOURS[axis] });
+		strokes.add_arrow(narrow(pose.translation), narrow(moved(pose, end)), { HALF_LINE, opacity, COLORS[axis] });
 	}
 }
 
 } // namespace
 
 std::optional<Vector> fixed_point_of(const Pose &pose) {
-	if (std::abs(pose.scale - 1.0) <= LEAST) {
+	if (std::abs(pose.scale - 1.0) <= EPSILON) {
 		return std::nullopt;
 	}
 	const glm::dmat3 moving = glm::dmat3(1.0) - pose.scale * glm::mat3_cast(pose.rotation);
 	return glm::inverse(moving) * pose.translation;
 }
 
-// Without scale: of t across n, p = (t + cot(angle / 2) n x t) / 2.
+// Without scale, for the part t of the translation perpendicular to the axis n: p = (t + cot(angle / 2) n x t) / 2.
 std::optional<MotorAxis> axis_of(const Pose &pose) {
 	const cga::AxisAngle<double> turn = cga::short_axis_angle(pose.rotation);
-	if (turn.angle <= LEAST) {
+	if (turn.angle <= EPSILON) {
 		return std::nullopt;
 	}
 	if (const std::optional<Vector> fixed = fixed_point_of(pose)) {
@@ -89,7 +89,7 @@ Strokes motor_strokes(const Pose &pose) {
 		strokes.add_segment(narrow(end), narrow(moved(pose, axis->point + HELIX_RADIUS * beside)), { HALF_THIN, 0.5f, {} });
 	}
 	if (const std::optional<Vector> fixed = fixed_point_of(pose)) {
-		strokes.add_sign(Profile::halo, HALO, narrow(*fixed), { 1.0f, 0.0f, 0.0f });
+		strokes.add_marker(Profile::HALO, HALO, narrow(*fixed), { 1.0f, 0.0f, 0.0f });
 		for (int axis = 0; axis < 3; ++axis) {
 			Vector end(0.0);
 			end[axis] = FRAME_SIZE;

@@ -5,25 +5,25 @@
 
 #include <optional>
 
-// How a motor moves things: a frame at the origin that it carries along, the path of that frame, and around the axis a
-// helix with the motor's angle and pitch.
+// Drawing of a motor: a coordinate frame at the origin and its image, the path between them, and a helix around the axis
+// with the motor's angle and pitch.
 
 namespace playground::drawing {
 
-// Of what the motor turns about; through the point that it leaves alone if it scales.
+// The screw axis; it passes through the fixed point if the motor scales.
 struct MotorAxis {
 	Vector point;
 	Vector direction;
 };
-// Empty of a motor that does not turn.
+// Empty if the motor does not rotate.
 [[nodiscard]] std::optional<MotorAxis> axis_of(const cga::Pose<double> &pose);
-// The point that a motor leaves in place, if it scales.
+// Empty if the motor does not scale.
 [[nodiscard]] std::optional<Vector> fixed_point_of(const cga::Pose<double> &pose);
 
 [[nodiscard]] Strokes motor_strokes(const cga::Pose<double> &pose);
 
-inline constexpr double FRAME_SIZE = 0.5; // metres
-inline constexpr double HELIX_RADIUS = 0.65; // metres
+inline constexpr double FRAME_SIZE = 0.5; // meters
+inline constexpr double HELIX_RADIUS = 0.65; // meters
 inline constexpr int PATH_STEPS = 48;
 
 } // namespace playground::drawing

@@ -4,27 +4,27 @@
 
 #include <optional>
 
-// What is under the mouse.
+// Picking: the distance on the screen from the mouse to a figure.
 
 namespace playground::drawing {
 
-// A ray of view through a pixel, in the space of the figure; a pixel is pixel_at_origin + pixel_per_metre * depth wide.
+// A view ray through a pixel, in the space of the figure. At a depth a pixel measures pixel_at_origin + pixel_per_meter * depth.
 struct PickRay {
 	Vector origin;
 	Vector direction; // unit
-	double pixel_at_origin = 0.0; // metres; of a parallel view
-	double pixel_per_metre = 0.0; // of a perspective view
+	double pixel_at_origin = 0.0; // meters; of an orthogonal view
+	double pixel_per_meter = 0.0; // of a perspective view
 
-	[[nodiscard]] double pixel(double depth) const { return pixel_at_origin + pixel_per_metre * depth; }
+	[[nodiscard]] double pixel(double depth) const { return pixel_at_origin + pixel_per_meter * depth; }
 };
 
-struct Touch {
-	double pixels; // from the ray to what is drawn, on the screen; 0 on a surface
-	double depth; // metres along the ray
-	bool on_surface; // inside a plane's or a sphere's face: what is a line or a point there goes before it
+struct PickHit {
+	double pixels; // distance from the ray on the screen; 0 on a surface
+	double depth; // meters along the ray
+	bool on_surface; // lines and points within a few pixels take precedence
 };
 
-// The nearest of the figure on the screen; empty where all of it is behind the eye.
-[[nodiscard]] std::optional<Touch> touch(const Figure &figure, const PickRay &ray);
+// The part of the figure nearest on the screen; empty if the figure is behind the eye.
+[[nodiscard]] std::optional<PickHit> pick(const Figure &figure, const PickRay &ray);
 
 } // namespace playground::drawing

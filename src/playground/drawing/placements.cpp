@@ -8,7 +8,7 @@ namespace playground::drawing {
 
 namespace {
 
-// A unit vector across a unit vector, as near to a world axis as it gets: that of x, or where that is along it, of z.
+// A unit vector perpendicular to a unit vector, as documented at across().
 Vector beside(const Vector &normal) {
 	const Vector axis = std::abs(normal.x) < 0.9 ? Vector(1.0, 0.0, 0.0) : Vector(0.0, 0.0, 1.0);
 	return glm::normalize(axis - normal * glm::dot(axis, normal));

@@ -2,19 +2,19 @@
 
 #include "playground/drawing/figure.hpp"
 
-// Where forms are placed for what `classify` found.
+// Placements of forms from what cga::classify finds.
 
 namespace playground::drawing {
 
-// With z along a unit vector; x as near to a world axis as it gets.
+// With z along the unit vector `normal`, and x as close to the world's x axis as possible (z axis if they are nearly parallel).
 [[nodiscard]] Placement across(const Vector &origin, const Vector &normal);
-// With x along a unit vector.
+// With x along the unit vector `direction`.
 [[nodiscard]] Placement along(const Vector &origin, const Vector &direction);
-// Of a pair with ends at center -+ radius * direction.
+// Of a point pair at center -+ radius * direction.
 [[nodiscard]] Placement between(const Vector &center, const Vector &direction, double radius);
-// Of Form::ring: through the ring's anchor, with y along the normal.
+// Of Form::CIRCLE: the origin is the anchor of the circle, y its normal.
 [[nodiscard]] Placement around(const Vector &center, const Vector &normal, double radius);
-// Of Form::globe.
+// Of Form::SPHERE: the origin is the anchor of the sphere.
 [[nodiscard]] Placement globe(const Vector &center, double radius);
 
 } // namespace playground::drawing

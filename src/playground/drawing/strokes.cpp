@@ -12,7 +12,7 @@ void Strokes::add_curve(const std::vector<CurvePoint> &points, const Pen &pen) {
 			const int32_t next = int32_t(vertices.size());
 			indices.insert(indices.end(), { next - 2, next - 1, next, next, next - 1, next + 1 });
 		}
-		StrokeVertex vertex{ points[i].position, points[i].tangent, arc, { 0.0f, -pen.half_width }, Profile::stroke, pen.opacity, pen.colour };
+		StrokeVertex vertex{ points[i].position, points[i].tangent, arc, { 0.0f, -pen.half_width }, Profile::LINE, pen.opacity, pen.color };
 		vertices.push_back(vertex);
 		vertex.offset.y = pen.half_width;
 		vertices.push_back(vertex);
@@ -24,17 +24,17 @@ void Strokes::add_segment(const glm::vec3 &from, const glm::vec3 &to, const Pen 
 	add_curve({ { from, along }, { to, along } }, pen);
 }
 
-void Strokes::add_sign(Profile profile, float size, const glm::vec3 &position, const glm::vec3 &tangent, const Pen &pen) {
+void Strokes::add_marker(Profile profile, float size, const glm::vec3 &position, const glm::vec3 &tangent, const Pen &pen) {
 	const int32_t first = int32_t(vertices.size());
 	for (const glm::vec2 corner : { glm::vec2(-1.0f, -1.0f), glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, -1.0f), glm::vec2(1.0f, 1.0f) }) {
-		vertices.push_back({ position, tangent, size, corner * size, profile, pen.opacity, pen.colour });
+		vertices.push_back({ position, tangent, size, corner * size, profile, pen.opacity, pen.color });
 	}
 	indices.insert(indices.end(), { first, first + 1, first + 2, first + 2, first + 1, first + 3 });
 }
 
 void Strokes::add_arrow(const glm::vec3 &from, const glm::vec3 &to, const Pen &pen) {
 	add_segment(from, to, pen);
-	add_sign(Profile::arrow, ARROW, to, to - from, pen);
+	add_marker(Profile::ARROW, ARROW, to, to - from, pen);
 }
 
 } // namespace playground::drawing

@@ -1,6 +1,6 @@
 #include "playground/expression/evaluate.hpp"
 
-#include "cga/algebra/inverse.hpp"
+#include "cga/versor/inverse.hpp"
 #include "playground/expression/functions.hpp"
 #include "playground/expression/names.hpp"
 #include "playground/expression/parser.hpp"

@@ -2,7 +2,6 @@
 
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "playground/expression/function_table.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "playground/expression/function_table.hpp"
 
-#include "cga/motor/versor.hpp"
+#include "cga/algebra/null_basis.hpp"
 #include "cga/object/construct.hpp"
 #include "cga/object/incidence.hpp"
 

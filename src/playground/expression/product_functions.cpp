@@ -1,9 +1,9 @@
 #include "playground/expression/function_table.hpp"
 
-#include "cga/algebra/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/algebra/null_basis.hpp"
 #include "cga/text/readable.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/normalized.hpp"
 

@@ -1,8 +1,9 @@
 #include "playground/expression/function_table.hpp"
 
 #include "cga/motor/axis_angle.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/text/readable.hpp"
 #include "cga/versor/exponential.hpp"
 #include "cga/versor/logarithm.hpp"

@@ -1,7 +1,7 @@
 #include "playground/handles/drag.hpp"
 
 #include "cga/motor/axis_angle.hpp"
-#include "cga/motor/versor.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "playground/drawing/motor_strokes.hpp"
 #include "playground/drawing/placements.hpp"
 #include "playground/handles/free_object.hpp"
@@ -68,7 +68,7 @@ std::optional<Drag> moved_object(const FreeObject &object, const Vector &positio
 		return std::nullopt;
 	}
 	Vector offset(0.0);
-	if (old.kind == cga::Kind::plane) {
+	if (old.kind == cga::Kind::PLANE) {
 		offset = *old.normal * (rounded(glm::dot(position, *old.normal), steps.length) - *old.distance);
 	} else if (old.center) {
 		offset = on_grid - *old.center;

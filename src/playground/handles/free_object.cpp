@@ -1,7 +1,7 @@
 #include "playground/handles/free_object.hpp"
 
+#include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/versor.hpp"
 #include "playground/expression/functions.hpp"
 
 #include <glm/geometric.hpp>

@@ -189,7 +189,7 @@ private:
 
 	void add_object() {
 		const cga::Classification &object = _object.classification();
-		if (object.kind == cga::Kind::plane) {
+		if (object.kind == cga::Kind::PLANE) {
 			const Vector foot = *object.normal * *object.distance;
 			add("object", { Motion::LINE, foot, {}, *object.normal }, foot, false, true);
 		} else if (object.center) {

@@ -6,37 +6,37 @@ namespace {
 
 constexpr size_t COUNT = cga::BLADE_COUNT;
 
-template <cga::Product product, size_t result, size_t left>
-constexpr int SIGN = cga::SIGN_TABLE<product>[cga::BLADE_BITMAPS[left]][cga::BLADE_BITMAPS[result]];
+template <cga::Product PRODUCT, size_t RESULT, size_t LEFT>
+constexpr int8_t SIGN = cga::SIGN_TABLE<PRODUCT>[cga::BLADE_BITMAPS[LEFT]][cga::BLADE_BITMAPS[RESULT]];
 
-template <size_t result, size_t left>
-constexpr size_t RIGHT = cga::BLADE_INDICES[cga::BLADE_BITMAPS[left] ^ cga::BLADE_BITMAPS[result]];
+template <size_t RESULT, size_t LEFT>
+constexpr size_t RIGHT = cga::BLADE_INDICES[cga::BLADE_BITMAPS[LEFT] ^ cga::BLADE_BITMAPS[RESULT]];
 
-template <cga::Product product, size_t result, size_t left>
+template <cga::Product PRODUCT, size_t RESULT, size_t LEFT>
 void add_term(const Element &a, const Element &b, float &sum) {
-	if constexpr (SIGN<product, result, left> > 0) {
-		sum += a[left] * b[RIGHT<result, left>];
-	} else if constexpr (SIGN<product, result, left> < 0) {
-		sum -= a[left] * b[RIGHT<result, left>];
+	if constexpr (SIGN<PRODUCT, RESULT, LEFT> > 0) {
+		sum += a[LEFT] * b[RIGHT<RESULT, LEFT>];
+	} else if constexpr (SIGN<PRODUCT, RESULT, LEFT> < 0) {
+		sum -= a[LEFT] * b[RIGHT<RESULT, LEFT>];
 	}
 }
 
-template <cga::Product product, size_t result, size_t... left>
-float coefficient(const Element &a, const Element &b, std::index_sequence<left...>) {
+template <cga::Product PRODUCT, size_t RESULT, size_t... LEFT>
+float coefficient(const Element &a, const Element &b, std::index_sequence<LEFT...>) {
 	float sum = 0.0f;
-	(add_term<product, result, left>(a, b, sum), ...);
+	(add_term<PRODUCT, RESULT, LEFT>(a, b, sum), ...);
 	return sum;
 }
 
-template <cga::Product product, size_t... result>
-void multiply(const Element &a, const Element &b, Element &sum, std::index_sequence<result...>) {
-	((sum[result] = coefficient<product, result>(a, b, std::make_index_sequence<COUNT>())), ...);
+template <cga::Product PRODUCT, size_t... RESULT>
+void multiply(const Element &a, const Element &b, Element &sum, std::index_sequence<RESULT...>) {
+	((sum[RESULT] = coefficient<PRODUCT, RESULT>(a, b, std::make_index_sequence<COUNT>())), ...);
 }
 
 } // namespace
 
-Element *Pool::take() {
-	++_taken;
+Element *Pool::acquire() {
+	++_acquired;
 	if (_free.empty()) {
 		_elements.push_back(std::make_unique<Element>());
 		return _elements.back().get();
@@ -46,7 +46,7 @@ Element *Pool::take() {
 	return element;
 }
 
-void Pool::give_back(Element *element) {
+void Pool::release(Element *element) {
 	*element = Element();
 	_free.push_back(element);
 }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// The multivectors of the GA-Unity paper: 32 floats on the heap, and where an operation gets the one for its result.
+// The multivectors of the GA-Unity paper, 32 floats on the heap each, and the two ways to allocate the result of an operation.
 
 namespace bench::paper {
 
@@ -19,33 +19,33 @@ struct Element {
 	float &operator[](size_t index) { return coefficients[index]; }
 };
 
-/// What the paper compares with: a new multivector for every operation.
+/// The paper's baseline: a new multivector for each operation.
 class Allocating {
 public:
-	Element *take() { return new Element; }
-	void give_back(Element *element) { delete element; }
+	Element *acquire() { return new Element; }
+	void release(Element *element) { delete element; }
 };
 
-/// The paper's own: a queue of multivectors, which are zeroed when they come back.
+/// The paper's pool: a queue of multivectors, which are zeroed when released.
 class Pool {
 public:
-	Element *take();
-	void give_back(Element *element);
-	[[nodiscard]] size_t taken() const { return _taken; }
+	Element *acquire();
+	void release(Element *element);
+	[[nodiscard]] size_t acquired() const { return _acquired; }
 
 private:
 	std::vector<std::unique_ptr<Element>> _elements;
 	std::deque<Element *> _free;
-	size_t _taken = 0;
+	size_t _acquired = 0;
 };
 
-/// One taken element, given back at the end of its scope.
+/// Acquires an element for the lifetime of this object.
 template <class Store>
 class Held {
 public:
 	explicit Held(Store &store) :
-			_store(store), _element(store.take()) {}
-	~Held() { _store.give_back(_element); }
+			_store(store), _element(store.acquire()) {}
+	~Held() { _store.release(_element); }
 	Held(const Held &) = delete;
 	Held &operator=(const Held &) = delete;
 
@@ -57,15 +57,15 @@ private:
 	Element *_element;
 };
 
-/// result = left right, each of the 1,024 terms (fewer for other products) written out, as the paper's generated code has it.
+/// result = left right with each of its 1,024 terms written out, like the generated code of the paper.
 void geometric_product(const Element &left, const Element &right, Element &result);
-/// The fat dot, 454 terms.
+/// The inner product called fat dot, with its 454 terms written out.
 void inner_product(const Element &left, const Element &right, Element &result);
-/// The signs of grades 0..5: + - - + + -.
+/// The Clifford conjugate. The signs of grades 0 to 5 are + - - + + -.
 void conjugate(const Element &element, Element &result);
 void scale(const Element &element, float factor, Element &result);
 
-/// How many terms a product has.
+/// The number of terms of a product.
 [[nodiscard]] int term_count(cga::Product product);
 
 } // namespace bench::paper

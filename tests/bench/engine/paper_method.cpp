@@ -8,7 +8,7 @@ namespace bench::paper {
 
 namespace {
 
-// Places of blades.
+// Indices of blades.
 enum : size_t {
 	E1 = 1,
 	E2 = 2,
@@ -41,7 +41,7 @@ Element basis_blade(size_t index) {
 	return element;
 }
 
-const Element PSEUDOSCALAR = basis_blade(E123); // of space
+const Element PSEUDOSCALAR = basis_blade(E123); // of Euclidean space
 
 Element origin() {
 	Element element;
@@ -57,7 +57,7 @@ bool is_blended(size_t index) {
 }
 
 template <class Store>
-void normalise(const Element &element, Element &result, Store &store) {
+void normalize(const Element &element, Element &result, Store &store) {
 	const Held<Store> conjugated(store);
 	conjugate(element, *conjugated);
 	const Held<Store> square(store);
@@ -67,15 +67,15 @@ void normalise(const Element &element, Element &result, Store &store) {
 
 template <class Store>
 cga::Quaternion<float> quaternion_of(const Element &rotor, Store &store) {
-	const Held<Store> turned(store);
-	geometric_product(PSEUDOSCALAR, rotor, *turned);
-	return cga::Quaternion<float>(rotor[0], (*turned)[E1], (*turned)[E2], (*turned)[E3]);
+	const Held<Store> dual(store);
+	geometric_product(PSEUDOSCALAR, rotor, *dual);
+	return cga::Quaternion<float>(rotor[0], (*dual)[E1], (*dual)[E2], (*dual)[E3]);
 }
 
 template <class Store>
 cga::Vector3<float> translation_of(const Element &translator, Store &store) {
 	const Held<Store> unit(store);
-	normalise(translator, *unit, store);
+	normalize(translator, *unit, store);
 	const Held<Store> minus_origin(store);
 	scale(ORIGIN, -1.0f, *minus_origin);
 	const Held<Store> half(store);
@@ -115,7 +115,7 @@ cga::Pose<float> interpolate(const Ends &ends, float weight, Store &store) {
 	const Held<Store> translator(store);
 	geometric_product(*motor, *reversed, *translator);
 	const Held<Store> unit(store);
-	normalise(*translator, *unit, store);
+	normalize(*translator, *unit, store);
 	pose.translation = translation_of(*unit, store);
 	pose.scale = ends.to_scale * weight + ends.from_scale * (1.0f - weight);
 	return pose;

@@ -6,20 +6,20 @@
 #include <cstddef>
 #include <vector>
 
-// What the GA-Unity paper does for each object in each frame, operation by operation as in its public code, in C++:
+// The method of the GA-Unity paper for one object in one frame, operation by operation as in its public code:
 //
 //   TR = (1 - a) TR1 + a TR2                      15 coefficients
-//   R = TR without e4 and e5                      the quaternion is that of e123 R
-//   T = normalised (TR R~)                        X / sqrt(|(X conj(X))_0|)
-//   t = -2 (normalised T . -e_o)                  the vector part
+//   R = TR without e4 and e5                      read as a quaternion from e123 R
+//   T = normalized(TR R~)                         normalized(X) = X / sqrt(|(X conj(X))_0|)
+//   t = -2 (normalized(T) . -e_o)                 its vector part is the translation
 //
-// which is 4 full geometric products, one inner product, and 14 multivectors taken and given back. The scale is blended
-// by itself. What its code gets wrong (the order of a quaternion's numbers, the weight of the dilator, q and -q) is right
-// here: ends on one hemisphere, TR made without a dilator.
+// That is 4 full geometric products, one inner product and 14 multivectors. The scale is interpolated separately. Three
+// mistakes of the public code are corrected here: the order of a quaternion's components, the weight of the dilator (TR
+// is made without one), and the choice between q and -q (both ends are on one hemisphere).
 
 namespace bench::paper {
 
-/// The two ends, as its Start() leaves them.
+/// The two poses, prepared as in the public code's Start().
 struct Ends {
 	Ends(const cga::Pose<float> &from, const cga::Pose<float> &to);
 
@@ -29,7 +29,7 @@ struct Ends {
 	float to_scale;
 };
 
-/// One object in one frame.
+/// The pose at `weight` (0 to 1). Multivectors come from `store`, a Pool or Allocating.
 template <class Store>
 [[nodiscard]] cga::Pose<float> interpolate(const Ends &ends, float weight, Store &store);
 

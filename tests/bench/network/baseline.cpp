@@ -1,7 +1,7 @@
 #include "baseline.hpp"
 
 #include "cga/motor/motor.hpp"
-#include "net/stream_settings.hpp"
+#include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +11,15 @@ namespace bench {
 
 namespace {
 
-// Share of the time between samples by which a sample may come before a multiple of the send interval and count as at
-// it: recorded times are rounded, and rates are never exactly what they are called.
+// A sample may precede its multiple of the send interval by this part of the sample interval: recorded times are rounded,
+// and rates are never exactly the nominal ones.
 constexpr double EARLY = 0.25;
 
 cga::Pose<double> as_floats(const cga::Pose<double> &pose) {
 	return cga::pose_cast<double>(cga::pose_cast<float>(pose));
 }
 
-// The eight coefficients of a rigid motor, and the scale, in float32.
+// Eight float32 coefficients of the rigid motor and a float32 scale.
 cga::Pose<double> as_float_motor(const cga::Pose<double> &pose) {
 	cga::Pose<double> rigid = pose;
 	rigid.scale = 1.0;
@@ -33,9 +33,9 @@ cga::Pose<double> as_float_motor(const cga::Pose<double> &pose) {
 	return result;
 }
 
-// Which samples of the trace are sent, in order of time.
+// The samples that are sent, by ascending time.
 std::vector<SampleIndex> choose_samples(const Trace &trace, double rate) {
-	const double early = EARLY * std::min(trace.usual_interval(), 1.0 / rate);
+	const double early = EARLY * std::min(trace.sample_interval(), 1.0 / rate);
 	std::vector<double> next(trace.bodies.size(), trace.begin());
 	std::vector<SampleIndex> chosen;
 	for (const SampleIndex &index : trace.order) {
@@ -49,19 +49,19 @@ std::vector<SampleIndex> choose_samples(const Trace &trace, double rate) {
 	return chosen;
 }
 
-// Seconds between a body's samples sent, at most; where the source itself has no gap.
-double longest_interval(const Trace &trace, const std::vector<SampleIndex> &chosen, double rate) {
-	const double regular = 1.0 / rate + 1.5 * trace.usual_interval();
+// The maximum interval between consecutive sent samples of a body, in seconds, gaps of the recording excluded.
+double max_send_interval(const Trace &trace, const std::vector<SampleIndex> &chosen, double rate) {
+	const double regular = 1.0 / rate + 1.5 * trace.sample_interval();
 	std::vector<double> last(trace.bodies.size(), -std::numeric_limits<double>::infinity());
-	double longest = 0.0;
+	double max_interval = 0.0;
 	for (const SampleIndex &index : chosen) {
 		const double interval = trace.sample(index).time - last[index.body];
 		if (interval <= regular) {
-			longest = std::max(longest, interval);
+			max_interval = std::max(max_interval, interval);
 		}
 		last[index.body] = trace.sample(index).time;
 	}
-	return longest > 0.0 ? longest : 1.0 / rate;
+	return max_interval > 0.0 ? max_interval : 1.0 / rate;
 }
 
 struct Cost {
@@ -69,21 +69,21 @@ struct Cost {
 	size_t datagrams = 0;
 };
 
-// What a fixed rate costs: a pose of every body that is there, each time.
+// The cost of sending every body at every multiple of 1 / rate from its first to its last sample.
 Cost fixed_rate_cost(const Trace &trace, double rate, size_t bodies_per_datagram) {
 	Cost cost;
 	const double early = EARLY / rate;
 	for (size_t turn = 0; double(turn) / rate <= trace.duration() + early; ++turn) {
 		const double time = trace.begin() + double(turn) / rate;
-		const auto is_there = [&](const TraceBody &body) { return body.samples.front().time - early <= time && time <= body.samples.back().time + early; };
-		const size_t poses = size_t(std::count_if(trace.bodies.begin(), trace.bodies.end(), is_there));
+		const auto exists_at_time = [&](const TraceBody &body) { return body.samples.front().time - early <= time && time <= body.samples.back().time + early; };
+		const size_t poses = size_t(std::count_if(trace.bodies.begin(), trace.bodies.end(), exists_at_time));
 		cost.poses += poses;
 		cost.datagrams += (poses + bodies_per_datagram - 1) / bodies_per_datagram;
 	}
 	return cost;
 }
 
-// The samples of each body that the receiver has in time, as it has them.
+// The samples of each body that arrived in time, rounded as sent.
 class ReceivedSamples {
 public:
 	explicit ReceivedSamples(const Trace &trace) :
@@ -91,7 +91,7 @@ public:
 
 	void add(uint32_t body, const TraceSample &sample) { _samples[body].push_back(sample); }
 
-	// What is shown of the body at a time; null before its first sample.
+	// The pose shown at a time; null before the first sample. Valid until the next call.
 	const cga::Pose<double> *show(uint32_t body, double time, cga::Mode path) {
 		const std::vector<TraceSample> &samples = _samples[body];
 		const auto after = std::upper_bound(samples.begin(), samples.end(), time, [](double t, const TraceSample &sample) { return t < sample.time; });
@@ -124,18 +124,18 @@ std::vector<Baseline> baselines() {
 	return all;
 }
 
-MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed) {
+MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const harness::LinkSettings &link, uint64_t seed) {
 	const std::vector<SampleIndex> chosen = choose_samples(trace, baseline.rate);
-	const double delay = longest_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
+	const double delay = max_send_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
 	const size_t bodies_per_datagram = size_t(net::MAX_PACKET_BYTES) / baseline.pose_bytes;
 	ReceivedSamples received(trace);
-	LinkModel model(link, seed);
+	harness::LinkModel model(link, seed);
 	for (size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {
 		const double time = trace.sample(chosen[begin]).time;
 		while (end < chosen.size() && end - begin < bodies_per_datagram && trace.sample(chosen[end]).time == time) {
 			++end;
 		}
-		const DatagramFate fate = model.fate(time, (end - begin) * baseline.pose_bytes);
+		const harness::DatagramFate fate = model.fate(time, (end - begin) * baseline.pose_bytes);
 		const auto in_time = [&](double arrival) { return arrival <= time + delay; };
 		if (std::none_of(fate.arrivals.begin(), fate.arrivals.begin() + fate.copies, in_time)) {
 			continue;

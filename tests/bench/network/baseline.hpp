@@ -1,37 +1,37 @@
 #pragma once
 
-#include "link_model.hpp"
+#include "../../harness/link_model.hpp"
 #include "method_result.hpp"
 
 #include "cga/motor/interpolate.hpp"
 
 namespace bench {
 
-/// A way to send poses that engines and papers use: every body, at a fixed rate, each pose by itself; the receiver
-/// interpolates between the last pose before and the first after the time it shows.
+/// A replication method of engines and papers: every body's pose at a fixed rate, each coded independently. The receiver
+/// interpolates between the poses before and after its playback time.
 struct Baseline {
 	std::string subject;
-	double rate = 0.0; ///< poses a second of each body
+	double rate = 0.0; ///< poses per second and body
 	size_t pose_bytes = 0;
 	cga::Mode path = cga::Mode::SEPARATE;
-	cga::Pose<double> (*as_received)(const cga::Pose<double> &pose) = nullptr; ///< a pose after rounding to what is sent
+	cga::Pose<double> (*as_received)(const cga::Pose<double> &pose) = nullptr; ///< the pose after the rounding of the format sent
 };
 
-/// Float32 position, quaternion and scale (40 bytes) with lerp and slerp at 5, 10, 15, 20, 30 and 60 Hz:
-/// pqs_float32_5hz and so on. The GA-Unity paper's scheme at half of 10, 20, 30 and 60 Hz: eight float32 of a motor
-/// and a float32 scale (36 bytes) with a linear blend: paper_motor_float32_5hz and so on.
+/// pqs_float32_5hz and so on: float32 position, quaternion and scale (40 bytes) with lerp and slerp at 5, 10, 15, 20, 30
+/// and 60 Hz. paper_motor_float32_5hz and so on: the GA-Unity paper's scheme, the eight float32 of a motor and a float32
+/// scale (36 bytes) with a linear blend, at half of 10, 20, 30 and 60 Hz.
 [[nodiscard]] std::vector<Baseline> baselines();
 
-/// Sends the trace by the method through a link.
+/// Replicates the trace over a link with the baseline.
 ///
-/// A body's pose is sent at the first source time at or after each multiple of 1 / rate (or a quarter of a source
-/// interval before it), with that time, in datagrams of at most 1,350 bytes; the body's last pose is sent too. The cost
-/// is that of a fixed rate: a pose at every multiple for as long as the body is there, at rest and in gaps of the
-/// recording as well. Headers, ids and times cost nothing.
+/// The sender sends a body's pose at the first sample at or after each multiple of 1 / rate (or up to a quarter of a
+/// sample interval before it), in datagrams of at most 1,350 bytes, and the body's last pose. The cost is that of a fixed
+/// rate: one pose at every multiple from the body's first to its last sample, at rest and in gaps of the recording too.
+/// Headers, ids and times are not counted.
 ///
-/// The receiver plays the shortest delay behind at which, without loss, the sample after the time shown is always there:
-/// one send interval, the delay and the jitter. A sample that is lost, or comes later than the playback delay after its
-/// time, is missing; the receiver then interpolates between the samples around it, as if it had known that.
-[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const LinkSettings &link, uint64_t seed);
+/// The playback delay is the shortest at which, without loss, the next sample is always there: one send interval plus the
+/// link's delay and jitter. The receiver interpolates across samples that are lost or arrive after their playback time, as
+/// if it had known in advance that they would be missing.
+[[nodiscard]] MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const harness::LinkSettings &link, uint64_t seed);
 
 } // namespace bench

@@ -6,19 +6,18 @@
 
 namespace bench {
 
-/// What sending a trace by one method came to.
+/// Cost and error of replicating a trace with one method.
 struct MethodResult {
-	std::string subject; ///< the method's name in rows
+	std::string subject; ///< the method's name in the rows
 	ErrorSummary errors;
 	double bytes_per_second = 0.0; ///< to one receiver, over the trace's duration
 	double packets_per_second = 0.0;
-	double delay_median = 0.0; ///< seconds that what is shown lies behind the source
-	double delay_max = 0.0; ///< the same, the largest after the first second
-	size_t unseen = 0; ///< samples of bodies before the receiver had anything to show of them
+	double delay_median = 0.0; ///< median playback delay relative to the source, in seconds
+	double delay_max = 0.0; ///< maximum after the first second
+	size_t unseen = 0; ///< samples at times when the receiver did not show their body
 };
 
-/// Several runs of one method with different chances as one: all their errors together, the longest delay, means of the
-/// rest. At least one run.
+/// Combines at least one run of the same method with different seeds: pooled errors, the maximum delay, means of the rest.
 [[nodiscard]] MethodResult pool_runs(const std::vector<MethodResult> &runs);
 
 } // namespace bench

@@ -6,13 +6,13 @@
 namespace bench {
 
 double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b) {
-	const glm::dvec3 centre = a.translation - b.translation;
-	const glm::dmat3 axes = glm::mat3_cast(a.rotation) * (LEVER * a.scale) - glm::mat3_cast(b.rotation) * (LEVER * b.scale);
-	double squared = glm::dot(centre, centre);
+	const glm::dvec3 center = a.translation - b.translation;
+	const glm::dmat3 axes = glm::mat3_cast(a.rotation) * (LEVER_ARM * a.scale) - glm::mat3_cast(b.rotation) * (LEVER_ARM * b.scale);
+	double squared = glm::dot(center, center);
 	for (int axis = 0; axis < 3; ++axis) {
-		const glm::dvec3 point = centre + axes[axis];
-		const double further = glm::dot(point, point);
-		squared = further <= squared ? squared : further; // a NaN is kept
+		const glm::dvec3 point = center + axes[axis];
+		const double point_squared = glm::dot(point, point);
+		squared = point_squared <= squared ? squared : point_squared; // keeps a NaN
 	}
 	return std::sqrt(squared);
 }
@@ -43,7 +43,7 @@ double percentile(std::vector<double> &values, double share) {
 	const size_t below = size_t(place);
 	const size_t above = std::min(below + 1, values.size() - 1);
 	const double weight = place - double(below);
-	// Not across infinities, whose difference is no number.
+	// Does not subtract infinities, which would give NaN.
 	return weight == 0.0 || values[above] == values[below] ? values[below] : values[below] + (values[above] - values[below]) * weight;
 }
 

@@ -5,16 +5,16 @@
 #include <limits>
 #include <vector>
 
-// How far what is shown is from what was, as docs/performance/network.md defines it.
+// The error of shown poses, as docs/performance/network.md defines it.
 
 namespace bench {
 
-/// Of the points on a body's axes at which its error counts, in metres from its centre.
-inline constexpr double LEVER = 0.25;
-/// A body that is faster than this at its centre or at a lever point moves, in metres per second.
+/// Distance of the lever points, at which rotation error is measured, from the body's center along its axes, in meters.
+inline constexpr double LEVER_ARM = 0.25;
+/// A body moves if its center or a lever point is faster than this, in meters per second.
 inline constexpr double MOVING_SPEED = 0.001;
 
-/// The largest distance, in metres, between the places of a body's centre and of the points at LEVER on its three axes.
+/// The largest distance, in meters, between two poses of a body: of its center and its three lever points.
 [[nodiscard]] double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b);
 
 enum class Motion : uint8_t {
@@ -23,13 +23,13 @@ enum class Motion : uint8_t {
 	MOVING,
 };
 
-/// For each sample of the body, whether it moved since the sample before it.
+/// For each sample of the body, whether it moved since the previous one.
 [[nodiscard]] std::vector<Motion> find_motion(const TraceBody &body);
 
-/// The value below which `share` of the values are, between two of them in proportion; NaN if there is none. Sorts.
+/// The percentile at `share` (0 to 1), by linear interpolation between the closest ranks; NaN without values. Sorts them.
 [[nodiscard]] double percentile(std::vector<double> &values, double share);
 
-/// In metres; NaN where there was nothing to look at.
+/// In meters; NaN where there are no samples.
 struct ErrorFigures {
 	double p50 = std::numeric_limits<double>::quiet_NaN();
 	double p99 = std::numeric_limits<double>::quiet_NaN();
@@ -43,9 +43,9 @@ struct ErrorFigures {
 /// Errors of moving and of resting samples.
 class ErrorSummary {
 public:
-	/// In metres; what is not a number counts as infinite. Samples of unknown motion do not count.
+	/// `error` in meters; NaN counts as infinite. Samples of unknown motion are ignored.
 	void add(double error, Motion motion);
-	/// Takes in what another one has.
+	/// Adds the samples of another summary.
 	void add(const ErrorSummary &other);
 	[[nodiscard]] ErrorFigures figures() const;
 

@@ -6,10 +6,9 @@ namespace bench {
 
 namespace {
 
-// Seconds after which a body without samples is gone, and seconds without any sample that are a gap.
-constexpr double GONE = 0.25;
+// In seconds: time without samples after which a body is removed; minimum of a gap; interval of flushes in a gap.
+constexpr double REMOVAL_DELAY = 0.25;
 constexpr double GAP = 0.05;
-// Seconds between two flushes without poses.
 constexpr double EMPTY_STEP = 1.0 / 60.0;
 
 } // namespace
@@ -34,28 +33,28 @@ SourceFeed::SourceFeed(const Trace &trace, double tick, double drain) :
 	}
 	fill_until(trace.end() + drain);
 
-	const double patience = std::max(GONE, 3.0 * trace.usual_interval());
-	std::vector<std::pair<double, uint32_t>> ends;
+	const double removal_delay = std::max(REMOVAL_DELAY, 3.0 * trace.sample_interval());
+	std::vector<std::pair<double, uint32_t>> removals;
 	for (uint32_t body = 0; body < trace.bodies.size(); ++body) {
-		const double found = trace.bodies[body].samples.back().time + patience;
-		if (found < trace.end()) {
-			ends.emplace_back(found, body);
+		const double removal = trace.bodies[body].samples.back().time + removal_delay;
+		if (removal < trace.end()) {
+			removals.emplace_back(removal, body);
 		}
 	}
-	std::sort(ends.begin(), ends.end());
+	std::sort(removals.begin(), removals.end());
 	for (SourceStep &step : _steps) {
-		step.gone_begin = _gone.size();
-		while (_gone.size() < ends.size() && ends[_gone.size()].first <= step.time) {
-			_gone.push_back(ends[_gone.size()].second);
+		step.removed_begin = _removed.size();
+		while (_removed.size() < removals.size() && removals[_removed.size()].first <= step.time) {
+			_removed.push_back(removals[_removed.size()].second);
 		}
-		step.gone_end = _gone.size();
+		step.removed_end = _removed.size();
 	}
 }
 
 size_t SourceFeed::feed(net::Sender &sender, const SourceStep &step) const {
-	size_t refused = 0;
-	for (size_t i = step.gone_begin; i < step.gone_end; ++i) {
-		sender.remove_body(_trace.bodies[_gone[i]].id);
+	size_t rejected = 0;
+	for (size_t i = step.removed_begin; i < step.removed_end; ++i) {
+		sender.remove_body(_trace.bodies[_removed[i]].id);
 	}
 	for (size_t i = step.begin; i < step.end; ++i) {
 		const SampleIndex &index = _trace.order[i];
@@ -64,10 +63,10 @@ size_t SourceFeed::feed(net::Sender &sender, const SourceStep &step) const {
 		if (index.sample == 0) {
 			sender.add_body(id, pose);
 		}
-		refused += !sender.observe(id, step.time, pose);
+		rejected += !sender.observe(id, step.time, pose);
 	}
 	sender.flush(step.time);
-	return refused;
+	return rejected;
 }
 
 } // namespace bench

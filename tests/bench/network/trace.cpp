@@ -15,10 +15,10 @@ namespace bench {
 namespace {
 
 constexpr std::array<const char *, 9> FIELDS = { "t", "id", "x", "y", "z", "qw", "qx", "qy", "qz" };
-// Quaternions are written with four digits or more.
+// Recordings have quaternions of four digits or more.
 constexpr double MAX_NORM_ERROR = 0.01;
-// Share by which an interval differs at most from the median to count as usual.
-constexpr double NEAR = 0.1;
+// Intervals within this part of the median are averaged.
+constexpr double MAX_INTERVAL_DEVIATION = 0.1;
 constexpr uint32_t MAX_ID = 0x7fffffffu;
 
 struct Line {
@@ -27,13 +27,13 @@ struct Line {
 	cga::Pose<double> pose;
 };
 
-std::string_view without_blanks(std::string_view text) {
-	constexpr const char *BLANKS = " \t\r";
-	const size_t first = text.find_first_not_of(BLANKS);
-	return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(BLANKS) - first + 1);
+std::string_view trim(std::string_view text) {
+	constexpr const char *WHITESPACE = " \t\r";
+	const size_t first = text.find_first_not_of(WHITESPACE);
+	return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(WHITESPACE) - first + 1);
 }
 
-// A part of a line for a message: short, and without what would upset a terminal.
+// Part of a line for a message: at most 40 characters, control characters replaced.
 std::string quoted(std::string_view text) {
 	std::string result = "'";
 	for (const char c : text.substr(0, 40)) {
@@ -48,7 +48,7 @@ bool parse_number(std::string_view text, Number &number) {
 	return result.ec == std::errc() && result.ptr == text.data() + text.size();
 }
 
-// Empty, or what is wrong with the line.
+// An error; empty on success.
 std::string parse_line(std::string_view text, Line &line) {
 	std::array<double, 9> values{};
 	for (size_t i = 0; i < FIELDS.size(); ++i) {
@@ -56,11 +56,11 @@ std::string parse_line(std::string_view text, Line &line) {
 		if ((comma == std::string_view::npos) != (i + 1 == FIELDS.size())) {
 			return comma == std::string_view::npos ? "ends before the field " + std::string(FIELDS[i + 1]) : "has more than 9 fields";
 		}
-		const std::string_view field = without_blanks(text.substr(0, comma));
+		const std::string_view field = trim(text.substr(0, comma));
 		text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
 		const bool is_id = i == 1;
 		if (is_id ? !parse_number(field, line.id) || line.id > MAX_ID : !parse_number(field, values[i]) || !std::isfinite(values[i])) {
-			return std::string(FIELDS[i]) + " is " + quoted(field) + ", not a " + (is_id ? "whole number from 0 to 2147483647" : "finite number");
+			return std::string(FIELDS[i]) + " is " + quoted(field) + (is_id ? ", not an integer from 0 to 2147483647" : ", not a finite number");
 		}
 	}
 	line.time = values[0];
@@ -74,7 +74,7 @@ std::string parse_line(std::string_view text, Line &line) {
 	return {};
 }
 
-// Takes lines in order of time; sorts by body at the end.
+// Adds lines by ascending time; sorts the bodies at the end.
 class TraceBuilder {
 public:
 	explicit TraceBuilder(Trace &trace) :
@@ -83,13 +83,13 @@ public:
 	std::string add(const Line &line) {
 		std::vector<TraceFrame> &frames = _trace.frames;
 		if (!frames.empty() && line.time < frames.back().time) {
-			return "time goes back from " + std::to_string(frames.back().time) + " to " + std::to_string(line.time);
+			return "time decreases from " + std::to_string(frames.back().time) + " to " + std::to_string(line.time) + "; sort the lines by time";
 		}
-		const auto [place, is_new] = _index.try_emplace(line.id, uint32_t(_trace.bodies.size()));
+		const auto [entry, is_new] = _index.try_emplace(line.id, uint32_t(_trace.bodies.size()));
 		if (is_new) {
 			_trace.bodies.push_back({ line.id, {} });
 		}
-		std::vector<TraceSample> &samples = _trace.bodies[place->second].samples;
+		std::vector<TraceSample> &samples = _trace.bodies[entry->second].samples;
 		if (!samples.empty() && samples.back().time == line.time) {
 			samples.back().pose = line.pose;
 			return {};
@@ -97,7 +97,7 @@ public:
 		if (frames.empty() || frames.back().time != line.time) {
 			frames.push_back({ line.time, _trace.order.size(), _trace.order.size() });
 		}
-		_trace.order.push_back({ place->second, uint32_t(samples.size()) });
+		_trace.order.push_back({ entry->second, uint32_t(samples.size()) });
 		frames.back().end = _trace.order.size();
 		samples.push_back({ line.time, line.pose });
 		return {};
@@ -110,20 +110,20 @@ public:
 		}
 		std::sort(by_id.begin(), by_id.end(), [this](uint32_t a, uint32_t b) { return _trace.bodies[a].id < _trace.bodies[b].id; });
 		std::vector<TraceBody> sorted(by_id.size());
-		std::vector<uint32_t> place(by_id.size());
+		std::vector<uint32_t> new_index(by_id.size());
 		for (size_t i = 0; i < by_id.size(); ++i) {
 			sorted[i] = std::move(_trace.bodies[by_id[i]]);
-			place[by_id[i]] = uint32_t(i);
+			new_index[by_id[i]] = uint32_t(i);
 		}
 		_trace.bodies = std::move(sorted);
 		for (SampleIndex &index : _trace.order) {
-			index.body = place[index.body];
+			index.body = new_index[index.body];
 		}
 	}
 
 private:
 	Trace &_trace;
-	std::unordered_map<uint32_t, uint32_t> _index;
+	std::unordered_map<uint32_t, uint32_t> _index; // of bodies, by id
 };
 
 double median(std::vector<double> &values) {
@@ -134,7 +134,7 @@ double median(std::vector<double> &values) {
 
 } // namespace
 
-double Trace::usual_interval() const {
+double Trace::sample_interval() const {
 	std::vector<double> intervals;
 	for (const TraceBody &body : bodies) {
 		for (size_t i = 1; i < body.samples.size(); ++i) {
@@ -144,12 +144,12 @@ double Trace::usual_interval() const {
 	for (size_t i = 1; intervals.empty() && i < frames.size(); ++i) {
 		intervals.push_back(frames[i].time - frames[i - 1].time);
 	}
-	// Recorded times are rounded: the mean of what is near the median is nearer to the truth.
+	// Recorded times are rounded, which the mean of intervals near the median removes.
 	const double middle = median(intervals);
 	double sum = 0.0;
 	size_t count = 0;
 	for (const double interval : intervals) {
-		if (std::abs(interval - middle) <= NEAR * middle) {
+		if (std::abs(interval - middle) <= MAX_INTERVAL_DEVIATION * middle) {
 			sum += interval;
 			++count;
 		}
@@ -161,24 +161,24 @@ std::string parse_trace(std::string_view text, const std::string &name, Trace &t
 	trace = Trace();
 	TraceBuilder builder(trace);
 	size_t number = 0;
-	bool maybe_names = true;
+	bool may_be_header = true;
 	constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
 	if (text.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK) {
 		text.remove_prefix(BYTE_ORDER_MARK.size());
 	}
 	while (!text.empty()) {
 		const size_t end = text.find('\n');
-		const std::string_view content = without_blanks(text.substr(0, end));
+		const std::string_view content = trim(text.substr(0, end));
 		text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
 		++number;
 		if (content.empty()) {
 			continue;
 		}
-		if (maybe_names && content.substr(0, 2) == "t,") {
-			maybe_names = false;
+		if (may_be_header && content.substr(0, 2) == "t,") {
+			may_be_header = false;
 			continue;
 		}
-		maybe_names = false;
+		may_be_header = false;
 		Line line;
 		std::string problem = parse_line(content, line);
 		if (problem.empty()) {
@@ -189,7 +189,7 @@ std::string parse_trace(std::string_view text, const std::string &name, Trace &t
 		}
 	}
 	if (trace.frames.size() < 2) {
-		return name + ": " + (trace.frames.empty() ? "no sample" : "all samples are of one time") + "; lines are t,id,x,y,z,qw,qx,qy,qz";
+		return name + (trace.frames.empty() ? ": no samples" : ": all samples have the same time") + "; expected lines of t,id,x,y,z,qw,qx,qy,qz";
 	}
 	builder.sort_bodies();
 	return {};
@@ -206,7 +206,7 @@ std::string read_trace(const std::string &path, Trace &trace) {
 		}
 	}
 	if (!file || std::ferror(file.get())) {
-		return path + ": cannot be read (" + std::strerror(errno) + ")";
+		return path + ": cannot read the file: " + std::strerror(errno);
 	}
 	return parse_trace(text, path, trace);
 }

@@ -20,22 +20,22 @@ struct TraceBody {
 	std::vector<TraceSample> samples; ///< at strictly ascending times
 };
 
-/// One sample of one body, by place: Trace::bodies[body].samples[sample].
+/// One sample of one body: Trace::bodies[body].samples[sample].
 struct SampleIndex {
 	uint32_t body = 0;
 	uint32_t sample = 0;
 };
 
-/// What was recorded at one time: Trace::order[begin] up to, not including, Trace::order[end].
+/// The samples of one time: Trace::order[begin] up to, not including, Trace::order[end].
 struct TraceFrame {
 	double time = 0.0; ///< seconds
 	size_t begin = 0;
 	size_t end = 0;
 };
 
-/// Recorded motion of many bodies. They may begin late, end early, have gaps and be sampled at different times.
+/// Recorded motion of bodies, which may begin late, end early, have gaps and be sampled at different times.
 struct Trace {
-	std::vector<TraceBody> bodies; ///< by ascending id; each has a sample
+	std::vector<TraceBody> bodies; ///< by ascending id; each has at least one sample
 	std::vector<SampleIndex> order; ///< all samples by ascending time
 	std::vector<TraceFrame> frames; ///< by ascending time; at least two
 
@@ -44,17 +44,17 @@ struct Trace {
 	[[nodiscard]] double end() const { return frames.back().time; }
 	/// Seconds from the first sample to the last; greater than 0.
 	[[nodiscard]] double duration() const { return end() - begin(); }
-	/// The time between a body's consecutive samples, in seconds: the mean of those within 10 % of their median. Between
-	/// frames if no body has two samples.
-	[[nodiscard]] double usual_interval() const;
+	/// The typical interval between a body's samples, in seconds: the mean of the intervals within 10 % of their median; of
+	/// intervals between frames if no body has two samples.
+	[[nodiscard]] double sample_interval() const;
 };
 
-/// Reads text of the lines `t,id,x,y,z,qw,qx,qy,qz`: seconds, a whole number, metres, a unit quaternion. A first line of
-/// names is skipped, and so are empty lines. Times never go back; of several samples of a body at one time, the last
-/// counts. Empty, or what is wrong, beginning with `name` and the line's number; then `trace` is not to be used.
+/// Parses lines of `t,id,x,y,z,qw,qx,qy,qz`: seconds, integer, meters, unit quaternion. A header line and empty lines are
+/// skipped. Times must not decrease; the last of several samples of a body at one time counts. Returns an error that begins
+/// with `name` and the line number, after which `trace` must not be used; empty on success.
 [[nodiscard]] std::string parse_trace(std::string_view text, const std::string &name, Trace &trace);
 
-/// The same of a file.
+/// Parses a file.
 [[nodiscard]] std::string read_trace(const std::string &path, Trace &trace);
 
 } // namespace bench

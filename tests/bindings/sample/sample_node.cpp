@@ -30,16 +30,16 @@ PackedStringArray SampleNode::_get_configuration_warnings() const {
 	return warnings;
 }
 
-void SampleNode::set_target(const NodePath &p_path) {
-	_target = p_path;
+void SampleNode::set_target(const NodePath &path) {
+	_target = path;
 }
 
 NodePath SampleNode::get_target() const {
 	return _target;
 }
 
-void SampleNode::set_note(const Ref<SampleNote> &p_note) {
-	_note = p_note;
+void SampleNode::set_note(const Ref<SampleNote> &note) {
+	_note = note;
 }
 
 Ref<SampleNote> SampleNode::get_note() const {
@@ -63,9 +63,9 @@ String SampleNode::find_missing() const {
 	return get_node_or_null(NodePath("no/such/node")) ? String("found") : String("missing");
 }
 
-Node *SampleNode::grow(const String &p_name) {
+Node *SampleNode::grow(const String &name) {
 	SampleMover *child = memnew(SampleMover);
-	child->set_name(p_name);
+	child->set_name(name);
 	add_child(child);
 	return child;
 }
@@ -78,28 +78,28 @@ int64_t SampleNode::prune() {
 	return count;
 }
 
-Variant SampleNode::call_other(Object *p_other, const StringName &p_method, const Variant &p_a, const Variant &p_b) const {
-	return p_other ? p_other->call(p_method, p_a, p_b) : Variant();
+Variant SampleNode::call_other(Object *other, const StringName &method, const Variant &a, const Variant &b) const {
+	return other ? other->call(method, a, b) : Variant();
 }
 
-void SampleNode::listen(Object *p_source, const StringName &p_signal) {
-	p_source->connect(p_signal, Callable(this, "_heard").bindv(Array{ "bound" }));
+void SampleNode::listen(Object *source, const StringName &signal) {
+	source->connect(signal, Callable(this, "_heard").bindv(Array{ "bound" }));
 }
 
-void SampleNode::stop_listening(Object *p_source, const StringName &p_signal) {
-	p_source->disconnect(p_signal, Callable(this, "_heard"));
+void SampleNode::stop_listening(Object *source, const StringName &signal) {
+	source->disconnect(signal, Callable(this, "_heard"));
 }
 
-void SampleNode::_heard(const Variant &p_what, const String &p_bound) {
-	record(vformat("%s %s", p_what, p_bound));
+void SampleNode::_heard(const Variant &what, const String &bound) {
+	record(vformat("%s %s", what, bound));
 }
 
-Callable SampleNode::callable_of(const StringName &p_method) {
-	return Callable(this, p_method);
+Callable SampleNode::callable_of(const StringName &method) {
+	return Callable(this, method);
 }
 
-Variant SampleNode::call_it(const Callable &p_callable, const Array &p_arguments) const {
-	return p_callable.is_valid() ? p_callable.callv(p_arguments) : Variant("invalid");
+Variant SampleNode::call_it(const Callable &callable, const Array &arguments) const {
+	return callable.is_valid() ? callable.callv(arguments) : Variant("invalid");
 }
 
 Array SampleNode::describe_multiplayer() const {
@@ -109,33 +109,33 @@ Array SampleNode::describe_multiplayer() const {
 	return Array{ api->get_class(), scene_api->get_root_path(), api->get_unique_id(), api->get_peers().size(), int64_t(peer->get_connection_status()) };
 }
 
-int64_t SampleNode::send(const PackedByteArray &p_bytes, int64_t p_peer) const {
+int64_t SampleNode::send(const PackedByteArray &bytes, int64_t peer) const {
 	const Ref<SceneMultiplayer> api = get_multiplayer();
-	return int64_t(api->send_bytes(p_bytes, int32_t(p_peer), MultiplayerPeer::TRANSFER_MODE_UNRELIABLE));
+	return int64_t(api->send_bytes(bytes, int32_t(peer), MultiplayerPeer::TRANSFER_MODE_UNRELIABLE));
 }
 
-PackedStringArray SampleNode::names_in_group(const StringName &p_group) const {
+PackedStringArray SampleNode::names_in_group(const StringName &group) const {
 	PackedStringArray names;
-	const TypedArray<Node> nodes = get_tree()->get_nodes_in_group(p_group);
+	const TypedArray<Node> nodes = get_tree()->get_nodes_in_group(group);
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		names.push_back(Object::cast_to<Node>(nodes[i])->get_name());
 	}
 	return names;
 }
 
-bool SampleNode::monitor_frames(const StringName &p_name, bool p_on) {
+bool SampleNode::monitor_frames(const StringName &name, bool on) {
 	Performance *performance = Performance::get_singleton();
-	if (p_on) {
-		performance->add_custom_monitor(p_name, Callable(this, "get_frames"));
+	if (on) {
+		performance->add_custom_monitor(name, Callable(this, "get_frames"));
 	} else {
-		performance->remove_custom_monitor(p_name);
+		performance->remove_custom_monitor(name);
 	}
-	return performance->has_custom_monitor(p_name);
+	return performance->has_custom_monitor(name);
 }
 
-PackedStringArray SampleNode::sent_properties(Node *p_synchronizer) const {
+PackedStringArray SampleNode::sent_properties(Node *node) const {
 	PackedStringArray names;
-	MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(p_synchronizer);
+	MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(node);
 	const Ref<SceneReplicationConfig> config = synchronizer->get_replication_config();
 	const TypedArray<NodePath> properties = config->get_properties();
 	for (int64_t i = 0; i < properties.size(); i++) {
@@ -145,8 +145,8 @@ PackedStringArray SampleNode::sent_properties(Node *p_synchronizer) const {
 	return names;
 }
 
-void SampleNode::_notification(int p_what) {
-	switch (p_what) {
+void SampleNode::_notification(int what) {
+	switch (what) {
 		case NOTIFICATION_POSTINITIALIZE:
 			record("postinitialize");
 			break;
@@ -156,11 +156,13 @@ void SampleNode::_notification(int p_what) {
 		case NOTIFICATION_EXIT_TREE:
 			record("exit");
 			break;
+		default:
+			break;
 	}
 }
 
-void SampleNode::record(const String &p_what) {
-	_log.push_back(p_what);
+void SampleNode::record(const String &what) {
+	_log.push_back(what);
 }
 
 void SampleNode::_bind_methods() {
@@ -190,19 +192,19 @@ void SampleNode::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("stepped", PropertyInfo(Variant::INT, "frame"), PropertyInfo(Variant::STRING_NAME, "who")));
 }
 
-void SampleChild::_process(double p_delta) {
-	SampleNode::_process(p_delta);
-	_time += p_delta;
+void SampleChild::_process(double delta) {
+	SampleNode::_process(delta);
+	_time += delta;
 }
 
 double SampleChild::get_time() const {
 	return _time;
 }
 
-void SampleChild::_notification(int p_what) {
-	if (p_what == NOTIFICATION_ENTER_TREE) {
+void SampleChild::_notification(int what) {
+	if (what == NOTIFICATION_ENTER_TREE) {
 		record("child enter");
-	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+	} else if (what == NOTIFICATION_EXIT_TREE) {
 		record("child exit");
 	}
 }
@@ -211,13 +213,13 @@ void SampleChild::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_time"), &SampleChild::get_time);
 }
 
-void SampleMover::place(const Vector3 &p_position) {
-	set_transform(Transform3D(get_transform().basis, p_position));
+void SampleMover::place(const Vector3 &position) {
+	set_transform(Transform3D(get_transform().basis, position));
 }
 
-void SampleMover::place_other(Node3D *p_other, const Transform3D &p_transform) const {
-	if (p_other) {
-		p_other->set_global_transform(p_transform);
+void SampleMover::place_other(Node3D *other, const Transform3D &transform) const {
+	if (other) {
+		other->set_global_transform(transform);
 	}
 }
 

@@ -9,16 +9,16 @@ using godot::PackedFloat64Array;
 using godot::Ref;
 using godot::String;
 
-Ref<SampleNote> SampleNote::make(const String &p_text, double p_weight) {
+Ref<SampleNote> SampleNote::make(const String &text, double weight) {
 	Ref<SampleNote> note;
 	note.instantiate();
-	note->_text = p_text;
-	note->_weight = p_weight;
+	note->_text = text;
+	note->_weight = weight;
 	return note;
 }
 
-void SampleNote::set_text(const String &p_text) {
-	_text = p_text;
+void SampleNote::set_text(const String &text) {
+	_text = text;
 	emit_changed();
 }
 
@@ -26,9 +26,9 @@ String SampleNote::get_text() const {
 	return _text;
 }
 
-void SampleNote::set_values(const PackedFloat64Array &p_values) {
-	ERR_FAIL_COND_MSG(p_values.size() > 4, godot::vformat("SampleNote: %d values are more than 4.", p_values.size()));
-	_values = p_values;
+void SampleNote::set_values(const PackedFloat64Array &values) {
+	ERR_FAIL_COND_MSG(values.size() > 4, godot::vformat("SampleNote: %d values are more than 4.", values.size()));
+	_values = values;
 	emit_changed();
 }
 
@@ -40,9 +40,9 @@ double SampleNote::get_weight() const {
 	return _weight;
 }
 
-Ref<SampleNote> SampleNote::joined(const Ref<SampleNote> &p_other) const {
-	ERR_FAIL_COND_V_MSG(p_other.is_null(), Ref<SampleNote>(), "SampleNote.joined: the other note is null.");
-	return make(_text + String("+") + p_other->_text, _weight + p_other->_weight);
+Ref<SampleNote> SampleNote::joined(const Ref<SampleNote> &other) const {
+	ERR_FAIL_COND_V_MSG(other.is_null(), Ref<SampleNote>(), "SampleNote.joined: the other note is null.");
+	return make(_text + String("+") + other->_text, _weight + other->_weight);
 }
 
 Ref<SampleNote> SampleNote::itself() {

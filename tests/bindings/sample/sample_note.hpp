@@ -11,16 +11,16 @@ class SampleNote : public godot::Resource {
 	GDCLASS(SampleNote, godot::Resource)
 
 public:
-	static godot::Ref<SampleNote> make(const godot::String &p_text, double p_weight);
+	static godot::Ref<SampleNote> make(const godot::String &text, double weight);
 
-	void set_text(const godot::String &p_text);
+	void set_text(const godot::String &text);
 	godot::String get_text() const;
-	void set_values(const godot::PackedFloat64Array &p_values);
+	void set_values(const godot::PackedFloat64Array &values);
 	godot::PackedFloat64Array get_values() const;
 	double get_weight() const;
 
 	/// A new note with the texts of both; null, after an error, if the other is null.
-	godot::Ref<SampleNote> joined(const godot::Ref<SampleNote> &p_other) const;
+	godot::Ref<SampleNote> joined(const godot::Ref<SampleNote> &other) const;
 	godot::Ref<SampleNote> itself();
 	/// What the engine makes of this, which it hands over with the first reference.
 	godot::Ref<SampleNote> copied() const;

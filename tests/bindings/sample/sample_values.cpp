@@ -19,8 +19,8 @@ int64_t SampleValues::count_alive() {
 	return _alive;
 }
 
-void SampleValues::make_and_drop(int64_t p_count) {
-	for (int64_t i = 0; i < p_count; i++) {
+void SampleValues::make_and_drop(int64_t count) {
+	for (int64_t i = 0; i < count; i++) {
 		Ref<SampleValues> dropped;
 		dropped.instantiate();
 		const Ref<SampleValues> also = memnew(SampleValues);
@@ -28,67 +28,67 @@ void SampleValues::make_and_drop(int64_t p_count) {
 	}
 }
 
-bool SampleValues::negate(bool p_value) const {
-	return !p_value;
+bool SampleValues::negate(bool value) const {
+	return !value;
 }
 
-int64_t SampleValues::add_up(int8_t p_a, uint16_t p_b, int32_t p_c, int64_t p_d) const {
-	return p_a + p_b + p_c + p_d;
+int64_t SampleValues::add_up(int8_t a, uint16_t b, int32_t c, int64_t d) const {
+	return a + b + c + d;
 }
 
-double SampleValues::halve(float p_value) const {
-	return p_value / 2;
+double SampleValues::halve(float value) const {
+	return value / 2;
 }
 
-String SampleValues::repeat(const String &p_text, int p_times, const String &p_separator) const {
+String SampleValues::repeat(const String &text, int times, const String &separator) const {
 	String result;
-	for (int i = 0; i < p_times; i++) {
+	for (int i = 0; i < times; i++) {
 		if (!result.is_empty()) {
-			result += p_separator;
+			result += separator;
 		}
-		result += p_text;
+		result += text;
 	}
 	return result;
 }
 
-int64_t SampleValues::count_bytes(const String &p_text) const {
-	return p_text == String::utf8(p_text.utf8().get_data()) ? p_text.utf8().length() : -1;
+int64_t SampleValues::count_bytes(const String &text) const {
+	return text == String::utf8(text.utf8().get_data()) ? text.utf8().length() : -1;
 }
 
-StringName SampleValues::prefixed(const StringName &p_name) const {
-	return StringName("pre_" + String(p_name));
+StringName SampleValues::prefixed(const StringName &name) const {
+	return StringName("pre_" + String(name));
 }
 
-NodePath SampleValues::child_path(const NodePath &p_path) const {
-	return NodePath(String(p_path) + String("/child"));
+NodePath SampleValues::child_path(const NodePath &path) const {
+	return NodePath(String(path) + String("/child"));
 }
 
-Vector3 SampleValues::cross(const Vector3 &p_a, const Vector3 &p_b) const {
-	return p_a.cross(p_b);
+Vector3 SampleValues::cross(const Vector3 &a, const Vector3 &b) const {
+	return a.cross(b);
 }
 
-Quaternion SampleValues::turn_twice(const Quaternion &p_rotation) const {
-	return p_rotation * p_rotation;
+Quaternion SampleValues::turn_twice(const Quaternion &rotation) const {
+	return rotation * rotation;
 }
 
-Basis SampleValues::to_basis(const Quaternion &p_rotation) const {
-	return Basis(p_rotation);
+Basis SampleValues::to_basis(const Quaternion &rotation) const {
+	return Basis(rotation);
 }
 
-Quaternion SampleValues::to_quaternion(const Basis &p_basis) const {
-	return p_basis.get_quaternion();
+Quaternion SampleValues::to_quaternion(const Basis &basis) const {
+	return basis.get_quaternion();
 }
 
-Vector2 SampleValues::halfway(const Vector2 &p_a, const Vector2 &p_b) const {
-	return (p_a + p_b) * 0.5f;
+Vector2 SampleValues::halfway(const Vector2 &a, const Vector2 &b) const {
+	return (a + b) * 0.5f;
 }
 
-AABB SampleValues::moved_box(const AABB &p_box, const Vector3 &p_offset) const {
-	return AABB(p_box.position + p_offset, p_box.size);
+AABB SampleValues::moved_box(const AABB &box, const Vector3 &offset) const {
+	return AABB(box.position + offset, box.size);
 }
 
-Color SampleValues::without_red(const Color &p_color) const {
-	return Color(0, p_color.g, p_color.b, p_color.a);
+Color SampleValues::without_red(const Color &color) const {
+	return Color(0, color.g, color.b, color.a);
 }
 
 bool SampleValues::make_rid() const {
@@ -100,66 +100,66 @@ bool SampleValues::make_rid() const {
 	return valid;
 }
 
-Array SampleValues::pack(const PackedVector2Array &p_flat, const PackedVector3Array &p_vectors, const PackedColorArray &p_colors) const {
+Array SampleValues::pack(const PackedVector2Array &flat, const PackedVector3Array &vectors, const PackedColorArray &colors) const {
 	Array packed;
-	for (const Vector2 &vector : p_flat) {
+	for (const Vector2 &vector : flat) {
 		packed.push_back(vector);
 	}
-	for (const Vector3 &vector : p_vectors) {
+	for (const Vector3 &vector : vectors) {
 		packed.push_back(vector);
 	}
-	for (const Color &color : p_colors) {
+	for (const Color &color : colors) {
 		packed.push_back(color);
 	}
 	return packed;
 }
 
-Transform3D SampleValues::chain(const Transform3D &p_a, const Transform3D &p_b) const {
-	return p_a * p_b;
+Transform3D SampleValues::chain(const Transform3D &a, const Transform3D &b) const {
+	return a * b;
 }
 
-Array SampleValues::measure(const Vector3 &p_a, const Vector3 &p_b, const Basis &p_basis) const {
-	return Array{ p_a.dot(p_b), p_a.length(), p_a.distance_to(p_b), p_basis.determinant(), p_a.is_finite() && p_b.is_finite() && p_basis.is_finite(), p_a.is_equal_approx(p_b), p_b.normalized() };
+Array SampleValues::measure(const Vector3 &a, const Vector3 &b, const Basis &basis) const {
+	return Array{ a.dot(b), a.length(), a.distance_to(b), basis.determinant(), a.is_finite() && b.is_finite() && basis.is_finite(), a.is_equal_approx(b), b.normalized() };
 }
 
-SampleValues::Colour SampleValues::mix(Colour p_a, Colour p_b) const {
-	return p_a == p_b ? p_a : BLUE;
+SampleValues::Hue SampleValues::mix(Hue a, Hue b) const {
+	return a == b ? a : BLUE;
 }
 
-Variant SampleValues::echo(const Variant &p_value) const {
-	return p_value;
+Variant SampleValues::echo(const Variant &value) const {
+	return value;
 }
 
-String SampleValues::type_of(const Variant &p_value) const {
-	return Variant::get_type_name(p_value.get_type());
+String SampleValues::type_of(const Variant &value) const {
+	return Variant::get_type_name(value.get_type());
 }
 
-Dictionary SampleValues::summarise(const Array &p_numbers) const {
+Dictionary SampleValues::summarize(const Array &numbers) const {
 	double sum = 0;
 	Array reversed;
-	for (const Variant &number : p_numbers) {
+	for (const Variant &number : numbers) {
 		sum += double(number);
 		reversed.push_front(number);
 	}
 	Dictionary result;
 	result["sum"] = sum;
 	result["reversed"] = reversed;
-	result["first"] = p_numbers.is_empty() ? Variant() : p_numbers[0];
+	result["first"] = numbers.is_empty() ? Variant() : numbers[0];
 	return result;
 }
 
-Array SampleValues::keys_and_values(const Dictionary &p_entries) const {
+Array SampleValues::keys_and_values(const Dictionary &entries) const {
 	Array result;
-	const Array keys = p_entries.keys();
+	const Array keys = entries.keys();
 	for (int64_t i = 0; i < keys.size(); i++) {
 		result.push_back(keys[i]);
-		result.push_back(p_entries[keys[i]]);
+		result.push_back(entries[keys[i]]);
 	}
 	return result;
 }
 
-PackedByteArray SampleValues::bytes(const PackedByteArray &p_bytes) const {
-	PackedByteArray result = p_bytes;
+PackedByteArray SampleValues::bytes(const PackedByteArray &bytes) const {
+	PackedByteArray result = bytes;
 	uint8_t *data = result.ptrw();
 	for (int64_t i = 0; i < result.size(); i++) {
 		data[i] ^= 255;
@@ -167,34 +167,34 @@ PackedByteArray SampleValues::bytes(const PackedByteArray &p_bytes) const {
 	return result;
 }
 
-PackedInt32Array SampleValues::ints(const PackedInt32Array &p_ints) const {
+PackedInt32Array SampleValues::ints(const PackedInt32Array &ints) const {
 	PackedInt32Array result{ 7, -7 };
-	result.append_array(p_ints);
+	result.append_array(ints);
 	return result;
 }
 
-PackedFloat32Array SampleValues::floats(const PackedFloat32Array &p_floats) const {
+PackedFloat32Array SampleValues::floats(const PackedFloat32Array &floats) const {
 	PackedFloat32Array result;
-	result.resize(p_floats.size());
-	const float *source = p_floats.ptr();
+	result.resize(floats.size());
+	const float *source = floats.ptr();
 	float *target = result.ptrw();
-	for (int64_t i = 0; i < p_floats.size(); i++) {
+	for (int64_t i = 0; i < floats.size(); i++) {
 		target[i] = source[i] * 2;
 	}
 	return result;
 }
 
-PackedFloat64Array SampleValues::doubles(const PackedFloat64Array &p_doubles) const {
+PackedFloat64Array SampleValues::doubles(const PackedFloat64Array &doubles) const {
 	PackedFloat64Array result;
-	for (const double &value : p_doubles) {
+	for (const double &value : doubles) {
 		result.push_back(value + 1);
 	}
 	return result;
 }
 
-PackedStringArray SampleValues::strings(const PackedStringArray &p_strings) const {
+PackedStringArray SampleValues::strings(const PackedStringArray &strings) const {
 	PackedStringArray result;
-	for (const String &text : p_strings) {
+	for (const String &text : strings) {
 		result.push_back(text.to_upper());
 	}
 	if (result.size() > 1) {
@@ -203,21 +203,21 @@ PackedStringArray SampleValues::strings(const PackedStringArray &p_strings) cons
 	return result;
 }
 
-TypedArray<Transform3D> SampleValues::move_all(const TypedArray<Transform3D> &p_transforms, const Vector3 &p_offset) const {
+TypedArray<Transform3D> SampleValues::move_all(const TypedArray<Transform3D> &transforms, const Vector3 &offset) const {
 	TypedArray<Transform3D> result;
-	result.resize(p_transforms.size());
-	for (int64_t i = 0; i < p_transforms.size(); i++) {
-		Transform3D transform = p_transforms[i];
-		transform.origin += p_offset;
+	result.resize(transforms.size());
+	for (int64_t i = 0; i < transforms.size(); i++) {
+		Transform3D transform = transforms[i];
+		transform.origin += offset;
 		result[i] = transform;
 	}
 	return result;
 }
 
-TypedArray<Node3D> SampleValues::only_visible(const TypedArray<Node3D> &p_nodes) const {
+TypedArray<Node3D> SampleValues::only_visible(const TypedArray<Node3D> &nodes) const {
 	TypedArray<Node3D> result;
-	for (int64_t i = 0; i < p_nodes.size(); i++) {
-		Node3D *node = Object::cast_to<Node3D>(p_nodes[i].get_validated_object());
+	for (int64_t i = 0; i < nodes.size(); i++) {
+		Node3D *node = Object::cast_to<Node3D>(nodes[i].get_validated_object());
 		if (node && node->is_visible()) {
 			result.push_back(node);
 		}
@@ -225,42 +225,42 @@ TypedArray<Node3D> SampleValues::only_visible(const TypedArray<Node3D> &p_nodes)
 	return result;
 }
 
-PackedInt32Array SampleValues::squares(int p_count) const {
+PackedInt32Array SampleValues::squares(int count) const {
 	PackedInt32Array results;
-	results.resize(p_count);
-	const auto square = [](void *p_results, uint32_t p_index) { static_cast<int32_t *>(p_results)[p_index] = int32_t(p_index * p_index); };
+	results.resize(count);
+	const auto square = [](void *data, uint32_t index) { static_cast<int32_t *>(data)[index] = int32_t(index * index); };
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
-	pool->wait_for_group_task_completion(pool->add_native_group_task(square, results.ptrw(), p_count));
+	pool->wait_for_group_task_completion(pool->add_native_group_task(square, results.ptrw(), count));
 	return results;
 }
 
-int64_t SampleValues::convert_often(const Array &p_values, int64_t p_times) const {
+int64_t SampleValues::convert_often(const Array &values, int64_t times) const {
 	int64_t size = 0;
-	for (int64_t i = 0; i < p_times; i++) {
-		const Array array = p_values[0];
-		const Dictionary dictionary = p_values[1];
-		const String text = p_values[2];
-		const PackedFloat32Array floats = p_values[3];
-		const TypedArray<Transform3D> typed = p_values[4];
+	for (int64_t i = 0; i < times; i++) {
+		const Array array = values[0];
+		const Dictionary dictionary = values[1];
+		const String text = values[2];
+		const PackedFloat32Array floats = values[3];
+		const TypedArray<Transform3D> typed = values[4];
 		size += array.size() + dictionary.size() + text.length() + floats.size() + typed.size();
 	}
 	return size;
 }
 
-String SampleValues::describe_object(Object *p_object) const {
-	return p_object ? p_object->get_class() : String("null");
+String SampleValues::describe_object(Object *object) const {
+	return object ? object->get_class() : String("null");
 }
 
-String SampleValues::describe_node(Node3D *p_node) const {
-	return p_node ? String(p_node->get_name()) : String("null");
+String SampleValues::describe_node(Node3D *node) const {
+	return node ? String(node->get_name()) : String("null");
 }
 
-String SampleValues::describe_note(const Ref<SampleNote> &p_note) const {
-	return p_note.is_valid() ? vformat("%s %d", p_note->get_text(), p_note->get_reference_count()) : String("null");
+String SampleValues::describe_note(const Ref<SampleNote> &note) const {
+	return note.is_valid() ? vformat("%s %d", note->get_text(), note->get_reference_count()) : String("null");
 }
 
-void SampleValues::keep(const Variant &p_object) {
-	_kept = p_object;
+void SampleValues::keep(const Variant &object) {
+	_kept = object;
 }
 
 String SampleValues::describe_kept() const {
@@ -268,13 +268,13 @@ String SampleValues::describe_kept() const {
 	return object ? object->get_class() : String("gone");
 }
 
-bool SampleValues::is_alive(int64_t p_id) const {
-	return ObjectDB::get_instance(uint64_t(p_id)) != nullptr;
+bool SampleValues::is_alive(int64_t id) const {
+	return ObjectDB::get_instance(uint64_t(id)) != nullptr;
 }
 
-Ref<SampleNote> SampleValues::new_note(const String &p_text) const {
+Ref<SampleNote> SampleValues::new_note(const String &text) const {
 	Ref<SampleNote> note = memnew(SampleNote);
-	note->set_text(p_text);
+	note->set_text(text);
 	const Ref<Resource> as_resource = note;
 	const Ref<SampleNote> back = as_resource;
 	Ref<SampleValues> wrong = as_resource;
@@ -288,30 +288,30 @@ Variant SampleValues::note_as_variant() const {
 	return note;
 }
 
-void SampleValues::fill_multimesh(const Ref<MultiMesh> &p_multimesh, const PackedFloat32Array &p_buffer) const {
-	ERR_FAIL_COND_MSG(p_multimesh.is_null(), "SampleValues.fill_multimesh: the multimesh is null.");
-	p_multimesh->set_transform_format(MultiMesh::TRANSFORM_3D);
-	p_multimesh->set_instance_count(int32_t(p_buffer.size() / 12));
-	p_multimesh->set_buffer(p_buffer);
+void SampleValues::fill_multimesh(const Ref<MultiMesh> &multimesh, const PackedFloat32Array &buffer) const {
+	ERR_FAIL_COND_MSG(multimesh.is_null(), "SampleValues.fill_multimesh: the multimesh is null.");
+	multimesh->set_transform_format(MultiMesh::TRANSFORM_3D);
+	multimesh->set_instance_count(int32_t(buffer.size() / 12));
+	multimesh->set_buffer(buffer);
 }
 
-String SampleValues::join(const String &p_a, const String &p_b, int64_t p_number) {
-	return p_a + p_b + String::num_int64(p_number);
+String SampleValues::join(const String &a, const String &b, int64_t number) {
+	return a + b + String::num_int64(number);
 }
 
 bool SampleValues::is_editor() {
 	return Engine::get_singleton()->is_editor_hint();
 }
 
-void SampleValues::fail_with(const String &p_message) {
-	ERR_FAIL_MSG(p_message);
+void SampleValues::fail_with(const String &message) {
+	ERR_FAIL_MSG(message);
 }
 
-void SampleValues::say(const String &p_text) {
-	print_line(p_text, 1, "two");
-	UtilityFunctions::push_warning("careful: ", p_text);
-	UtilityFunctions::push_error("wrong: ", p_text);
-	WARN_PRINT("odd: " + p_text);
+void SampleValues::say(const String &text) {
+	print_line(text, 1, "two");
+	UtilityFunctions::push_warning("careful: ", text);
+	UtilityFunctions::push_error("wrong: ", text);
+	WARN_PRINT("odd: " + text);
 }
 
 void SampleValues::_bind_methods() {
@@ -343,7 +343,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("mix", "a", "b"), &SampleValues::mix);
 	ClassDB::bind_method(D_METHOD("echo", "value"), &SampleValues::echo, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("type_of", "value"), &SampleValues::type_of);
-	ClassDB::bind_method(D_METHOD("summarise", "numbers"), &SampleValues::summarise, DEFVAL(Array()));
+	ClassDB::bind_method(D_METHOD("summarize", "numbers"), &SampleValues::summarize, DEFVAL(Array()));
 	ClassDB::bind_method(D_METHOD("keys_and_values", "entries"), &SampleValues::keys_and_values);
 	ClassDB::bind_method(D_METHOD("bytes", "bytes"), &SampleValues::bytes);
 	ClassDB::bind_method(D_METHOD("ints", "ints"), &SampleValues::ints);

@@ -7,7 +7,7 @@
 using namespace cga;
 
 TEST_CASE("blades are in the order of grade, then of digits") {
-	const char *const NAMES[BLADE_COUNT] = {
+	const char *const names[BLADE_COUNT] = {
 		"1", "e1", "e2", "e3", "e4", "e5",
 		"e12", "e13", "e14", "e15", "e23", "e24", "e25", "e34", "e35", "e45",
 		"e123", "e124", "e125", "e134", "e135", "e145", "e234", "e235", "e245", "e345",
@@ -15,9 +15,9 @@ TEST_CASE("blades are in the order of grade, then of digits") {
 	};
 	for (int index = 0; index < BLADE_COUNT; ++index) {
 		CAPTURE(index);
-		CHECK(std::string(blade_name(index).view()) == NAMES[index]);
-		CHECK(blade_index(NAMES[index]) == index);
-		CHECK(blade_grade(index) == (index == 0 ? 0 : int(std::string(NAMES[index]).size()) - 1));
+		CHECK(std::string(blade_name(index).view()) == names[index]);
+		CHECK(blade_index(names[index]) == index);
+		CHECK(blade_grade(index) == (index == 0 ? 0 : int(std::string(names[index]).size()) - 1));
 		CHECK(BLADE_INDICES[BLADE_BITMAPS[size_t(index)]] == index);
 	}
 }
@@ -71,7 +71,7 @@ TEST_CASE("products of blades agree with sorting their vectors one swap at a tim
 	}
 }
 
-TEST_CASE("names in any order of digits carry the sign, others are refused") {
+TEST_CASE("names with digits in any order have a sign; other names are rejected") {
 	CHECK(parse_blade("e21")->index == blade_index("e12"));
 	CHECK(parse_blade("e21")->sign == -1);
 	CHECK(parse_blade("e312")->sign == 1);

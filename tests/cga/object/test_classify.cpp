@@ -1,6 +1,7 @@
 #include "cga/object/classify.hpp"
 
 #include "../random_poses.hpp"
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/construct.hpp"
 
@@ -35,31 +36,31 @@ TEST_CASE("the classification gives a constructor's parameters back, for any wei
 		const Vector3D p = random.vector(1.0), n = glm::normalize(random.vector(1.0));
 		const double radius = random.uniform(0.1, 3.0), weight = random.scale() * (i % 2 == 0 ? 1.0 : -1.0);
 		const Classification of_circle = classify(*circle(p, n, radius) * weight);
-		CHECK(of_circle.kind == Kind::circle);
+		CHECK(of_circle.kind == Kind::CIRCLE);
 		CHECK(gap(of_circle.center, p) < 1e-13);
 		CHECK(angle(of_circle.normal, n) < 1e-13);
 		CHECK(std::abs(*of_circle.radius - radius) < 1e-12);
 		const Classification of_sphere = classify(sphere(p, radius)->dual() * weight, true);
-		CHECK(of_sphere.kind == Kind::sphere);
+		CHECK(of_sphere.kind == Kind::SPHERE);
 		CHECK(of_sphere.ipns);
 		CHECK(gap(of_sphere.center, p) < 1e-12);
 		CHECK(std::abs(*of_sphere.radius - radius) < 1e-11);
 		const Classification of_plane = classify(*plane(n, radius) * weight);
-		CHECK(of_plane.kind == Kind::plane);
+		CHECK(of_plane.kind == Kind::PLANE);
 		CHECK(*of_plane.distance * glm::dot(*of_plane.normal, n) == doctest::Approx(radius).epsilon(1e-14));
 		const Classification of_line = classify(*line(p, n) * weight);
-		CHECK(of_line.kind == Kind::line);
+		CHECK(of_line.kind == Kind::LINE);
 		CHECK(angle(of_line.direction, n) < 1e-14);
 		CHECK(gap(of_line.center, p - n * glm::dot(n, p)) < 1e-13);
 		const Classification of_pair = classify(*point_pair(p, p + n * radius) * std::abs(weight));
-		CHECK(of_pair.kind == Kind::point_pair);
+		CHECK(of_pair.kind == Kind::POINT_PAIR);
 		REQUIRE(of_pair.points);
 		CHECK(glm::length((*of_pair.points)[0] - p) < 1e-12);
 		CHECK(glm::length((*of_pair.points)[1] - p - n * radius) < 1e-12);
 	}
 }
 
-TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km") {
+TEST_CASE("every constructor's parameters come back, from a millimeter to 100 km") {
 	Random random(2);
 	for (int i = 0; i < 3 * CASES; ++i) {
 		const double size = std::pow(10.0, random.uniform(-3.0, 5.0));
@@ -77,17 +78,17 @@ TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km
 			CHECK(gap(found.center, p) < rounding * size);
 			REQUIRE(found.radius);
 			CHECK(std::abs(*found.radius - radius) < rounding * size);
-			if (kind == Kind::circle || kind == Kind::point_pair) {
-				CHECK(angle(kind == Kind::circle ? found.normal : found.direction, n) < rounding);
+			if (kind == Kind::CIRCLE || kind == Kind::POINT_PAIR) {
+				CHECK(angle(kind == Kind::CIRCLE ? found.normal : found.direction, n) < rounding);
 			}
 		};
 		for (const bool ipns : { false, true }) {
-			check_round(circle(p, n, radius), Kind::circle, false, ipns);
-			check_round(sphere(p, radius), Kind::sphere, false, ipns);
-			check_round(point_pair(p - n * radius, p + n * radius), Kind::point_pair, false, ipns);
-			check_round(imaginary_circle(p, n, radius), Kind::circle, true, ipns);
-			check_round(imaginary_sphere(p, radius), Kind::sphere, true, ipns);
-			check_round(imaginary_point_pair(p, n, radius), Kind::point_pair, true, ipns);
+			check_round(circle(p, n, radius), Kind::CIRCLE, false, ipns);
+			check_round(sphere(p, radius), Kind::SPHERE, false, ipns);
+			check_round(point_pair(p - n * radius, p + n * radius), Kind::POINT_PAIR, false, ipns);
+			check_round(imaginary_circle(p, n, radius), Kind::CIRCLE, true, ipns);
+			check_round(imaginary_sphere(p, radius), Kind::SPHERE, true, ipns);
+			check_round(imaginary_point_pair(p, n, radius), Kind::POINT_PAIR, true, ipns);
 		}
 		const Vector3D foot = p - n * glm::dot(n, p);
 		const double flat_rounding = 1e-14 * squares;
@@ -99,35 +100,35 @@ TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km
 		CHECK(angle(classify(*direction(n)).direction, n) < 1e-15);
 		CHECK(angle(classify(*direction_across(n)).normal, n) < 1e-15);
 		CHECK(gap(classify(point(p)).center, p) < rounding * size);
-		CHECK(classify(point(p)).kind == Kind::point);
+		CHECK(classify(point(p)).kind == Kind::POINT);
 		CHECK(gap(classify(*tangent_along(p, n)).center, p) < rounding * size);
-		CHECK(classify(*tangent_along(p, n)).kind == Kind::tangent);
-		CHECK(classify(*tangent_across(p, n)).kind == Kind::tangent);
+		CHECK(classify(*tangent_along(p, n)).kind == Kind::TANGENT);
+		CHECK(classify(*tangent_across(p, n)).kind == Kind::TANGENT);
 	}
 }
 
-TEST_CASE("every kind, at scales from a millimetre to 100 km") {
+TEST_CASE("every kind, at scales from a millimeter to 100 km") {
 	for (const double size : { 1e-3, 1.0, 1e3, 1e5 }) {
 		const Vector3D p = Vector3D(1, -2, 0.5) * size, n = glm::normalize(Vector3D(2, 1, -1));
-		CHECK(classify(point(p)).kind == Kind::point);
-		CHECK(classify(point(p).dual(), true).kind == Kind::point);
-		CHECK(classify(*flat_point(p)).kind == Kind::flat_point);
-		CHECK(classify(*direction(n)).kind == Kind::direction);
-		CHECK(classify(*direction_across(n)).kind == Kind::direction);
+		CHECK(classify(point(p)).kind == Kind::POINT);
+		CHECK(classify(point(p).dual(), true).kind == Kind::POINT);
+		CHECK(classify(*flat_point(p)).kind == Kind::FLAT_POINT);
+		CHECK(classify(*direction(n)).kind == Kind::DIRECTION);
+		CHECK(classify(*direction_across(n)).kind == Kind::DIRECTION);
 		CHECK(angle(classify(*direction_across(n)).normal, n) < 1e-15);
-		CHECK(classify(e_infinity()).kind == Kind::direction);
+		CHECK(classify(e_infinity()).kind == Kind::DIRECTION);
 		const Classification along = classify(*tangent_along(p, n)), across = classify(*tangent_across(p, n));
-		CHECK(along.kind == Kind::tangent);
+		CHECK(along.kind == Kind::TANGENT);
 		CHECK(angle(along.direction, n) < 1e-5);
-		CHECK(across.kind == Kind::tangent);
+		CHECK(across.kind == Kind::TANGENT);
 		CHECK(angle(across.normal, n) < 1e-5);
 		const Classification imaginary = classify(*imaginary_sphere(p, size));
-		CHECK(imaginary.kind == Kind::sphere);
+		CHECK(imaginary.kind == Kind::SPHERE);
 		CHECK(imaginary.imaginary);
 		CHECK(*imaginary.radius == doctest::Approx(size).epsilon(1e-5));
 		CHECK(classify(*imaginary_circle(p, n, size)).imaginary);
 		const Classification imaginary_pair = classify(*imaginary_point_pair(p, n, size));
-		CHECK(imaginary_pair.kind == Kind::point_pair);
+		CHECK(imaginary_pair.kind == Kind::POINT_PAIR);
 		CHECK(imaginary_pair.imaginary);
 		CHECK_FALSE(imaginary_pair.points);
 	}
@@ -136,33 +137,33 @@ TEST_CASE("every kind, at scales from a millimetre to 100 km") {
 TEST_CASE("what is only a dual in the convention asked for is said to be one") {
 	const Multivector dual_plane = blade("e3") + 2.0 * e_infinity();
 	const Classification found = classify(dual_plane);
-	CHECK(found.kind == Kind::plane);
+	CHECK(found.kind == Kind::PLANE);
 	CHECK(found.ipns);
 	CHECK(std::abs(*found.distance) == doctest::Approx(2.0));
 	CHECK(classify(dual_plane, true).ipns);
-	CHECK(classify(blade("e12")).kind == Kind::line);
+	CHECK(classify(blade("e12")).kind == Kind::LINE);
 	CHECK(classify(blade("e12")).ipns);
 	const Classification sphere_read_as_dual = classify(*sphere({ 1, 0, 0 }, 2.0), true);
-	CHECK(sphere_read_as_dual.kind == Kind::sphere);
+	CHECK(sphere_read_as_dual.kind == Kind::SPHERE);
 	CHECK_FALSE(sphere_read_as_dual.ipns);
 }
 
 TEST_CASE("versors by what they do") {
 	const QuaternionD turn(0.8, 0.0, 0.6, 0.0);
-	CHECK(classify(rotor(turn)).kind == Kind::rotor);
-	CHECK(classify(translator({ 1e-6, 0, 0 })).kind == Kind::translator);
-	CHECK(classify(dilator(2.0)).kind == Kind::dilator);
-	CHECK(classify(translator({ 1, 0, 0 }).geometric_product(rotor(turn)) * -3.0).kind == Kind::motor);
-	CHECK(classify(Multivector::scalar(-2.0)).kind == Kind::scalar);
+	CHECK(classify(rotor(turn)).kind == Kind::ROTOR);
+	CHECK(classify(translator({ 1e-6, 0, 0 })).kind == Kind::TRANSLATOR);
+	CHECK(classify(dilator(2.0)).kind == Kind::DILATOR);
+	CHECK(classify(translator({ 1, 0, 0 }).geometric_product(rotor(turn)) * -3.0).kind == Kind::MOTOR);
+	CHECK(classify(Multivector::scalar(-2.0)).kind == Kind::SCALAR);
 }
 
 TEST_CASE("what is no object has the kind none, and says how far it is from a blade") {
-	CHECK(classify(Multivector()).kind == Kind::none);
-	CHECK(classify(Multivector() * std::numeric_limits<double>::infinity()).kind == Kind::none);
+	CHECK(classify(Multivector()).kind == Kind::NONE);
+	CHECK(classify(Multivector() * std::numeric_limits<double>::infinity()).kind == Kind::NONE);
 	const Classification not_a_blade = classify(blade("e12") + 0.02 * blade("e34"));
-	CHECK(not_a_blade.kind == Kind::none);
+	CHECK(not_a_blade.kind == Kind::NONE);
 	CHECK(not_a_blade.residual == doctest::Approx(0.04));
-	CHECK(classify(blade("e1") + blade("e12")).kind == Kind::none);
+	CHECK(classify(blade("e1") + blade("e12")).kind == Kind::NONE);
 	CHECK(describe(not_a_blade) == "not a blade (residual 0.04)");
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("every vector of the meet is in both, and every one of both in the joi
 		CHECK(relative(contained(b, *spanned), *spanned) < 1e-7 * b.max_abs());
 		CHECK(relative(contained(*shared, a), a) < 1e-7 * shared->max_abs());
 		CHECK(relative(contained(*shared, b), b) < 1e-7 * shared->max_abs());
-		if (kind_of(shared) == Kind::point) {
+		if (kind_of(shared) == Kind::POINT) {
 			CHECK(relative(shared->outer_product(a), *shared) < 1e-7 * a.max_abs());
 			CHECK(relative(shared->outer_product(b), *shared) < 1e-7 * b.max_abs());
 		}
@@ -103,33 +103,33 @@ TEST_CASE("a versor keeps incidence: what lies on an object lies on its image, a
 
 TEST_CASE("every pair of kinds that degenerates") {
 	const Multivector ground = *plane({ 0, 0, 1 }, 0.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0), x_axis = *line({ 0, 0, 0 }, { 1, 0, 0 });
-	CHECK(kind_of(meet(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::flat_point);
-	CHECK(kind_of(join(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::plane);
-	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::direction);
-	CHECK(kind_of(join(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::plane);
-	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 0, 0, 1 }))) == Kind::direction);
-	CHECK(kind_of(meet(x_axis, x_axis)) == Kind::line);
-	CHECK(kind_of(meet(x_axis, ground)) == Kind::line);
-	CHECK(kind_of(join(x_axis, ground)) == Kind::plane);
-	CHECK(kind_of(meet(*plane({ 0, 0, 1 }, 1.0), ground)) == Kind::direction);
-	CHECK(kind_of(meet(unit_sphere, *plane({ 0, 0, 1 }, 1.0))) == Kind::tangent);
-	CHECK(kind_of(meet(unit_sphere, *line({ 0, 0, 1 }, { 1, 0, 0 }))) == Kind::tangent);
-	CHECK(kind_of(meet(unit_sphere, *sphere({ 3, 0, 0 }, 2.0))) == Kind::tangent);
-	CHECK(kind_of(meet(unit_sphere, unit_sphere)) == Kind::sphere);
-	CHECK(kind_of(meet(unit_sphere, point({ 0, 1, 0 }))) == Kind::point);
-	CHECK(kind_of(meet(unit_sphere, point({ 0, 2, 0 }))) == Kind::scalar);
+	CHECK(kind_of(meet(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::FLAT_POINT);
+	CHECK(kind_of(join(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::PLANE);
+	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::DIRECTION);
+	CHECK(kind_of(join(x_axis, *line({ 0, 2, 0 }, { 1, 0, 0 }))) == Kind::PLANE);
+	CHECK(kind_of(meet(x_axis, *line({ 0, 2, 0 }, { 0, 0, 1 }))) == Kind::DIRECTION);
+	CHECK(kind_of(meet(x_axis, x_axis)) == Kind::LINE);
+	CHECK(kind_of(meet(x_axis, ground)) == Kind::LINE);
+	CHECK(kind_of(join(x_axis, ground)) == Kind::PLANE);
+	CHECK(kind_of(meet(*plane({ 0, 0, 1 }, 1.0), ground)) == Kind::DIRECTION);
+	CHECK(kind_of(meet(unit_sphere, *plane({ 0, 0, 1 }, 1.0))) == Kind::TANGENT);
+	CHECK(kind_of(meet(unit_sphere, *line({ 0, 0, 1 }, { 1, 0, 0 }))) == Kind::TANGENT);
+	CHECK(kind_of(meet(unit_sphere, *sphere({ 3, 0, 0 }, 2.0))) == Kind::TANGENT);
+	CHECK(kind_of(meet(unit_sphere, unit_sphere)) == Kind::SPHERE);
+	CHECK(kind_of(meet(unit_sphere, point({ 0, 1, 0 }))) == Kind::POINT);
+	CHECK(kind_of(meet(unit_sphere, point({ 0, 2, 0 }))) == Kind::SCALAR);
 	CHECK(classify(*meet(unit_sphere, *sphere({ 5, 0, 0 }, 2.0))).imaginary);
 	const Classification concentric = classify(*meet(unit_sphere, *sphere({ 0, 0, 0 }, 2.0)));
-	CHECK(concentric.kind == Kind::flat_point);
+	CHECK(concentric.kind == Kind::FLAT_POINT);
 	CHECK(concentric.ipns);
 	const Multivector rim = *circle({ 0, 0, 0 }, { 0, 0, 1 }, 1.0);
-	CHECK(kind_of(meet(rim, *circle({ 1, 0, 0 }, { 0, 0, 1 }, 1.0))) == Kind::point_pair);
+	CHECK(kind_of(meet(rim, *circle({ 1, 0, 0 }, { 0, 0, 1 }, 1.0))) == Kind::POINT_PAIR);
 	CHECK(classify(*meet(rim, *circle({ 5, 0, 0 }, { 0, 0, 1 }, 1.0))).imaginary);
-	CHECK(kind_of(meet(rim, ground)) == Kind::circle);
-	CHECK(kind_of(meet(rim, unit_sphere)) == Kind::circle);
+	CHECK(kind_of(meet(rim, ground)) == Kind::CIRCLE);
+	CHECK(kind_of(meet(rim, unit_sphere)) == Kind::CIRCLE);
 }
 
-TEST_CASE("what a small object shares with a large one keeps its digits") {
+TEST_CASE("the meet of a small object with a large one keeps its precision") {
 	const Multivector unit_circle = *circle({ 0, 0, 0 }, { 0, 0, 1 }, 1.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0);
 	for (double radius = 8.0; radius < 1e8; radius *= 8.0) {
 		// Through the origin: x^2 + y^2 + z^2 = 2 radius x, which with x^2 + y^2 + z^2 = 1 makes x = 1 / (2 radius).
@@ -137,7 +137,7 @@ TEST_CASE("what a small object shares with a large one keeps its digits") {
 		const double x = 0.5 / radius;
 		for (const Multivector &small : { unit_circle, unit_sphere }) {
 			const Classification found = classify(*meet(large, small));
-			CHECK(found.kind == (small == unit_circle ? Kind::point_pair : Kind::circle));
+			CHECK(found.kind == (small == unit_circle ? Kind::POINT_PAIR : Kind::CIRCLE));
 			CHECK(!found.imaginary);
 			CHECK(glm::length(*found.center - Vector3D(x, 0, 0)) < 1e-15);
 			CHECK(*found.radius == doctest::Approx(std::sqrt(1.0 - x * x)).epsilon(1e-15));
@@ -146,23 +146,23 @@ TEST_CASE("what a small object shares with a large one keeps its digits") {
 		REQUIRE(image);
 		CHECK(glm::length(*image - Vector3D(radius / (radius + 1.0), 0, 0)) < 1e-14);
 		const Classification mirrored = classify(*reflect_in(large, unit_sphere));
-		CHECK(mirrored.kind == Kind::plane);
+		CHECK(mirrored.kind == Kind::PLANE);
 		CHECK(std::abs(*mirrored.distance) == doctest::Approx(x).epsilon(1e-13));
 		// A small circle of the large sphere, and one that is askew by more than rounding.
 		const Multivector on_large = *circle({ x, 0, 0 }, { 1, 0, 0 }, std::sqrt(1.0 - x * x));
-		CHECK(kind_of(meet(large, on_large)) == Kind::circle);
-		CHECK(kind_of(join(large, on_large)) == Kind::sphere);
-		CHECK(kind_of(meet(large, *circle({ x, 0, 0 }, { 1, 1e-6, 0 }, 1.0))) == Kind::point_pair);
+		CHECK(kind_of(meet(large, on_large)) == Kind::CIRCLE);
+		CHECK(kind_of(join(large, on_large)) == Kind::SPHERE);
+		CHECK(kind_of(meet(large, *circle({ x, 0, 0 }, { 1, 1e-6, 0 }, 1.0))) == Kind::POINT_PAIR);
 	}
 }
 
-TEST_CASE("rounds touch within 1e-10 of the smaller one and rounding of the larger") {
+TEST_CASE("rounds are tangent within 1e-10 of the smaller one and rounding of the larger") {
 	for (double radius = 1.0; radius < 1e6; radius *= 10.0) {
 		const Multivector large = *sphere({ radius, 0, 0 }, radius);
 		const auto beside = [&](double gap) { return meet(large, *sphere({ -1.0 - gap, 0, 0 }, 1.0)); };
-		CHECK(kind_of(beside(0.0)) == Kind::tangent);
-		CHECK(kind_of(beside(1e-11)) == Kind::tangent);
-		CHECK(kind_of(beside(1e-7)) == Kind::circle);
+		CHECK(kind_of(beside(0.0)) == Kind::TANGENT);
+		CHECK(kind_of(beside(1e-11)) == Kind::TANGENT);
+		CHECK(kind_of(beside(1e-7)) == Kind::CIRCLE);
 		CHECK(classify(*beside(1e-7)).imaginary);
 		CHECK_FALSE(classify(*beside(-1e-7)).imaginary);
 	}
@@ -189,7 +189,7 @@ TEST_CASE("projection and rejection add up to a vector, and reflecting twice cha
 	}
 }
 
-TEST_CASE("what is no blade, or null where an inverse is needed, is refused with a reason") {
+TEST_CASE("elements that are not blades, and null ones that would need an inverse, are rejected with a reason") {
 	const Multivector no_blade = Multivector::basis_blade(6) + Multivector::basis_blade(13), good = *sphere({ 0, 0, 0 }, 1.0);
 	for (const auto function : { meet, join, project_onto, reject_from, reflect_in }) {
 		for (const Multivector &bad : { no_blade, Multivector(), good * std::numeric_limits<double>::infinity(), good + Multivector::scalar(1.0) }) {

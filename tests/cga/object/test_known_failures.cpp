@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-// What other libraries and the GA-Unity paper get wrong of objects; tests/cga/versor/test_known_failures.cpp has motors.
+// Known errors of other libraries and the GA-Unity paper in objects; tests/cga/versor/test_known_failures.cpp has those in motors.
 
 using namespace cga;
 using namespace cga_test;
@@ -27,7 +27,7 @@ TEST_CASE("crossing lines meet in a point (zero by the fixed pseudoscalar)") {
 		const MultivectorResult shared = meet(a, b);
 		REQUIRE(shared);
 		const Classification found = classify(*shared);
-		CHECK(found.kind == Kind::flat_point);
+		CHECK(found.kind == Kind::FLAT_POINT);
 		REQUIRE(found.center);
 		CHECK(glm::length(*found.center - p) < 1e-12);
 	}
@@ -52,20 +52,20 @@ TEST_CASE("planes, spheres and circles have their names (clifford's interpret_mu
 	for (int repeat = 0; repeat < CASES; ++repeat) {
 		const Vector3D p = random.vector(2.0), n = glm::normalize(random.vector(1.0));
 		const double radius = random.uniform(0.1, 3.0);
-		CHECK(classify(*plane(n, radius)).kind == Kind::plane);
-		CHECK(classify(plane(n, radius)->dual(), true).kind == Kind::plane);
-		CHECK(classify(*sphere(p, radius)).kind == Kind::sphere);
-		CHECK(classify(sphere(p, radius)->dual(), true).kind == Kind::sphere);
-		CHECK(classify(*circle(p, n, radius)).kind == Kind::circle);
-		CHECK(classify(circle(p, n, radius)->dual(), true).kind == Kind::circle);
+		CHECK(classify(*plane(n, radius)).kind == Kind::PLANE);
+		CHECK(classify(plane(n, radius)->dual(), true).kind == Kind::PLANE);
+		CHECK(classify(*sphere(p, radius)).kind == Kind::SPHERE);
+		CHECK(classify(sphere(p, radius)->dual(), true).kind == Kind::SPHERE);
+		CHECK(classify(*circle(p, n, radius)).kind == Kind::CIRCLE);
+		CHECK(classify(circle(p, n, radius)->dual(), true).kind == Kind::CIRCLE);
 	}
 }
 
 TEST_CASE("one element is a pair in OPNS and a circle in IPNS (grade alone cannot tell)") {
 	const Multivector pair = *point_pair({ 0, 0, -1 }, { 0, 0, 1 });
-	CHECK(classify(pair).kind == Kind::point_pair);
+	CHECK(classify(pair).kind == Kind::POINT_PAIR);
 	const Classification circle_of = classify(pair, true);
-	CHECK(circle_of.kind == Kind::circle);
+	CHECK(circle_of.kind == Kind::CIRCLE);
 	CHECK(circle_of.imaginary);
 	CHECK(*circle_of.radius == doctest::Approx(1.0));
 }

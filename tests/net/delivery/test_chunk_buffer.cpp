@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <optional>
 
 using namespace net;
 
@@ -19,19 +20,16 @@ bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, u
 	chunk.check = check;
 	chunk.bytes = &byte;
 	chunk.size = 1;
-	uint8_t found = 0;
-	const bool added = buffer.add(chunk, found);
-	CHECK(found == byte);
-	return added;
+	const std::optional<uint8_t> added = buffer.add(chunk);
+	CHECK(added.value_or(byte) == byte);
+	return added.has_value();
 }
 
 /// The bytes of the windows that can be taken, each ended by a 255.
 Bytes taken(ChunkBuffer &buffer) {
 	Bytes all;
 	Bytes window;
-	uint8_t check = 0;
-	uint8_t mask = 0;
-	while (buffer.take_window(window, check, mask)) {
+	while (buffer.take_window(window)) {
 		all.insert(all.end(), window.begin(), window.end());
 		all.push_back(255);
 	}
@@ -46,7 +44,7 @@ std::unique_ptr<ChunkBuffer> started(uint8_t next) {
 
 } // namespace
 
-TEST_CASE("chunk buffer: windows come out in order, whatever the order of their chunks") {
+TEST_CASE("chunk buffer: windows are taken in order, in whatever order their chunks arrive") {
 	const auto buffer = started(10);
 	CHECK(add(*buffer, 12));
 	CHECK(add(*buffer, 14, true, false));
@@ -58,17 +56,16 @@ TEST_CASE("chunk buffer: windows come out in order, whatever the order of their 
 	CHECK(taken(*buffer) == Bytes{ 11, 255, 12, 255 });
 	CHECK(add(*buffer, 13));
 	Bytes window;
-	uint8_t check = 0;
-	uint8_t mask = 0;
-	REQUIRE(buffer->take_window(window, check, mask));
-	REQUIRE(buffer->take_window(window, check, mask));
+	REQUIRE(buffer->take_window(window));
+	const std::optional<WindowCheck> check = buffer->take_window(window);
+	REQUIRE(check);
 	CHECK(window == Bytes{ 14, 15 });
-	CHECK(check == 9);
-	CHECK(mask == 255);
+	CHECK(check->value == 9);
+	CHECK(check->mask == 255);
 	CHECK_FALSE(buffer->is_broken());
 }
 
-TEST_CASE("chunk buffer: repeats and what is too far ahead or behind are dropped") {
+TEST_CASE("chunk buffer: duplicates and chunks too far ahead or behind are dropped") {
 	const auto buffer = started(200);
 	CHECK(add(*buffer, 201));
 	CHECK_FALSE(add(*buffer, 201));
@@ -81,9 +78,9 @@ TEST_CASE("chunk buffer: repeats and what is too far ahead or behind are dropped
 	CHECK_FALSE(add(*buffer, 201));
 }
 
-TEST_CASE("chunk buffer: a short chunk's number is the one near the first that is missing") {
+TEST_CASE("chunk buffer: a short chunk's number is completed to the one near the first missing chunk") {
 	const auto buffer = started(250);
-	const auto add_short = [&](int number, uint8_t &found) {
+	const auto add_short = [&](int number) {
 		const uint8_t byte = uint8_t(number);
 		ChunkItem chunk;
 		chunk.number = uint8_t(number & 15);
@@ -91,28 +88,24 @@ TEST_CASE("chunk buffer: a short chunk's number is the one near the first that i
 		chunk.check = 5;
 		chunk.bytes = &byte;
 		chunk.size = 1;
-		return buffer->add(chunk, found);
+		return buffer->add(chunk);
 	};
-	uint8_t found = 0;
 	for (const int number : { 250, 252, 251, 257, 256, 255, 254, 253, 258 }) {
-		CHECK(add_short(number, found));
-		CHECK(found == uint8_t(number));
+		CHECK(add_short(number) == uint8_t(number));
 	}
-	CHECK_FALSE(add_short(254, found)); // again, behind what is missing
-	CHECK(found == 254);
+	CHECK_FALSE(add_short(254)); // a duplicate, before the first missing one
 	Bytes window;
-	uint8_t check = 0;
-	uint8_t mask = 0;
-	REQUIRE(buffer->take_window(window, check, mask));
-	CHECK(check == 5);
-	CHECK(mask == 7);
+	const std::optional<WindowCheck> check = buffer->take_window(window);
+	REQUIRE(check);
+	CHECK(check->value == 5);
+	CHECK(check->mask == 7);
 	ChunkBuffer unstarted;
 	ChunkItem chunk;
 	chunk.is_short = chunk.first = chunk.last = true;
-	CHECK_FALSE(unstarted.add(chunk, found));
+	CHECK_FALSE(unstarted.add(chunk));
 }
 
-TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
+TEST_CASE("chunk buffer: it acknowledges what has arrived, across the wrap of numbers") {
 	const auto buffer = started(254);
 	CHECK(buffer->ack().next == 254);
 	CHECK(buffer->ack().later == 0);
@@ -120,7 +113,7 @@ TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
 	add(*buffer, 3);
 	CHECK(buffer->ack().next == 254);
 	CHECK(buffer->ack().later == (uint64_t(1) << 1 | uint64_t(1) << 4)); // 255 is bit 0
-	add(*buffer, 254, true, false); // a window's begin alone counts as arrived
+	add(*buffer, 254, true, false); // the first chunk of an incomplete window counts as arrived
 	CHECK(buffer->ack().next == 255);
 	CHECK(buffer->ack().later == (1 | 1 << 3));
 	add(*buffer, 255, false, true);
@@ -135,7 +128,7 @@ TEST_CASE("chunk buffer: it says what it has, across the wrap of numbers") {
 	CHECK(taken(*buffer) == Bytes{});
 }
 
-TEST_CASE("chunk buffer: chunks that are no window break it, until the next state") {
+TEST_CASE("chunk buffer: chunks that do not form a window break it, until the next snapshot") {
 	for (const bool begins_inside : { true, false }) {
 		const auto buffer = started(0);
 		if (begins_inside) {
@@ -153,7 +146,7 @@ TEST_CASE("chunk buffer: chunks that are no window break it, until the next stat
 	}
 }
 
-TEST_CASE("chunk buffer: what came before the state, and belongs behind it, is kept; older chunks are not") {
+TEST_CASE("chunk buffer: chunks that overtook the snapshot are kept; those before it are not") {
 	ChunkBuffer buffer;
 	CHECK(add(buffer, 40));
 	CHECK(add(buffer, 51));
@@ -163,7 +156,7 @@ TEST_CASE("chunk buffer: what came before the state, and belongs behind it, is k
 	CHECK(taken(buffer) == Bytes{ 50, 255, 51, 255 });
 	CHECK(add(buffer, 60));
 	CHECK(add(buffer, 70));
-	// The next state is 150 chunks further: 60 and 70 are not 316 and 326.
+	// The next snapshot is 150 chunks ahead: 60 and 70 must not be taken for 316 and 326.
 	buffer.restart(52 + 150);
 	CHECK(buffer.ack().next == 202);
 	CHECK(buffer.ack().later == 0);
@@ -176,7 +169,7 @@ TEST_CASE("chunk buffer: what came before the state, and belongs behind it, is k
 	CHECK(taken(buffer).size() == 256);
 }
 
-TEST_CASE("chunk buffer: going back to a state keeps what came after it") {
+TEST_CASE("chunk buffer: going back to a snapshot keeps the chunks after it") {
 	const auto buffer = started(10);
 	add(*buffer, 10);
 	add(*buffer, 11);

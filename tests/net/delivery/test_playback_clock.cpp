@@ -15,14 +15,14 @@ constexpr double FRAME = 1.0 / 60.0;
 /// A stream whose windows of 0.05 s arrive `network` after their end, with jitter; frames of 1/60 s.
 struct Stream {
 	PlaybackClock clock;
-	double least = 0.0; // limits of the delay
-	double most = 0.2;
+	double min_delay = 0.0;
+	double max_delay = 0.2;
 	std::mt19937 random{ 5 };
 	double offset = 1000.0; // local minus media time
 	double media = 0.0; // of the last arrival
 	double now = 1000.0;
-	double least_rate = 1e9;
-	double most_rate = -1e9;
+	double min_rate = 1e9;
+	double max_rate = -1e9;
 
 	void run(double seconds, double network, double jitter) {
 		std::uniform_real_distribution<double> extra(0.0, jitter);
@@ -34,7 +34,7 @@ struct Stream {
 				if (!clock.is_running()) {
 					clock.start(media, 0.1, now);
 				}
-				clock.set_limits(least, most);
+				clock.set_limits(min_delay, max_delay);
 				clock.observe(media, now);
 				clock.observe_motion(media - 0.05, now);
 				arrival = std::max(arrival, media + 0.05 + offset + network + extra(random));
@@ -42,8 +42,8 @@ struct Stream {
 			const double before = clock.media_time();
 			clock.advance(now);
 			if (clock.is_running() && before != clock.media_time()) {
-				least_rate = std::min(least_rate, (clock.media_time() - before) / FRAME);
-				most_rate = std::max(most_rate, (clock.media_time() - before) / FRAME);
+				min_rate = std::min(min_rate, (clock.media_time() - before) / FRAME);
+				max_rate = std::max(max_rate, (clock.media_time() - before) / FRAME);
 			}
 		}
 	}
@@ -51,7 +51,7 @@ struct Stream {
 
 } // namespace
 
-TEST_CASE("recent extreme: of this span and the one before") {
+TEST_CASE("recent extreme: it covers the current span and the one before") {
 	RecentExtreme largest(1.0, 2.0);
 	CHECK(largest.is_empty());
 	largest.add(5.0, 0.0);
@@ -67,7 +67,7 @@ TEST_CASE("recent extreme: of this span and the one before") {
 	CHECK(smallest.value() == -1.0);
 }
 
-TEST_CASE("playback clock: not started, it stands") {
+TEST_CASE("playback clock: before it is started it does not move") {
 	PlaybackClock clock;
 	clock.advance(5.0);
 	CHECK_FALSE(clock.is_running());
@@ -76,38 +76,38 @@ TEST_CASE("playback clock: not started, it stands") {
 	CHECK(clock.delay_at(9.0) == 0.0);
 }
 
-TEST_CASE("playback clock: it settles at what the windows need, and never runs backwards") {
+TEST_CASE("playback clock: it settles at the delay that the windows need, and never runs backwards") {
 	for (const double jitter : { 0.0, 0.03, 0.1 }) {
 		Stream stream;
-		stream.most = 0.4;
+		stream.max_delay = 0.4;
 		stream.run(20.0, 0.08, jitter);
 		CAPTURE(jitter);
 		// From the begin of a window to its arrival: its length and the jitter, not the network's own delay.
-		CHECK(stream.clock.wanted_delay() >= 0.05 + jitter * 0.7 - 1e-9);
-		CHECK(stream.clock.wanted_delay() <= 0.05 + jitter + FRAME + 1e-9);
-		CHECK(stream.clock.delay_at(stream.now) == doctest::Approx(stream.clock.wanted_delay()).epsilon(0.15));
+		CHECK(stream.clock.target_delay() >= 0.05 + jitter * 0.7 - 1e-9);
+		CHECK(stream.clock.target_delay() <= 0.05 + jitter + FRAME + 1e-9);
+		CHECK(stream.clock.delay_at(stream.now) == doctest::Approx(stream.clock.target_delay()).epsilon(0.15));
 		CHECK(stream.clock.jitter() <= jitter + FRAME + 1e-9);
 		CHECK(stream.clock.jitter() >= jitter * 0.6);
-		CHECK(stream.least_rate >= 0.6 - 1e-9);
-		CHECK(stream.most_rate <= 1.15 + 1e-9);
+		CHECK(stream.min_rate >= 0.6 - 1e-9);
+		CHECK(stream.max_rate <= 1.15 + 1e-9);
 		const double before = stream.clock.media_time();
 		stream.clock.advance(stream.now - 5.0); // a clock that goes backwards
 		CHECK(stream.clock.media_time() >= before);
 	}
 }
 
-TEST_CASE("playback clock: limits hold, and the delay comes down again when the jitter has gone") {
+TEST_CASE("playback clock: limits hold, and the delay decreases again when the jitter ends") {
 	Stream stream;
-	stream.least = 0.12;
+	stream.min_delay = 0.12;
 	stream.run(10.0, 0.02, 0.0);
-	CHECK(stream.clock.wanted_delay() == doctest::Approx(0.12));
+	CHECK(stream.clock.target_delay() == doctest::Approx(0.12));
 	stream.run(10.0, 0.02, 0.5);
-	CHECK(stream.clock.wanted_delay() == doctest::Approx(0.2));
-	stream.least = 0.0;
+	CHECK(stream.clock.target_delay() == doctest::Approx(0.2));
+	stream.min_delay = 0.0;
 	stream.run(20.0, 0.02, 0.0);
-	CHECK(stream.clock.wanted_delay() <= 0.05 + FRAME + 1e-9);
+	CHECK(stream.clock.target_delay() <= 0.05 + FRAME + 1e-9);
 	CHECK(stream.clock.delay_at(stream.now) < 0.08);
-	CHECK(stream.least_rate >= 0.6 - 1e-9);
+	CHECK(stream.min_rate >= 0.6 - 1e-9);
 }
 
 TEST_CASE("playback clock: after silence it jumps ahead once, not back") {
@@ -120,12 +120,12 @@ TEST_CASE("playback clock: after silence it jumps ahead once, not back") {
 	stream.clock.advance(stream.now);
 	CHECK(stream.clock.media_time() > before + 4.0);
 	CHECK(stream.clock.media_time() < stream.now - stream.offset);
-	stream.least_rate = 1e9;
+	stream.min_rate = 1e9;
 	stream.run(3.0, 0.05, 0.01);
-	CHECK(stream.least_rate >= 0.6 - 1e-9);
+	CHECK(stream.min_rate >= 0.6 - 1e-9);
 }
 
-TEST_CASE("playback clock: looking ahead moves nothing and agrees with going there") {
+TEST_CASE("playback clock: media_time_at changes nothing and agrees with advance") {
 	Stream stream;
 	stream.run(3.0, 0.05, 0.02);
 	const double there = stream.clock.media_time_at(stream.now + FRAME);

@@ -24,8 +24,8 @@ void follow(BodyState &state, int ticks, int count, const Path &at) {
 		code.ticks = ticks;
 		SegmentSteps steps{};
 		for (int c = 0; c < 3; ++c) {
-			steps.way[c] = at(i * ticks) - at((i - 1) * ticks);
-			code.end[c] = int32_t((steps.way[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
+			steps.displacement[c] = at(i * ticks) - at((i - 1) * ticks);
+			code.end[c] = int32_t((steps.displacement[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
 		}
 		REQUIRE(state.apply(code, steps, GRID));
 	}
@@ -69,28 +69,28 @@ TEST_CASE("body state: the nearest pose, near and at 10 km") {
 	}
 }
 
-TEST_CASE("body state: poses that are not finite or out of range are refused and change nothing") {
+TEST_CASE("body state: poses that are not finite or out of range are rejected without a change") {
 	BodyState state;
 	REQUIRE(state.set_pose(pose_of(3.0), GRID));
 	const std::vector<int64_t> before = numbers(state);
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	const double infinity = std::numeric_limits<double>::infinity();
-	std::vector<PoseD> refused;
+	std::vector<PoseD> rejected;
 	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MAX_STEPS) }) {
-		refused.push_back(pose_of(bad));
+		rejected.push_back(pose_of(bad));
 		PoseD pose;
 		pose.translation.z = -std::abs(bad);
-		refused.push_back(pose);
+		rejected.push_back(pose);
 	}
 	for (const double bad : { nan, infinity, 0.0, -1.0, 1e-6, 1e6 }) {
 		PoseD pose;
 		pose.scale = bad;
-		refused.push_back(pose);
+		rejected.push_back(pose);
 	}
-	refused.push_back({ Vector3D(0.0), QuaternionD(0, 0, 0, 0), 1.0 });
-	refused.push_back({ Vector3D(0.0), QuaternionD(nan, 0, 0, 0), 1.0 });
-	refused.push_back({ Vector3D(0.0), QuaternionD(1, infinity, 0, 0), 1.0 });
-	for (const PoseD &pose : refused) {
+	rejected.push_back({ Vector3D(0.0), QuaternionD(0, 0, 0, 0), 1.0 });
+	rejected.push_back({ Vector3D(0.0), QuaternionD(nan, 0, 0, 0), 1.0 });
+	rejected.push_back({ Vector3D(0.0), QuaternionD(1, infinity, 0, 0), 1.0 });
+	for (const PoseD &pose : rejected) {
 		CAPTURE(pose.translation.x);
 		CAPTURE(pose.scale);
 		CHECK_FALSE(state.set_pose(pose, GRID));
@@ -104,7 +104,7 @@ TEST_CASE("body state: poses that are not finite or out of range are refused and
 	CHECK(state.set_pose(farthest, GRID));
 }
 
-TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
+TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 	struct Row {
 		int64_t speed; // steps a tick
 		int ticks;
@@ -121,29 +121,29 @@ TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 			CHECK(state.predicted(3 + c, row.ticks) == 0);
 		}
 	}
-	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with its bend: the next window's way is predicted to a few per cent.
+	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with their curvature: the next window's displacement is predicted to a few percent.
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	const double g = -0.5 * 9.81 / 3600.0 / GRID.position; // steps a tick^2
-	int64_t way = 0;
+	int64_t displacement = 0;
 	for (int i = 0; i < 10; ++i) {
 		SegmentCode code;
 		code.ticks = 12;
 		SegmentSteps steps{};
 		const auto at = [g](int tick) { return int64_t(std::llround(g * tick * tick)); };
-		way = at(12 * (i + 1)) - at(12 * i);
-		steps.way[1] = way;
-		steps.bend[1] = int64_t(std::llround(-g * 144.0));
-		code.bent[0] = true;
-		code.bend[1] = int32_t(steps.bend[1] / StreamGrid::BEND);
+		displacement = at(12 * (i + 1)) - at(12 * i);
+		steps.displacement[1] = displacement;
+		steps.curvature[1] = int64_t(std::llround(-g * 144.0));
+		code.curved[0] = true;
+		code.curvature[1] = int32_t(steps.curvature[1] / StreamGrid::CURVATURE);
 		REQUIRE(state.apply(code, steps, GRID));
 	}
 	const double next = g * (132.0 * 132.0 - 120.0 * 120.0);
 	CHECK(std::abs(double(state.predicted(1, 12)) - next) < std::abs(next) * 0.06);
-	CHECK(std::abs(double(way) - next) > std::abs(next) * 0.08); // holding the last way would be worse
+	CHECK(std::abs(double(displacement) - next) > std::abs(next) * 0.08); // repeating the last displacement would be worse
 }
 
-TEST_CASE("body state: after rest nothing is expected") {
+TEST_CASE("body state: after rest no motion is predicted") {
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	follow(state, 5, 5, [](int64_t tick) { return 30 * tick; });
@@ -164,18 +164,18 @@ TEST_CASE("body state: after rest nothing is expected") {
 	CHECK(cga_test::angle_between(before.rotation, after.rotation) == doctest::Approx(std::sqrt(85.0) * GRID.rotation).epsilon(0.01));
 }
 
-TEST_CASE("body state: motions out of range are refused and change nothing") {
+TEST_CASE("body state: motions out of range are rejected without a change") {
 	BodyState state;
 	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MAX_STEPS - 10)), GRID));
 	const std::vector<int64_t> before = numbers(state);
 	SegmentCode code;
 	SegmentSteps steps{};
-	steps.way[0] = 11;
+	steps.displacement[0] = 11;
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	steps.way[0] = 0;
-	steps.way[4] = int64_t(20.0 / GRID.rotation); // radians
+	steps.displacement[0] = 0;
+	steps.displacement[4] = int64_t(20.0 / GRID.rotation); // radians
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	steps.way[4] = 0;
+	steps.displacement[4] = 0;
 	code.scaled = true;
 	code.scale = BodyState::MAX_SCALE + 1;
 	CHECK_FALSE(state.apply(code, steps, GRID));
@@ -191,7 +191,7 @@ TEST_CASE("body state: motions out of range are refused and change nothing") {
 	CHECK(state.is_valid());
 }
 
-TEST_CASE("body state: all of it goes through visit, and the hash sees pose and scale") {
+TEST_CASE("body state: visit covers the whole state, and the hash depends on pose and scale") {
 	cga_test::Random random(52);
 	for (int i = 0; i < 200; ++i) {
 		BodyState state;
@@ -201,9 +201,9 @@ TEST_CASE("body state: all of it goes through visit, and the hash sees pose and 
 			code.ticks = 1 + int(random.uniform(0.0, 63.9));
 			for (int c = 0; c < 6; ++c) {
 				code.end[c] = int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
-				code.bend[c] = int32_t(random.uniform(-200.0, 200.0));
+				code.curvature[c] = int32_t(random.uniform(-200.0, 200.0));
 			}
-			code.bent[k % 2] = true;
+			code.curved[k % 2] = true;
 			code.scaled = k % 3 == 0;
 			code.scale = 17;
 			REQUIRE(state.apply(code, state.steps(code), GRID));

@@ -22,10 +22,10 @@ MotionSegment random_segment(cga_test::Random &random, cga::Mode mode) {
 	segment.length = std::floor(random.uniform(1.0, 64.0));
 	segment.from = random.pose(20.0);
 	segment.scale_ratio = random.uniform(0.3, 3.0);
-	segment.way = random.vector(2.0);
-	segment.way_bend = random.vector(1.0);
+	segment.displacement = random.vector(2.0);
+	segment.translation_curvature = random.vector(1.0);
 	segment.turn = random.vector(0.6);
-	segment.turn_bend = random.vector(0.4);
+	segment.rotation_curvature = random.vector(0.4);
 	segment.mode = mode;
 	return segment;
 }
@@ -36,14 +36,14 @@ PoseD by_formula(const MotionSegment &s, double u) {
 	PoseD pose;
 	pose.scale = s.from.scale * std::pow(s.scale_ratio, u);
 	if (s.mode == cga::Mode::SEPARATE) {
-		pose.translation = s.from.translation + s.way * u + s.way_bend * w;
-		pose.rotation = s.from.rotation * turned(s.turn * u + s.turn_bend * w);
+		pose.translation = s.from.translation + s.displacement * u + s.translation_curvature * w;
+		pose.rotation = s.from.rotation * turned(s.turn * u + s.rotation_curvature * w);
 		return pose;
 	}
-	const PoseD end{ s.from.translation + s.way, s.from.rotation * turned(s.turn), s.from.scale * s.scale_ratio };
+	const PoseD end{ s.from.translation + s.displacement, s.from.rotation * turned(s.turn), s.from.scale * s.scale_ratio };
 	const PoseD path = cga::interpolate(s.from, end, u, s.mode);
-	pose.translation = path.translation + s.way_bend * w;
-	pose.rotation = path.rotation * turned(s.turn_bend * w);
+	pose.translation = path.translation + s.translation_curvature * w;
+	pose.rotation = path.rotation * turned(s.rotation_curvature * w);
 	return pose;
 }
 
@@ -67,25 +67,25 @@ TEST_CASE("motion segment: poses follow the formulas in all modes") {
 	}
 }
 
-TEST_CASE("motion segment: a parabola with a bend, a whole turn, and the screw about an axis off the centre") {
+TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw about an axis off the center") {
 	MotionSegment segment;
 	segment.begin = 10.0;
 	segment.length = 4.0;
-	segment.way = Vector3D(4.0, 0.0, 0.0);
-	segment.way_bend = Vector3D(0.0, 8.0, 0.0); // 8 u (1 - u): 2 in the middle
+	segment.displacement = Vector3D(4.0, 0.0, 0.0);
+	segment.translation_curvature = Vector3D(0.0, 8.0, 0.0); // 8 u (1 - u): 2 in the middle
 	const PoseD middle = segment.pose_at(12.0);
 	CHECK(middle.translation == Vector3D(2.0, 2.0, 0.0));
 	CHECK(segment.pose_at(13.0).translation == Vector3D(3.0, 1.5, 0.0));
 
 	MotionSegment turn;
 	turn.length = 8.0;
-	turn.turn = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: its third goes the same way
+	turn.turn = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: a third of it turns in the same direction
 	CHECK(cga_test::angle_between(turn.pose_at(4.0).rotation, turned(Vector3D(0.0, 0.0, 3.0))) < 1e-12);
 
 	MotionSegment screw;
 	screw.mode = cga::Mode::SCREW;
 	screw.from.translation = Vector3D(1.0, 0.0, 0.0);
-	screw.way = Vector3D(-1.0, 1.0, 0.0); // a quarter about the origin
+	screw.displacement = Vector3D(-1.0, 1.0, 0.0); // a quarter about the origin
 	screw.turn = Vector3D(0.0, 0.0, cga_test::PI / 2.0);
 	const double eighth = std::sqrt(0.5);
 	CHECK(glm::length(screw.pose_at(0.5).translation - Vector3D(eighth, eighth, 0.0)) < 1e-12);
@@ -105,7 +105,7 @@ TEST_CASE("motion segment: outside its time it stays at its ends") {
 	}
 }
 
-TEST_CASE("motion segment: the next one begins where one ends, but for the grid of rotations") {
+TEST_CASE("motion segment: the next segment begins where the last one ends, to within the grid of rotations") {
 	cga_test::Random random(43);
 	const StreamGrid grid(0.005f, 1.4f);
 	for (const cga::Mode mode : MODES) {
@@ -122,10 +122,10 @@ TEST_CASE("motion segment: the next one begins where one ends, but for the grid 
 				// Anywhere near where it is: what is predicted is taken back, or it would run away.
 				const int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
 				code.end[c] = int32_t(back + int64_t(random.uniform(-9.0, 9.0)));
-				code.bend[c] = int32_t(random.uniform(-5.0, 5.0));
+				code.curvature[c] = int32_t(random.uniform(-5.0, 5.0));
 			}
-			code.bent[0] = i % 2 == 0;
-			code.bent[1] = i % 5 < 3;
+			code.curved[0] = i % 2 == 0;
+			code.curved[1] = i % 5 < 3;
 			code.scaled = i % 7 == 0;
 			code.scale = i % 14 == 0 ? 300 : -300;
 			const SegmentSteps steps = state.steps(code);

@@ -6,13 +6,13 @@ using namespace net;
 
 namespace {
 
-/// A motion along x from `from` by `way` over ticks `begin` to `end`.
-BodyMotion moving(double begin, double end, double from, double way) {
+/// A motion along x from `from` by `displacement` over ticks `begin` to `end`.
+BodyMotion moving(double begin, double end, double from, double displacement) {
 	BodyMotion motion;
 	motion.segment.begin = begin;
 	motion.segment.length = end - begin;
 	motion.segment.from.translation.x = from;
-	motion.segment.way.x = way;
+	motion.segment.displacement.x = displacement;
 	return motion;
 }
 
@@ -32,13 +32,13 @@ BodyMotion vanishing(double begin) {
 constexpr double ABSENT = -1e9;
 
 double x_at(const MotionTrack &track, double tick) {
-	cga::Pose<double> pose;
-	return track.pose_at(tick, pose) ? pose.translation.x : ABSENT;
+	const std::optional<cga::Pose<double>> pose = track.pose_at(tick);
+	return pose ? pose->translation.x : ABSENT;
 }
 
 } // namespace
 
-TEST_CASE("motion track: segments one after the other, and rest between and after them") {
+TEST_CASE("motion track: consecutive segments, and rest between and after them") {
 	MotionTrack track;
 	CHECK(x_at(track, 0.0) == ABSENT);
 	CHECK(track.is_over(0.0));
@@ -51,7 +51,7 @@ TEST_CASE("motion track: segments one after the other, and rest between and afte
 	CHECK_FALSE(track.is_over(1e6));
 }
 
-TEST_CASE("motion track: a jump is at its time, with nothing between") {
+TEST_CASE("motion track: a jump is shown at its time, without interpolation") {
 	MotionTrack track;
 	track.add(moving(0.0, 10.0, 0.0, 10.0));
 	track.add(appearing(10.0, 100.0));
@@ -81,7 +81,7 @@ TEST_CASE("motion track: bodies appear, vanish and appear again") {
 	CHECK_FALSE(track.is_empty());
 }
 
-TEST_CASE("motion track: what is new replaces what was known from its begin on") {
+TEST_CASE("motion track: a new motion replaces what was known from its beginning on") {
 	MotionTrack track;
 	track.add(moving(0.0, 10.0, 0.0, 10.0));
 	track.add(moving(10.0, 20.0, 10.0, 10.0));
@@ -90,7 +90,7 @@ TEST_CASE("motion track: what is new replaces what was known from its begin on")
 	CHECK(x_at(track, 5.0) == 5.0);
 	CHECK(x_at(track, 14.0) == 6.0);
 	CHECK(x_at(track, 25.0) == 6.0);
-	// A motion from where the body appears does not replace its appearing.
+	// A motion that begins where the body appears does not replace its appearance.
 	MotionTrack other;
 	other.add(appearing(5.0, 1.0));
 	other.add(moving(5.0, 6.0, 1.0, 1.0));
@@ -98,7 +98,7 @@ TEST_CASE("motion track: what is new replaces what was known from its begin on")
 	CHECK(x_at(other, 5.5) == 1.5);
 }
 
-TEST_CASE("motion track: what was shown is forgotten, and memory is bounded though nobody looks") {
+TEST_CASE("motion track: what was shown is forgotten, and memory is bounded even if nothing is shown") {
 	MotionTrack track;
 	for (int i = 0; i < 10; ++i) {
 		track.add(moving(i, i + 1, i, 1.0));
@@ -110,5 +110,5 @@ TEST_CASE("motion track: what was shown is forgotten, and memory is bounded thou
 		track.add(moving(i, i + 1, i, 1.0));
 	}
 	CHECK(x_at(track, 4999.5) == 4999.5);
-	CHECK(x_at(track, 0.0) == doctest::Approx(5000.0 - double(MotionTrack::MOST)));
+	CHECK(x_at(track, 0.0) == doctest::Approx(5000.0 - double(MotionTrack::MAX_SEGMENTS)));
 }

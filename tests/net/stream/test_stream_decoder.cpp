@@ -1,6 +1,6 @@
 #include "net/stream/stream_decoder.hpp"
 
-#include "../allocation_counter.hpp"
+#include "../../harness/allocation_counter.hpp"
 #include "../stream_scene.hpp"
 
 #include <doctest/doctest.h>
@@ -21,9 +21,9 @@ struct Window {
 	int ticks = 0;
 };
 
-/// A scene's stream: its first state and its windows.
+/// A scene's stream: a snapshot and the windows after it.
 struct Recording {
-	Bytes state;
+	Bytes snapshot;
 	std::vector<Window> windows;
 
 	Recording(unsigned seed, int count, int first = 20) {
@@ -41,7 +41,7 @@ struct Recording {
 			window.check = encoder.check();
 			scene.end_window();
 			if (i == first - 1) {
-				encoder.encode_state(state);
+				encoder.encode_snapshot(snapshot);
 			} else if (i >= first) {
 				windows.push_back(window);
 			}
@@ -50,8 +50,7 @@ struct Recording {
 };
 
 bool decode(StreamDecoder &decoder, const Bytes &bytes, uint8_t check, double begin, std::vector<BodyMotion> &motions) {
-	int ticks = 0;
-	return decoder.decode_window(bytes.data(), bytes.size(), check, 255, begin, cga::Mode::SEPARATE, motions, ticks);
+	return decoder.decode_window(bytes.data(), bytes.size(), { check, 255 }, begin, cga::Mode::SEPARATE, motions).has_value();
 }
 
 std::vector<PoseD> poses(const StreamDecoder &decoder) {
@@ -66,8 +65,8 @@ bool is_same(const std::vector<PoseD> &a, const std::vector<PoseD> &b) {
 	return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const PoseD &p, const PoseD &q) { return p.translation == q.translation && p.rotation == q.rotation && p.scale == q.scale; });
 }
 
-/// Bytes that are a little, or altogether, wrong.
-Bytes spoilt(const Bytes &bytes, std::mt19937 &random) {
+/// The bytes with small changes, truncated, extended or replaced by noise.
+Bytes corrupted(const Bytes &bytes, std::mt19937 &random) {
 	Bytes other = bytes;
 	switch (random() % 4) {
 		case 0:
@@ -92,18 +91,18 @@ Bytes spoilt(const Bytes &bytes, std::mt19937 &random) {
 
 } // namespace
 
-TEST_CASE("stream decoder: spoilt windows are refused without a change but for one in 16, and never crash it") {
+TEST_CASE("stream decoder: corrupted windows are rejected without a change, but for those the checksum cannot detect") {
 	const Recording recording(71, 60);
 	std::mt19937 random(1);
 	StreamDecoder decoder(0.005f, 1.4f, 100);
-	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	REQUIRE(decoder.read_snapshot(recording.snapshot.data(), recording.snapshot.size()));
 	std::vector<BodyMotion> motions;
 	int tried = 0;
 	int accepted = 0;
 	for (const Window &window : recording.windows) {
 		const std::vector<PoseD> before = poses(decoder);
 		for (int i = 0; i < 60; ++i) {
-			const Bytes bytes = spoilt(window.bytes, random);
+			const Bytes bytes = corrupted(window.bytes, random);
 			const bool is_whole = bytes == window.bytes;
 			StreamDecoder copy = decoder;
 			++tried;
@@ -116,18 +115,18 @@ TEST_CASE("stream decoder: spoilt windows are refused without a change but for o
 			} else {
 				CHECK(motions.empty());
 				CHECK(is_same(poses(copy), before));
-				CHECK(decode(copy, window.bytes, window.check, window.begin, motions)); // goes on as if nothing had come
+				CHECK(decode(copy, window.bytes, window.check, window.begin, motions)); // the decoder goes on as if nothing had arrived
 			}
 		}
 		REQUIRE(decode(decoder, window.bytes, window.check, window.begin, motions));
 	}
-	CHECK(accepted < tried * 5 / 16); // a quarter are longer: what is behind a window's end changes nothing
+	CHECK(accepted < tried * 5 / 16); // a quarter are extended: bytes after a window's end change nothing
 }
 
-TEST_CASE("stream decoder: a wrong check is refused, as is a window out of order") {
+TEST_CASE("stream decoder: a wrong checksum is rejected, as is a window out of order") {
 	const Recording recording(72, 30);
 	StreamDecoder decoder(0.005f, 1.4f, 100);
-	REQUIRE(decoder.read_state(recording.state.data(), recording.state.size()));
+	REQUIRE(decoder.read_snapshot(recording.snapshot.data(), recording.snapshot.size()));
 	std::vector<BodyMotion> motions;
 	int wrong_order = 0;
 	for (size_t i = 0; i + 1 < recording.windows.size(); ++i) {
@@ -143,19 +142,19 @@ TEST_CASE("stream decoder: a wrong check is refused, as is a window out of order
 	CHECK(wrong_order < 6);
 }
 
-TEST_CASE("stream decoder: spoilt states are refused without a change, or hold bodies that can be shown") {
+TEST_CASE("stream decoder: corrupted snapshots are rejected without a change, or contain bodies with valid poses") {
 	const Recording recording(73, 20);
 	const Recording other(74, 1);
 	std::mt19937 random(2);
 	std::vector<BodyMotion> motions;
-	int refused = 0;
+	int rejected = 0;
 	for (int i = 0; i < 2000; ++i) {
 		StreamDecoder decoder(0.005f, 1.4f, 30);
-		REQUIRE(decoder.read_state(other.state.data(), other.state.size()));
+		REQUIRE(decoder.read_snapshot(other.snapshot.data(), other.snapshot.size()));
 		const std::vector<PoseD> before = poses(decoder);
-		const Bytes bytes = spoilt(recording.state, random);
-		if (!decoder.read_state(bytes.data(), bytes.size())) {
-			++refused;
+		const Bytes bytes = corrupted(recording.snapshot, random);
+		if (!decoder.read_snapshot(bytes.data(), bytes.size())) {
+			++rejected;
 			CHECK(is_same(poses(decoder), before));
 			continue;
 		}
@@ -176,30 +175,32 @@ TEST_CASE("stream decoder: spoilt states are refused without a change, or hold b
 			}
 		}
 	}
-	CHECK(refused > 200);
+	CHECK(rejected > 200);
 }
 
-TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or memory for them") {
+TEST_CASE("stream decoder: no input makes it exceed its maximum of bodies, or allocate memory for more") {
 	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 	for (uint32_t id = 0; id < 50; ++id) {
 		REQUIRE(encoder.add_body(id, 0.0, PoseD()));
 	}
-	Bytes empty_state;
-	encoder.encode_state(empty_state);
+	Bytes empty_snapshot;
+	encoder.encode_snapshot(empty_snapshot);
 	Bytes window;
 	encoder.encode_window(0.0, 1, window);
-	Bytes state;
-	encoder.encode_state(state);
+	Bytes snapshot;
+	encoder.encode_snapshot(snapshot);
 	std::vector<BodyMotion> motions;
-	for (const size_t most : { size_t(49), size_t(50) }) {
-		StreamDecoder decoder(0.005f, 1.4f, most);
-		CHECK(decoder.read_state(state.data(), state.size()) == (most == 50));
-		REQUIRE(decoder.read_state(empty_state.data(), empty_state.size()));
-		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (most == 50));
+	for (const size_t max_bodies : { size_t(49), size_t(50) }) {
+		StreamDecoder decoder(0.005f, 1.4f, max_bodies);
+		const PacketResult result = decoder.read_snapshot(snapshot.data(), snapshot.size());
+		CHECK(result.has_value() == (max_bodies == 50));
+		CHECK((result || result.error() == PacketError::TOO_MANY_BODIES));
+		REQUIRE(decoder.read_snapshot(empty_snapshot.data(), empty_snapshot.size()));
+		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (max_bodies == 50));
 	}
-	// A count of bodies that the bytes cannot hold.
-	Bytes liar;
-	RangeEncoder coder(liar);
+	// A count of bodies that does not fit into the bytes.
+	Bytes false_count;
+	RangeEncoder coder(false_count);
 	uint32_t number = 12;
 	coder.bits(number, 7);
 	coder.bits(number, 32);
@@ -209,8 +210,10 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 	coder.bits(number, INDEX_BITS);
 	coder.finish();
 	StreamDecoder decoder(0.005f, 1.4f, 2000000);
-	const size_t before = live_bytes();
-	CHECK_FALSE(decoder.read_state(liar.data(), liar.size()));
+	const size_t before = harness::live_bytes();
+	const PacketResult result = decoder.read_snapshot(false_count.data(), false_count.size());
+	REQUIRE_FALSE(result);
+	CHECK(result.error() == PacketError::UNREADABLE_SNAPSHOT);
 	std::mt19937 random(4);
 	for (int i = 0; i < 300; ++i) {
 		Bytes bytes(1300);
@@ -219,10 +222,10 @@ TEST_CASE("stream decoder: no bytes make it hold more bodies than it may, or mem
 		}
 		(void)decode(decoder, bytes, uint8_t(i % 16), 0.0, motions);
 	}
-	CHECK(live_bytes() < before + 3000000);
+	CHECK(harness::live_bytes() < before + 3000000);
 }
 
-TEST_CASE("stream: encoder and decoder take no memory in steady state") {
+TEST_CASE("stream: encoder and decoder do not allocate in steady state") {
 	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 	StreamDecoder decoder(0.005f, 1.4f, 1000);
 	const std::vector<Motion> all = motions(Vector3D(0.0));
@@ -230,13 +233,13 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 		REQUIRE(encoder.add_body(id, 0.0, all[id % all.size()].path(0.0)));
 	}
 	Bytes bytes;
-	encoder.encode_state(bytes);
-	REQUIRE(decoder.read_state(bytes.data(), bytes.size()));
+	encoder.encode_snapshot(bytes);
+	REQUIRE(decoder.read_snapshot(bytes.data(), bytes.size()));
 	std::vector<BodyMotion> shown;
 	size_t before = 0;
 	for (int window = 0; window < 60; ++window) {
 		if (window == 30) {
-			before = allocation_count();
+			before = harness::allocation_count();
 		}
 		for (int tick = 1; tick <= 12; ++tick) {
 			const double time = window * 12.0 + tick;
@@ -251,5 +254,5 @@ TEST_CASE("stream: encoder and decoder take no memory in steady state") {
 			FAIL("the decoder lost the stream");
 		}
 	}
-	CHECK(allocation_count() == before);
+	CHECK(harness::allocation_count() == before);
 }

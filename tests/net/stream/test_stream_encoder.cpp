@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 using namespace net;
 using namespace net_test;
@@ -16,29 +17,33 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-/// An encoder and a decoder that gets all of its windows, and what the decoder's motions look like.
+/// An encoder, a decoder that gets all of its windows, and the decoded motion of each body.
 struct Link {
 	explicit Link(cga::Mode mode = cga::Mode::SEPARATE) :
 			mode(mode), encoder(0.005f, 1.4f, mode), decoder(0.005f, 1.4f, 1000) {
-		Bytes state;
-		encoder.encode_state(state);
-		REQUIRE(decoder.read_state(state.data(), state.size()));
+		Bytes snapshot;
+		encoder.encode_snapshot(snapshot);
+		REQUIRE(decoder.read_snapshot(snapshot.data(), snapshot.size()));
 	}
 
 	bool window(int ticks) {
 		bytes.clear();
 		encoder.encode_window(end, ticks, bytes);
-		int read_ticks = 0;
-		const bool read = decoder.decode_window(bytes.data(), bytes.size(), encoder.check(), 255, end, mode, motions, read_ticks);
-		CHECK((!read || read_ticks == ticks));
+		const std::optional<int> decoded = decoder.decode_window(bytes.data(), bytes.size(), { encoder.check(), 255 }, end, mode, motions);
+		CHECK(decoded.value_or(ticks) == ticks);
 		for (const BodyMotion &motion : motions) {
 			tracks[motion.id].add(motion);
 		}
 		end += ticks;
-		return read;
+		return decoded.has_value();
 	}
 
-	[[nodiscard]] bool shows(uint32_t id, double tick) { return tracks[id].pose_at(tick, shown); }
+	/// Sets `shown` to the pose at a time; false if the body does not exist then.
+	[[nodiscard]] bool shows(uint32_t id, double tick) {
+		const std::optional<PoseD> pose = tracks[id].pose_at(tick);
+		shown = pose.value_or(PoseD());
+		return pose.has_value();
+	}
 
 	cga::Mode mode;
 	StreamEncoder encoder;
@@ -100,7 +105,7 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 	}
 }
 
-TEST_CASE("stream: a state taken at any time goes on like the decoder that was there from the start") {
+TEST_CASE("stream: a decoder that starts at a later snapshot agrees with one that got all windows") {
 	Link link;
 	StreamScene scene(link.encoder, 9);
 	std::vector<std::unique_ptr<StreamDecoder>> others;
@@ -114,8 +119,7 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 		scene.end_window();
 		for (auto &other : others) {
 			std::vector<BodyMotion> motions;
-			int ticks = 0;
-			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), link.encoder.check(), 255, begin, link.mode, motions, ticks));
+			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), { link.encoder.check(), 255 }, begin, link.mode, motions));
 			REQUIRE(other->body_count() == link.decoder.body_count());
 			CHECK(motions.size() == link.motions.size());
 			for (size_t i = 0; i < other->body_count(); ++i) {
@@ -124,21 +128,21 @@ TEST_CASE("stream: a state taken at any time goes on like the decoder that was t
 			}
 		}
 		if (window % 10 == 3) {
-			Bytes state;
-			link.encoder.encode_state(state);
-			CHECK(state.size() < 8192 / 4 + 96 * scene.bodies.size());
+			Bytes snapshot;
+			link.encoder.encode_snapshot(snapshot);
+			CHECK(snapshot.size() < 8192 / 4 + 96 * scene.bodies.size());
 			others.push_back(std::make_unique<StreamDecoder>(0.005f, 1.4f, 1000));
-			REQUIRE(others.back()->read_state(state.data(), state.size()));
+			REQUIRE(others.back()->read_snapshot(snapshot.data(), snapshot.size()));
 		}
 	}
 }
 
-TEST_CASE("stream: resting bodies cost a byte or two a window together, moving ones what their news is") {
+TEST_CASE("stream: 200 resting bodies cost at most two bytes a window together") {
 	Link link;
 	for (uint32_t id = 0; id < 200; ++id) {
 		REQUIRE(link.encoder.add_body(id, 0.0, at(double(id))));
 	}
-	CHECK(link.encoder.has_news());
+	CHECK(link.encoder.has_changes());
 	size_t last = 0;
 	for (int window = 0; window < 40; ++window) {
 		for (int i = 1; i <= 12; ++i) {
@@ -149,18 +153,18 @@ TEST_CASE("stream: resting bodies cost a byte or two a window together, moving o
 		REQUIRE(link.window(12));
 		last = link.bytes.size();
 	}
-	CHECK_FALSE(link.encoder.has_news());
+	CHECK_FALSE(link.encoder.has_changes());
 	CHECK(link.encoder.moving_count() == 0);
 	CHECK(last <= 2);
 	// One of them begins to move.
 	CHECK(link.encoder.observe(7, link.end + 1.0, at(7.5)));
-	CHECK(link.encoder.has_news());
+	CHECK(link.encoder.has_changes());
 	REQUIRE(link.window(12));
 	CHECK(link.encoder.moving_count() == 1);
 	CHECK(link.bytes.size() <= 16);
 }
 
-TEST_CASE("stream: what is not finite or out of range is refused without a change") {
+TEST_CASE("stream: poses that are not finite or out of range are rejected without a change") {
 	Link link;
 	REQUIRE(link.encoder.add_body(1, 0.0, at(1.0)));
 	REQUIRE(link.window(1));
@@ -177,7 +181,7 @@ TEST_CASE("stream: what is not finite or out of range is refused without a chang
 	CHECK_FALSE(link.encoder.add_body(1, 2.0, at(0.0)));
 	CHECK_FALSE(link.encoder.add_body(ID_LIMIT, 2.0, at(0.0)));
 	CHECK_FALSE(link.encoder.jump(2));
-	CHECK_FALSE(link.encoder.has_news());
+	CHECK_FALSE(link.encoder.has_changes());
 	CHECK(link.encoder.body_count() == 1);
 	REQUIRE(link.window(12));
 	CHECK(link.decoder.body_count() == 1);
@@ -185,7 +189,7 @@ TEST_CASE("stream: what is not finite or out of range is refused without a chang
 	CHECK(cga_test::difference(link.shown, at(1.0)) < 1e-3);
 }
 
-TEST_CASE("stream: a jump is at its time; of several in a window one, to where the last led") {
+TEST_CASE("stream: a jump is shown at its time; several in a window become one to the last target") {
 	Link link;
 	REQUIRE(link.encoder.add_body(1, 0.0, at(0.0)));
 	REQUIRE(link.window(1));
@@ -204,7 +208,7 @@ TEST_CASE("stream: a jump is at its time; of several in a window one, to where t
 	CHECK(link.shown.translation.x == doctest::Approx(103.0).epsilon(1e-4));
 }
 
-TEST_CASE("stream: a jump right after a pose, and one whose pose comes in a later window") {
+TEST_CASE("stream: a jump right after a pose, and one whose pose follows in a later window") {
 	for (const double after : { 0.0, 0.05, 3.0 }) {
 		Link link;
 		REQUIRE(link.encoder.add_body(1, 0.0, at(0.0)));
@@ -229,14 +233,14 @@ TEST_CASE("stream: a jump right after a pose, and one whose pose comes in a late
 	}
 }
 
-TEST_CASE("stream: bodies that come and go within a window, after its end, and again under the same id") {
+TEST_CASE("stream: bodies added and removed within a window, after its end, and again under the same id") {
 	Link link;
 	REQUIRE(link.encoder.add_body(1, 0.0, at(1.0)));
 	REQUIRE(link.encoder.add_body(2, 0.4, at(2.0)));
-	CHECK(link.encoder.remove_body(2, 0.6)); // never seen
+	CHECK(link.encoder.remove_body(2, 0.6)); // never existed for the decoder
 	REQUIRE(link.window(4));
 	CHECK(link.decoder.body_count() == 1);
-	// After the window's end: told in the next one.
+	// Added after the window's end: part of the next one.
 	REQUIRE(link.encoder.add_body(3, 8.5, at(3.0)));
 	REQUIRE(link.window(4));
 	CHECK(link.decoder.body_count() == 1);
@@ -245,7 +249,7 @@ TEST_CASE("stream: bodies that come and go within a window, after its end, and a
 	CHECK(link.decoder.body_count() == 3);
 	CHECK_FALSE(link.shows(3, 7.9));
 	CHECK(link.shows(3, 8.5));
-	// Added after the window's end and gone before it is told.
+	// Added after the window's end and removed before the next.
 	REQUIRE(link.encoder.add_body(5, 12.5, at(5.0)));
 	CHECK(link.encoder.remove_body(5, 12.5));
 	REQUIRE(link.window(1)); // ends at 13
@@ -255,9 +259,9 @@ TEST_CASE("stream: bodies that come and go within a window, after its end, and a
 	REQUIRE(link.window(1)); // ends at 14
 	REQUIRE(link.encoder.add_body(8, 15.5, at(8.0)));
 	CHECK(link.encoder.remove_body(8, 15.5));
-	REQUIRE(link.window(1)); // ends at 15: body 8 was added after its end, and has gone
+	REQUIRE(link.window(1)); // ends at 15: body 8 was added after its end, and has been removed
 	CHECK(link.decoder.body_count() == 4);
-	// The same id, gone and there again elsewhere.
+	// The same id, removed and added again elsewhere.
 	CHECK(link.encoder.remove_body(1, 16.0));
 	REQUIRE(link.encoder.add_body(1, 18.0, at(-1.0)));
 	REQUIRE(link.window(5));
@@ -269,7 +273,7 @@ TEST_CASE("stream: bodies that come and go within a window, after its end, and a
 	CHECK(link.shown.translation.x == doctest::Approx(-1.0).epsilon(1e-3));
 }
 
-TEST_CASE("stream: a body that nobody saw for long jumps, one that was away shortly moves on") {
+TEST_CASE("stream: a body without poses for long jumps; after a short gap it moves on") {
 	Link link;
 	REQUIRE(link.encoder.add_body(1, 0.0, at(0.0)));
 	for (int tick = 1; tick <= 40; ++tick) {

@@ -1,4 +1,4 @@
-#include "playground/drawing/endless_places.hpp"
+#include "shader_functions.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <set>
 
-using namespace playground::drawing::shared;
+using namespace playground::drawing::shader_functions;
 
 TEST_CASE("endless forms reach beyond everything that a camera sees") {
 	for (const float far_plane : { 10.0f, 100.0f, 4000.0f, 1e5f }) {
@@ -30,8 +30,8 @@ TEST_CASE("arrowheads of a line stay where they are") {
 	// As the eye moves along, the places that both views have in common are the same ones.
 	std::set<float> before, after;
 	for (float index = -6.0f; index <= 5.0f; index += 1.0f) {
-		before.insert(line_arrow_place(index, 0.0f, 5.0f));
-		after.insert(line_arrow_place(index, 3.0f, 6.0f));
+		before.insert(line_arrow_position(index, 0.0f, 5.0f));
+		after.insert(line_arrow_position(index, 3.0f, 6.0f));
 	}
 	int shared_places = 0;
 	for (const float place : before) {
@@ -40,6 +40,6 @@ TEST_CASE("arrowheads of a line stay where they are") {
 	CHECK(shared_places >= 10);
 	// Some are within the view, at any distance.
 	for (const float distance : { 1e-3f, 0.1f, 3.0f, 1e4f }) {
-		CHECK(std::abs(line_arrow_place(0.0f, 17.0f, distance) - 17.0f) <= 0.5f * distance);
+		CHECK(std::abs(line_arrow_position(0.0f, 17.0f, distance) - 17.0f) <= 0.5f * distance);
 	}
 }

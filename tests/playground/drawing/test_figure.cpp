@@ -1,9 +1,10 @@
 #include "playground/drawing/figure.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/construct.hpp"
 #include "playground/drawing/motor_strokes.hpp"
-#include "playground/drawing/round_places.hpp"
+#include "shader_functions.hpp"
 
 #include <doctest/doctest.h>
 
@@ -28,7 +29,7 @@ void check_rigid(const Placement &at) {
 }
 
 Vector on_ring(const Part &part, float angle, float ring = 0.0f) {
-	return part.placement.apply(Vector(shared::ring_point(float(std::abs(part.radius)), angle, ring)));
+	return part.placement.apply(Vector(shader_functions::ring_point(float(std::abs(part.radius)), angle, ring)));
 }
 
 } // namespace
@@ -44,7 +45,7 @@ TEST_CASE("a drawn circle is the circle, and turns as it does") {
 				const Figure figure = figure_of(*cga::circle(center, axis, radius));
 				REQUIRE(figure.parts.size() == 1);
 				const Part &part = figure.parts[0];
-				CHECK(part.form == Form::ring);
+				CHECK(part.form == Form::CIRCLE);
 				CHECK_FALSE(figure.imaginary);
 				check_rigid(part.placement);
 				// The last is what rounding of coefficients far from the origin leaves of the radius.
@@ -89,7 +90,7 @@ TEST_CASE("a drawn sphere is the sphere, its orientation the side of its ticks")
 			const Multivector sphere = *cga::sphere(center, radius);
 			const Figure figure = figure_of(sphere);
 			REQUIRE(figure.parts.size() == 1);
-			CHECK(figure.parts[0].form == Form::globe);
+			CHECK(figure.parts[0].form == Form::SPHERE);
 			CHECK(figure.parts[0].radius == doctest::Approx(radius).epsilon(1e-4));
 			check_rigid(figure.parts[0].placement);
 			for (float ring = 0.0f; ring < 3.0f; ring += 1.0f) {
@@ -108,16 +109,16 @@ TEST_CASE("lines and planes, their direction and side") {
 			const Vector direction = glm::normalize(axis);
 			const Figure line = figure_of(*cga::line(place, axis));
 			REQUIRE(line.parts.size() == 1);
-			CHECK(line.parts[0].form == Form::line);
+			CHECK(line.parts[0].form == Form::LINE);
 			CHECK(glm::length(line.parts[0].placement.x - direction) < 1e-9);
 			CHECK(glm::length(glm::cross(line.parts[0].placement.origin - place, direction)) < 1e-9 * (1.0 + glm::length(place)));
 			const Figure plane = figure_of(*cga::plane(axis, 2.5));
 			REQUIRE(plane.parts.size() == 2);
-			CHECK(plane.parts[0].form == Form::plane);
+			CHECK(plane.parts[0].form == Form::PLANE);
 			check_rigid(plane.parts[0].placement);
 			CHECK(glm::length(plane.parts[0].placement.z - direction) < 1e-12);
 			CHECK(glm::dot(plane.parts[0].placement.origin, direction) == doctest::Approx(2.5));
-			CHECK(plane.parts[1].form == Form::normal);
+			CHECK(plane.parts[1].form == Form::NORMAL);
 			CHECK(figure_of(-*cga::plane(axis, 2.5)).parts[0].placement.z == -plane.parts[0].placement.z);
 		}
 	}
@@ -129,7 +130,7 @@ TEST_CASE("a pair runs from its first point to its second") {
 	REQUIRE(figure.parts.size() == 1);
 	CHECK(glm::length(figure.parts[0].placement.apply({ -1.0, 0.0, 0.0 }) - a) < 1e-12);
 	CHECK(glm::length(figure.parts[0].placement.apply({ 1.0, 0.0, 0.0 }) - b) < 1e-12);
-	CHECK(glm::length(*figure.label_place - b) < 1e-12);
+	CHECK(glm::length(*figure.label_position - b) < 1e-12);
 }
 
 TEST_CASE("imaginary ones have the absolute radius") {
@@ -148,17 +149,17 @@ TEST_CASE("the other kinds") {
 		REQUIRE(figure.parts.size() == 1);
 		return figure.parts[0].form;
 	};
-	CHECK(only_form(cga::point(place)) == Form::point);
-	CHECK(only_form(cga::point(place).dual(), true) == Form::point);
-	CHECK(only_form(*cga::flat_point(place)) == Form::flat_point);
-	CHECK(only_form(*cga::tangent_along(place, axis)) == Form::tangent_along);
-	CHECK(only_form(*cga::tangent_across(place, axis)) == Form::tangent_across);
-	CHECK(only_form(*cga::direction(axis)) == Form::direction_along);
-	CHECK(only_form(*cga::direction_across(axis)) == Form::direction_across);
+	CHECK(only_form(cga::point(place)) == Form::POINT);
+	CHECK(only_form(cga::point(place).dual(), true) == Form::POINT);
+	CHECK(only_form(*cga::flat_point(place)) == Form::FLAT_POINT);
+	CHECK(only_form(*cga::tangent_along(place, axis)) == Form::TANGENT_ALONG);
+	CHECK(only_form(*cga::tangent_across(place, axis)) == Form::TANGENT_ACROSS);
+	CHECK(only_form(*cga::direction(axis)) == Form::DIRECTION_ALONG);
+	CHECK(only_form(*cga::direction_across(axis)) == Form::DIRECTION_ACROSS);
 	CHECK(glm::length(figure_of(*cga::direction(axis)).parts[0].placement.z - axis) < 1e-12);
 	for (const Multivector &nothing : { Multivector::scalar(2.0), Multivector(), *Multivector::basis("einf"), Multivector::basis_blade(1) + Multivector::basis_blade(7) + Multivector::basis_blade(16) }) {
 		CHECK(figure_of(nothing).parts.empty());
-		CHECK_FALSE(figure_of(nothing).label_place.has_value());
+		CHECK_FALSE(figure_of(nothing).label_position.has_value());
 	}
 }
 
@@ -174,10 +175,10 @@ TEST_CASE("a motor's axis stays where it is, and its path ends where it moves th
 		}
 		const Figure figure = figure_of(cga::to_multivector(cga::Motor<double>::from_pose(pose)));
 		REQUIRE(figure.parts.size() == 2);
-		CHECK(figure.parts[0].form == Form::line);
+		CHECK(figure.parts[0].form == Form::LINE);
 		CHECK(figure.parts[0].dashed);
-		CHECK(figure.parts[1].form == Form::own);
-		const StrokeVertex &end = figure.own.vertices[size_t(2 * PATH_STEPS)];
+		CHECK(figure.parts[1].form == Form::CUSTOM);
+		const StrokeVertex &end = figure.custom.vertices[2 * size_t(PATH_STEPS)];
 		CHECK(glm::length(Vector(end.position) - pose.translation) < 1e-5);
 	}
 	CHECK_FALSE(axis_of({ { 1.0, 2.0, 3.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1.0 }).has_value());
@@ -186,11 +187,11 @@ TEST_CASE("a motor's axis stays where it is, and its path ends where it moves th
 
 TEST_CASE("boxes hold what is drawn") {
 	const Figure figure = figure_of(*cga::circle({ 1.0, 2.0, 3.0 }, { 0.0, 1.0, 1.0 }, 5.0));
-	const Box box = box_of(figure.parts[0], figure.own);
+	const Box box = bounds_of(figure.parts[0], figure.custom);
 	for (float angle = -3.0f; angle < 3.1f; angle += 0.1f) {
-		const Vector point(shared::ring_point(5.0f, angle, 0.0f));
-		CHECK(glm::all(glm::lessThanEqual(box.least - 1e-5, point)));
-		CHECK(glm::all(glm::lessThanEqual(point, box.greatest + 1e-5)));
+		const Vector point(shader_functions::ring_point(5.0f, angle, 0.0f));
+		CHECK(glm::all(glm::lessThanEqual(box.min - 1e-5, point)));
+		CHECK(glm::all(glm::lessThanEqual(point, box.max + 1e-5)));
 	}
 }
 
@@ -204,11 +205,11 @@ TEST_CASE("a placement within a placed space") {
 
 TEST_CASE("a box around two contains both") {
 	const Box a{ { -1.0, 0.0, 2.0 }, { 0.0, 1.0, 3.0 } }, b{ { -0.5, -4.0, 2.5 }, { 6.0, 0.5, 2.6 } };
-	const Box both = around_both(a, b);
+	const Box both = merged(a, b);
 	CHECK(contains(both, a));
 	CHECK(contains(both, b));
 	CHECK(contains(a, a));
 	CHECK_FALSE(contains(a, b));
-	CHECK(both.least == Vector(-1.0, -4.0, 2.0));
-	CHECK(both.greatest == Vector(6.0, 1.0, 3.0));
+	CHECK(both.min == Vector(-1.0, -4.0, 2.0));
+	CHECK(both.max == Vector(6.0, 1.0, 3.0));
 }

@@ -30,14 +30,14 @@ TEST_CASE("every form is a mesh of sound triangles") {
 		}
 		CHECK(mesh.fill.indices.size() % 3 == 0);
 	}
-	CHECK(mesh_of(Form::own).strokes.vertices.empty());
+	CHECK(mesh_of(Form::CUSTOM).strokes.vertices.empty());
 }
 
 TEST_CASE("what has a face") {
-	for (const Form form : { Form::globe, Form::plane, Form::tangent_across }) {
+	for (const Form form : { Form::SPHERE, Form::PLANE, Form::TANGENT_ACROSS }) {
 		CHECK_FALSE(mesh_of(form).fill.indices.empty());
 	}
-	CHECK(mesh_of(Form::ring).fill.indices.empty());
+	CHECK(mesh_of(Form::CIRCLE).fill.indices.empty());
 }
 
 TEST_CASE("a curve is one strip with its length along it") {
@@ -50,11 +50,11 @@ TEST_CASE("a curve is one strip with its length along it") {
 }
 
 TEST_CASE("the pair's arrow points from the first to the second") {
-	const FormMesh mesh = mesh_of(Form::pair);
+	const FormMesh mesh = mesh_of(Form::POINT_PAIR);
 	int arrows = 0, dots = 0;
 	for (const StrokeVertex &vertex : mesh.strokes.vertices) {
-		arrows += int(vertex.profile == Profile::arrow);
-		dots += int(vertex.profile == Profile::dot);
+		arrows += int(vertex.profile == Profile::ARROW);
+		dots += int(vertex.profile == Profile::DOT);
 		CHECK(vertex.tangent.x > 0.0f);
 	}
 	CHECK(arrows == 4);

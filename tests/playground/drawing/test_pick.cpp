@@ -1,5 +1,6 @@
 #include "playground/drawing/pick.hpp"
 
+#include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/construct.hpp"
 
@@ -20,7 +21,7 @@ PickRay through(const Vector &point) {
 }
 
 double pixels(const cga::Multivector &x, const PickRay &ray) {
-	const std::optional<Touch> found = touch(figure_of(x), ray);
+	const std::optional<PickHit> found = pick(figure_of(x), ray);
 	return found ? found->pixels : INFINITY;
 }
 
@@ -51,29 +52,29 @@ TEST_CASE("curves at their nearest point") {
 
 TEST_CASE("surfaces under the ray, and the outline beside it") {
 	const Figure sphere = figure_of(*cga::sphere({ 0.0, 0.0, 0.0 }, 2.0));
-	const Touch inside = *touch(sphere, through({ 0.5, 0.0, 0.0 }));
+	const PickHit inside = *pick(sphere, through({ 0.5, 0.0, 0.0 }));
 	CHECK(inside.on_surface);
 	CHECK(inside.pixels == 0.0);
 	CHECK(inside.depth == doctest::Approx(8.03).epsilon(0.01));
-	CHECK(touch(sphere, through({ 3.0, 0.0, 0.0 }))->pixels > 50.0);
+	CHECK(pick(sphere, through({ 3.0, 0.0, 0.0 }))->pixels > 50.0);
 	const Figure huge = figure_of(*cga::sphere({ 0.0, 0.0, -1e5 }, 1e5));
-	CHECK(touch(huge, through({ 0.0, 0.0, 0.0 }))->depth == doctest::Approx(10.0).epsilon(1e-5));
+	CHECK(pick(huge, through({ 0.0, 0.0, 0.0 }))->depth == doctest::Approx(10.0).epsilon(1e-5));
 	const Figure plane = figure_of(*cga::plane({ 0.0, 0.0, 1.0 }, -5.0));
-	CHECK(touch(plane, through({ 3.0, 2.0, 0.0 }))->on_surface);
-	CHECK_FALSE(touch(figure_of(*cga::plane({ 0.0, 0.0, 1.0 }, 50.0)), through({ 3.0, 0.0, 0.0 })).has_value());
+	CHECK(pick(plane, through({ 3.0, 2.0, 0.0 }))->on_surface);
+	CHECK_FALSE(pick(figure_of(*cga::plane({ 0.0, 0.0, 1.0 }, 50.0)), through({ 3.0, 0.0, 0.0 })).has_value());
 }
 
 TEST_CASE("the arrow of a plane goes before its face") {
-	const Touch at_foot = *touch(figure_of(*cga::plane({ 0.0, 1.0, 0.2 }, 0.0)), through({ 0.0, 0.1, 0.0 }));
+	const PickHit at_foot = *pick(figure_of(*cga::plane({ 0.0, 1.0, 0.2 }, 0.0)), through({ 0.0, 0.1, 0.0 }));
 	CHECK_FALSE(at_foot.on_surface);
 }
 
 TEST_CASE("edge on, and from within, nothing breaks") {
 	for (const cga::Multivector &x : { *cga::plane({ 0.0, 1.0, 0.0 }, 0.0), *cga::circle({ 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, 2.0), *cga::sphere({ 0.0, 0.0, 10.0 }, 3.0), *cga::line({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }) }) {
-		const std::optional<Touch> found = touch(figure_of(x), through({ 0.0, 0.0, 0.0 }));
+		const std::optional<PickHit> found = pick(figure_of(x), through({ 0.0, 0.0, 0.0 }));
 		CHECK((!found || std::isfinite(found->pixels)));
 	}
-	CHECK(touch(figure_of(*cga::sphere({ 0.0, 0.0, 10.0 }, 3.0)), through({ 0.0, 0.0, 0.0 }))->depth == doctest::Approx(3.0));
+	CHECK(pick(figure_of(*cga::sphere({ 0.0, 0.0, 10.0 }, 3.0)), through({ 0.0, 0.0, 0.0 }))->depth == doctest::Approx(3.0));
 }
 
 TEST_CASE("motors by their path") {

@@ -1,12 +1,17 @@
-#include "playground/drawing/round_places.hpp"
+#include "shader_functions.hpp"
 
 #include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
-using namespace playground::drawing::shared;
+using namespace playground::drawing::shader_functions;
+using glm::dot;
+using glm::length;
+using glm::normalize;
 
 namespace {
 
@@ -98,7 +103,7 @@ TEST_CASE("the visible cap of a sphere") {
 					const vec3 point = cap_point(s, turn, eye, radius);
 					CHECK(distance_from_center(point, radius) == doctest::Approx(radius).epsilon(1e-5));
 				}
-				// On the outline the ray of view touches the sphere. (Metres of a large one are lost beside its radius.)
+				// At the outline the view ray is tangent to the sphere. (Rounding hides meters beside a large radius.)
 				const vec3 outline = cap_point(1.0f, turn, eye, radius);
 				const vec3 normal = (outline + vec3(0.0f, 0.0f, radius)) / radius;
 				CHECK(std::abs(dot(normal, normalize(eye - outline))) < 5e-3f);
@@ -108,7 +113,7 @@ TEST_CASE("the visible cap of a sphere") {
 }
 
 TEST_CASE("from inside the cap is the whole sphere") {
-	const vec3 eye(0.2f, 0.1f, -0.8f); // the centre is at z = -1
+	const vec3 eye(0.2f, 0.1f, -0.8f); // the center is at z = -1
 	CHECK(height_above_sphere(eye, 1.0f) < 0.0f);
 	const vec3 away = cap_point(1.0f, 0.0f, eye, 1.0f);
 	CHECK(dot(normalize(away + vec3(0.0f, 0.0f, 1.0f)), normalize(eye + vec3(0.0f, 0.0f, 1.0f))) == doctest::Approx(-1.0));

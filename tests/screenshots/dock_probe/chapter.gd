@@ -1,7 +1,7 @@
 @tool
 @abstract
 extends RefCounted
-## What all chapters share: the parts of the dock, waiting, and saying what is not as it should be.
+## The base of all chapters: access to the dock, waiting, and expectations.
 
 const Hands := preload("res://tests/framework/hands.gd")
 
@@ -9,7 +9,7 @@ const SETTLING_FRAMES := 6
 
 var plugin: EditorPlugin
 ## The number of expectations.
-var said := 0
+var expectations := 0
 
 var _dock: EditorDock
 
@@ -18,12 +18,12 @@ func _init(p_plugin: EditorPlugin) -> void:
 	plugin = p_plugin
 
 
-## Does everything of the chapter.
-@abstract func read() -> void
+## Runs the chapter.
+@abstract func run() -> void
 
 
 func expect(got: Variant, wanted: Variant, what: String) -> void:
-	said += 1
+	expectations += 1
 	if got != wanted:
 		print("[probe] FAIL %s: %s, expected %s" % [what, got, wanted])
 
@@ -32,15 +32,15 @@ func expect_true(is_so: bool, what: String) -> void:
 	expect(is_so, true, what)
 
 
-## Until what was done has shown its effects.
+## Waits until the last input has taken effect.
 func settle(frames := SETTLING_FRAMES) -> void:
 	for frame in frames:
 		await plugin.get_tree().process_frame
 
 
-## Null without the plugin.
+## Null while the plugin is disabled.
 func dock() -> EditorDock:
-	# Looked for again only if it must be: there are thousands of controls.
+	# Cached, as the editor has thousands of controls.
 	if not is_instance_valid(_dock):
 		var found := plugin.get_tree().root.find_children("GAPlayground", "EditorDock", true, false)
 		_dock = found[0] if not found.is_empty() else null
@@ -107,13 +107,13 @@ func entry_menu() -> PopupMenu:
 	return dock().get_node("Panel/EntryMenu")
 
 
-## A button of a window of its own, which gets no injected clicks.
+## Presses a button in a separate window, which receives no injected clicks.
 func press(button: BaseButton) -> void:
 	expect(button.disabled, false, "the button %s being disabled" % button.name)
 	button.pressed.emit()
 
 
-## A new scene with these entries, names and expressions in turn.
+## Shows a new scene with these entries: names and expressions alternate.
 func begin_with(entries: PackedStringArray) -> void:
 	var fresh := GAScene.new()
 	for index in range(0, entries.size(), 2):
@@ -123,7 +123,7 @@ func begin_with(entries: PackedStringArray) -> void:
 	await settle()
 
 
-## Clicks on rows so that these are selected, in this order.
+## Selects entries in this order by clicks on their rows.
 func select(entries: PackedStringArray) -> void:
 	for index in entries.size():
 		part("Entries").call(&"scroll_to", entries[index])
@@ -131,7 +131,7 @@ func select(entries: PackedStringArray) -> void:
 		Hands.click(row_part(entries[index], "Words"), MOUSE_BUTTON_LEFT, index > 0)
 
 
-## An item of the menu of an entry, which is a window of its own.
+## Chooses an item of an entry's menu, which is a separate window.
 func choose_for_entry(entry: String, item: String) -> void:
 	part("Entries").call(&"scroll_to", entry)
 	await settle(2)
@@ -155,7 +155,7 @@ func choose_in_file_menu(item: String) -> void:
 	await settle()
 
 
-## The menu of the dock's tab.
+## Chooses an item of the menu of the dock's tab.
 func choose_in_tab_menu(item: String) -> void:
 	var tabs := dock().get_parent() as TabContainer
 	var bar := tabs.get_tab_bar()
@@ -169,7 +169,7 @@ func choose_in_tab_menu(item: String) -> void:
 	await settle()
 
 
-## As the editor does it, from whatever has the focus but a text.
+## Presses the editor's shortcut, with the focus outside of text fields.
 func undo() -> void:
 	window().gui_release_focus()
 	Hands.press_key(window(), KEY_Z, KEY_MASK_CTRL)
@@ -189,7 +189,7 @@ func picture() -> Image:
 	)
 
 
-## The value of a user argument, empty if it is not given.
+## The value of a user argument; empty if it is not given.
 func argument(option: String) -> String:
 	for given in OS.get_cmdline_user_args():
 		if given.begins_with(option + "="):

@@ -1,7 +1,8 @@
 @tool
 extends EditorPlugin
-## Drives the dock as a person would, one chapter of `chapters/` after another; each mistake prints a line that begins
-## with [probe] FAIL. The user argument --chapters=NAME,NAME says which; see chapter.gd for those of pictures.
+## Operates the dock by input events, one chapter of `chapters/` after another. Each failure prints
+## a line that starts with [probe] FAIL. The user argument --chapters=NAME,NAME selects the
+## chapters; see chapters/looks.gd for those about pictures.
 
 const Chapter := preload("chapter.gd")
 
@@ -20,28 +21,28 @@ func _process(_delta: float) -> void:
 	_frames += 1
 	if _frames >= FIRST_FRAMES:
 		set_process(false)
-		_read_chapters()
+		_run_chapters()
 
 
-func _read_chapters() -> void:
-	var said := 0
-	# Nothing is drawn, which takes most of the time, until a picture is taken.
+func _run_chapters() -> void:
+	var expectations := 0
+	# Drawing takes most of the time, so it is off except for pictures.
 	RenderingServer.render_loop_enabled = false
 	for title in _titles():
 		var script: GDScript = load("res://addons/dock_probe/chapters/%s.gd" % title)
 		var chapter: Chapter = script.new(self)
 		var start := Time.get_ticks_msec()
 		@warning_ignore("redundant_await")
-		await chapter.read()
-		said += chapter.said
+		await chapter.run()
+		expectations += chapter.expectations
 		print(
 			(
 				"[probe] %s: %d expectations, %.1f s"
-				% [title, chapter.said, (Time.get_ticks_msec() - start) / 1000.0]
+				% [title, chapter.expectations, (Time.get_ticks_msec() - start) / 1000.0]
 			)
 		)
 	RenderingServer.render_loop_enabled = true
-	print("[probe] %d expectations" % said)
+	print("[probe] %d expectations" % expectations)
 	print("[probe] done")
 	get_tree().quit()
 

@@ -1,15 +1,16 @@
 @tool
 extends "step_probe.gd"
-## Works on a scene with GANode3D as a person would: looks in one view and in four, changes a property in the inspector,
-## duplicates, deletes, undoes, saves and opens again. Each mistake prints a line that begins with [probe] FAIL.
-## Pictures go to the files of the user arguments --one-view=FILE and --four-views=FILE.
+## Edits a scene with GANode3D: views it in one and in four viewports, changes a property in the
+## inspector, duplicates, deletes, undoes, saves and reopens. The user arguments --one-view=FILE and
+## --four-views=FILE save pictures.
 
 const SCENE := "res://probe_drawing.tscn"
 const RED := Color(1, 0, 0)
 const GREEN := Color(0, 1, 0)
 const BLUE := Color(0, 0, 1)
-## Pixels of one colour that are more than chance: what is drawn has thousands, or hundreds in a quarter of the view.
-const SEEN := 60
+## The minimum number of pixels of one color that counts as drawn. Objects have thousands, or
+## hundreds in a quarter of the view.
+const MIN_PIXELS := 60
 
 var _narrow := 0
 
@@ -25,30 +26,30 @@ func get_steps() -> Array[Callable]:
 		_show_3d,
 		_look,
 		_widen,
-		_see_wide,
+		_check_wide,
 		_undo,
-		_see_narrow,
+		_check_narrow,
 		_change_entry,
-		_see_entry,
+		_check_entry,
 		_select_ball,
 		_duplicate,
-		_see_duplicate,
+		_check_duplicate,
 		_undo,
-		_see_no_duplicate,
+		_check_no_duplicate,
 		_select_ball,
 		_delete,
-		_see_deleted,
+		_check_deleted,
 		_undo,
-		_see_undeleted,
+		_check_undeleted,
 		_split,
 		_look_everywhere,
 		_unsplit,
 		_hide_parent,
-		_see_hidden,
+		_check_hidden,
 		_show_parent,
 		_save,
 		_reload,
-		_see_reloaded,
+		_check_reloaded,
 		_end,
 	]
 
@@ -95,9 +96,10 @@ func _look() -> void:
 	EditorInterface.edit_node(_node("Line"))
 
 
-## As the inspector's own editor of the property does it.
+## Changes the property through its editor in the inspector.
 func _widen() -> void:
-	var editors := EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false).filter(
+	var inspector := EditorInterface.get_inspector()
+	var editors := inspector.find_children("*", "EditorProperty", true, false).filter(
 		func(editor: EditorProperty) -> bool: return editor.get_edited_property() == &"line_width"
 	)
 	_expect(editors.size(), 1, "editors of line_width in the inspector")
@@ -106,7 +108,7 @@ func _widen() -> void:
 		editor.emit_changed(&"line_width", 8.0)
 
 
-func _see_wide() -> void:
+func _check_wide() -> void:
 	_expect(_node("Line").line_width, 8.0, "line_width from the inspector")
 	_expect(
 		_count(0, BLUE) > 2 * _narrow,
@@ -119,7 +121,7 @@ func _undo() -> void:
 	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_Z, KEY_MASK_CTRL)
 
 
-func _see_narrow() -> void:
+func _check_narrow() -> void:
 	_expect(_node("Line").line_width, 2.0, "line_width after undo")
 	_expect(_count(0, BLUE), _narrow, "pixels of the line after undo")
 
@@ -128,7 +130,7 @@ func _change_entry() -> void:
 	_node("Circle").scene.set_expression("a", "point(1000, 0, 0)")
 
 
-func _see_entry() -> void:
+func _check_entry() -> void:
 	_expect_seen(0, GREEN, false, "after the entry's move out of the view")
 	_node("Circle").scene.set_expression("a", "point(1.5, 0, 0)")
 
@@ -143,14 +145,14 @@ func _duplicate() -> void:
 	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_D, KEY_MASK_CTRL)
 
 
-func _see_duplicate() -> void:
+func _check_duplicate() -> void:
 	var copy := _node("Ball2")
 	_expect(copy != null, true, "the duplicate is there")
 	if copy != null:
 		_expect(copy.describe(), _node("Ball").describe(), "what the duplicate draws")
 
 
-func _see_no_duplicate() -> void:
+func _check_no_duplicate() -> void:
 	_expect(_node("Ball2") == null, true, "no node: the duplicate after undo")
 	_expect_seen(0, RED, true, "after undo of the duplicate")
 
@@ -159,13 +161,13 @@ func _delete() -> void:
 	Hands.press_key(EditorInterface.get_base_control().get_viewport(), KEY_DELETE, KEY_MASK_SHIFT)
 
 
-func _see_deleted() -> void:
+func _check_deleted() -> void:
 	_expect(_node("Ball") == null, true, "no node: the ball after deleting")
 	_expect_seen(0, RED, false, "after deleting")
 	_expect_seen(0, BLUE, true, "what was not deleted")
 
 
-func _see_undeleted() -> void:
+func _check_undeleted() -> void:
 	_expect(_node("Ball") != null, true, "the ball after undo of deleting")
 	_expect_seen(0, RED, true, "after undo of deleting")
 
@@ -191,7 +193,7 @@ func _hide_parent() -> void:
 	(EditorInterface.get_edited_scene_root() as Node3D).hide()
 
 
-func _see_hidden() -> void:
+func _check_hidden() -> void:
 	for color: Color in [RED, GREEN, BLUE]:
 		_expect_seen(0, color, false, "under a hidden parent")
 
@@ -202,7 +204,7 @@ func _show_parent() -> void:
 
 
 func _save() -> void:
-	_expect_seen(0, RED, false, "after another colour")
+	_expect_seen(0, RED, false, "after another color")
 	_expect(EditorInterface.save_scene(), OK, "saving")
 
 
@@ -210,13 +212,13 @@ func _reload() -> void:
 	EditorInterface.reload_scene_from_path(SCENE)
 
 
-func _see_reloaded() -> void:
+func _check_reloaded() -> void:
 	_expect(
 		_node("Ball").describe(),
 		"sphere, radius 1, center (-1.5, 0, 0)",
 		"the ball after saving and loading"
 	)
-	_expect(_node("Ball").color, GREEN, "its colour after saving and loading")
+	_expect(_node("Ball").color, GREEN, "its color after saving and loading")
 	_expect(
 		_node("Circle").describe(),
 		"circle, radius 1, center (1.5, 0, 0), normal (0, 0, 1)",
@@ -226,7 +228,7 @@ func _see_reloaded() -> void:
 	_expect_seen(0, BLUE, true, "after saving and loading")
 
 
-## The shortcuts of views are for who is at them.
+## The shortcuts of a view work only while it has the focus.
 func _focus_view() -> void:
 	var container: Control = EditorInterface.get_editor_viewport_3d(0).get_parent()
 	Hands.click(container, MOUSE_BUTTON_LEFT, false, Vector2(0.5, 0.9))
@@ -238,10 +240,10 @@ func _node(path: NodePath) -> GANode3D:
 
 func _expect_seen(view: int, color: Color, seen: bool, when: String) -> void:
 	var count := _count(view, color)
-	_expect(count >= SEEN, seen, "%d pixels of %s %s" % [count, color.to_html(false), when])
+	_expect(count >= MIN_PIXELS, seen, "%d pixels of %s %s" % [count, color.to_html(false), when])
 
 
-## Pixels of the view that are that colour rather than any other; the editor's own axes are duller.
+## Counts the pixels of a view close to a saturated color; the editor's axes are less saturated.
 func _count(view: int, color: Color) -> int:
 	var picture := EditorInterface.get_editor_viewport_3d(view).get_texture().get_image()
 	picture.convert(Image.FORMAT_RGB8)

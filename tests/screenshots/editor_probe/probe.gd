@@ -1,26 +1,26 @@
 @tool
 extends EditorPlugin
-## Turns GA-Godot's plugin off and on in the real editor, opens a scene that uses the addon, takes a
-## picture and ends the editor. Each step prints one line that begins with [probe].
+## Disables and enables GA-Godot's plugin in the real editor, opens a scene that uses the addon,
+## saves a picture and quits. Each step prints one line that starts with [probe]. The user argument
+## --picture=FILE is the file of the picture.
 ##
-## The picture's file is the user argument --picture=FILE. Steps are taken by _process, since the
-## editor cancels what a script awaits when it loads the script anew.
+## _process() runs the steps, as the editor cancels coroutines when it reloads a script.
 
 const ADDON := "ga_godot"
 const SCENE := "res://demos/interpolation/interpolation.tscn"
 const NODE := ^"Lerp"
 const STEPS: Array[StringName] = [
-	&"_tell_state",
+	&"_report_state",
 	&"_switch_off",
-	&"_tell_off",
+	&"_report_off",
 	&"_switch_on",
-	&"_tell_on",
+	&"_report_on",
 	&"_open_scene",
 	&"_edit_node",
 	&"_save_picture",
 	&"_end",
 ]
-## Frames for docks and previews to settle before each step.
+## Frames before each step, for docks and previews to settle.
 const SETTLING_FRAMES := 30
 
 var _frames := 0
@@ -41,25 +41,25 @@ func _process(_delta: float) -> void:
 		call(STEPS[_step - 1])
 
 
-func _tell_state() -> void:
-	_say("library %s" % ("loaded" if _is_library_loaded() else "missing"))
-	_say("enabled %s" % EditorInterface.is_plugin_enabled(ADDON))
+func _report_state() -> void:
+	_report("library %s" % ("loaded" if _is_library_loaded() else "missing"))
+	_report("enabled %s" % EditorInterface.is_plugin_enabled(ADDON))
 
 
 func _switch_off() -> void:
 	EditorInterface.set_plugin_enabled(ADDON, false)
 
 
-func _tell_off() -> void:
-	_say("off %s" % EditorInterface.is_plugin_enabled(ADDON))
+func _report_off() -> void:
+	_report("off %s" % EditorInterface.is_plugin_enabled(ADDON))
 
 
 func _switch_on() -> void:
 	EditorInterface.set_plugin_enabled(ADDON, true)
 
 
-func _tell_on() -> void:
-	_say("on %s" % EditorInterface.is_plugin_enabled(ADDON))
+func _report_on() -> void:
+	_report("on %s" % EditorInterface.is_plugin_enabled(ADDON))
 
 
 func _open_scene() -> void:
@@ -73,11 +73,11 @@ func _edit_node() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var node := root.get_node_or_null(NODE) if root != null else null
 	if node == null:
-		_say("scene without %s" % NODE)
+		_report("scene without %s" % NODE)
 		return
 	EditorInterface.edit_node(node)
 	EditorInterface.set_main_screen_editor("3D")
-	_say("scene %s" % node.get_class())
+	_report("scene %s" % node.get_class())
 
 
 func _save_picture() -> void:
@@ -86,11 +86,13 @@ func _save_picture() -> void:
 			var picture := (
 				EditorInterface.get_base_control().get_viewport().get_texture().get_image()
 			)
-			_say("picture %s" % error_string(picture.save_png(argument.trim_prefix("--picture="))))
+			_report(
+				"picture %s" % error_string(picture.save_png(argument.trim_prefix("--picture=")))
+			)
 
 
 func _end() -> void:
-	_say("done")
+	_report("done")
 	get_tree().quit()
 
 
@@ -98,5 +100,5 @@ func _is_library_loaded() -> bool:
 	return ClassDB.class_exists(&"Multivector")
 
 
-func _say(words: String) -> void:
-	print("[probe] %s" % words)
+func _report(message: String) -> void:
+	print("[probe] %s" % message)

@@ -1,5 +1,6 @@
 extends SceneTree
-## In an exported game: opens the playground, presses a button of its panel and opens an example.
+## Runs in an exported game: opens the playground, presses a button of its panel and opens an
+## example.
 
 const DEMO := "res://demos/playground/playground.tscn"
 const SETTLING_FRAMES := 4
@@ -29,7 +30,7 @@ func _use(demo: Node) -> void:
 	var examples := panel.find_child("Examples", true, false) as PopupMenu
 	examples.id_pressed.emit(0)
 	await process_frame
-	# Before what is unsaved is lost, it asks.
+	# Confirms the question about unsaved changes.
 	(panel.find_child("Question", true, false) as ConfirmationDialog).confirmed.emit()
 	scene = document.get(&"scene")
 	print("[probe] example %s" % scene.get_scene_attribute("title"))

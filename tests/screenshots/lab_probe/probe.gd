@@ -1,7 +1,8 @@
 @tool
 extends "step_probe.gd"
-## Uses the interpolation lab in the dock as a person would; each mistake prints a line that begins with [probe] FAIL.
-## Pictures of the dock go to the files of the user arguments --lab-picture=FILE and --wide-picture=FILE.
+## Operates the interpolation lab in the dock. Each failure prints a line that starts with
+## [probe] FAIL. The user arguments --lab-picture=FILE and --wide-picture=FILE save pictures of the
+## dock.
 
 const WIDE := Vector2i(600, 760)
 
@@ -14,22 +15,22 @@ func get_steps() -> Array[Callable]:
 		_add_motors,
 		_type_another,
 		_unfold,
-		_see_suggestion,
+		_check_suggestion,
 		_select,
 		_select_another,
 		_use_selection,
-		_see_drawing,
+		_check_drawing,
 		_slide,
 		_undo_slide,
 		_play,
-		_see_playing,
-		_keep,
-		_see_kept,
-		_undo_keep,
+		_check_playing,
+		_add_entry,
+		_check_added,
+		_undo_add,
 		_rename,
-		_see_renamed,
+		_check_renamed,
 		_delete,
-		_see_deleted,
+		_check_deleted,
 		_undo_delete,
 		_take_picture,
 		_show_tab_menu,
@@ -63,7 +64,7 @@ func _unfold() -> void:
 	Hands.click(_lab_panel(), MOUSE_BUTTON_LEFT, false, Vector2(0.3, 0.5))
 
 
-func _see_suggestion() -> void:
+func _check_suggestion() -> void:
 	_expect(_lab_panel().folded, false, "being unfolded by a click")
 	_expect(_chosen("From"), "m1", "from, as suggested")
 	_expect(_chosen("To"), "m2", "to, as suggested")
@@ -84,7 +85,7 @@ func _use_selection() -> void:
 	_expect(_chosen("To"), "B", "to")
 
 
-func _see_drawing() -> void:
+func _check_drawing() -> void:
 	var drawings := get_tree().root.find_children("Interpolation", "Node3D", true, false)
 	_expect(drawings.size(), 1, "drawings of the lab in the 3D viewports")
 	var drawing: Node3D = drawings[0]
@@ -118,28 +119,32 @@ func _play() -> void:
 	Hands.click(_lab_part("Play"))
 
 
-func _see_playing() -> void:
+func _check_playing() -> void:
 	var slider: HSlider = _lab_part("Player").get_node(^"Slider")
 	_expect(slider.value != _setting("t"), true, "another t while it is played")
 	Hands.click(_lab_part("Play"))
 	_expect(
 		_scene().get_scene_attribute("interpolation/t") != null,
 		true,
-		"attribute t, which playing leaves alone"
+		"attribute t, which playback does not change"
 	)
 
 
-func _keep() -> void:
+func _add_entry() -> void:
 	_before = _scene().document
-	(_lab_part("Keep") as MenuButton).get_popup().id_pressed.emit(MultivectorLerp.SCREW)
+	(_lab_part("AddEntry") as MenuButton).get_popup().id_pressed.emit(MultivectorLerp.SCREW)
 
 
-func _see_kept() -> void:
-	_expect(_names(), ["m1", "m2", "B", "t", "m3"], "entries with what was kept")
-	_expect(_scene().get_expression("m3"), "interpolate_screw(m1, B, t)", "what was kept")
+func _check_added() -> void:
+	_expect(_names(), ["m1", "m2", "B", "t", "m3"], "entries after adding the interpolation")
+	_expect(
+		_scene().get_expression("m3"),
+		"interpolate_screw(m1, B, t)",
+		"expression of the interpolation"
+	)
 
 
-func _undo_keep() -> void:
+func _undo_add() -> void:
 	_undo()
 	_expect(_scene().document, _before, "document after one undo")
 
@@ -148,22 +153,22 @@ func _rename() -> void:
 	_edits().call(&"rename", "B", "finish")
 
 
-func _see_renamed() -> void:
+func _check_renamed() -> void:
 	_expect(_chosen("To"), "finish", "to, renamed")
-	_expect(_said_words(), "B is called finish now.", "what is said of it")
+	_expect(_message(), "B was renamed to finish.", "message")
 
 
 func _delete() -> void:
 	_edits().call(&"remove", PackedStringArray(["finish"]))
 
 
-func _see_deleted() -> void:
-	_expect(_said_words(), "finish is gone: choose another, or undo.", "what is said of it")
+func _check_deleted() -> void:
+	_expect(_message(), "finish no longer exists. Choose another entry, or undo.", "message")
 
 
 func _undo_delete() -> void:
 	_undo()
-	_expect(_said_words(), "", "what is said when it is back")
+	_expect(_message(), "", "message after undo")
 
 
 func _take_picture() -> void:
@@ -250,7 +255,7 @@ func _chosen(title: String) -> String:
 	return choice.get_item_text(choice.selected)
 
 
-func _said_words() -> String:
+func _message() -> String:
 	var label: Label = _lab_part("Ends").get_node(^"Words")
 	return label.text if label.visible else ""
 

@@ -1,8 +1,8 @@
 @tool
 @abstract
 extends EditorPlugin
-## A person in the editor who does one step after another, some frames apart, so that each has shown its effects before the
-## next. Each mistake prints a line that begins with [probe] FAIL.
+## Runs steps in the editor, some frames apart, so that each has taken effect before the next. Each
+## failure prints a line that starts with [probe] FAIL.
 
 const Hands := preload("res://tests/framework/hands.gd")
 
@@ -13,9 +13,9 @@ var settling_frames := 6
 var _steps: Array[Callable] = []
 var _frames := -FIRST_FRAMES
 var _step := 0
-var _said := 0
+var _expectations := 0
 
-## In their order; the last is _end.
+## The steps in order; the last one is _end.
 @abstract func get_steps() -> Array[Callable]
 
 
@@ -37,18 +37,18 @@ func _process(_delta: float) -> void:
 
 
 func _end() -> void:
-	print("[probe] %d expectations" % _said)
+	print("[probe] %d expectations" % _expectations)
 	print("[probe] done")
 	get_tree().quit()
 
 
 func _expect(got: Variant, wanted: Variant, what: String) -> void:
-	_said += 1
+	_expectations += 1
 	if typeof(got) != typeof(wanted) or got != wanted:
 		print("[probe] FAIL %s: %s, expected %s" % [what, got, wanted])
 
 
-## The value of a user argument that begins so, empty if it is not given.
+## The rest of the user argument that starts with `option`; empty if there is none.
 func _option(option: String) -> String:
 	for argument in OS.get_cmdline_user_args():
 		if argument.begins_with(option):

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## The scene that is edited: a person's own work, and a node that draws an entry of a scene.
+## The edited scene: a mesh of the user's, and a node that draws an entry.
 
 
 static func save(path: String) -> void:

@@ -1,13 +1,13 @@
 @tool
-extends "person.gd"
-## Drives the playground in the editor's 3D viewport as a person would, one step after another; each mistake prints a line that
-## begins with [probe] FAIL. Pictures go into the folder of the user argument --pictures=FOLDER.
+extends "viewport_user.gd"
+## Operates the playground in the editor's 3D viewport. The user argument --pictures=FOLDER saves
+## pictures.
 
 const EditedScene := preload("edited_scene.gd")
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
 const PICTURES := "--pictures="
-## Option: the picture of the viewport to compare with.
+## The reference picture of the viewport, if it is to be compared.
 const REFERENCE := "--reference="
 const EDITED_SCENE := "res://probe_view.tscn"
 const OBJECTS: Dictionary[String, String] = {
@@ -30,7 +30,7 @@ func get_steps() -> Array[Callable]:
 		_open,
 		_choose_kind,
 		_click_ground,
-		_see_added,
+		_check_added,
 		_fill,
 		_drag_point,
 		_drag_radius,
@@ -42,31 +42,31 @@ func get_steps() -> Array[Callable]:
 		_snap,
 		_click_object,
 		_hold,
-		_see_held,
+		_check_held,
 		_aim,
-		_see_aim,
+		_check_aim,
 		_select_all,
 		_hover,
 		_take_picture,
 		_select_mesh,
-		_see_mesh,
+		_check_mesh,
 		_select_node,
-		_see_node,
+		_check_node,
 		_drag_node,
-		_see_kept,
+		_check_kept,
 		_new_document,
-		_see_question,
+		_check_question,
 		_deselect,
-		_see_own,
+		_check_own,
 		_hide,
-		_see_hidden,
+		_check_hidden,
 		_show_again,
 		_close,
-		_see_closed,
+		_check_closed,
 		_open_again,
 		_save,
 		_four,
-		_see_four,
+		_check_four,
 		_end,
 	]
 
@@ -99,9 +99,9 @@ func _click_ground() -> void:
 	_expect(_selection(), PackedStringArray(["A"]), "selection in the dock")
 
 
-func _see_added() -> void:
+func _check_added() -> void:
 	Hands.press_key(_surface().get_viewport(), KEY_ESCAPE)
-	_expect(_pointer().get(&"adding"), &"", "what clicks add after Escape")
+	_expect(_pointer().get(&"adding"), &"", "kind that a click adds after Esc")
 	_undo()
 	_expect(Array(_scene().get_names()), [], "entries after undo")
 
@@ -178,7 +178,7 @@ func _click_object() -> void:
 	_expect(_selection(), PackedStringArray(["k"]), "selection by a click on a circle")
 
 
-## In the middle of a drag.
+## Stops in the middle of a drag.
 func _hold() -> void:
 	_select(["s", "c"])
 	var place := _handle_place("s", "radius")
@@ -188,7 +188,7 @@ func _hold() -> void:
 	_before = _scene().document
 
 
-func _see_held() -> void:
+func _check_held() -> void:
 	_save_window("viewport_drag.png")
 	_press(_handle_place("s", "radius"), false)
 	_expect(_scene().document, _before, "document after the release")
@@ -200,7 +200,7 @@ func _aim() -> void:
 	_move_mouse(Vector2(0.75, 0.4) * _surface().size, 0)
 
 
-func _see_aim() -> void:
+func _check_aim() -> void:
 	_save_window("viewport_adding.png")
 	_pointer().set(&"adding", &"")
 
@@ -225,14 +225,14 @@ func _take_picture() -> void:
 		_expect(compared.is_alike(), true, compared.describe())
 
 
-## The person's own work lies in the plane, which is everywhere.
+## The mesh lies in a plane of the document, which covers the view.
 func _select_mesh() -> void:
 	_before = _scene().document
 	_click_at((_edited().get_node(^"Box") as Node3D).global_position)
 
 
-func _see_mesh() -> void:
-	_expect(_selected_nodes(), [_edited().get_node(^"Box")], "what a click on a mesh selects")
+func _check_mesh() -> void:
+	_expect(_selected_nodes(), [_edited().get_node(^"Box")], "node selected by a click on a mesh")
 	_expect(_selection().size(), 5, "entries selected in the dock, as before")
 
 
@@ -242,11 +242,9 @@ func _select_node() -> void:
 	_click_at(node.to_global(Vector3(0, 0.5, 0)))
 
 
-func _see_node() -> void:
+func _check_node() -> void:
 	_expect(
-		_selected_nodes(),
-		[_edited().get_node(^"Node")],
-		"what a click on an object of a node selects"
+		_selected_nodes(), [_edited().get_node(^"Node")], "node selected by a click on its object"
 	)
 	_expect(Array(_scene().get_names()), ["B", "t"], "entries in the dock")
 	_expect(_selection(), PackedStringArray(["B"]), "entry selected in the dock")
@@ -264,8 +262,8 @@ func _drag_node() -> void:
 	EditorInterface.save_scene()
 
 
-## While the scene was saved, the dock showed that of the node.
-func _see_kept() -> void:
+## The dock showed the scene of a node while the edited scene was saved.
+func _check_kept() -> void:
 	_expect(_selection(), PackedStringArray(["B"]), "entry selected in the dock after saving")
 	var session := ConfigFile.new()
 	session.load(
@@ -274,16 +272,16 @@ func _see_kept() -> void:
 	_expect(
 		session.get_value("session", "document", ""),
 		_before,
-		"the dock's own document, as it is kept"
+		"the dock's own document in the saved session"
 	)
 
 
-## It would take the place of the dock's own, which is not saved.
+## A new document would replace the dock's own, which is unsaved.
 func _new_document() -> void:
 	(_dock().find_child("File", true, false) as MenuButton).get_popup().id_pressed.emit(0)
 
 
-func _see_question() -> void:
+func _check_question() -> void:
 	var question: ConfirmationDialog = _dock().find_child("File", true, false).get(&"_question")
 	_expect(question.visible, true, "a question before unsaved work is replaced")
 	_expect(_scene().document, _before, "document while it is asked")
@@ -294,7 +292,7 @@ func _deselect() -> void:
 	EditorInterface.get_selection().clear()
 
 
-func _see_own() -> void:
+func _check_own() -> void:
 	_expect(_scene().document, _before, "the dock's own document afterwards")
 
 
@@ -302,12 +300,12 @@ func _hide() -> void:
 	(_tools().get_node(^"Shown") as Button).button_pressed = false
 
 
-func _see_hidden() -> void:
+func _check_hidden() -> void:
 	_expect(_tool().is_visible_in_tree(), false, "objects while they are hidden")
 	_select(["A"])
 	var place := _camera().unproject_position(_scene().get_parameters("A").position as Vector3)
 	_drag(place, place + Vector2(40, 0))
-	_expect(_scene().document, _before, "document after dragging what is hidden")
+	_expect(_scene().document, _before, "document after dragging a hidden object")
 
 
 func _show_again() -> void:
@@ -319,7 +317,7 @@ func _close() -> void:
 	_dock().close()
 
 
-func _see_closed() -> void:
+func _check_closed() -> void:
 	_expect(_tool().is_visible_in_tree(), false, "objects while the dock is closed")
 	_expect(_tools().visible, false, "the buttons above the viewport")
 
@@ -329,7 +327,7 @@ func _open_again() -> void:
 	_dock().make_visible()
 
 
-## What is drawn is in no edited scene.
+## Drawn objects are not part of the edited scene.
 func _save() -> void:
 	_expect(_tool().is_visible_in_tree(), true, "objects when the dock is open again")
 	EditorInterface.save_scene()
@@ -363,7 +361,7 @@ func _four() -> void:
 				popup.id_pressed.emit(popup.get_item_id(index))
 
 
-func _see_four() -> void:
+func _check_four() -> void:
 	_save_window("viewport_four.png")
 
 

@@ -7,9 +7,9 @@ namespace godot {
 // A counted reference to a RefCounted object. T need not be complete where a Ref to it is only declared or destroyed.
 template <typename T>
 class Ref {
-	RefCounted *object = nullptr;
+	RefCounted *_object = nullptr;
 
-	template <typename T_Other>
+	template <typename Other>
 	friend class Ref;
 	friend struct internal::Arg<Ref<T>>;
 
@@ -19,26 +19,26 @@ class Ref {
 		ONE_MORE,
 	};
 
-	// A new object has a first count that nobody holds yet, which init_ref takes over.
+	// A new object starts with a count that no reference owns; init_ref takes it over.
 	Ref(T *p_object, Count p_count) :
-			object(p_object) {
-		if (object && p_count != ALREADY_COUNTED && !(p_count == FIRST_MAYBE ? object->init_ref() : object->reference())) {
-			object = nullptr;
+			_object(p_object) {
+		if (_object && p_count != ALREADY_COUNTED && !(p_count == FIRST_MAYBE ? _object->init_ref() : _object->reference())) {
+			_object = nullptr;
 		}
 	}
 
 public:
 	Ref() = default;
 	Ref(const Ref &p_other) :
-			object(p_other.object) {
-		if (object) {
-			object->reference();
+			_object(p_other._object) {
+		if (_object) {
+			_object->reference();
 		}
 	}
-	Ref(Ref &&p_other) { std::swap(object, p_other.object); }
-	template <typename T_Other>
-	Ref(const Ref<T_Other> &p_other) :
-			Ref(Object::cast_to<T>(p_other.object), ONE_MORE) {}
+	Ref(Ref &&p_other) { std::swap(_object, p_other._object); }
+	template <typename Other>
+	Ref(const Ref<Other> &p_other) :
+			Ref(Object::cast_to<T>(p_other._object), ONE_MORE) {}
 	Ref(T *p_object) :
 			Ref(p_object, FIRST_MAYBE) {}
 	Ref(const Variant &p_variant) :
@@ -46,34 +46,34 @@ public:
 	~Ref() { unref(); }
 
 	Ref &operator=(Ref p_other) {
-		std::swap(object, p_other.object);
+		std::swap(_object, p_other._object);
 		return *this;
 	}
 
-	// Holds a new object from now on.
+	// Replaces the referenced object with a new one.
 	template <typename... Args>
 	void instantiate(const Args &...p_args) { *this = Ref(memnew(T(p_args...))); }
 
 	void unref() {
-		RefCounted *released = std::exchange(object, nullptr);
+		RefCounted *released = std::exchange(_object, nullptr);
 		if (released && released->unreference()) {
 			memdelete(released);
 		}
 	}
 
-	T *ptr() const { return static_cast<T *>(object); }
+	T *ptr() const { return static_cast<T *>(_object); }
 	T *operator*() const { return ptr(); }
 	T *operator->() const { return ptr(); }
 
-	bool is_valid() const { return object != nullptr; }
-	bool is_null() const { return object == nullptr; }
+	bool is_valid() const { return _object != nullptr; }
+	bool is_null() const { return _object == nullptr; }
 
-	bool operator==(const T *p_object) const { return object == p_object; }
-	bool operator!=(const T *p_object) const { return object != p_object; }
-	bool operator==(const Ref &p_other) const { return object == p_other.object; }
-	bool operator!=(const Ref &p_other) const { return object != p_other.object; }
+	bool operator==(const T *p_object) const { return _object == p_object; }
+	bool operator!=(const T *p_object) const { return _object != p_object; }
+	bool operator==(const Ref &p_other) const { return _object == p_other._object; }
+	bool operator!=(const Ref &p_other) const { return _object != p_other._object; }
 
-	operator Variant() const { return Variant(object); }
+	operator Variant() const { return Variant(_object); }
 };
 
 namespace internal {

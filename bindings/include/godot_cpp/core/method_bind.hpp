@@ -34,7 +34,7 @@ constexpr ArgumentType argument_type() {
 	return { A::TYPE, A::METADATA, A::ACCEPTS, &A::info };
 }
 
-// A method as it is written: of a class, const or not, or static.
+// The signature of a method: const, non-const or static.
 template <typename M>
 struct Signature;
 
@@ -58,9 +58,9 @@ struct Signature<R (*)(Args...)> : Signature<R (Wrapped::*)(Args...)> {
 };
 
 template <typename S>
-inline constexpr size_t argument_count = std::tuple_size_v<typename S::Arguments>;
+inline constexpr size_t ARGUMENT_COUNT = std::tuple_size_v<typename S::Arguments>;
 
-// Calls a method of the instance, or a static one, with arguments that p_get gives by type and index.
+// Calls a method of the instance, or a static one, with the arguments that p_get returns for a type and an index.
 template <typename M, typename Get, size_t... I>
 auto invoke(M p_method, [[maybe_unused]] GDExtensionClassInstancePtr p_instance, [[maybe_unused]] const Get &p_get, std::index_sequence<I...>) {
 	using S = Signature<M>;
@@ -73,12 +73,12 @@ auto invoke(M p_method, [[maybe_unused]] GDExtensionClassInstancePtr p_instance,
 	}
 }
 
-// Calls a method with arguments as the engine stores them, and puts the result where the engine wants it.
+// Calls a method with arguments in the engine's representation and stores the result.
 template <typename M>
 void invoke_typed(M p_method, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args, [[maybe_unused]] GDExtensionTypePtr r_result) {
 	using R = typename Signature<M>::Result;
 	const auto get = [p_args](auto p_arg, size_t p_index) { return decltype(p_arg)::decode(p_args[p_index]); };
-	const auto indices = std::make_index_sequence<argument_count<Signature<M>>>();
+	const auto indices = std::make_index_sequence<ARGUMENT_COUNT<Signature<M>>>();
 	if constexpr (std::is_void_v<R>) {
 		invoke(p_method, p_instance, get, indices);
 	} else {
@@ -105,7 +105,7 @@ public:
 protected:
 	template <typename S>
 	MethodBind(const S &, const MethodDefinition &p_definition, std::vector<Variant> &&p_defaults, GDExtensionClassMethodCall p_call, GDExtensionClassMethodPtrCall p_typed_call) :
-			definition(p_definition), defaults(std::move(p_defaults)), flags(S::FLAGS), argument_count(internal::argument_count<S>), argument_types(S::TYPES), result_type(result<typename S::Result>()), call(p_call), typed_call(p_typed_call) {}
+			definition(p_definition), defaults(std::move(p_defaults)), flags(S::FLAGS), argument_count(internal::ARGUMENT_COUNT<S>), argument_types(S::TYPES), result_type(result<typename S::Result>()), call(p_call), typed_call(p_typed_call) {}
 
 	// Fills r_complete with the arguments and the defaults of those that are missing. False, with r_error set, if there
 	// are too many or too few, or one has the wrong type.
@@ -127,31 +127,31 @@ namespace internal {
 template <typename M>
 class MethodBindOf final : public MethodBind {
 	using S = Signature<M>;
-	using Indices = std::make_index_sequence<internal::argument_count<S>>;
+	using Indices = std::make_index_sequence<internal::ARGUMENT_COUNT<S>>;
 
-	const M method;
+	const M _method;
 
 	static void call_with_variants(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_args, GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
 		const MethodBindOf *bind = static_cast<const MethodBindOf *>(p_bind);
-		const Variant *complete[internal::argument_count<S> + 1];
+		const Variant *complete[internal::ARGUMENT_COUNT<S> + 1];
 		if (!bind->complete_arguments(p_instance, p_args, p_count, complete, *r_error)) {
 			return;
 		}
 		const auto get = [&complete](auto p_arg, size_t p_index) { return decltype(p_arg)::from_variant(*complete[p_index]); };
 		if constexpr (std::is_void_v<typename S::Result>) {
-			invoke(bind->method, p_instance, get, Indices());
+			invoke(bind->_method, p_instance, get, Indices());
 		} else {
-			*static_cast<Variant *>(r_result) = Variant(invoke(bind->method, p_instance, get, Indices()));
+			*static_cast<Variant *>(r_result) = Variant(invoke(bind->_method, p_instance, get, Indices()));
 		}
 	}
 
 	static void call_typed(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args, GDExtensionTypePtr r_result) {
-		invoke_typed(static_cast<const MethodBindOf *>(p_bind)->method, p_instance, p_args, r_result);
+		invoke_typed(static_cast<const MethodBindOf *>(p_bind)->_method, p_instance, p_args, r_result);
 	}
 
 public:
 	MethodBindOf(const MethodDefinition &p_definition, M p_method, std::vector<Variant> &&p_defaults) :
-			MethodBind(S(), p_definition, std::move(p_defaults), &call_with_variants, &call_typed), method(p_method) {}
+			MethodBind(S(), p_definition, std::move(p_defaults), &call_with_variants, &call_typed), _method(p_method) {}
 };
 
 } // namespace internal

@@ -4,21 +4,21 @@
 
 namespace godot {
 
-// Flags of an enum that the engine marks as a bit field.
+// A combination of flags of an enum that the engine declares as a bit field.
 template <typename T>
 class BitField {
-	int64_t value = 0;
+	int64_t _value = 0;
 
 public:
 	constexpr BitField() = default;
 	constexpr BitField(int64_t p_value) :
-			value(p_value) {}
+			_value(p_value) {}
 	constexpr BitField(T p_flag) :
-			value(static_cast<int64_t>(p_flag)) {}
+			_value(static_cast<int64_t>(p_flag)) {}
 
-	constexpr bool has_flag(T p_flag) const { return (value & static_cast<int64_t>(p_flag)) != 0; }
-	constexpr bool is_empty() const { return value == 0; }
-	constexpr operator int64_t() const { return value; }
+	constexpr bool has_flag(T p_flag) const { return (_value & static_cast<int64_t>(p_flag)) != 0; }
+	constexpr bool is_empty() const { return _value == 0; }
+	constexpr operator int64_t() const { return _value; }
 };
 
 } // namespace godot

@@ -14,26 +14,26 @@ class String;
 class StringName;
 class Variant;
 
-// Text as C code wants it; only while this object lives.
+// Zero-terminated text; get_data() is valid while this object lives.
 class CharString {
-	std::string text;
+	std::string _text;
 
 	friend class internal::StringBase;
 
 public:
-	const char *get_data() const { return text.c_str(); }
-	int64_t length() const { return static_cast<int64_t>(text.size()); }
+	const char *get_data() const { return _text.c_str(); }
+	int64_t length() const { return static_cast<int64_t>(_text.size()); }
 };
 
 namespace internal {
 
-// What String has beside the engine's own methods.
+// Members of String that are not methods of the engine.
 class StringBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING, 8> {
 public:
 	using Opaque::Opaque;
 	StringBase() = default;
 
-	// Latin-1, as in godot-cpp; String::utf8 for everything else.
+	// Latin-1, as in godot-cpp; use String::utf8 for other text.
 	StringBase(const char *p_latin1);
 
 	static String utf8(const char *p_utf8, int64_t p_length = -1);
@@ -42,7 +42,7 @@ public:
 	String &operator+=(const String &p_other);
 };
 
-// What StringName has beside the engine's own methods.
+// Members of StringName that are not methods of the engine.
 class StringNameBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, 8> {
 public:
 	using Opaque::Opaque;

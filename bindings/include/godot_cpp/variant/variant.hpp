@@ -32,7 +32,7 @@ class Object;
 // A value of any type. Conversions to a type it does not hold give what the engine's own conversion gives, for instance
 // 0 for a number; see get_type().
 class Variant {
-	alignas(8) uint8_t opaque[24];
+	alignas(8) uint8_t _opaque[24];
 
 public:
 	enum Type {
@@ -78,26 +78,26 @@ public:
 		VARIANT_MAX
 	};
 
-	Variant() { gdextension_interface::variant_new_nil(opaque); }
+	Variant() { gdextension_interface::variant_new_nil(_opaque); }
 	Variant(std::nullptr_t) :
 			Variant() {}
-	Variant(const Variant &p_other) { gdextension_interface::variant_new_copy(opaque, p_other.opaque); }
+	Variant(const Variant &p_other) { gdextension_interface::variant_new_copy(_opaque, p_other._opaque); }
 	Variant(Variant &&p_other) :
 			Variant() {
-		std::swap(opaque, p_other.opaque);
+		std::swap(_opaque, p_other._opaque);
 	}
 	explicit Variant(internal::Uninitialized) {}
-	~Variant() { gdextension_interface::variant_destroy(opaque); }
+	~Variant() { gdextension_interface::variant_destroy(_opaque); }
 
 	Variant &operator=(const Variant &p_other) {
 		if (this != &p_other) {
-			gdextension_interface::variant_destroy(opaque);
-			gdextension_interface::variant_new_copy(opaque, p_other.opaque);
+			gdextension_interface::variant_destroy(_opaque);
+			gdextension_interface::variant_new_copy(_opaque, p_other._opaque);
 		}
 		return *this;
 	}
 	Variant &operator=(Variant &&p_other) {
-		std::swap(opaque, p_other.opaque);
+		std::swap(_opaque, p_other._opaque);
 		return *this;
 	}
 
@@ -184,17 +184,17 @@ public:
 	operator Object *() const { return get_validated_object(); }
 	Object *get_validated_object() const;
 
-	Type get_type() const { return static_cast<Type>(gdextension_interface::variant_get_type(opaque)); }
+	Type get_type() const { return static_cast<Type>(gdextension_interface::variant_get_type(_opaque)); }
 	static String get_type_name(Type p_type);
 	static bool can_convert_strict(Type p_from, Type p_to);
 
 	bool operator==(const Variant &p_other) const;
 	bool operator!=(const Variant &p_other) const { return !(*this == p_other); }
 
-	GDExtensionVariantPtr _native_ptr() const { return const_cast<uint8_t *>(opaque); }
+	GDExtensionVariantPtr _native_ptr() const { return const_cast<uint8_t *>(_opaque); }
 
 private:
-	void construct(Type p_type, const void *p_value) { internal::builtin_functions[p_type].to_variant(opaque, const_cast<void *>(p_value)); }
+	void construct(Type p_type, const void *p_value) { internal::builtin_functions[p_type].to_variant(_opaque, const_cast<void *>(p_value)); }
 
 	template <typename T>
 	T convert(Type p_type) const {

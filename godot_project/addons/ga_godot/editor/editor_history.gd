@@ -1,12 +1,12 @@
 @tool
 extends "../playground/document/edit_history.gd"
-## The editor's history, and undo and redo of nothing but the playground's steps.
+## Adds the playground's actions to the editor's history, and undoes and redoes only these.
 
-## Of the names of its steps, which tell them from those of others.
+## The prefix of action names, by which the playground's actions are recognized.
 const PREFIX := "GA Playground: "
 
 var _undo_redo: EditorUndoRedoManager
-# Steps that the editor's own undo and redo would take next.
+# Numbers of the playground's actions that the editor's own undo and redo would take next.
 var _newest := 0
 var _undone := 0
 var _is_own := false
@@ -18,8 +18,8 @@ func _init(undo_redo: EditorUndoRedoManager) -> void:
 	_undo_redo.version_changed.connect(_on_done_by_others)
 
 
-# The history of an action is that of the object that it is done to: of the edited scene for a resource within it, else
-# of the project, for which this object stands.
+# The object of an action determines its history: an embedded resource that of the edited scene,
+# this object the global one.
 func commit(title: String, scene: GAScene, before: String, after: String) -> void:
 	_is_own = true
 	if is_embedded(scene):
@@ -40,12 +40,13 @@ static func is_embedded(scene: GAScene) -> bool:
 	return scene.resource_path.contains("::")
 
 
-## What a step does.
+## Called by the actions.
 func write(scene: GAScene, text: String) -> void:
 	scene.document = text
 
 
-## If the editor's own undo would take back a step of this scene next; it then shall, since it keeps an account of its own.
+## Whether the editor's own undo would undo an action of this scene next. It should then do so, as
+## it keeps its own records.
 func is_editors_undo(scene: GAScene) -> bool:
 	return _newest > 0 and _is_in_reach(scene)
 
@@ -54,7 +55,7 @@ func is_editors_redo(scene: GAScene) -> bool:
 	return _undone > 0 and _is_in_reach(scene)
 
 
-## The editor's own undo is about to take a step back, or to do it again.
+## To be called before the editor's own undo or redo takes an action of the playground.
 func expect_undo(is_redo: bool) -> void:
 	_newest += 1 if is_redo else -1
 	_undone += -1 if is_redo else 1
@@ -62,7 +63,7 @@ func expect_undo(is_redo: bool) -> void:
 	_expect_others.call_deferred()
 
 
-## Takes back the last step, if it is one of the playground.
+## Undoes the last action if it is one of the playground's.
 func undo(scene: GAScene) -> void:
 	var steps := _steps_of(scene)
 	if steps.has_undo() and steps.get_current_action_name().begins_with(PREFIX):

@@ -1,6 +1,6 @@
 @tool
 extends "../playground/playground_host.gd"
-## The editor around the panel.
+## Hosts the panel in the editor.
 
 const EditorHistory := preload("editor_history.gd")
 const EditorNumberField := preload("editor_number_field.gd")
@@ -30,7 +30,7 @@ func warn(words: String) -> void:
 	)
 
 
-func note_file(path: String) -> void:
+func on_file_written(path: String) -> void:
 	EditorInterface.get_resource_filesystem().update_file(path)
 
 
@@ -39,7 +39,7 @@ func save_embedding(file: String) -> void:
 	if root != null and root.scene_file_path == file:
 		EditorInterface.save_scene()
 	else:
-		warn("The scene is a part of %s. Open that in a tab to save it." % file)
+		warn("The scene is embedded in %s. Open that file in a tab to save it." % file)
 
 
 func can_create_nodes() -> bool:
@@ -50,7 +50,7 @@ func create_node(scene: GAScene, entry: String) -> void:
 	_nodes.create(scene, entry)
 
 
-## That of the first 3D viewport, of which the editor does not tell what it circles.
+## The view of the first 3D viewport. The editor does not expose the pivot; the origin is assumed.
 func make_view_point() -> ViewPoint:
 	var camera := EditorInterface.get_editor_viewport_3d().get_camera_3d()
 	return ViewPoint.of_camera(camera, camera.global_position.length()) if camera != null else null

@@ -13,9 +13,9 @@ func _init(step: float) -> void:
 	_slider.value_changed.connect(edited.emit)
 	_slider.grabbed.connect(grabbed.emit)
 	_slider.ungrabbed.connect(ungrabbed.emit)
-	# A click that is no drag: the number is typed.
+	# A click without a drag starts typing.
 	_slider.value_focus_entered.connect(ungrabbed.emit)
-	# Otherwise the tooltip of the whole would not be seen.
+	# Otherwise the tooltip of this field would not be shown.
 	_slider.mouse_filter = Control.MOUSE_FILTER_PASS
 	add_child(_slider)
 

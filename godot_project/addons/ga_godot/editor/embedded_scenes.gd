@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## A GAScene that is a part of a .tscn: it is saved with that, and leaves the dock with it.
+## A GAScene that is embedded in a .tscn is saved with it and leaves the dock when it is closed.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
@@ -11,7 +11,7 @@ func _init(document: PlaygroundDocument) -> void:
 	_document = document
 
 
-## A .tscn was saved, and with it what it embeds.
+## A .tscn was saved with its embedded resources.
 func on_scene_saved(path: String) -> void:
 	if _document.get_file() == path and _document.is_embedded():
 		_document.mark_saved(_document.path)

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Makes entries nodes of the edited scene, which draw them in the game.
+## Adds nodes that draw entries to the edited scene.
 
 const NODE_CLASS := &"GANode3D"
 
@@ -15,7 +15,7 @@ func is_possible() -> bool:
 	return ClassDB.class_exists(NODE_CLASS) and EditorInterface.get_edited_scene_root() != null
 
 
-## Below the scene's root; it follows the entry.
+## Adds a node that follows the entry as a child of the scene's root.
 func create(scene: GAScene, entry: String) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var node: Node3D = ClassDB.instantiate(NODE_CLASS)

@@ -1,6 +1,6 @@
 @tool
 extends EditorDock
-## "GA Playground": named expressions of geometric algebra, made by buttons and by typing.
+## The dock "GA Playground": named expressions of geometric algebra.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
@@ -19,7 +19,7 @@ var panel: PlaygroundPanel
 var embedded: EmbeddedScenes
 
 
-## Before the dock is added.
+## To be called before the dock is added.
 func set_up(undo_redo: EditorUndoRedoManager) -> void:
 	name = "GAPlayground"
 	title = "GA Playground"
@@ -46,7 +46,7 @@ func show_scene(scene: GAScene) -> void:
 		panel.file_menu.unless_unsaved(panel.show_scene.bind(scene))
 
 
-## The file of a scene in a tab was saved.
+## The file of an edited scene was saved.
 func on_scene_saved(path: String) -> void:
 	embedded.on_scene_saved(path)
 
@@ -55,12 +55,12 @@ func on_scene_closed(path: String) -> void:
 	embedded.on_scene_closed(path)
 
 
-## What has a file is saved there; all else is kept for the next start.
-func keep() -> void:
+## Saves the scene to its file, if it has one, and the session for the next start of the editor.
+func save_all() -> void:
 	if document.path.get_extension() in ["tres", "json"] and document.is_unsaved():
 		panel.file_menu.save(document.path)
-	Session.keep(document)
+	Session.save(document)
 
 
-func keep_session() -> void:
-	Session.keep(document)
+func save_session() -> void:
+	Session.save(document)

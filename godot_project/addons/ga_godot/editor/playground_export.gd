@@ -1,13 +1,14 @@
 @tool
 extends EditorExportPlugin
-## Adds the playground to exported games. Its folder is hidden from the editor's file system, which would complain about
-## every script of it where the library is missing; its examples are of a kind of file that is not exported by itself.
+## Adds the playground to exported games. Its folder is hidden from the editor's file system, which
+## would report errors in its scripts while the library is missing, and the editor does not export
+## JSON files, such as the examples, by default.
 
 const FOLDERS: PackedStringArray = [
 	"res://addons/ga_godot/playground", "res://addons/ga_godot/gallery"
 ]
 const OPTION := &"ga_godot/include_playground"
-const LEFT_OUT: PackedStringArray = ["uid", "gdignore"]
+const EXCLUDED: PackedStringArray = ["uid", "gdignore"]
 
 
 func _get_name() -> String:
@@ -32,7 +33,7 @@ func _export_begin(
 
 func _add_folder(folder: String) -> void:
 	for file in DirAccess.get_files_at(folder):
-		if not LEFT_OUT.has(file.get_extension()):
+		if not EXCLUDED.has(file.get_extension()):
 			var path := folder.path_join(file)
 			add_file(path, FileAccess.get_file_as_bytes(path), false)
 	for inner in DirAccess.get_directories_at(folder):

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## GANode3D nodes of the edited scene: the scene of a selected one is shown in the dock and around the node, as long as it
-## is selected; a click on what one draws selects it.
+## GANode3D nodes of the edited scene. While one is selected, the dock and the viewports show its
+## GAScene; a click on what a node draws selects it.
 
 const PlaygroundDock := preload("playground_dock.gd")
 const Picking := preload("../playground/view/picking.gd")
@@ -12,14 +12,14 @@ const ViewRay := preload("../playground/view/view_ray.gd")
 var _dock: PlaygroundDock
 var _drawing: SceneDrawing
 var _pointer: ViewPointer
-# What the dock shows when no such node is selected; null while it does.
+# What the dock shows while no such node is selected; null while it does.
 var _own_scene: GAScene
 var _own_path := ""
 var _own_saved_text := ""
 var _node: GANode3D
-# While it shows one of both.
+# Set while this object switches the scene of the dock.
 var _is_switching := false
-# Between a press that selected something and its release.
+# Set between a press that selected a node and its release.
 var _is_pressed := false
 var _tree := Engine.get_main_loop() as SceneTree
 
@@ -43,7 +43,7 @@ func stop() -> void:
 	_show(null)
 
 
-## Calls it while the dock has its own document, which is what is kept.
+## Calls `act` while the dock shows its own document, which is the one to be saved.
 func with_own_document(act: Callable) -> void:
 	var node := _node
 	_show(null)
@@ -51,7 +51,7 @@ func with_own_document(act: Callable) -> void:
 	_show(node)
 
 
-## True if the event was for a node of the edited scene.
+## Returns whether the event was used to select a node of the edited scene.
 func handle_click(event: InputEvent, camera: Camera3D) -> bool:
 	var button := event as InputEventMouseButton
 	if button == null or button.button_index != MOUSE_BUTTON_LEFT:
@@ -60,9 +60,9 @@ func handle_click(event: InputEvent, camera: Camera3D) -> bool:
 		var was_pressed := _is_pressed
 		_is_pressed = false
 		return was_pressed
-	var may_take: bool = _pointer.may_take.call(camera, button.position)
+	var can_pick: bool = _pointer.can_pick.call(camera, button.position)
 	var node := (
-		Picking.find_object(_edited_nodes(), camera, button.position, false) if may_take else null
+		Picking.find_object(_edited_nodes(), camera, button.position, false) if can_pick else null
 	)
 	if node == null:
 		return false
@@ -102,7 +102,7 @@ func _on_selection_changed() -> void:
 	if chosen != _node or (chosen != null and chosen.scene != _dock.document.scene):
 		_show(chosen)
 	else:
-		_leave_out_drawn()
+		_exclude_drawn()
 
 
 func _show(node: GANode3D) -> void:
@@ -112,7 +112,7 @@ func _show(node: GANode3D) -> void:
 	if node == null:
 		_show_own()
 		_drawing.transform = Transform3D.IDENTITY
-		_leave_out_drawn()
+		_exclude_drawn()
 		return
 	var document := _dock.document
 	if node.scene != document.scene:
@@ -125,12 +125,12 @@ func _show(node: GANode3D) -> void:
 		_is_switching = false
 	node.tree_exiting.connect(_show.bind(null))
 	follow()
-	_leave_out_drawn()
+	_exclude_drawn()
 	_dock.panel.select(node.entry)
 
 
-## What nodes of the edited scene draw in the same place is not drawn twice.
-func _leave_out_drawn() -> void:
+## Excludes entries that nodes of the edited scene draw in the same place.
+func _exclude_drawn() -> void:
 	if not _drawing.is_inside_tree():
 		return
 	_pointer.other_nodes.clear()
@@ -147,16 +147,16 @@ func _leave_out_drawn() -> void:
 		if is_same and node.scene == _dock.document.scene:
 			_pointer.other_nodes.append(node)
 			entries.append(node.entry)
-	if entries != _drawing.left_out:
-		_drawing.left_out = entries
+	if entries != _drawing.excluded:
+		_drawing.excluded = entries
 
 
 func _on_node_came_or_went(node: Node) -> void:
 	if node is GANode3D and node.get_parent() != _drawing:
-		_leave_out_drawn.call_deferred()
+		_exclude_drawn.call_deferred()
 
 
-## The drawing around the selected node moves with it.
+## Moves the drawing with the selected node.
 func follow() -> void:
 	if not is_instance_valid(_node) or not _node.is_inside_tree():
 		return
@@ -179,12 +179,12 @@ func _show_own() -> void:
 	_is_switching = false
 
 
-# A person opens another document: that takes the place of the dock's own, which may be unsaved, not of the node's.
+# A document opened by the user replaces the dock's own, which may be unsaved, not that of the node.
 func _on_scene_switched() -> void:
 	if not _is_switching and _own_scene != null and _dock.document.scene != _node.scene:
 		_replace_own.call_deferred(_dock.document.scene, _dock.document.path)
 	else:
-		_leave_out_drawn()
+		_exclude_drawn()
 
 
 func _replace_own(scene: GAScene, path: String) -> void:

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## Keeps what the dock shows over restarts of the editor, unsaved changes included, among the editor's files of the project.
+## Saves the document of the dock, with unsaved changes, in the editor's settings of the project, so
+## that it survives a restart.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
@@ -8,8 +9,8 @@ const FILE := "ga_playground.cfg"
 const SECTION := "session"
 
 
-static func keep(document: PlaygroundDocument) -> void:
-	# What is a part of a .tscn is opened with that; what was kept before it was shown stays.
+static func save(document: PlaygroundDocument) -> void:
+	# Embedded scenes are opened with their .tscn; the session before them stays.
 	if document.is_embedded():
 		return
 	var file := ConfigFile.new()

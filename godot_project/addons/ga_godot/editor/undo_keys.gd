@@ -1,6 +1,7 @@
 @tool
 extends Node
-## Undo and redo by the keyboard, with the focus in the dock: of the playground, whatever else was done in the editor since.
+## Undo and redo keys with the focus in the dock. They apply to the playground's last action,
+## whatever else was done in the editor since.
 
 const EditorHistory := preload("editor_history.gd")
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
@@ -16,7 +17,7 @@ func _init(dock: Control, document: PlaygroundDocument, history: EditorHistory) 
 	_history = history
 
 
-# Before controls get it: a text without words would take it for itself.
+# Handled before controls get the event, as an empty text field would use it.
 func _input(event: InputEvent) -> void:
 	if not event is InputEventKey:
 		return

@@ -1,7 +1,8 @@
 @tool
 extends Node3D
-## The dock's document in the editor's 3D viewports: drawn, and dragged by handles. It takes no event that is not over something of
-## the playground's, and does nothing while the dock is closed. Below the plugin: what it draws is in no edited scene.
+## Draws the dock's document in the editor's 3D viewports and lets the user drag it by handles. Uses
+## only events over the playground's objects, and does nothing while the dock is closed. A child of
+## the plugin, so that its nodes are not part of the edited scene.
 
 const HandleOverlay := preload("../playground/view/handle_overlay.gd")
 const Picking := preload("../playground/view/picking.gd")
@@ -13,7 +14,7 @@ const SelectedNodes := preload("selected_nodes.gd")
 const ViewportToolbar := preload("viewport_toolbar.gd")
 
 const VIEWPORTS := 4
-## In pixels, around the editor's own tool at a selected node.
+## The editor setting with the size of its transform gizmo, in pixels.
 const MANIPULATOR_SIZE := "editors/3d/manipulator_gizmo_size"
 
 var pointer: ViewPointer
@@ -33,13 +34,13 @@ func set_up(plugin: EditorPlugin, dock: PlaygroundDock) -> void:
 	add_child(_drawing)
 	_drawing.add_child(LabDrawing.new(dock.panel.lab))
 	pointer = ViewPointer.new(_drawing, dock.document, dock.panel.edits, dock.panel.list)
-	pointer.takes_faces = false
+	pointer.picks_faces = false
 	pointer.clears_selection = false
-	pointer.may_take = _is_beside_manipulator
+	pointer.can_pick = _is_beside_manipulator
 	pointer.redraw_needed.connect(_plugin.update_overlays)
 	_nodes = SelectedNodes.new(dock, _drawing, pointer)
 	toolbar = ViewportToolbar.new(pointer)
-	toolbar.shown_toggled.connect(_update_visibility.unbind(1))
+	toolbar.visibility_toggled.connect(_update_visibility.unbind(1))
 	_plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, toolbar)
 	_plugin.set_input_event_forwarding_always_enabled()
 	_plugin.set_force_draw_over_forwarding_enabled()
@@ -48,7 +49,7 @@ func set_up(plugin: EditorPlugin, dock: PlaygroundDock) -> void:
 
 func _exit_tree() -> void:
 	if toolbar != null:
-		pointer.take_back()
+		pointer.cancel()
 		_nodes.stop()
 		_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, toolbar)
 		toolbar.queue_free()
@@ -62,7 +63,7 @@ func _process(_delta: float) -> void:
 		_plugin.update_overlays()
 
 
-## What EditorPlugin._forward_3d_gui_input returns.
+## Returns a value for EditorPlugin._forward_3d_gui_input().
 func forward_input(camera: Camera3D, event: InputEvent) -> int:
 	var mouse := event as InputEventMouse
 	if not visible or (mouse != null and mouse.alt_pressed and not pointer.is_dragging()):
@@ -86,9 +87,9 @@ func draw_over(overlay: Control) -> void:
 		overlay.draw_set_transform(Vector2.ZERO)
 
 
-## What the dock keeps when a scene is saved is its own document, not that of a selected node.
-func keep() -> void:
-	_nodes.with_own_document(_dock.keep)
+## Saves the dock's own document, not that of a selected node.
+func save_document() -> void:
+	_nodes.with_own_document(_dock.save_all)
 
 
 func _update_visibility() -> void:
@@ -98,12 +99,12 @@ func _update_visibility() -> void:
 	visible = is_open and toolbar.is_showing()
 	if visible != was_visible:
 		if not visible:
-			pointer.take_back()
+			pointer.cancel()
 			pointer.adding = &""
 		_plugin.update_overlays()
 
 
-# A closed dock is in none of the places where docks are.
+# A closed dock is neither in a dock slot nor in its own window.
 func _is_dock_open() -> bool:
 	return (
 		_dock.is_inside_tree()
@@ -149,7 +150,7 @@ func _camera_below(overlay: Control) -> Camera3D:
 	return null
 
 
-# A viewport may be drawn with fewer pixels than it has on the screen.
+# A viewport may be rendered at a lower resolution than its size on the screen.
 func _stretch_of(camera: Camera3D) -> float:
 	var container := camera.get_viewport().get_parent() as SubViewportContainer
 	return float(container.stretch_shrink) if container != null and container.stretch else 1.0

@@ -1,15 +1,20 @@
 @tool
 extends HBoxContainer
-## In the menu above the 3D viewports: whether the playground's objects are shown, and what a click adds.
+## Buttons in the toolbar of the 3D viewports: the visibility of the playground's objects, and what
+## a click adds.
+
+signal visibility_toggled(on: bool)
 
 const NewObjects := preload("../playground/document/new_objects.gd")
 const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
 const ViewPointer := preload("../playground/view/view_pointer.gd")
 
-signal shown_toggled(on: bool)
-
-const SHOWN_TEXT := "Show the objects of the GA Playground in the viewports.\nDrag them and the handles of what is selected there. Ctrl snaps, Shift keeps the height, Escape takes back."
-const ADDING_TEXT := "Add objects of the GA Playground by clicks into the viewport."
+const SHOWN_TEXT := (
+	"Toggle the visibility of the GA Playground's objects.\n"
+	+ "Drag an object, or a handle of a selected one.\n"
+	+ "Ctrl: Snap. Shift: Keep the height. Esc: Cancel."
+)
+const ADDING_TEXT := "Add objects to the GA Playground by clicking in the viewport."
 
 var _pointer: ViewPointer
 var _shown := Button.new()
@@ -56,11 +61,11 @@ func _fill_menu() -> void:
 			PlaygroundIcons.make(kind, self), NewObjects.TITLES[kind], NewObjects.KINDS.find(kind)
 		)
 	menu.add_separator()
-	menu.add_item("Add Nothing More (Escape)")
+	menu.add_item("Stop Adding (Esc)")
 	menu.set_item_id(menu.item_count - 1, NewObjects.KINDS.size())
 
 
-# A number has no place.
+# Numbers have no position.
 func _kinds() -> Array[StringName]:
 	return NewObjects.KINDS.filter(func(kind: StringName) -> bool: return kind != &"scalar")
 
@@ -72,7 +77,7 @@ func _on_kind_chosen(id: int) -> void:
 
 func _on_shown_toggled(on: bool) -> void:
 	_adding.disabled = not on
-	shown_toggled.emit(on)
+	visibility_toggled.emit(on)
 
 
 func _show_adding() -> void:
@@ -84,7 +89,10 @@ func _show_adding() -> void:
 	)
 	_adding.set_pressed_no_signal(is_adding)
 	_adding.tooltip_text = (
-		"Click into the viewport to add: %s. Escape ends it." % NewObjects.TITLES[_pointer.adding]
+		(
+			"Click in the viewport to add a %s. Press Esc to stop."
+			% NewObjects.TITLES[_pointer.adding].to_lower()
+		)
 		if is_adding
 		else ADDING_TEXT
 	)

@@ -1,18 +1,19 @@
 @tool
 extends "playground_host.gd"
-## A running game around the panel: a history of its own, files in user://.
+## Hosts the panel in a running game, with its own undo history and files in user://.
+
+## A message for the user.
+signal warned(words: String)
 
 const DragField := preload("panel/drag_field.gd")
 const OwnHistory := preload("document/own_history.gd")
 
-## Something to tell a person.
-signal warned(words: String)
-
-## What the view shows the scene by, once there is one; how far away what it circles is, and what is behind everything.
+## The camera of the view, once there is one, the distance of its pivot in meters, and the
+## background color.
 var camera: Camera3D
 var camera_distance := 1.0
 var background := ViewPoint.DEFAULT_BACKGROUND
-## The same as history, with undo and redo.
+## The same object as `history`, with undo and redo.
 var own_history := OwnHistory.new()
 
 

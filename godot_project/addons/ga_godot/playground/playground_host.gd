@@ -1,7 +1,7 @@
 @tool
 @abstract
 extends RefCounted
-## What the panel asks of where it stands: the editor, or a running game.
+## The environment of the panel: the editor or a running game.
 
 const EditHistory := preload("document/edit_history.gd")
 const NumberField := preload("panel/number_field.gd")
@@ -11,19 +11,19 @@ var history: EditHistory
 
 @abstract func make_number_field(step: float) -> NumberField
 
-## For files of a scene.
+## A dialog for scene files.
 @abstract func make_file_dialog() -> FileDialog
 
-## Tells a person what went wrong.
+## Shows a warning to the user.
 @abstract func warn(words: String) -> void
 
 
-## A file was written.
-func note_file(_path: String) -> void:
+## Called after a file was written.
+func on_file_written(_path: String) -> void:
 	pass
 
 
-## Saves the file that the scene is a part of.
+## Saves the file that the scene is embedded in.
 func save_embedding(_file: String) -> void:
 	pass
 
@@ -32,12 +32,12 @@ func can_create_nodes() -> bool:
 	return false
 
 
-## Makes the entry a node of the scene that is edited.
+## Adds a node that draws the entry to the edited scene.
 func create_node(_scene: GAScene, _entry: String) -> void:
 	pass
 
 
-## How the scene is looked at here; null where there is no view of it.
+## The current view of the scene; null if there is none.
 func make_view_point() -> ViewPoint:
 	return null
 

@@ -1,7 +1,7 @@
 @tool
 extends "panel/sharing_column.gd"
-## All of the playground that is not the view: what can be added, the entries, where expressions are typed, coefficients.
-## The same in the editor's dock and in a running game; `host` is which of them it is.
+## The playground without its view: menus, buttons, entries, expression line, coefficients and
+## interpolation. It is the same in the editor's dock and in a running game, which differ in `host`.
 
 const PlaygroundDocument := preload("document/playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
@@ -25,13 +25,13 @@ var document: PlaygroundDocument
 var edits: EntryEdits
 var list: EntryList
 var file_menu: FileMenu
-## What lab/lab_drawing.gd draws in a view.
+## The model of the interpolation panel and of lab/lab_drawing.gd.
 var lab: InterpolationLab
-## Menus and buttons for the scene as a whole; one more goes before the file's name by add_to_head().
+## Menus and buttons for the whole scene. add_to_head() adds further ones.
 var head := HBoxContainer.new()
-## Texts about the scene, above the buttons.
+## The description of the scene, above the buttons.
 var top := VBoxContainer.new()
-## Foldable panels about the selection, below the coefficients.
+## Foldable panels about the selection, at the bottom.
 var bottom := VBoxContainer.new()
 
 var _top_scroll := CappedScroll.new(top)
@@ -93,7 +93,7 @@ func select(entry: String) -> void:
 	list.scroll_to.call_deferred(entry)
 
 
-## A menu or button beside File.
+## Adds a menu or button before the file name.
 func add_to_head(control: Control) -> void:
 	head.add_child(control)
 	head.move_child(control, _file_name.get_index())
@@ -106,7 +106,7 @@ func _make_head() -> void:
 	_examples_button.text = "Examples"
 	_examples_button.theme_type_variation = &"FlatButton"
 	_examples_button.focus_mode = Control.FOCUS_NONE
-	_examples_button.tooltip_text = "Constructions to look at, to change and to learn from."
+	_examples_button.tooltip_text = "Open an example construction."
 	_examples_button.pressed.connect(_open_examples)
 	_examples.chosen.connect(_on_example_chosen)
 	_examples.failed.connect(host.warn)
@@ -136,7 +136,7 @@ func _on_example_chosen(scene: GAScene, _title: String) -> void:
 func _on_picture_requested() -> void:
 	var view := host.make_view_point()
 	if view == null:
-		host.warn("There is no 3D view to draw a picture of.")
+		host.warn("There is no 3D view to export a picture of.")
 	else:
 		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
 
@@ -157,11 +157,11 @@ func _on_scene_switched() -> void:
 
 func _show_file_name() -> void:
 	_file_name.text = (
-		("not saved yet" if document.path.is_empty() else document.get_file().get_file())
+		("[unsaved]" if document.path.is_empty() else document.get_file().get_file())
 		+ ("*" if document.is_unsaved() else "")
 	)
 	_file_name.tooltip_text = (
-		"A part of %s, saved with it." % document.get_file()
+		"Embedded in %s and saved with it." % document.get_file()
 		if document.is_embedded()
 		else document.path
 	)

@@ -1,20 +1,23 @@
 extends RefCounted
-## A client's own measure of its error: how far what it shows of some moving bodies is from where the server had them,
-## at the same media time, at the worst of the body's centre and three points 0.25 m along its axes.
+## The pose error on a client: the distance between the shown poses of some moving bodies and the
+## poses that the server had at the same media time. It is the largest distance among the center and
+## three points 0.25 m along the axes.
 ##
-## A method that knows which tick it shows is compared at that tick. One that shows what arrives as it arrives is
-## compared when the truth arrives, with the one of its ticks that makes the mean error smallest: so the delay of the
-## network, and the mean of its own, count for nothing, as in the table of tools/demo.
+## For a method with a clock, the poses of the shown tick are compared. For one without, the shown
+## pose is compared with each tick of the ground truth when that arrives, and the tick with the
+## smallest mean error counts. Thus neither the network delay nor the method's mean delay counts as
+## an error, as in the table of tools/demo.
 
 const PoseLink := preload("../replication/pose_link.gd")
 const Truth := preload("truth.gd")
 
-const LEVER := 0.25
-## Truths that wait for their tick to be shown, at most.
+## Lever arm of rotation errors, in meters.
+const LEVER_ARM := 0.25
+## Maximum number of ground truths that wait for their tick to be shown.
 const MAX_WAITING := 16
-## Errors that the figures are over: those of about two seconds.
+## Number of errors that the statistics cover: about two seconds.
 const WINDOW := 64
-## Share of the past in the mean by which the synchronizer's tick is chosen.
+## Weight of the past in the running mean that chooses the tick for a method without a clock.
 const KEPT := 0.95
 
 var _waiting: Array[Truth] = []
@@ -22,7 +25,7 @@ var _errors := PackedFloat32Array()
 var _means := PackedFloat32Array([0.0, 0.0, 0.0])
 
 
-## Forgets all: another method begins.
+## Discards all errors. Call it when the method changes.
 func clear() -> void:
 	_waiting.clear()
 	_errors.clear()
@@ -40,7 +43,7 @@ func take(truth: Truth, link: PoseLink) -> void:
 		_compare_untimed(truth, link)
 
 
-## Call it after each picture.
+## Call it after each frame.
 func update(link: PoseLink) -> void:
 	var shown := link.get_shown_tick()
 	for at: int in range(_waiting.size() - 1, -1, -1):
@@ -61,19 +64,19 @@ func has_errors() -> bool:
 	return not _errors.is_empty()
 
 
-## The median and the largest of the last errors, in metres.
+## Median and maximum of the recent errors, in meters.
 func get_figures() -> Vector2:
 	var sorted := _errors.duplicate()
 	sorted.sort()
 	return Vector2(sorted[sorted.size() >> 1], sorted[-1])
 
 
-## The largest distance between two poses of a body, at its centre and at three points on its axes.
+## The error between two poses, as defined above.
 static func distance(a: Transform3D, b: Transform3D) -> float:
 	var offset := b.origin - a.origin
 	var worst := offset.length_squared()
 	for axis: int in 3:
-		worst = maxf(worst, (offset + (b.basis[axis] - a.basis[axis]) * LEVER).length_squared())
+		worst = maxf(worst, (offset + (b.basis[axis] - a.basis[axis]) * LEVER_ARM).length_squared())
 	return sqrt(worst)
 
 

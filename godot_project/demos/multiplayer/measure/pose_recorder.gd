@@ -1,9 +1,9 @@
 extends RefCounted
-## Writes poses to a file, for the measurement (tools/lib/pose_record.py reads it).
+## Records poses to a file that tools/lib/pose_record.py reads.
 ##
-## Little-endian: 8 bytes "GAPOSES1", u32 number of bodies; then for each record f64 wall clock
-## (seconds since 1970), f64 media time (ticks of the stream, not whole at a client; -1 if unknown), and for each body 12 float32: rows of
-## the 3x4 matrix, as in a MultiMesh.
+## Little-endian: 8 bytes "GAPOSES1", u32 number of bodies; then per record f64 wall clock (seconds
+## since 1970), f64 media time (ticks of the stream, fractional on a client; -1 if unknown), and per
+## body 12 float32: rows of the 3x4 matrix, as in a MultiMesh.
 
 const MAGIC := "GAPOSES1"
 
@@ -11,7 +11,7 @@ var _file: FileAccess
 var _body_count: int
 
 
-## Empty path: nothing is written.
+## Writes nothing if the path is empty.
 func _init(path: String, body_count: int) -> void:
 	_body_count = body_count
 	if path.is_empty():
@@ -19,7 +19,7 @@ func _init(path: String, body_count: int) -> void:
 	_file = FileAccess.open(path, FileAccess.WRITE)
 	if _file == null:
 		printerr(
-			"Cannot write the record %s: %s" % [path, error_string(FileAccess.get_open_error())]
+			"Cannot write the recording %s: %s." % [path, error_string(FileAccess.get_open_error())]
 		)
 		return
 	_file.store_buffer(MAGIC.to_ascii_buffer())
@@ -44,7 +44,7 @@ func close() -> void:
 		_file = null
 
 
-## Writes one body's rows at its place.
+## Stores the pose of one body.
 static func set_rows(rows: PackedFloat32Array, body: int, pose: Transform3D) -> void:
 	var at := body * 12
 	for row: int in 3:

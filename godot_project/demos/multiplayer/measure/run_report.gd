@@ -1,5 +1,5 @@
 extends RefCounted
-## What a client received between the begin and the end of a scene, for the tools that started it.
+## Report of what a client received during the scene, for the tools that started it.
 
 const PoseLink := preload("../replication/pose_link.gd")
 const TrafficMeter := preload("traffic_meter.gd")
@@ -10,7 +10,7 @@ var _packets := 0
 var _values: Dictionary = {}
 
 
-## The scene begins.
+## Call when the scene begins.
 func begin(meter: TrafficMeter) -> void:
 	meter.update()
 	_begun_at = _get_seconds()
@@ -18,7 +18,7 @@ func begin(meter: TrafficMeter) -> void:
 	_packets = meter.packets
 
 
-## The scene has ended at the server.
+## Call when the scene has ended on the server.
 func finish(method: String, meter: TrafficMeter) -> void:
 	meter.update()
 	_values = {
@@ -30,8 +30,8 @@ func finish(method: String, meter: TrafficMeter) -> void:
 	}
 
 
-## All of it has been shown.
-func tell(link: PoseLink) -> void:
+## Call when all of the scene has been shown: prints the report for the tools.
+func print_json(link: PoseLink) -> void:
 	_values.merge(link.get_counts())
 	print("REPORT ", JSON.stringify(_values))
 

@@ -1,14 +1,14 @@
 extends RefCounted
-## What has come from the server, in bytes and packets without the 28 bytes of IP and UDP a packet: by ENet's own
-## counters; where a proxy makes the network bad, by the proxy's, before anything is lost.
+## Counts packets and bytes from the server, without the 28 bytes of IP and UDP headers per packet.
+## It uses the counters of ENet, or those of the proxy, which include lost packets.
 
 const UdpProxy := preload("../network/udp_proxy.gd")
 
 var bytes := 0
 var packets := 0
-## Packets that were lost on the way.
+## Lost packets; known only with a proxy.
 var lost := 0
-## Bytes that arrived.
+## Received bytes.
 var arrived := 0
 
 var _host: ENetConnection
@@ -22,7 +22,7 @@ func _init(host: ENetConnection, proxy: UdpProxy) -> void:
 	_proxy = proxy
 
 
-## Leaves out a packet that is no part of what is measured, with so many bytes.
+## Excludes the bytes of a packet that is not part of the replication.
 func discount(packet_bytes: int) -> void:
 	_discounted += packet_bytes
 

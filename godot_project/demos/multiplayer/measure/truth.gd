@@ -1,8 +1,9 @@
 extends RefCounted
-## Where a few moving bodies truly were at three ticks in a row: what a server tells a client that shows its error.
+## Ground truth: the poses of a few moving bodies at three consecutive ticks, which the server sends
+## to clients that display their error.
 ##
-## As bytes, little-endian: f64 first tick, u8 number of bodies, then for each u16 number and, for each tick, position
-## and quaternion as 7 float32.
+## Encoded little-endian: f64 first tick, u8 number of bodies, then for each u16 ID and, for each
+## tick, position and quaternion as 7 float32.
 
 const Truth := preload("res://demos/multiplayer/measure/truth.gd")
 
@@ -12,10 +13,10 @@ const HEADER := 9
 const POSE_BYTES := 28
 const BODY_BYTES := 2 + TICKS * POSE_BYTES
 
-## The first of them, on the clock of [code]PoseLink.get_shown_tick()[/code].
+## The first tick, on the clock of [code]PoseLink.get_shown_tick()[/code].
 var tick := 0.0
 var ids := PackedInt32Array()
-## For each tick the poses of all bodies, in the order of the numbers.
+## For each tick the poses of all bodies, in the order of the IDs.
 var poses: Array[Transform3D] = []
 
 
@@ -33,7 +34,7 @@ func to_bytes() -> PackedByteArray:
 	return bytes
 
 
-## Null where the bytes are no such thing, or a number is not below [param body_count].
+## Returns null if the bytes are malformed or an ID is not below [param body_count].
 static func from_bytes(bytes: PackedByteArray, body_count: int) -> Truth:
 	if bytes.size() < HEADER or bytes.size() != HEADER + bytes.decode_u8(8) * BODY_BYTES:
 		return null
@@ -49,7 +50,7 @@ static func from_bytes(bytes: PackedByteArray, body_count: int) -> Truth:
 	return truth
 
 
-## Where the i-th body was [param ticks] after the first tick, straight between two ticks.
+## Pose of the i-th body [param ticks] after the first tick, interpolated linearly.
 func get_pose(i: int, ticks: float) -> Transform3D:
 	var step := clampi(floori(ticks), 0, TICKS - 2)
 	var from := poses[step * ids.size() + i]

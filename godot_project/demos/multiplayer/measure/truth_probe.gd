@@ -1,15 +1,15 @@
 extends RefCounted
-## The server's part in showing clients how far off they are: four times a second it picks a few moving bodies by
-## chance and notes where they are at the next ticks. It costs nothing while no client watches.
+## Collects ground truth on the server: four times a second it samples a few moving bodies at random
+## and stores their poses at the next ticks. It costs nothing while no client requests it.
 
 const Truth := preload("truth.gd")
 
-## Ticks between two truths.
+## Ticks between two samples.
 const PAUSE := 15
-## A body that moved less than this since the tick before, in metres, is at rest: 1 mm/s.
+## Meters per tick below which a body is at rest: 1 mm/s.
 const MIN_MOTION := 0.001 / 60.0
 
-## Clients to tell.
+## Peers that request ground truth.
 var watchers: Array[int] = []
 
 var _before: Dictionary[int, Transform3D] = {}
@@ -18,7 +18,8 @@ var _ticks := 0
 var _random := RandomNumberGenerator.new()
 
 
-## Takes the poses of each tick, with what clients call it. A truth that is complete, or null.
+## Processes the poses of a tick, given on the clock of the clients. Returns a complete ground truth
+## or null.
 func observe(tick: float, poses: Dictionary[int, Transform3D]) -> Truth:
 	var complete: Truth = null
 	_ticks += 1
@@ -40,7 +41,8 @@ func _begin(tick: float, poses: Dictionary[int, Transform3D]) -> void:
 	_truth.tick = tick
 	var ids := poses.keys()
 	var start := _random.randi_range(0, ids.size())
-	# A step that has no factor in common with most counts: neighbours move alike.
+	# Neighbors move alike: take every 37th body, which visits all unless the count is a multiple of
+	# 37.
 	for i: int in ids.size():
 		var id: int = ids[(start + i * 37) % ids.size()]
 		if _moved(id, poses) and not _truth.ids.has(id):
@@ -51,7 +53,7 @@ func _begin(tick: float, poses: Dictionary[int, Transform3D]) -> void:
 		_truth = null
 
 
-## False if a body is gone.
+## Returns false if a body was removed.
 func _add_tick(poses: Dictionary[int, Transform3D]) -> bool:
 	for id: int in _truth.ids:
 		if not poses.has(id):

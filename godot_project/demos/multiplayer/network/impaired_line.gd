@@ -1,35 +1,36 @@
 extends RefCounted
-## One direction of a bad network: takes packets in, and gives back at a later time what has arrived.
+## One direction of an impaired network: a delay line for packets.
 ##
-## In order: a bounded queue before the line's limited rate, loss in bursts (Gilbert and Elliott's two states: in the
-## bad one every packet is lost), delay, jitter, reordering, duplication. Each packet takes the same number of random
-## numbers whatever the conditions, so with one seed the n-th packet meets the same fate in every run.
+## In order: a bounded queue with limited rate, burst loss (Gilbert-Elliott model: the bad state
+## loses every packet), delay, jitter, reordering, duplication. Each packet consumes the same number
+## of random numbers under all conditions, so that with the same seed the n-th packet is treated the
+## same in each run.
 
 const LineConditions := preload("line_conditions.gd")
 
-## Bytes of IP and UDP that a packet costs besides its content.
+## Bytes of the IP and UDP headers.
 const HEADER_BYTES := 28
-## What waits longer than this for the line to be free is thrown away, in seconds.
+## Maximum waiting time in the queue, in seconds. Packets beyond it are dropped.
 const MAX_QUEUE := 0.25
-## How much longer a reordered packet takes, in seconds.
-const OVERTAKING := 0.04
-## More packets than this are never held.
+## Additional delay of a reordered packet, in seconds.
+const REORDER_DELAY := 0.04
+## Maximum number of packets in transit.
 const MAX_HELD := 8192
 
-## May be changed, or exchanged, at any time; packets on their way keep what they got.
+## May change at any time. Packets in transit are not affected.
 var conditions := LineConditions.new()
-## Packets, and bytes in them, that were put in.
+## Packets that entered, and their bytes.
 var packets := 0
 var bytes := 0
-## Packets that were lost by chance, and that found the queue full.
+## Packets lost at random, and packets dropped because a limit was reached.
 var lost := 0
 var overflowed := 0
 
 var _random := RandomNumberGenerator.new()
 var _is_bad := false
-## Seconds at which all that was sent before has left.
+## Time at which the queue is empty, in seconds.
 var _free_at := -INF
-## Packets on their way and when they arrive, the first first.
+## Packets in transit and their arrival times, sorted by time.
 var _held: Array[PackedByteArray] = []
 var _due := PackedFloat64Array()
 
@@ -38,15 +39,15 @@ func _init(seed_value: int) -> void:
 	_random.seed = seed_value
 
 
-## Takes a packet in at [param now] seconds.
+## Sends a packet at the time [param now], in seconds.
 func put(packet: PackedByteArray, now: float) -> void:
 	packets += 1
 	bytes += packet.size()
 	var chance := _random.randf()
-	var lateness := _random.randf()
-	var is_overtaken := _random.randf() < conditions.reorder
-	var is_doubled := _random.randf() < conditions.duplicate
-	var double_lateness := _random.randf()
+	var jitter_factor := _random.randf()
+	var is_reordered := _random.randf() < conditions.reorder
+	var is_duplicated := _random.randf() < conditions.duplicate
+	var duplicate_jitter := _random.randf()
 	var leaves := now
 	if conditions.rate > 0.0:
 		leaves = maxf(now, _free_at)
@@ -59,12 +60,15 @@ func put(packet: PackedByteArray, now: float) -> void:
 		lost += 1
 		return
 	var arrives := leaves + conditions.delay
-	_hold(packet, arrives + lateness * conditions.jitter + (OVERTAKING if is_overtaken else 0.0))
-	if is_doubled:
-		_hold(packet, arrives + double_lateness * conditions.jitter)
+	_hold(
+		packet,
+		arrives + jitter_factor * conditions.jitter + (REORDER_DELAY if is_reordered else 0.0)
+	)
+	if is_duplicated:
+		_hold(packet, arrives + duplicate_jitter * conditions.jitter)
 
 
-## The packets that have arrived by [param now] seconds, in the order of their arrival.
+## Removes and returns the packets that have arrived by [param now], in order of arrival.
 func take(now: float) -> Array[PackedByteArray]:
 	var count := _due.bsearch(now, false)
 	if count == 0:
@@ -75,16 +79,16 @@ func take(now: float) -> Array[PackedByteArray]:
 	return arrived
 
 
-## Moves between the two states, and tells whether the packet is lost: with a share of [code]loss[/code] in the bad
-## state, which is left after [code]burst[/code] packets on average.
+## Advances the state and returns whether the packet is lost. The share of the bad state is
+## [code]loss[/code], and its mean length [code]burst[/code] packets.
 func _loses(chance: float) -> bool:
 	var loss := conditions.loss
 	if loss <= 0.0 or loss >= 1.0:
 		_is_bad = loss > 0.0
 		return _is_bad
-	# Chance alone makes rows of 1 / (1 - loss) packets.
-	var row := maxf(conditions.burst, 1.0 / (1.0 - loss))
-	_is_bad = chance < (1.0 - 1.0 / row if _is_bad else loss / ((1.0 - loss) * row))
+	# Independent losses have a mean burst length of 1 / (1 - loss).
+	var mean_burst := maxf(conditions.burst, 1.0 / (1.0 - loss))
+	_is_bad = chance < (1.0 - 1.0 / mean_burst if _is_bad else loss / ((1.0 - loss) * mean_burst))
 	return _is_bad
 
 

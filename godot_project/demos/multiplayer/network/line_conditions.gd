@@ -1,19 +1,19 @@
 extends RefCounted
-## How bad a network is, in each direction. As it comes, nothing is bad.
+## Network impairments in each direction; none by default.
 
-## Share of the packets that vanish, 0 to 1.
+## Share of lost packets, 0 to 1.
 var loss := 0.0
-## Mean number of packets lost in a row. At 1, or anything that chance alone exceeds, each is lost by chance alone.
+## Mean number of consecutive lost packets; losses are independent at 1 / (1 - loss) and below.
 var burst := 1.0
-## Seconds that every packet takes.
+## Delay of every packet, in seconds.
 var delay := 0.0
-## On top of it a random time, uniform from 0 to this many seconds, for each packet its own: so order changes too.
+## Maximum of an additional, uniformly random delay of each packet, in seconds. It reorders packets.
 var jitter := 0.0
-## Share of the packets that are held back a little longer, so that later ones overtake them.
+## Share of packets that get an additional delay, so that later packets overtake them.
 var reorder := 0.0
-## Share of the packets that arrive twice.
+## Share of packets that arrive twice.
 var duplicate := 0.0
-## Bytes a second that pass, headers of IP and UDP included; 0: as many as come.
+## Maximum rate in bytes per second, including IP and UDP headers; 0 for no limit.
 var rate := 0.0
 
 

@@ -1,7 +1,8 @@
 extends Node
-## A bad network between clients and a server on UDP: listens on a port of this machine alone, and loses, delays,
-## reorders and repeats what it passes on, both ways, for every client apart. It works in a thread of its own, so that
-## frames neither wait for it nor delay it; all it takes itself is about half a millisecond.
+## A UDP proxy that impairs the network between clients and a server: it loses, delays, reorders and
+## duplicates packets in both directions, independently for each client. It listens on the loopback
+## interface. It runs in its own thread, so that it is independent of the frame rate, and adds about
+## half a millisecond of delay.
 
 const LineConditions := preload("line_conditions.gd")
 const UdpRelay := preload("udp_relay.gd")
@@ -10,10 +11,11 @@ var _relay := UdpRelay.new()
 var _thread := Thread.new()
 
 
-## Begins to pass on to that server. [method get_port] tells where clients find it, on 127.0.0.1.
+## Starts to forward packets to a server. Clients connect to 127.0.0.1 at [method get_port].
 func open(server_address: String, server_port: int, seed_value: int) -> Error:
 	var error := _relay.open(server_address, server_port, seed_value)
-	# The relay is the thread's object, not this node: an object cannot be freed while a thread runs in it.
+	# The thread runs the relay rather than this node: an object cannot be freed while a thread runs
+	# its method.
 	return error if error != OK else _thread.start(_relay.run)
 
 
@@ -21,7 +23,7 @@ func get_port() -> int:
 	return _relay.get_port()
 
 
-## Holds from the next packet on. The proxy keeps the object: give a new one for other conditions.
+## Affects packets from now on. The proxy keeps a reference: pass a new object for each change.
 func set_conditions(conditions: LineConditions) -> void:
 	_relay.set_conditions(conditions)
 
@@ -36,7 +38,7 @@ func close() -> void:
 		_thread.wait_to_finish()
 
 
-## Not when it leaves the tree: what its client says when that leaves shall still be passed on.
+## Not on NOTIFICATION_EXIT_TREE: the disconnect message of the client must still pass.
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE:
 		close()

@@ -1,22 +1,22 @@
 extends RefCounted
-## The work of [code]udp_proxy.gd[/code]: passes packets on between clients and a server, both ways, through an
-## impaired line each. [method run] is for a thread of its own; the other methods may be called meanwhile.
+## The relay of [code]udp_proxy.gd[/code]: forwards packets between clients and a server through
+## impaired lines. [method run] runs in its own thread; the other methods are thread-safe.
 
 const ImpairedLine := preload("impaired_line.gd")
 const LineConditions := preload("line_conditions.gd")
 
 const LOOPBACK := "127.0.0.1"
-## Microseconds between two looks at the sockets.
-const PAUSE := 400
-## Clients that it serves at once; others get no answer.
+## Microseconds between two polls of the sockets.
+const POLL_INTERVAL := 400
+## Maximum number of clients; further ones are ignored.
 const MAX_ROUTES := 32
-## Seconds without a packet from a client after which its place is free again.
+## Seconds without a packet from a client after which its route is removed.
 const MAX_SILENCE := 20.0
-## Distance of the seeds of two clients.
+## Difference between the seeds of two lines.
 const SEED_STEP := 7919
 
 
-## The way of one client.
+## The lines of one client.
 class Route:
 	var client: PacketPeerUDP
 	var server := PacketPeerUDP.new()
@@ -25,13 +25,13 @@ class Route:
 	var heard_at := 0.0
 
 
-## What has entered the lines, before any loss.
+## Packets and bytes that entered the lines, including lost ones.
 class Counts:
 	var up_packets := 0
 	var up_bytes := 0
 	var down_packets := 0
 	var down_bytes := 0
-	## Lost on the way down, by chance or because the queue was full.
+	## Packets lost or dropped on the way to clients.
 	var down_lost := 0
 
 	func add(route: Route) -> void:
@@ -46,15 +46,15 @@ var _listener := UDPServer.new()
 var _server_address: String
 var _server_port: int
 var _seed: int
-# Guards what follows, and the sockets.
+# Guards the following variables and the sockets.
 var _mutex := Mutex.new()
-var _ends := false
+var _is_stopped := false
 var _conditions := LineConditions.new()
 var _routes: Array[Route] = []
 var _route_count := 0
 
 
-## Begins to listen. [method get_port] tells where.
+## Starts to listen at [method get_port].
 func open(server_address: String, server_port: int, seed_value: int) -> Error:
 	_server_address = IP.resolve_hostname(server_address)
 	_server_port = server_port
@@ -69,7 +69,8 @@ func get_port() -> int:
 	return _listener.get_local_port()
 
 
-## Holds from the next packet on, for both directions of all clients. The proxy keeps the object: give a new one.
+## Affects packets from now on, in both directions of all clients. Keeps a reference: pass a new
+## object for each change.
 func set_conditions(conditions: LineConditions) -> void:
 	_mutex.lock()
 	_conditions = conditions
@@ -79,7 +80,7 @@ func set_conditions(conditions: LineConditions) -> void:
 	_mutex.unlock()
 
 
-## The counts of the clients that there are.
+## The sum over the current clients.
 func get_counts() -> Counts:
 	var counts := Counts.new()
 	_mutex.lock()
@@ -89,35 +90,35 @@ func get_counts() -> Counts:
 	return counts
 
 
-## Works until [method stop].
+## Forwards packets until [method stop].
 func run() -> void:
 	while _serve(Time.get_ticks_usec() * 1e-6):
-		OS.delay_usec(PAUSE)
+		OS.delay_usec(POLL_INTERVAL)
 
 
-## What clients have sent is passed on first, their farewells among it.
+## Forwards pending packets of clients first, including their disconnect messages.
 func stop() -> void:
 	_mutex.lock()
-	_ends = true
+	_is_stopped = true
 	for route: Route in _routes:
-		_pass_on(route, INF)
+		_forward(route, INF)
 	_routes.clear()
 	_listener.stop()
 	_mutex.unlock()
 
 
-## One look at the sockets. False if it is the end.
+## Polls the sockets once. Returns false after [method stop].
 func _serve(now: float) -> bool:
 	_mutex.lock()
-	var goes_on := not _ends
-	if goes_on:
-		_take_clients(now)
-		_pass_on_all(now)
+	var is_running := not _is_stopped
+	if is_running:
+		_accept_clients(now)
+		_forward_all(now)
 	_mutex.unlock()
-	return goes_on
+	return is_running
 
 
-func _take_clients(now: float) -> void:
+func _accept_clients(now: float) -> void:
 	_listener.poll()
 	while _listener.is_connection_available():
 		var client := _listener.take_connection()
@@ -125,15 +126,15 @@ func _take_clients(now: float) -> void:
 			_add_client(client, now)
 
 
-func _pass_on_all(now: float) -> void:
+func _forward_all(now: float) -> void:
 	for at: int in range(_routes.size() - 1, -1, -1):
 		var route := _routes[at]
-		_pass_on(route, now)
+		_forward(route, now)
 		if now - route.heard_at > MAX_SILENCE:
 			_routes.remove_at(at)
 
 
-func _pass_on(route: Route, now: float) -> void:
+func _forward(route: Route, now: float) -> void:
 	while route.client.get_available_packet_count() > 0:
 		route.up.put(route.client.get_packet(), now)
 		route.heard_at = now

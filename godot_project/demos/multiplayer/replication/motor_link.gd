@@ -1,8 +1,9 @@
 extends "pose_link.gd"
-## Poses by [MotorSynchronizer]: all that there is to do is to name the bodies, and to have the node at both sides.
+## Replication by [MotorSynchronizer]: needs only the node on both sides and the bodies as its
+## targets.
 
-## Degrees of the tolerance of rotation for each metre of that of position: at this lever both count as much.
-const LEVER := 0.25
+## Lever arm in meters at which the tolerances of position and rotation are equal.
+const LEVER_ARM := 0.25
 
 var _synchronizer := MotorSynchronizer.new()
 
@@ -18,7 +19,7 @@ func _notification(what: int) -> void:
 
 func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void:
 	_synchronizer.position_tolerance = tolerance
-	_synchronizer.rotation_tolerance = rad_to_deg(tolerance / LEVER)
+	_synchronizer.rotation_tolerance = rad_to_deg(tolerance / LEVER_ARM)
 	_synchronizer.mode = mode
 
 
@@ -33,7 +34,7 @@ func remove_body(id: int) -> void:
 	_synchronizer.remove_target(bodies[id])
 
 
-## The node itself asks for the poses at the client's side.
+## The node subscribes to the poses on the client.
 func add_receiver(_peer: int) -> void:
 	pass
 
@@ -42,7 +43,7 @@ func remove_receiver(_peer: int) -> void:
 	pass
 
 
-## The node looks at the bodies after this, in the tick that follows its last one.
+## The node samples the bodies after this call, at the tick after its last one.
 func get_sent_tick() -> float:
 	var seconds := _synchronizer.get_media_time(multiplayer.get_unique_id())
 	return seconds * Engine.physics_ticks_per_second + 1.0 if seconds > 0.0 else NO_TICK

@@ -1,18 +1,18 @@
 @abstract
 extends Node
-## How poses get from the server to the clients: the border behind which methods are exchanged.
-## The server calls the first part, a client the second. Bodies have numbers from 0; each is a node.
+## Interface of the replication methods, which send poses from the server to clients.
+## Bodies are nodes with IDs from 0.
 
 const PoseRecorder := preload("../measure/pose_recorder.gd")
 
-## Where the link says it knows no time.
+## The tick of a method without a clock.
 const NO_TICK := -1.0
 
-## The bodies, at a client as they are shown.
+## The bodies, on a client with the shown poses.
 var bodies: Array[Node3D] = []
 
 
-## Both sides: begins, with that many bodies.
+## Both sides: creates the bodies.
 func open(body_count: int) -> void:
 	for id: int in body_count:
 		var body := Node3D.new()
@@ -21,46 +21,46 @@ func open(body_count: int) -> void:
 		bodies.append(body)
 
 
-## Both sides: how far, in metres, what is shown may be from the truth, and the path between two samples
-## (a [enum MultivectorLerp.Mode]). A method that knows neither takes no notice.
+## Both sides: sets the tolerance in meters and the interpolation mode. A method without these
+## ignores them.
 @abstract func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void
 
-## Server: a body appears.
+## Server: adds a body.
 @abstract func add_body(id: int, pose: Transform3D) -> void
 
-## Server: a body is gone.
+## Server: removes a body.
 @abstract func remove_body(id: int) -> void
 
-## Server: a client gets the poses by this method from now on.
+## Server: starts sending to a client.
 @abstract func add_receiver(peer: int) -> void
 
-## Server: a client gets them no longer, or has left.
+## Server: stops sending to a client, which may have left.
 @abstract func remove_receiver(peer: int) -> void
 
 
-## Server: the poses of all bodies at a step of the physics engine.
+## Server: publishes the poses of all bodies at a physics tick.
 func publish(poses: Dictionary[int, Transform3D]) -> void:
 	for id: int in poses:
 		bodies[id].transform = poses[id]
 
 
-## Server: the tick that clients call the poses published last by, or [constant NO_TICK].
+## Server: the tick of the last published poses on the clock of the clients, or [constant NO_TICK].
 @abstract func get_sent_tick() -> float
 
-## Client: gets poses by this method from now on. Of the bodies the first [param present_count] are never absent.
+## Client: starts receiving. The first [param present_count] bodies always exist.
 @abstract func begin(present_count: int) -> void
 
-## Client: gets them no longer.
+## Client: stops receiving.
 @abstract func end() -> void
 
-## Client: true once there is something to show.
+## Client: true once there are poses to show.
 @abstract func is_ready() -> bool
 
-## Client: the server's tick that is shown, or [constant NO_TICK].
+## Client: the shown server tick, or [constant NO_TICK].
 @abstract func get_shown_tick() -> float
 
-## Client: how far what is shown is behind the server beside what the network takes at least, in seconds.
+## Client: the playback delay in seconds, in addition to the minimum network delay.
 @abstract func get_delay() -> float
 
-## Both sides: counts for the report: late, rejected.
+## Both sides: the counts "late" and "rejected" for the report.
 @abstract func get_counts() -> Dictionary[String, int]

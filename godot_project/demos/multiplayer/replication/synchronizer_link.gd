@@ -1,13 +1,13 @@
 extends "pose_link.gd"
-## Poses as Godot does it: one [MultiplayerSynchronizer] a body that sends `transform` at 20 Hz. What
-## arrives is shown at once, as it is.
+## Replication with the built-in [MultiplayerSynchronizer]: one per body, which sends `transform` at
+## 20 Hz. Received poses are shown at once, without interpolation.
 
 const INTERVAL := 1.0 / 20.0
 
 var _synchronizers: Array[MultiplayerSynchronizer] = []
 var _present: Dictionary[int, bool] = {}
 var _receivers: Array[int] = []
-## At a client: bodies of which nothing has arrived yet.
+## On a client: bodies whose first pose has not arrived.
 var _awaited: Dictionary[int, bool] = {}
 var _is_receiving := false
 

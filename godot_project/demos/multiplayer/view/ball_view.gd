@@ -1,5 +1,5 @@
 extends Node3D
-## A player's ball as a client sees it, with the player's name over it.
+## A player's ball on a client, with the player's name above it.
 
 const Palette := preload("palette.gd")
 const PlayerBall := preload("../world/player_ball.gd")

@@ -1,19 +1,20 @@
 extends Node3D
-## The camera: turns round a point near the own ball; right mouse button and wheel, or left alone.
+## The camera, which orbits a point near the player's ball. Right drag rotates, the wheel zooms.
 
 const TURN_SPEED := 0.006
 const ZOOM_STEP := 1.1
 const FOLLOW_SPEED := 2.5
-## Share of the way from the arena's centre to the own ball at which the camera looks.
+## Weight of the ball's position in the point that the camera orbits; the rest is the center of the
+## arena.
 const FOLLOW_SHARE := 0.3
-## Where it looks at first, seen from above, in radians.
+## Initial azimuth in radians.
 const YAW := 0.5
 
 var camera := Camera3D.new()
 var yaw := YAW
 var pitch := -0.52
 var distance: float
-## Where the own ball is, or the centre of the arena.
+## Position of the player's ball, or the center of the arena.
 var target := Vector3.ZERO
 
 

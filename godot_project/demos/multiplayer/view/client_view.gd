@@ -1,6 +1,5 @@
 extends Node3D
-## What a client with a window shows: the cubes in one MultiMesh, the balls, the stage, the HUD;
-## and what the mouse does there.
+## The view of a client: cubes in one MultiMesh, balls, stage and HUD. A click kicks a cube.
 
 const BallView := preload("ball_view.gd")
 const CameraRig := preload("camera_rig.gd")
@@ -11,10 +10,10 @@ const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
 const Stage := preload("stage.gd")
 
-## A click kicks the nearest cube that the ray passes this close, in metres.
+## Maximum distance in meters from the ray of a click to the cube that it kicks.
 const PICK_RADIUS := 0.42
-## Frames until shaders are compiled and shadows drawn.
-const PICTURE_FRAMES := 4
+## Frames until shaders are compiled and shadows are drawn.
+const SETTLING_FRAMES := 4
 
 var _client: Client
 var _options: Options
@@ -24,7 +23,7 @@ var _rig: CameraRig
 var _balls: Dictionary[int, BallView] = {}
 var _shown_roster: Array = []
 var _hud: Hud
-## True while the picture is taken: the figures stay as they are.
+## True while the screenshot is taken: freezes the figures.
 var _is_posing := false
 
 
@@ -117,7 +116,7 @@ func _get_own_position() -> Vector3:
 	)
 
 
-## The nearest cube on a ray as shown, or -1.
+## The nearest cube on a ray, or -1.
 func _pick(origin: Vector3, direction: Vector3) -> int:
 	var best := -1
 	var best_along := INF
@@ -134,23 +133,23 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 	return best
 
 
-## The other method first, so that the picture shows what both cost. The scene itself is not drawn until then, so that a
-## machine without a graphics card shows the figures of one that draws in time.
+## Runs the other method first, so that the screenshot shows the rates of both. 3D rendering is off
+## until then: software rendering would be too slow for realistic figures.
 func _prepare_picture() -> void:
 	get_viewport().disable_3d = true
 	var other := "synchronizer" if _client.method == "motors" else "motors"
-	_client.want_method(other)
+	_client.request_method(other)
 	var back := get_tree().create_timer(_options.picture_after * 0.5)
-	back.timeout.connect(_client.want_method.bind(_client.method))
+	back.timeout.connect(_client.request_method.bind(_client.method))
 	get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
 
 
 func _take_picture() -> void:
 	_is_posing = true
 	get_viewport().disable_3d = false
-	for frame: int in PICTURE_FRAMES:
+	for frame: int in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
 	var error := get_viewport().get_texture().get_image().save_png(_options.picture)
 	if error != OK:
-		printerr("Cannot write the picture %s: %s" % [_options.picture, error_string(error)])
+		printerr("Cannot write the screenshot %s: %s." % [_options.picture, error_string(error)])
 	get_tree().quit()

@@ -1,10 +1,11 @@
 extends VBoxContainer
-## What the player may change while the scene runs: how bad the network is, the bound, and the path.
+## Controls that the player can change while the scene runs: network impairments, tolerance and
+## mode.
 
-## The player made the network better or worse.
+## Emitted when the player changes the network impairments.
 signal conditions_changed(conditions: LineConditions)
-## The player wants another bound, in metres, or another path; not emitted by [method show_tuning].
-signal tuning_wanted(tolerance: float, mode: MultivectorLerp.Mode)
+## Emitted when the player changes tolerance, in meters, or mode; not by [method show_tuning].
+signal tuning_requested(tolerance: float, mode: MultivectorLerp.Mode)
 
 const LineConditions := preload("../network/line_conditions.gd")
 const SliderRow := preload("slider_row.gd")
@@ -15,40 +16,40 @@ const MODE_TITLES: Dictionary[String, MultivectorLerp.Mode] = {
 	"Separate": MultivectorLerp.SEPARATE,
 }
 const WIDTH := 250
-## Seconds between two wishes while a slider is dragged.
-const WISH_PAUSE := 0.1
+## Seconds between two requests while a slider is dragged.
+const REQUEST_INTERVAL := 0.1
 
 var _conditions := LineConditions.new()
-var _loss := SliderRow.new("Loss", 0.0, 50.0, 1.0, "%d %%")
+var _loss := SliderRow.new("Loss", 0.0, 50.0, 1.0, "%d%%")
 var _delay := SliderRow.new("Delay", 0.0, 200.0, 5.0, "%d ms")
 var _jitter := SliderRow.new("Jitter", 0.0, 200.0, 5.0, "%d ms")
 var _tolerance := SliderRow.new("Tolerance", 1.0, 50.0, 0.5, "%.1f mm")
 var _modes: Array[Button] = []
 var _mode := MultivectorLerp.SEPARATE
-var _has_wish := false
-var _next_wish := 0.0
+var _has_request := false
+var _next_request := 0.0
 
 
 func _init() -> void:
 	custom_minimum_size.x = WIDTH
 	add_theme_constant_override(&"separation", 4)
-	_add_heading("Network, each way")
+	_add_heading("Network, Each Direction")
 	for row: SliderRow in [_loss, _delay, _jitter]:
 		row.moved.connect(_on_network_moved)
 		add_child(row)
 	_add_gap()
-	_add_heading("Motors, for all players")
+	_add_heading("Motors, All Players")
 	_tolerance.moved.connect(_on_tuning_moved)
 	add_child(_tolerance)
 	_add_modes()
 
 
 func _process(delta: float) -> void:
-	_next_wish -= delta
-	if _has_wish and _next_wish <= 0.0:
-		_has_wish = false
-		_next_wish = WISH_PAUSE
-		tuning_wanted.emit(_tolerance.get_value() / 1000.0, _mode)
+	_next_request -= delta
+	if _has_request and _next_request <= 0.0:
+		_has_request = false
+		_next_request = REQUEST_INTERVAL
+		tuning_requested.emit(_tolerance.get_value() / 1000.0, _mode)
 
 
 func show_conditions(conditions: LineConditions) -> void:
@@ -59,7 +60,7 @@ func show_conditions(conditions: LineConditions) -> void:
 
 
 func show_tuning(tolerance: float, mode: MultivectorLerp.Mode) -> void:
-	if not _has_wish:
+	if not _has_request:
 		_tolerance.show_value(tolerance * 1000.0)
 		_mode = mode
 		for other: int in _modes.size():
@@ -80,12 +81,12 @@ func _on_network_moved(_value: float) -> void:
 
 
 func _on_tuning_moved(_value: float) -> void:
-	_has_wish = true
+	_has_request = true
 
 
 func _on_mode_pressed(mode: MultivectorLerp.Mode) -> void:
 	_mode = mode
-	_has_wish = true
+	_has_request = true
 
 
 func _add_modes() -> void:
@@ -106,9 +107,9 @@ func _add_modes() -> void:
 	add_child(row)
 
 
-func _add_heading(words: String) -> void:
+func _add_heading(text: String) -> void:
 	var label := Label.new()
-	label.text = words
+	label.text = text
 	add_child(label)
 
 

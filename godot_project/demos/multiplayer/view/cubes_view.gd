@@ -1,10 +1,10 @@
 extends MultiMeshInstance3D
-## All cubes in one MultiMesh, at first where the scene begins.
+## All cubes in one MultiMesh, initially at their start poses.
 
 const Layout := preload("../world/layout.gd")
 
 
-## [param body_count] instances, of which the cubes, the first, are drawn.
+## Creates [param body_count] instances and draws the first ones, the cubes.
 func _init(layout: Layout, body_count: int) -> void:
 	var mesh := BoxMesh.new()
 	mesh.size = Vector3.ONE * Layout.EDGE
@@ -17,11 +17,11 @@ func _init(layout: Layout, body_count: int) -> void:
 	multimesh.use_colors = true
 	multimesh.mesh = mesh
 	multimesh.instance_count = body_count
-	# The balls' poses stand after the cubes' and are drawn otherwise.
+	# The balls come after the cubes and are drawn by BallView.
 	multimesh.visible_instance_count = layout.poses.size()
 	for i: int in layout.poses.size():
 		multimesh.set_instance_color(i, layout.colors[i])
 		multimesh.set_instance_transform(i, layout.poses[i])
-	# The bodies move: a box around all of the arena spares finding it each frame.
+	# A fixed box around the arena, so that the engine need not compute bounds each frame.
 	var half := layout.half_extent
 	custom_aabb = AABB(Vector3(-half, -1.0, -half), Vector3(2.0 * half, 30.0, 2.0 * half))

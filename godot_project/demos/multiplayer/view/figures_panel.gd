@@ -1,8 +1,8 @@
 extends VBoxContainer
-## What the poses cost and how good they are: a card for each method, the rate as a curve, and figures.
+## Figures of the replication: a card per method, the data rate as a graph, and errors.
 
-## The player wants the other method.
-signal method_wanted(method: String)
+## Emitted when the player chooses a method.
+signal method_requested(method: String)
 
 const Client := preload("../client.gd")
 const MethodCard := preload("method_card.gd")
@@ -14,25 +14,26 @@ const TITLES: Dictionary[String, String] = {
 	"synchronizer": "MultiplayerSynchronizer",
 }
 const LINES: Dictionary[String, String] = {
-	"motors": "GA-Godot: what the tolerance asks for",
-	"synchronizer": "Godot: every transform, 20 times a second",
+	"motors": "GA-Godot: as much as the tolerance needs",
+	"synchronizer": "Godot: every transform at 20 Hz",
 }
 const FIGURES: PackedStringArray = [
 	"Packets",
-	"Loss",
+	"Packet loss",
 	"Playback delay",
-	"Error, median",
-	"Error, worst of 2 s",
+	"Median error",
+	"Maximum error (2 s)",
 ]
-const UPDATE_PAUSE := 0.5
-## Readings after a change of method that still hold some of the old one's bytes, or its beginning.
+const UPDATE_INTERVAL := 0.5
+## Readings to skip after a change of method: they contain bytes of the old method and the initial
+## burst of the new one.
 const SETTLING := 2
-## Share of the last reading in the rate that is shown.
+## Weight of the latest reading in the shown rate.
 const NEWEST_SHARE := 0.4
 const WIDTH := 270
 
 var _cards: Dictionary[String, MethodCard] = {}
-## Bytes a second of each method when last measured.
+## Last measured bytes per second by method.
 var _rates: Dictionary[String, float] = {}
 var _curve := Sparkline.new()
 var _values: Dictionary[String, Label] = {}
@@ -51,7 +52,7 @@ func _init() -> void:
 	var group := ButtonGroup.new()
 	for method: String in TITLES:
 		var card := MethodCard.new(TITLES[method], LINES[method], Palette.METHODS[method], group)
-		card.pressed.connect(method_wanted.emit.bind(method))
+		card.pressed.connect(method_requested.emit.bind(method))
 		add_child(card)
 		_cards[method] = card
 	_curve.custom_minimum_size.y = 34
@@ -63,7 +64,7 @@ func _init() -> void:
 	add_child(rows)
 
 
-## The method by which the poses come now.
+## Shows the active method.
 func show_method(method: String) -> void:
 	_method = method
 	_settling = SETTLING
@@ -72,12 +73,12 @@ func show_method(method: String) -> void:
 	_curve.begin(Palette.METHODS[method])
 
 
-## Reads the client's counters, twice a second.
+## Reads the counters of the client twice a second.
 func update(client: Client) -> void:
 	var now := Time.get_ticks_usec() * 1e-6
 	if now < _next_update:
 		return
-	_next_update = now + UPDATE_PAUSE
+	_next_update = now + UPDATE_INTERVAL
 	client.meter.update()
 	var elapsed := maxf(now - _updated_at, 0.001)
 	var packets := client.meter.packets - _packets
@@ -94,27 +95,27 @@ func update(client: Client) -> void:
 		)
 		_curve.push(rate)
 	_show_rates()
-	_values["Packets"].text = "%.0f /s" % (packets / elapsed)
-	_values["Loss"].text = "%.0f %%" % (100.0 * lost / maxi(packets, 1))
+	_values["Packets"].text = "%.0f/s" % (packets / elapsed)
+	_values["Packet loss"].text = "%.0f%%" % (100.0 * lost / maxi(packets, 1))
 	var delay := client.link.get_delay() * 1000.0
 	_values["Playback delay"].text = "%.0f ms" % delay if delay > 0.0 else "none"
 	_show_errors(client)
 
 
 func _show_rates() -> void:
-	var most := 1.0
+	var max_rate := 1.0
 	for method: String in _rates:
-		most = maxf(most, _rates[method])
+		max_rate = maxf(max_rate, _rates[method])
 	for method: String in _cards:
 		var rate: float = _rates.get(method, -1.0)
-		_cards[method].show_rate(rate, maxf(rate, 0.0) / most)
+		_cards[method].show_rate(rate, maxf(rate, 0.0) / max_rate)
 
 
 func _show_errors(client: Client) -> void:
 	var is_known := client.gauge.has_errors()
 	var errors := client.gauge.get_figures() * 1000.0 if is_known else Vector2.ZERO
-	_values["Error, median"].text = "%.1f mm" % errors.x if is_known else "–"
-	_values["Error, worst of 2 s"].text = "%.1f mm" % errors.y if is_known else "–"
+	_values["Median error"].text = "%.1f mm" % errors.x if is_known else "–"
+	_values["Maximum error (2 s)"].text = "%.1f mm" % errors.y if is_known else "–"
 
 
 func _make_row(caption: String) -> Control:

@@ -1,6 +1,6 @@
 extends CanvasLayer
-## The client's panels over the picture: figures at the left, controls at the right, players above, keys below.
-## H hides them, M changes the method.
+## The HUD of a client: figures on the left, controls on the right, players at the top, keys at the
+## bottom. H toggles the panels, M switches the method.
 
 const Client := preload("../client.gd")
 const ControlsPanel := preload("controls_panel.gd")
@@ -8,7 +8,10 @@ const FiguresPanel := preload("figures_panel.gd")
 const PlayerList := preload("player_list.gd")
 
 const EDGE := 16
-const KEYS := "WASD or arrows roll   ·   Space jump   ·   Click kick   ·   Right button, wheel camera   ·   M method   ·   H panels"
+const KEYS := (
+	"WASD, arrows: roll   ·   Space: jump   ·   Click: kick   ·   Right drag, wheel: camera   ·   "
+	+ "M: switch method   ·   H: toggle panels"
+)
 
 var _client: Client
 var _figures := FiguresPanel.new()
@@ -33,9 +36,9 @@ func _init(client: Client) -> void:
 	_message.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	_message.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 	add_child(_message)
-	_figures.method_wanted.connect(client.want_method)
+	_figures.method_requested.connect(client.request_method)
 	_controls.conditions_changed.connect(client.set_conditions)
-	_controls.tuning_wanted.connect(client.want_tuning)
+	_controls.tuning_requested.connect(client.request_tuning)
 	client.method_changed.connect(_on_method_changed)
 	client.tuned.connect(_on_tuned)
 
@@ -44,14 +47,14 @@ func show_message(text: String) -> void:
 	_message.text = text
 
 
-## The session has begun.
+## Shows the panels when the session begins.
 func open() -> void:
 	_message.text = ""
 	_on_method_changed()
 	_on_tuned()
 	_controls.show_conditions(_client.conditions)
 	_panels.show()
-	_client.want_truth(true)
+	_client.request_truth(true)
 
 
 func show_players(roster: Array, own_slot: int) -> void:
@@ -69,10 +72,10 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		return
 	if key.keycode == KEY_H:
 		_panels.visible = not _panels.visible
-		# What nobody sees need not be measured.
-		_client.want_truth(_panels.visible)
+		# Hidden figures need no ground truth.
+		_client.request_truth(_panels.visible)
 	elif key.keycode == KEY_M:
-		_client.want_method("synchronizer" if _client.method == "motors" else "motors")
+		_client.request_method("synchronizer" if _client.method == "motors" else "motors")
 
 
 func _on_method_changed() -> void:

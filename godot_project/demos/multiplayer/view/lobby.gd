@@ -1,7 +1,7 @@
 extends Control
-## The start screen: play on a server started here, or join another.
+## The lobby: host a server on this machine, or join one.
 
-## The options hold what was chosen; play.
+## Emitted to start playing with the options, which hold the choices.
 signal chosen
 
 const CameraRig := preload("camera_rig.gd")
@@ -12,24 +12,24 @@ const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
 const SCENE_TITLES: Dictionary[String, String] = {
-	"cubes": "Structures that fall", "push": "A field to push through"
+	"cubes": "Falling Structures", "push": "Field of Cubes"
 }
 const COLUMN_WIDTH := 400
-## The picture behind turns this fast, in radians a second.
+## Rotation of the background in radians per second.
 const TURN_SPEED := 0.06
 
 var _options: Options
 var _name := LineEdit.new()
 var _address := LineEdit.new()
 var _rig: CameraRig
-var _picture: Node3D
+var _background: Node3D
 
 
 func _init(options: Options, message: String) -> void:
 	_options = options
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
-	_add_picture()
-	# In the left part, so that the scene is seen.
+	_add_background()
+	# On the left, so that the scene stays visible.
 	var center := CenterContainer.new()
 	center.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	center.anchor_right = 0.5
@@ -47,7 +47,7 @@ func _init(options: Options, message: String) -> void:
 	_add_label(column, "Multiplayer", &"TitleLabel")
 	_add_label(
 		column,
-		"A server simulates the cubes; it sends their poses as quantised motors.",
+		"A server simulates the cubes and sends their poses as quantized motors.",
 		&"CaptionLabel"
 	)
 	if not message.is_empty():
@@ -55,37 +55,37 @@ func _init(options: Options, message: String) -> void:
 	_name.text = options.player_name
 	_name.max_length = 24
 	_address.text = "%s:%d" % [options.address, options.port]
-	_add_field(column, "Your name", _name)
+	_add_field(column, "Name", _name)
 	_add_field(column, "Server", _address)
 	_add_button(column, "Join", _on_join)
 	_add_scenes(column)
-	_add_button(column, "Start a server on this machine and play", _on_host)
+	_add_button(column, "Host on This Machine and Play", _on_host)
 
 
 func _process(delta: float) -> void:
 	_rig.yaw += TURN_SPEED * delta
 
 
-## The scene as it begins.
-func _add_picture() -> void:
+## Shows the initial state of the scene as the background.
+func _add_background() -> void:
 	var layout := Layout.new(_options.scene, _options.cubes)
-	_picture = Node3D.new()
-	var turned := _rig.yaw if _rig != null else CameraRig.YAW
+	_background = Node3D.new()
+	var yaw := _rig.yaw if _rig != null else CameraRig.YAW
 	_rig = CameraRig.new(layout.half_extent)
-	_rig.yaw = turned
+	_rig.yaw = yaw
 	_rig.camera.h_offset = -layout.half_extent * 0.45
-	_picture.add_child(Stage.new(_options.scene, layout.half_extent))
-	_picture.add_child(CubesView.new(layout, layout.poses.size()))
-	_picture.add_child(_rig)
-	add_child(_picture)
+	_background.add_child(Stage.new(_options.scene, layout.half_extent))
+	_background.add_child(CubesView.new(layout, layout.poses.size()))
+	_background.add_child(_rig)
+	add_child(_background)
 
 
 func _on_scene_chosen(scene: String) -> void:
 	_options.scene = scene
 	_options.cubes = Options.CUBES[scene]
-	remove_child(_picture)
-	_picture.queue_free()
-	_add_picture()
+	remove_child(_background)
+	_background.queue_free()
+	_add_background()
 
 
 func _on_join() -> void:
@@ -96,7 +96,7 @@ func _on_join() -> void:
 	_play()
 
 
-## Starts a process that ends by itself when the last player leaves.
+## Starts a server process that quits when the last player leaves.
 func _on_host() -> void:
 	var arguments: PackedStringArray = ["--headless"]
 	if OS.has_feature("editor"):

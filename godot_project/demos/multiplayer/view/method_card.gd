@@ -1,5 +1,5 @@
 extends Button
-## A way in which the poses may come, with what it costs: a bar beside that of the other.
+## A button for a replication method, with its data rate as text and as a bar.
 
 const HEIGHT := 58
 const MARGIN := 8
@@ -10,11 +10,11 @@ var _rate := Label.new()
 var _share := 0.0
 
 
-func _init(title: String, line: String, color: Color, group: ButtonGroup) -> void:
+func _init(title: String, description: String, color: Color, group: ButtonGroup) -> void:
 	_color = color
 	toggle_mode = true
 	button_group = group
-	# Space and the arrow keys are the player's.
+	# Keep Space and the arrow keys for the player.
 	focus_mode = Control.FOCUS_NONE
 	custom_minimum_size.y = HEIGHT
 	var lines := VBoxContainer.new()
@@ -35,13 +35,14 @@ func _init(title: String, line: String, color: Color, group: ButtonGroup) -> voi
 	_rate.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	row.add_child(_rate)
 	lines.add_child(row)
-	lines.add_child(_make_label(line, &"CaptionLabel"))
+	lines.add_child(_make_label(description, &"CaptionLabel"))
 	show_rate(-1.0, 0.0)
 
 
-## Bytes a second, negative where nothing was measured yet, and their share of the most that is shown.
+## Shows a rate in bytes per second, negative if not yet measured, and its share of the highest
+## rate.
 func show_rate(rate: float, share: float) -> void:
-	_rate.text = "%.1f kB/s" % (rate / 1000.0) if rate >= 0.0 else "not tried yet"
+	_rate.text = "%.1f kB/s" % (rate / 1000.0) if rate >= 0.0 else "not measured yet"
 	_rate.theme_type_variation = &"Label" if rate >= 0.0 else &"CaptionLabel"
 	_rate.modulate.a = 1.0 if button_pressed or rate < 0.0 else 0.7
 	_share = share
@@ -57,9 +58,9 @@ func _draw() -> void:
 	)
 
 
-func _make_label(words: String, variation: StringName) -> Label:
+func _make_label(text: String, variation: StringName) -> Label:
 	var label := Label.new()
-	label.text = words
+	label.text = text
 	label.theme_type_variation = variation
 	label.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	return label

@@ -1,5 +1,5 @@
 extends RefCounted
-## The colours of the demo.
+## The colors of the demo.
 
 const SKY_TOP := Color("10131c")
 const SKY_HORIZON := Color("2c3650")
@@ -7,7 +7,7 @@ const FLOOR := Color("161a23")
 const KEY_LIGHT := Color("ffe6c4")
 const RIM_LIGHT := Color("7fa8ff")
 const ACCENT := Color("3ed6c4")
-## Of the ways in which poses come.
+## Colors of the replication methods.
 const METHODS: Dictionary[String, Color] = {
 	"motors": Color("3ed6c4"), "synchronizer": Color("ff9e6b")
 }
@@ -24,6 +24,6 @@ const PLAYERS: Array[Color] = [
 ]
 
 
-## The colour of the ball in a slot; slot 0 is the scripted one's.
+## Color of the ball in a slot; slot 0 is the scripted ball.
 static func get_player_color(slot: int) -> Color:
 	return ROLLER if slot == 0 else PLAYERS[(slot - 1) % PLAYERS.size()]

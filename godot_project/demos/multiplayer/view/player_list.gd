@@ -1,5 +1,5 @@
 extends PanelContainer
-## The players' names with their colours, in a row.
+## The names of the players with their colors, in a row.
 
 const Palette := preload("palette.gd")
 
@@ -14,7 +14,7 @@ func _init() -> void:
 	add_child(_row)
 
 
-## [param roster] as [slot, peer, name] each.
+## [param roster] holds [slot, peer, name] for each player.
 func show_players(roster: Array, own_slot: int) -> void:
 	for child: Node in _row.get_children():
 		child.queue_free()

@@ -1,7 +1,7 @@
 extends HBoxContainer
-## A caption, a slider and its value in words.
+## A caption, a slider and its value as text.
 
-## The player moved the slider; not emitted by [method show_value].
+## Emitted when the player moves the slider, not by [method show_value].
 signal moved(value: float)
 
 const CAPTION_WIDTH := 62
@@ -12,8 +12,10 @@ var _value := Label.new()
 var _format: String
 
 
-## [param format] takes the value.
-func _init(caption: String, least: float, most: float, step: float, format: String) -> void:
+## [param format] formats the value.
+func _init(
+	caption: String, min_value: float, max_value: float, step: float, format: String
+) -> void:
 	_format = format
 	add_theme_constant_override(&"separation", 8)
 	var label := Label.new()
@@ -21,8 +23,8 @@ func _init(caption: String, least: float, most: float, step: float, format: Stri
 	label.theme_type_variation = &"CaptionLabel"
 	label.custom_minimum_size.x = CAPTION_WIDTH
 	add_child(label)
-	_slider.min_value = least
-	_slider.max_value = most
+	_slider.min_value = min_value
+	_slider.max_value = max_value
 	_slider.step = step
 	_slider.focus_mode = Control.FOCUS_NONE
 	_slider.scrollable = false

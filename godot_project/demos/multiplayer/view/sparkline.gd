@@ -1,5 +1,5 @@
 extends Control
-## The last values of a figure as a small curve.
+## A small graph of the recent values of a figure.
 
 const CAPACITY := 48
 
@@ -8,7 +8,7 @@ var color := Color.WHITE
 var _values := PackedFloat32Array()
 
 
-## Forgets the values and goes on in another colour.
+## Clears the values and sets the color.
 func begin(p_color: Color) -> void:
 	color = p_color
 	_values.clear()
@@ -25,16 +25,16 @@ func push(value: float) -> void:
 func _draw() -> void:
 	if _values.size() < 2:
 		return
-	var most := 1.0
+	var max_value := 1.0
 	for value: float in _values:
-		most = maxf(most, value)
+		max_value = maxf(max_value, value)
 	var curve := PackedVector2Array()
 	var start := CAPACITY - _values.size()
 	for i: int in _values.size():
 		curve.append(
 			Vector2(
 				size.x * (start + i) / (CAPACITY - 1),
-				size.y - 1.0 - (size.y - 3.0) * _values[i] / (most * 1.1)
+				size.y - 1.0 - (size.y - 3.0) * _values[i] / (max_value * 1.1)
 			)
 		)
 	var area := curve.duplicate()

@@ -1,5 +1,5 @@
 extends Node3D
-## Sky, light, floor and rim of the arena, as a client sees it.
+## Sky, lights, floor and rim of the arena on a client.
 
 const Palette := preload("palette.gd")
 const Scenario := preload("../world/scenario.gd")

@@ -1,9 +1,9 @@
 extends RefCounted
-## Where each cube begins and which colour it has, the same on the server and on every client.
-## Scene "cubes": a round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250.
-## Scene "push": a field of cubes on the floor.
+## Start pose and color of each cube, the same on the server and on all clients. Scene "cubes": a
+## round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250. Scene
+## "push": a field of cubes on the floor.
 
-## Edge of a cube, in metres.
+## Edge of a cube, in meters.
 const EDGE := 0.5
 const SET_SIZE := 250
 const SET_SPACING := 17.0
@@ -12,7 +12,7 @@ const PITCH := EDGE * 1.04
 const TOWER_RING := 16
 const WALL_WIDTH := 14
 const FIELD_PITCH := 0.8
-## Shares of a set; the rest falls from the sky.
+## Shares of a set; the rest forms the cloud.
 const TOWER_SHARE := 0.38
 const WALL_SHARE := 0.25
 const PYRAMID_SHARE := 0.22
@@ -25,7 +25,7 @@ const FIELD_COLORS: Array[Color] = [Color("ffcf5c"), Color("f2545b"), Color("7b5
 
 var poses: Array[Transform3D] = []
 var colors := PackedColorArray()
-## Half the side of the square arena, in metres.
+## Half the side of the square arena, in meters.
 var half_extent := 0.0
 
 
@@ -113,7 +113,7 @@ func _add_pyramid(base: Vector3, count: int) -> void:
 
 func _add_cloud(base: Vector3, count: int) -> void:
 	for i: int in count:
-		# A sunflower's spiral, and axes that never repeat.
+		# A sunflower spiral, and a different axis for each cube.
 		var angle := i * 2.39996
 		var out := 0.9 * sqrt(i + 0.5)
 		var at := base + Vector3(cos(angle) * out, 5.0 + 0.12 * i, sin(angle) * out)
@@ -123,7 +123,7 @@ func _add_cloud(base: Vector3, count: int) -> void:
 
 func _add(pose: Transform3D, stops: Array[Color], weight: float) -> void:
 	poses.append(pose)
-	# Small steps of brightness keep the single cubes of a structure apart.
+	# Small differences in brightness make the cubes of a structure distinguishable.
 	var shade := 0.06 * sin(poses.size() * 12.9898)
 	var along := clampf(weight, 0.0, 1.0) * (stops.size() - 1)
 	var part := mini(floori(along), stops.size() - 2)

@@ -1,18 +1,18 @@
 extends RigidBody3D
-## A player's ball on the server. The player says where to go; forces do the rest.
+## A player's ball on the server, which forces move in the direction that the player chooses.
 
-## In metres; in scene "push" large enough to drive through a field of cubes.
+## Radius in meters by scene; in "push" large enough to drive through the field of cubes.
 const RADII: Dictionary[String, float] = {"cubes": 0.6, "push": 1.1}
-## Of a ball of 1 m radius, in kilograms; a cube has 1.
+## Mass of a ball of radius 1 m, in kilograms; a cube has 1 kg.
 const MASS := 55.0
-## Newtons for each kilogram.
+## Newtons per kilogram.
 const DRIVE_FORCE := 13.0
 const TOP_SPEED := 7.5
 const JUMP_SPEED := 6.0
-## Seconds between two kicks of one player: a client cannot ask for more.
-const KICK_PAUSE := 0.1
+## Minimum seconds between two kicks of a player, enforced by the server.
+const KICK_INTERVAL := 0.1
 
-## Where to drive, in the arena's x and z; at most 1 long.
+## Direction to drive in x and z of the arena, of length 1 at most.
 var drive := Vector2.ZERO
 var wants_jump := false
 
@@ -43,7 +43,7 @@ func _physics_process(_delta: float) -> void:
 			apply_central_impulse(Vector3(0.0, JUMP_SPEED * mass, 0.0))
 
 
-## Stands still where it is.
+## Stops the horizontal motion.
 func stop() -> void:
 	drive = Vector2.ZERO
 	wants_jump = false
@@ -51,9 +51,9 @@ func stop() -> void:
 	angular_velocity = Vector3.ZERO
 
 
-## True if the player may kick at this time, in seconds; then the pause begins.
+## Returns whether the player may kick at this time, in seconds, and if so restarts the interval.
 func take_kick(now: float) -> bool:
 	if now < _next_kick:
 		return false
-	_next_kick = now + KICK_PAUSE
+	_next_kick = now + KICK_INTERVAL
 	return true

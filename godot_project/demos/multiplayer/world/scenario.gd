@@ -1,12 +1,12 @@
 extends RefCounted
-## What keeps the scene alive without any player: a heavy ball that rolls in a figure of
-## eight through everything, and, in scene "cubes", lifts in the floor that throw up what lies on them.
-## It depends on the scene's time alone, so each run sees the same.
+## Scripted motion that needs no player: a heavy ball that rolls in a figure eight and, in the scene
+## "cubes", lifts in the floor that throw cubes up. It depends only on the time of the scene, so
+## that it is the same in each run.
 
 const BALL_RADIUS := 1.0
 const BALL_TURN := 0.55
-## A lift works this often, in seconds, each time another one.
-const LIFT_PAUSE := 1.5
+## Seconds between two lifts; they take turns.
+const LIFT_INTERVAL := 1.5
 const LIFT_RADIUS := 2.4
 const LIFT_SPEED := 6.0
 const LIFT_RING := 5.2
@@ -14,7 +14,7 @@ const LIFT_COUNT := 5
 
 var _reach: float
 var _has_lifts: bool
-var _next_lift := LIFT_PAUSE
+var _next_lift := LIFT_INTERVAL
 var _lift := 0
 
 
@@ -23,7 +23,7 @@ func _init(scene: String, half_extent: float) -> void:
 	_has_lifts = scene != "push"
 
 
-## The pose of the ball at [param seconds] of the scene.
+## Pose of the ball at a time of the scene.
 func get_ball_pose(seconds: float) -> Transform3D:
 	var angle := seconds * BALL_TURN
 	var at := Vector3(
@@ -33,7 +33,7 @@ func get_ball_pose(seconds: float) -> Transform3D:
 	return Transform3D(Basis(Vector3(cos(angle), 0.0, sin(angle)).normalized(), roll), at)
 
 
-## The centre of a lift on the floor.
+## Center of a lift on the floor.
 static func get_lift_position(index: int) -> Vector3:
 	if index == 0:
 		return Vector3.ZERO
@@ -41,11 +41,11 @@ static func get_lift_position(index: int) -> Vector3:
 	return Vector3(cos(angle), 0.0, sin(angle)) * LIFT_RING
 
 
-## Throws up what lies on the lift whose turn it is.
+## Throws up the cubes on the next lift if it is due.
 func act(seconds: float, cubes: Array[RigidBody3D]) -> void:
 	if not _has_lifts or seconds < _next_lift:
 		return
-	_next_lift += LIFT_PAUSE
+	_next_lift += LIFT_INTERVAL
 	_lift = (_lift + 2) % LIFT_COUNT
 	var center := get_lift_position(_lift)
 	for i: int in cubes.size():

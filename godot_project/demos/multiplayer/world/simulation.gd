@@ -1,20 +1,20 @@
 extends Node3D
-## The server's world: the cubes, the arena and the balls as bodies of the physics engine.
-## Nothing of it knows how poses are sent.
+## The world of the server: cubes, arena and balls as physics bodies. It is independent of the
+## replication.
 
 const Layout := preload("layout.gd")
 const PlayerBall := preload("player_ball.gd")
 const Scenario := preload("scenario.gd")
 
-## Slots for balls; slot 0 is the scripted ball's.
+## Number of slots for balls; slot 0 is the scripted ball.
 const SLOTS := 8
 const WALL_HEIGHT := 12.0
 const KICK_IMPULSE := 5.0
 
 var layout: Layout
-## Seconds of the scene, in steps of the physics engine.
+## Time of the scene in seconds, advanced by physics ticks.
 var seconds := 0.0
-## True: nobody moves anything any more.
+## If true, players, ball and lifts stop, so that all bodies come to rest.
 var is_calm := false
 
 var _scene: String
@@ -37,7 +37,7 @@ func _init(scene: String, cube_count: int, life: bool) -> void:
 		_add_scripted_ball()
 
 
-## One step of the scene, before the physics engine's step.
+## Advances the scene before the physics step.
 func step(delta: float) -> void:
 	seconds += delta
 	if _scenario != null and not is_calm:
@@ -50,14 +50,14 @@ func step(delta: float) -> void:
 		if ball != null:
 			if is_calm:
 				get_ball(slot).stop()
-			_keep_inside(ball, get_entry(slot))
+			_keep_inside(ball, get_spawn_position(slot))
 
 
 func get_cube_count() -> int:
 	return _cubes.size()
 
 
-## The bodies' numbers: the cubes, then the slots of the balls; only those present.
+## IDs of the existing bodies: the cubes, then the slots of the balls.
 func get_ids() -> PackedInt32Array:
 	var ids := PackedInt32Array(range(_cubes.size()))
 	for slot: int in SLOTS:
@@ -70,12 +70,12 @@ func get_pose(id: int) -> Transform3D:
 	return _cubes[id].transform if id < _cubes.size() else _balls[id - _cubes.size()].transform
 
 
-## Adds a player's ball and returns its slot, or 0 if all are taken.
+## Adds a player's ball and returns its slot, or 0 if all slots are taken.
 func add_player() -> int:
 	for slot: int in range(1, SLOTS):
 		if _balls[slot] == null:
 			var ball := PlayerBall.new(_scene)
-			ball.position = get_entry(slot)
+			ball.position = get_spawn_position(slot)
 			add_child(ball)
 			_balls[slot] = ball
 			return slot
@@ -91,15 +91,15 @@ func get_ball(slot: int) -> PlayerBall:
 	return _balls[slot] as PlayerBall
 
 
-## Kicks a cube away from a player's eye. The direction's length is not used.
+## Kicks a cube in a direction, whose length is ignored.
 func kick(cube: int, direction: Vector3) -> void:
 	var push := (direction.normalized() + Vector3(0.0, 0.6, 0.0)) * KICK_IMPULSE
 	_cubes[cube].sleeping = false
 	_cubes[cube].apply_impulse(push, Vector3(0.0, 0.1, 0.0))
 
 
-## Where a player's ball enters the arena.
-func get_entry(slot: int) -> Vector3:
+## Position where a player's ball enters the arena.
+func get_spawn_position(slot: int) -> Vector3:
 	var angle := TAU * slot / SLOTS + 0.4
 	return (
 		Vector3(cos(angle), 0.0, sin(angle)) * (layout.half_extent - 1.5) + Vector3(0.0, 1.2, 0.0)
@@ -154,7 +154,7 @@ func _add_box(parent: StaticBody3D, center: Vector3, size: Vector3) -> void:
 	parent.add_child(collision)
 
 
-## What leaves the arena all the same comes back from above.
+## Returns a body that has left the arena, from above.
 func _keep_inside(body: RigidBody3D, home: Vector3) -> void:
 	if (
 		body.position.y > -2.0

@@ -1,5 +1,6 @@
 extends Node
-## One way to move the cubes in each frame: a subject of the benchmark. It works in its _process, while it is in the tree.
+## A subject of the benchmark: one method of moving the cubes. It does its work in _process, while
+## it is in the tree.
 
 const World := preload("res://tests/bench/engine/world.gd")
 
@@ -10,7 +11,7 @@ func _init(of_world: World) -> void:
 	world = of_world
 
 
-## Its turn begins or ends. Outside the tree it costs the others nothing, which a paused node does.
+## Starts or ends its turn. Unlike a paused node, a node outside the tree costs the others no time.
 func set_active(active: bool) -> void:
 	if active:
 		world.get_parent().add_child(self)

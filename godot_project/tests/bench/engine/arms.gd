@@ -1,10 +1,10 @@
 extends RefCounted
-## The subjects of the benchmark by name. "idle" does nothing: what a frame costs without them.
+## The subjects of the benchmark by name. "idle" does nothing and measures the frame itself.
 
 const Arm := preload("res://tests/bench/engine/arm.gd")
 const World := preload("res://tests/bench/engine/world.gd")
 
-## The library of rivals in C++ registers this class; no part of the addon.
+## A class of the benchmark's own extension, which is not part of the addon.
 const NATIVE_CLASS := &"NativeBlend"
 
 
@@ -26,7 +26,7 @@ static func make_all(world: World) -> Dictionary[String, Arm]:
 	}
 
 
-## A rival's method in C++, one call a frame for all nodes.
+## A method of NATIVE_CLASS: one call per frame moves all nodes.
 class Native:
 	extends Arm
 
@@ -43,7 +43,7 @@ class Native:
 		_blend.call(_method, world.weight)
 
 
-## What setting transforms costs a script.
+## The cost of setting transforms from a script.
 class SetOnly:
 	extends Arm
 
@@ -54,7 +54,7 @@ class SetOnly:
 			nodes[i].transform = from[i]
 
 
-## The engine's own blend, as a script has it.
+## Transform3D.interpolate_with, called from a script.
 class InScript:
 	extends Arm
 
@@ -67,7 +67,8 @@ class InScript:
 			nodes[i].transform = from[i].interpolate_with(to[i], weight)
 
 
-## One Tween with a property tweener a node. Stepped here rather than by the tree, so that it is in the arm's time.
+## One Tween with a property tweener per node. Stepped here, so that its time counts as work of the
+## arm.
 class Tweened:
 	extends Arm
 
@@ -88,7 +89,7 @@ class Tweened:
 		_tween.custom_step(STEP)
 
 
-## One AnimationPlayer with a position and a rotation track a node.
+## One AnimationPlayer with a position track and a rotation track per node.
 class Animated:
 	extends Arm
 
@@ -124,7 +125,7 @@ class Animated:
 		_player.seek(world.weight, true)
 
 
-## A MultivectorLerp node for each cube, each processed by the engine, between two nodes or two motors.
+## A MultivectorLerp node per cube, between two nodes or two motors.
 class Lerps:
 	extends Arm
 

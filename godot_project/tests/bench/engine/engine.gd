@@ -1,11 +1,13 @@
-## The GA-Unity paper's benchmark: cubes that go between two poses, what that costs in each frame, by one arm after the other.
+## The benchmark of the GA-Unity paper: the cost per frame of moving cubes between two poses, by
+## several methods ("arms").
 ##
-## godot --headless --path godot_project --script res://tests/bench/engine/engine.gd -- --rivals=FILE.gdextension
-##     [--sizes=50,250] [--rounds=N] [--arms=NAME,...] [--json=FILE]
+## godot --headless --path godot_project --script res://tests/bench/engine/engine.gd --
+##     --rivals=FILE.gdextension [--sizes=50,250] [--rounds=N] [--arms=NAME,...] [--json=FILE]
 ##
-## The arms take turns of some frames, in an order that each round shuffles. A row holds, in microseconds, the median and
-## the 95th percentile of whole frames, those of the arm's own work (from before the first node's process to after the
-## last one's), and "cost", the paper's measure: how much longer the median frame is than one in which nothing moves.
+## The arms take turns of several frames, in an order that is shuffled in each round. A row holds,
+## in microseconds, the median and 95th percentile of the whole frame and of the arm's work (the
+## time of processing all nodes), and "cost", the measure of the paper: the median frame less that
+## of "idle".
 extends SceneTree
 
 const BenchRows := preload("res://tests/bench/bench_rows.gd")
@@ -15,9 +17,9 @@ const World := preload("res://tests/bench/engine/world.gd")
 
 const IDLE := "idle"
 const WARM_UP_FRAMES := 4
-## Frames of a turn: so that a turn moves about this many cubes.
+## A turn has as many frames as it takes to move about this many cubes.
 const MOVES_PER_TURN := 20_000
-const FEWEST_FRAMES := 6
+const MIN_FRAMES := 6
 const MAX_FRAMES := 60
 
 var _rounds := 7
@@ -43,11 +45,14 @@ func _initialize() -> void:
 				_chosen.append(IDLE)
 			"--json":
 				path = value
-	# Without a display the engine would sleep between frames.
+	# A headless engine would sleep between frames.
 	OS.low_processor_usage_mode_sleep_usec = 1
 	if not ClassDB.class_exists(Arms.NATIVE_CLASS):
 		printerr(
-			"The rivals in C++ are missing: build them with scons bench_engine and give --rivals=FILE."
+			(
+				"The rivals in C++ are missing: build them with scons bench_engine and give "
+				+ "--rivals=FILE."
+			)
 		)
 		quit(1)
 		return
@@ -57,7 +62,7 @@ func _initialize() -> void:
 func _load_rivals(path: String) -> void:
 	var status := GDExtensionManager.load_extension(path)
 	if status != GDExtensionManager.LOAD_STATUS_OK:
-		printerr("%s cannot be loaded: status %d" % [path, status])
+		printerr("%s could not be loaded: status %d" % [path, status])
 
 
 func _measure_all(sizes: PackedInt64Array, path: String) -> void:
@@ -98,11 +103,12 @@ func _measure(size: int) -> Array[Dictionary]:
 func _take_turn(
 	world: World, size: int, frames: PackedFloat64Array, works: PackedFloat64Array
 ) -> void:
-	var count := clampi(MOVES_PER_TURN / size, FEWEST_FRAMES, MAX_FRAMES)
+	var count := clampi(MOVES_PER_TURN / size, MIN_FRAMES, MAX_FRAMES)
 	var before := 0
 	for frame in WARM_UP_FRAMES + count + 1:
 		await process_frame
-		# Emitted before nodes are processed: the work is the previous frame's, which began at `before`.
+		# Emitted before nodes are processed, so world.work is that of the frame which began at
+		# `before`.
 		var began := Time.get_ticks_usec()
 		if frame > WARM_UP_FRAMES:
 			frames.append(began - before)

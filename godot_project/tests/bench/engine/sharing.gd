@@ -1,7 +1,9 @@
-## Where MotorPool gains by sharing work between threads: the same calls from the main thread, which shares them, and from
-## within a task of the WorkerThreadPool, where MotorPool does all by itself. Medians over rounds that alternate.
+## From how many bodies on MotorPool gains from several threads: compares calls from the main thread
+## with calls from a task of the WorkerThreadPool, where MotorPool uses one thread. Medians of
+## alternating rounds.
 ##
-## godot --headless --path godot_project --script res://tests/bench/engine/sharing.gd -- [--sizes=1000,...] [--json=FILE]
+## godot --headless --path godot_project --script res://tests/bench/engine/sharing.gd --
+##     [--sizes=1000,...] [--json=FILE]
 extends SceneTree
 
 const BenchRows := preload("res://tests/bench/bench_rows.gd")

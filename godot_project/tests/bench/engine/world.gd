@@ -1,14 +1,14 @@
 extends Node3D
-## The scene of the benchmark: cubes, the two poses each goes between, and the time that the arms have taken in a frame.
+## The scene of the benchmark: cubes, their two poses, and the time of processing a frame.
 
 const SPACING := 3.0
 
 var nodes: Array[Node3D] = []
 var from: Array[Transform3D] = []
 var to: Array[Transform3D] = []
-## How far all are between their poses in this frame.
+## The weight of interpolation in this frame.
 var weight := 0.0
-## In microseconds: when this frame began, and what its arm took.
+## When processing of this frame began and how long it took, in microseconds.
 var began := 0
 var work := 0
 
@@ -16,7 +16,7 @@ var multimesh_instance := MultiMeshInstance3D.new()
 var cubes := Node3D.new()
 
 
-## First and last among what is processed in a frame.
+## Signals the start or end of processing in a frame, depending on its priority.
 class Clock:
 	extends Node
 

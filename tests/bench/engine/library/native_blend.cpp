@@ -13,57 +13,57 @@ using godot::Node3D;
 using godot::Transform3D;
 using godot::TypedArray;
 
-// Scale 1: what the benchmark's scene has.
-static cga::Pose<float> pose_of(const Transform3D &p_transform) {
+// For scale 1, as in the benchmark's scene.
+static cga::Pose<float> pose_of(const Transform3D &transform) {
 	glm::mat3 basis;
 	for (int row = 0; row < 3; row++) {
 		for (int column = 0; column < 3; column++) {
-			basis[column][row] = p_transform.basis.rows[row][column];
+			basis[column][row] = transform.basis.rows[row][column];
 		}
 	}
-	return { { p_transform.origin.x, p_transform.origin.y, p_transform.origin.z }, glm::normalize(glm::quat_cast(basis)), 1.0f };
+	return { { transform.origin.x, transform.origin.y, transform.origin.z }, glm::normalize(glm::quat_cast(basis)), 1.0f };
 }
 
-static Transform3D transform_of(const cga::Pose<float> &p_pose) {
-	const glm::mat3 basis = glm::mat3_cast(p_pose.rotation);
+static Transform3D transform_of(const cga::Pose<float> &pose) {
+	const glm::mat3 basis = glm::mat3_cast(pose.rotation);
 	Transform3D transform;
 	for (int row = 0; row < 3; row++) {
-		transform.basis.rows[row] = godot::Vector3(basis[0][row], basis[1][row], basis[2][row]) * p_pose.scale;
-		transform.origin[row] = p_pose.translation[row];
+		transform.basis.rows[row] = godot::Vector3(basis[0][row], basis[1][row], basis[2][row]) * pose.scale;
+		transform.origin[row] = pose.translation[row];
 	}
 	return transform;
 }
 
-void NativeBlend::setup(const TypedArray<Node3D> &p_nodes, const TypedArray<Transform3D> &p_from, const TypedArray<Transform3D> &p_to) {
-	ERR_FAIL_COND_MSG(p_nodes.size() != p_from.size() || p_nodes.size() != p_to.size(), "NativeBlend.setup: give as many poses as nodes.");
-	for (int64_t i = 0; i < p_nodes.size(); i++) {
-		_nodes.push_back(godot::Object::cast_to<Node3D>(p_nodes[i].get_validated_object()));
-		_transforms.push_back(p_from[i]);
-		_from.push_back(pose_of(p_from[i]));
-		_to.push_back(pose_of(p_to[i]));
+void NativeBlend::setup(const TypedArray<Node3D> &nodes, const TypedArray<Transform3D> &from, const TypedArray<Transform3D> &to) {
+	ERR_FAIL_COND_MSG(nodes.size() != from.size() || nodes.size() != to.size(), "NativeBlend.setup: pass as many poses as nodes.");
+	for (int64_t i = 0; i < nodes.size(); i++) {
+		_nodes.push_back(godot::Object::cast_to<Node3D>(nodes[i].get_validated_object()));
+		_transforms.push_back(from[i]);
+		_from.push_back(pose_of(from[i]));
+		_to.push_back(pose_of(to[i]));
 		_ends.emplace_back(_from.back(), _to.back());
 	}
 }
 
 template <class Blend>
-void NativeBlend::move_all(Blend p_blend) {
+void NativeBlend::move_all(Blend blend) {
 	for (size_t i = 0; i < _nodes.size(); i++) {
-		_nodes[i]->set_transform(transform_of(p_blend(i)));
+		_nodes[i]->set_transform(transform_of(blend(i)));
 	}
 }
 
-void NativeBlend::blend_paper_pooled(double p_weight) {
-	move_all([&](size_t i) { return paper::interpolate(_ends[i], float(p_weight), _pool); });
+void NativeBlend::blend_paper_pooled(double weight) {
+	move_all([&](size_t i) { return paper::interpolate(_ends[i], float(weight), _pool); });
 }
 
-void NativeBlend::blend_paper_allocating(double p_weight) {
-	move_all([&](size_t i) { return paper::interpolate(_ends[i], float(p_weight), _allocating); });
+void NativeBlend::blend_paper_allocating(double weight) {
+	move_all([&](size_t i) { return paper::interpolate(_ends[i], float(weight), _allocating); });
 }
 
-void NativeBlend::blend_glm_slerp(double p_weight) {
-	const float weight = float(p_weight);
+void NativeBlend::blend_glm_slerp(double weight) {
+	const float t = float(weight);
 	move_all([&](size_t i) {
-		return cga::Pose<float>{ glm::mix(_from[i].translation, _to[i].translation, weight), glm::slerp(_from[i].rotation, _to[i].rotation, weight), glm::mix(_from[i].scale, _to[i].scale, weight) };
+		return cga::Pose<float>{ glm::mix(_from[i].translation, _to[i].translation, t), glm::slerp(_from[i].rotation, _to[i].rotation, t), glm::mix(_from[i].scale, _to[i].scale, t) };
 	});
 }
 

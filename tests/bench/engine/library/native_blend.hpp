@@ -11,28 +11,28 @@
 
 namespace bench {
 
-/// Moves nodes between two poses each, in C++, by one of the rivals' methods: one call a frame for all nodes, which spares
-/// the rivals what a script or a component for each object costs them.
+/// Moves each node between two poses by one of the methods to compare with. One call moves all nodes, which saves these
+/// methods the cost of a script or component per object.
 class NativeBlend : public godot::RefCounted {
 	GDCLASS(NativeBlend, godot::RefCounted)
 
 public:
-	void setup(const godot::TypedArray<godot::Node3D> &p_nodes, const godot::TypedArray<godot::Transform3D> &p_from, const godot::TypedArray<godot::Transform3D> &p_to);
-	/// The paper's method with its pool of multivectors.
-	void blend_paper_pooled(double p_weight);
-	/// The paper's method with a new multivector for every operation.
-	void blend_paper_allocating(double p_weight);
-	/// Position and scale mixed, rotation by slerp, with GLM.
-	void blend_glm_slerp(double p_weight);
-	/// No blend: sets the first pose again. What setting transforms costs.
-	void set_only(double p_weight);
+	void setup(const godot::TypedArray<godot::Node3D> &nodes, const godot::TypedArray<godot::Transform3D> &from, const godot::TypedArray<godot::Transform3D> &to);
+	/// The method of the GA-Unity paper with its pool of multivectors.
+	void blend_paper_pooled(double weight);
+	/// The method of the GA-Unity paper with a new multivector for each operation.
+	void blend_paper_allocating(double weight);
+	/// GLM: position and scale by lerp, rotation by slerp.
+	void blend_glm_slerp(double weight);
+	/// The cost of setting transforms alone: sets the first pose again.
+	void set_only(double weight);
 
 protected:
 	static void _bind_methods();
 
 private:
 	template <class Blend>
-	void move_all(Blend p_blend);
+	void move_all(Blend blend);
 
 	std::vector<godot::Node3D *> _nodes;
 	std::vector<godot::Transform3D> _transforms;

@@ -3,10 +3,10 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>
 
-// The library of tools/bench engine: rivals in C++. No part of the addon.
+// The extension that `tools/bench engine` loads: C++ implementations to compare with. Not part of the addon.
 
-static void initialize(godot::ModuleInitializationLevel p_level) {
-	if (p_level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+static void initialize(godot::ModuleInitializationLevel level) {
+	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		using bench::NativeBlend;
 		GDREGISTER_CLASS(NativeBlend);
 	}
@@ -15,8 +15,8 @@ static void initialize(godot::ModuleInitializationLevel p_level) {
 extern "C" {
 
 /// The entry point that ga_godot_bench.gdextension names.
-__attribute__((visibility("default"))) GDExtensionBool ga_godot_bench_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
-	godot::GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+__attribute__((visibility("default"))) GDExtensionBool ga_godot_bench_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+	godot::GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
 	init.register_initializer(initialize);
 	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);
 	return init.init();

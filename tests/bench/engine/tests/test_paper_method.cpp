@@ -27,7 +27,7 @@ void check_near(const Element &element, const cga::Multivector &expected) {
 
 } // namespace
 
-TEST_CASE("the paper's products have the terms it counts, and the values of the algebra's") {
+TEST_CASE("the products of the paper have as many terms as it states and equal those of src/cga") {
 	CHECK(term_count(cga::Product::GEOMETRIC) == 1024);
 	CHECK(term_count(cga::Product::INNER) == 454);
 	Random random(1);
@@ -44,7 +44,7 @@ TEST_CASE("the paper's products have the terms it counts, and the values of the 
 	}
 }
 
-TEST_CASE("the paper's method gives the linear blend, by either store") {
+TEST_CASE("the method of the paper gives the linear blend with either store") {
 	Random random(2);
 	Pool pool;
 	Allocating allocating;
@@ -63,17 +63,17 @@ TEST_CASE("the paper's method gives the linear blend, by either store") {
 	}
 }
 
-TEST_CASE("the paper's method takes 14 multivectors a pose, and its pool zeroes what comes back") {
+TEST_CASE("the method of the paper acquires 14 multivectors per pose, and its pool zeroes released ones") {
 	Random random(3);
 	Pool pool;
 	const Ends ends(cga::pose_cast<float>(random.pose()), cga::pose_cast<float>(random.pose()));
 	(void)interpolate(ends, 0.25f, pool);
-	CHECK(pool.taken() == 14);
-	Element *element = pool.take();
+	CHECK(pool.acquired() == 14);
+	Element *element = pool.acquire();
 	CHECK((*element)[0] == 0.0f);
 	(*element)[5] = 3.0f;
-	pool.give_back(element);
+	pool.release(element);
 	for (int i = 0; i < 20; ++i) {
-		CHECK((*pool.take())[5] == 0.0f);
+		CHECK((*pool.acquire())[5] == 0.0f);
 	}
 }

@@ -4,7 +4,7 @@
 
 namespace bench {
 
-/// Seconds that the processor has spent on this thread: what other programs do does not count.
+/// Processor time of this thread, in seconds.
 [[nodiscard]] inline double cpu_seconds() {
 	timespec time{};
 	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

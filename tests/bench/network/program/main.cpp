@@ -1,5 +1,5 @@
-// Sends a trace by every method through a simulated link and prints rows of what it cost and how far off it was; or,
-// without a trace, the load of a server with many receivers. tools/bench runs it.
+// Replicates a trace over a simulated link with every method and prints cost and error as rows; without a trace, the load
+// of a server with many receivers. Run by tools/bench.
 
 #include "../baseline.hpp"
 #include "json_rows.hpp"
@@ -13,7 +13,7 @@ using namespace bench;
 
 namespace {
 
-// Seconds after the trace's end in which the receiver may still show its last samples.
+// Seconds after the end of the trace for the receiver to play its last samples.
 constexpr double DRAIN = 5.0;
 constexpr double MILLI = 1e3;
 constexpr double NANO = 1e9;
@@ -27,7 +27,7 @@ int fail(const std::string &problem) {
 void print_method(const MethodResult &method, const Trace &trace) {
 	const size_t bodies = trace.bodies.size();
 	const ErrorFigures errors = method.errors.figures();
-	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, method.subject, bodies, value, unit); };
+	const auto row = [&](const char *name, double value, const char *unit) { print_row(name, method.subject, bodies, value, unit); };
 	row("bytes_per_second_per_body", method.bytes_per_second / double(bodies), "B/s");
 	row("packets_per_second", method.packets_per_second, "1/s");
 	row("error_p50", errors.p50 * MILLI, "mm");
@@ -41,7 +41,7 @@ void print_method(const MethodResult &method, const Trace &trace) {
 	row("playback_delay_median", method.delay_median * MILLI, "ms");
 }
 
-// Empty, or what went wrong.
+// An error; empty on success.
 std::string measure_ours(const Options &options, const Trace &trace) {
 	net::StreamSettings settings = stream_settings(trace, options.tolerance);
 	settings.max_latency = options.max_latency;
@@ -49,16 +49,17 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 	const SourceFeed feed(trace, settings.tick, DRAIN);
 	StreamResult first;
 	std::vector<MethodResult> runs;
-	double answer_bytes = 0.0;
+	runs.reserve(options.runs);
+	double ack_bytes = 0.0;
 	for (uint64_t run = 0; run < options.runs; ++run) {
 		StreamResult stream = run_stream(trace, feed, settings, options.link, options.seed + run);
 		if (!stream.problem.empty()) {
 			return stream.problem;
 		}
-		if (stream.refused > 0) {
-			return "the sender refused " + std::to_string(stream.refused) + " poses: they are out of range";
+		if (stream.rejected > 0) {
+			return "the sender rejected " + std::to_string(stream.rejected) + " poses, which are out of range";
 		}
-		answer_bytes += stream.answer_bytes_per_second / double(options.runs);
+		ack_bytes += stream.ack_bytes_per_second / double(options.runs);
 		runs.push_back(std::move(stream.method));
 		if (run == 0) {
 			first = std::move(stream);
@@ -66,11 +67,11 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 	}
 	const MethodResult pooled = pool_runs(runs);
 	print_method(pooled, trace);
-	const auto row = [&](const char *what, double value, const char *unit) { print_row(what, pooled.subject, trace.bodies.size(), value, unit); };
-	row("answer_bytes_per_second_per_body", answer_bytes / double(trace.bodies.size()), "B/s");
+	const auto row = [&](const char *name, double value, const char *unit) { print_row(name, pooled.subject, trace.bodies.size(), value, unit); };
+	row("ack_bytes_per_second_per_body", ack_bytes / double(trace.bodies.size()), "B/s");
 	const StreamTiming timing = time_stream(trace, feed, settings, first);
-	if (!timing.repeats) {
-		return "the sender, run again, sent something else";
+	if (!timing.is_deterministic) {
+		return "the sender sent a different number of bytes when it was run again";
 	}
 	row("encode", timing.encode * NANO, "ns/pose");
 	row("decode", timing.decode * NANO, "ns/pose");
@@ -82,6 +83,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 
 void measure_baseline(const Options &options, const Trace &trace, const Baseline &baseline) {
 	std::vector<MethodResult> runs;
+	runs.reserve(options.runs);
 	for (uint64_t run = 0; run < options.runs; ++run) {
 		runs.push_back(run_baseline(trace, baseline, options.link, options.seed + run));
 	}
@@ -108,14 +110,14 @@ int measure_server(const Options &options) {
 	net::StreamSettings settings;
 	settings.position_tolerance = options.tolerance;
 	settings.mode = options.mode;
-	// With more time, windows would be longer and fewer.
+	// A longer latency would allow longer and fewer windows.
 	settings.send_rate = 20.0;
 	settings.max_latency = 1.0 / settings.send_rate;
 	ServerLoadSettings load;
 	load.link = options.link;
 	const ServerLoad result = measure_server_load(load, settings, options.seed);
 	if (!result.problem.empty()) {
-		return fail("load of a server: " + result.problem);
+		return fail("server load: " + result.problem);
 	}
 	const size_t poses = load.bodies * load.receivers;
 	print_row("server_core_share", "ga_godot", poses, result.core_share, "cores");

@@ -25,18 +25,18 @@ bool parse_mode(std::string_view text, cga::Mode &mode) {
 	return false;
 }
 
-// A number in [least, most].
+// A number in [min, max].
 struct NumberOption {
 	std::string_view name;
 	double *value;
-	double least;
-	double most;
+	double min;
+	double max;
 };
 
 bool parse_number(std::string_view text, const NumberOption &option) {
 	double value = 0.0;
 	const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
-	if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !(value >= option.least && value <= option.most)) {
+	if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !(value >= option.min && value <= option.max)) {
 		return false;
 	}
 	*option.value = value;
@@ -65,23 +65,23 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 		const size_t equals = argument.find('=');
 		const std::string_view name = argument.substr(0, equals);
 		const std::string_view value = equals == std::string_view::npos ? std::string_view() : argument.substr(equals + 1);
-		bool good = name.substr(0, 2) == "--";
-		if (good && name == "--trace") {
+		bool is_valid = name.substr(0, 2) == "--";
+		if (is_valid && name == "--trace") {
 			options.trace = value;
-			good = !value.empty();
-		} else if (good && name == "--baselines") {
+			is_valid = !value.empty();
+		} else if (is_valid && name == "--baselines") {
 			options.baselines = value == "yes";
-			good = value == "yes" || value == "no";
-		} else if (good && name == "--mode") {
-			good = parse_mode(value, options.mode);
-		} else if (good) {
-			good = false;
+			is_valid = value == "yes" || value == "no";
+		} else if (is_valid && name == "--mode") {
+			is_valid = parse_mode(value, options.mode);
+		} else if (is_valid) {
+			is_valid = false;
 			for (const NumberOption &number : numbers) {
-				good = good || (number.name == name.substr(2) && parse_number(value, number));
+				is_valid = is_valid || (number.name == name.substr(2) && parse_number(value, number));
 			}
 		}
-		if (!good) {
-			return "'" + std::string(argument) + "' is no option, or its value is out of range";
+		if (!is_valid) {
+			return "'" + std::string(argument) + "' is not an option of this program, or its value is out of range";
 		}
 	}
 	options.seed = uint64_t(seed);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../link_model.hpp"
+#include "../../../harness/link_model.hpp"
 
 #include "cga/motor/interpolate.hpp"
 
@@ -8,19 +8,19 @@
 
 namespace bench {
 
-/// What the program was asked for. tools/bench turns people's units into these.
+/// The command line options, in SI units; tools/bench converts to them.
 struct Options {
-	std::string trace; ///< file; empty: the load of a server instead
-	bool baselines = true; ///< whether other methods are measured too
-	LinkSettings link; ///< each way
-	double tolerance = 0.005; ///< metres
+	std::string trace; ///< path; empty: measure the server load instead
+	bool baselines = true; ///< whether to measure the other methods too
+	harness::LinkSettings link; ///< each way
+	double tolerance = 0.005; ///< meters
 	double max_latency = 0.2; ///< seconds
 	cga::Mode mode = cga::Mode::SEPARATE;
 	uint64_t seed = 1;
-	uint64_t runs = 1; ///< over the link, with seeds from `seed` on; their errors are taken together
+	uint64_t runs = 1; ///< over the link, with consecutive seeds from `seed`; their errors are pooled
 };
 
-/// Reads arguments --name=value. Empty, or what is wrong with them.
+/// Parses arguments of the form --name=value. Returns an error; empty on success.
 [[nodiscard]] std::string parse_options(int count, const char *const *arguments, Options &options);
 
 } // namespace bench

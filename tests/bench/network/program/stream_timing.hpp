@@ -4,17 +4,17 @@
 
 namespace bench {
 
-/// What a stream costs the processors at its two ends.
+/// Processor time and allocations of the two ends of a stream.
 struct StreamTiming {
-	double encode = 0.0; ///< sender's seconds for a pose observed: observe, flush and the answers
-	double decode = 0.0; ///< receiver's seconds for a pose shown: packets, pictures and answers
-	/// Allocations at both ends for a packet sent, from two seconds after the begin to the end of the trace.
+	double encode = 0.0; ///< seconds of the sender per observed pose: observe, flush, acknowledgements
+	double decode = 0.0; ///< seconds of the receiver per shown pose: packets, playback, acknowledgements
+	/// Allocations per packet, from 2 s after the beginning of the trace to its end.
 	double sender_allocations = 0.0;
 	double receiver_allocations = 0.0;
-	bool repeats = false; ///< whether the sender, run again, sent the same number of bytes
+	bool is_deterministic = false; ///< whether the sender, run again, sent the same number of bytes
 };
 
-/// Runs each end of a recorded stream again, by itself, with nothing of the benchmark between: medians of three.
+/// Runs each end of a recorded stream again without the other, three times, and returns the figures of the median runs.
 [[nodiscard]] StreamTiming time_stream(const Trace &trace, const SourceFeed &feed, const net::StreamSettings &settings, const StreamResult &recorded);
 
 } // namespace bench

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double RATE = 60.0;
 
-// A trace of `count` bodies at 60 Hz; place(time) is where each is along x.
+// A trace of `count` bodies at 60 Hz, all at x = place(time).
 template <class Place>
 Trace line_trace(int count, int frames, Place place) {
 	Trace trace;
@@ -55,26 +55,26 @@ TEST_CASE("baseline: rates, bytes and the playback delay") {
 	}
 	const MethodResult paper = run_baseline(trace, named("paper_motor_float32_10hz"), {}, 1);
 	CHECK(paper.bytes_per_second == doctest::Approx(36.0 * 40.0 * 10.1));
-	LinkSettings slow;
+	harness::LinkSettings slow;
 	slow.delay = 0.02;
 	slow.jitter = 0.03;
 	CHECK(run_baseline(trace, named("pqs_float32_10hz"), slow, 1).delay_max == doctest::Approx(0.15).epsilon(1e-6));
 }
 
 TEST_CASE("baseline: the error of interpolation on a known path") {
-	// x = a t^2 between samples h apart differs from the chord by up to a h^2 / 4, at the middle.
+	// x = a t^2 deviates from the chord between samples h apart by at most a h^2 / 4, in the middle.
 	const Trace trace = line_trace(1, 601, [](double time) { return 0.8 * time * time; });
 	const MethodResult result = run_baseline(trace, named("pqs_float32_10hz"), {}, 1);
 	CHECK(result.errors.figures().max == doctest::Approx(0.8 * 0.01 / 4.0).epsilon(1e-3));
-	// At 60 Hz every sample is sent: what is left is float32's rounding, of 80 m here.
+	// At 60 Hz every sample is sent; the remaining error is the float32 rounding of 80 m.
 	const MethodResult all = run_baseline(trace, named("pqs_float32_60hz"), {}, 1);
 	CHECK(all.errors.figures().max < 4e-6);
 	CHECK(all.errors.figures().max > 0.0);
-	// Without rotation the motors' blend is the same lerp.
+	// Without rotation the linear blend of motors is lerp.
 	CHECK(run_baseline(trace, named("paper_motor_float32_10hz"), {}, 1).errors.figures().max == doctest::Approx(result.errors.figures().max).epsilon(1e-2));
 }
 
-TEST_CASE("baseline: float32 motors hold a pose to float32's precision") {
+TEST_CASE("baseline: float32 motors represent a pose to float32 precision") {
 	cga::Pose<double> pose;
 	pose.translation = { 12.3, -4.5, 6.7 };
 	pose.rotation = glm::normalize(glm::dquat(0.3, -0.5, 0.7, 0.1));
@@ -83,15 +83,15 @@ TEST_CASE("baseline: float32 motors hold a pose to float32's precision") {
 	CHECK(lever_distance(pose, received) > 0.0);
 }
 
-TEST_CASE("baseline: a lost sample is missing and the path goes across") {
+TEST_CASE("baseline: the receiver interpolates across a lost sample") {
 	const Trace trace = line_trace(1, 2401, [](double time) { return 0.8 * time * time; });
-	LinkSettings lossy;
+	harness::LinkSettings lossy;
 	lossy.loss = 0.05;
 	const MethodResult result = run_baseline(trace, named("pqs_float32_10hz"), lossy, 3);
-	// Gaps of two intervals have four times the error; about 1 in 20 intervals is part of one.
+	// Gaps of two intervals have four times the error; about 1 in 20 intervals is in one.
 	CHECK(result.errors.figures().p50 < 0.8 * 0.01 / 4.0);
 	CHECK(result.errors.figures().p99 > 0.9 * 0.8 * 0.04 / 4.0);
-	LinkSettings all_lost;
+	harness::LinkSettings all_lost;
 	all_lost.loss = 1.0;
 	const MethodResult nothing = run_baseline(trace, named("pqs_float32_10hz"), all_lost, 3);
 	CHECK(nothing.unseen == 2401);

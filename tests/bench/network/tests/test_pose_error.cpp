@@ -35,18 +35,18 @@ TraceBody body_of(const std::vector<double> &times, const std::vector<Pose> &pos
 TEST_CASE("pose error: known distances") {
 	CHECK(lever_distance(at(1, 2, 3), at(1, 2, 3)) == 0.0);
 	CHECK(lever_distance(at(1, 2, 3), at(1, 5, 7)) == doctest::Approx(5.0));
-	// A turn by an angle about z carries the points on x and y along a chord: 2 * 0.25 sin(angle / 2).
+	// A rotation about z moves the lever points on x and y by a chord: 2 * 0.25 sin(angle / 2).
 	for (const double degrees : { 0.01, 1.0, 90.0, 180.0 }) {
 		const double chord = 0.5 * std::sin(glm::radians(degrees) / 2.0);
 		CHECK(lever_distance(Pose(), turned(degrees, { 0, 0, 1 })) == doctest::Approx(chord));
 	}
-	// About (1, 1, 1) all three points go sqrt(2/3) as far as they would at right angles.
+	// About (1, 1, 1) the lever points are closer to the axis, by sqrt(2/3).
 	CHECK(lever_distance(Pose(), turned(90, glm::normalize(glm::dvec3(1)))) == doctest::Approx(0.5 * std::sqrt(2.0 / 3.0) * std::sin(glm::radians(45.0))));
-	// A turn about z and a shift along y by the same: the point on x is carried by both, that on -x not looked at.
+	// A rotation about z and a translation along y add up at the lever point on x; there is none on -x.
 	Pose both = turned(2.0, { 0, 0, 1 });
 	both.translation.y = 0.25 * std::sin(glm::radians(2.0));
 	CHECK(lever_distance(Pose(), both) == doctest::Approx(0.5 * std::sin(glm::radians(2.0))).epsilon(1e-3));
-	// q and -q are the same; the scale moves lever points, not the centre.
+	// q and -q are the same rotation; scale moves the lever points, not the center.
 	Pose negative = turned(40, { 0, 1, 0 });
 	negative.rotation = -negative.rotation;
 	CHECK(lever_distance(turned(40, { 0, 1, 0 }), negative) == doctest::Approx(0.0));
@@ -57,7 +57,7 @@ TEST_CASE("pose error: known distances") {
 	CHECK(lever_distance(both, large) == doctest::Approx(lever_distance(large, both)));
 }
 
-TEST_CASE("pose error: what is not a number is never a small error") {
+TEST_CASE("pose error: a NaN is never a small error") {
 	const double nan = std::nan("");
 	Pose broken;
 	broken.rotation.x = nan;
@@ -70,7 +70,7 @@ TEST_CASE("pose error: what is not a number is never a small error") {
 	CHECK(std::isinf(summary.figures().p99));
 }
 
-TEST_CASE("pose error: a body moves above 1 mm/s at its centre or a lever point") {
+TEST_CASE("pose error: a body moves if its center or a lever point is faster than 1 mm/s") {
 	const auto moves = [](const Pose &pose, double seconds) { return find_motion(body_of({ 0, seconds }, { Pose(), pose }))[1] == Motion::MOVING; };
 	CHECK(moves(at(0.0011, 0, 0), 1.0));
 	CHECK_FALSE(moves(at(0.0009, 0, 0), 1.0));
@@ -82,17 +82,29 @@ TEST_CASE("pose error: a body moves above 1 mm/s at its centre or a lever point"
 	CHECK(motion == std::vector<Motion>{ Motion::UNKNOWN, Motion::MOVING, Motion::RESTING, Motion::MOVING });
 }
 
-TEST_CASE("pose error: percentiles lie between values in proportion") {
-	std::vector<double> values = { 4, 1, 3, 2, 5 };
-	CHECK(percentile(values, 0.0) == 1.0);
-	CHECK(percentile(values, 0.5) == 3.0);
-	CHECK(percentile(values, 0.99) == doctest::Approx(4.96));
-	CHECK(percentile(values, 1.0) == 5.0);
+TEST_CASE("pose error: percentiles interpolate linearly, as in tests/tools/test_pose_error.py") {
+	struct Row {
+		double share;
+		double expected;
+		std::vector<double> values;
+	};
+	const std::vector<Row> rows = {
+#include "percentiles.inc"
+	};
+	CHECK(rows.size() == 11);
+	for (Row row : rows) {
+		CHECK(percentile(row.values, row.share) == doctest::Approx(row.expected).epsilon(1e-12));
+	}
+	const double infinity = std::numeric_limits<double>::infinity();
+	std::vector<double> infinite = { infinity, 1.0, infinity };
+	CHECK(percentile(infinite, 0.0) == 1.0);
+	CHECK(percentile(infinite, 0.25) == infinity);
+	CHECK(percentile(infinite, 0.75) == infinity);
 	std::vector<double> none;
 	CHECK(std::isnan(percentile(none, 0.5)));
 }
 
-TEST_CASE("pose error: resting samples are counted apart") {
+TEST_CASE("pose error: resting samples are counted separately") {
 	ErrorSummary summary;
 	for (int i = 0; i < 900; ++i) {
 		summary.add(0.0, Motion::RESTING);

@@ -8,13 +8,13 @@ using namespace bench;
 
 namespace {
 
-// Text of a trace of bodies that swing, from one time to another; with a hole in the middle if asked for.
-std::string swinging(int bodies, double rate, double seconds, double hole = 0.0) {
+// A trace of oscillating bodies, optionally with a gap in the middle, as text.
+std::string oscillating(int bodies, double rate, double seconds, double gap = 0.0) {
 	std::string text;
 	char line[200];
 	for (int frame = 0; frame <= int(seconds * rate); ++frame) {
 		const double t = 2.0 + frame / rate;
-		if (std::abs(t - 2.0 - seconds / 2.0) < hole / 2.0) {
+		if (std::abs(t - 2.0 - seconds / 2.0) < gap / 2.0) {
 			continue;
 		}
 		for (int body = 0; body < bodies; ++body) {
@@ -26,7 +26,7 @@ std::string swinging(int bodies, double rate, double seconds, double hole = 0.0)
 	return text;
 }
 
-StreamResult run(const std::string &text, const LinkSettings &link = {}, uint64_t seed = 1) {
+StreamResult run(const std::string &text, const harness::LinkSettings &link = {}, uint64_t seed = 1) {
 	Trace trace;
 	REQUIRE(parse_trace(text, "trace", trace) == "");
 	const net::StreamSettings settings = stream_settings(trace, 0.005);
@@ -37,36 +37,36 @@ StreamResult run(const std::string &text, const LinkSettings &link = {}, uint64_
 
 TEST_CASE("stream run: settings follow the trace and the tolerance") {
 	Trace trace;
-	REQUIRE(parse_trace(swinging(1, 30.0, 1.0), "trace", trace) == "");
+	REQUIRE(parse_trace(oscillating(1, 30.0, 1.0), "trace", trace) == "");
 	CHECK(stream_settings(trace, 0.005).tick == doctest::Approx(1.0 / 30.0).epsilon(1e-4));
 	CHECK(stream_settings(trace, 0.005).rotation_tolerance == doctest::Approx(1.4035).epsilon(1e-4));
-	REQUIRE(parse_trace(swinging(1, 1000.0, 1.0), "trace", trace) == "");
+	REQUIRE(parse_trace(oscillating(1, 1000.0, 1.0), "trace", trace) == "");
 	CHECK(stream_settings(trace, 0.002).tick == 1.0 / 240.0);
 	CHECK(stream_settings(trace, 0.002).position_tolerance == 0.002);
 }
 
-TEST_CASE("stream run: on a good link what is shown is within the tolerance, at every rate") {
+TEST_CASE("stream run: over an ideal link shown poses are within the tolerance, at every rate") {
 	for (const double rate : { 20.0, 30.0, 60.0, 150.0 }) {
-		const StreamResult result = run(swinging(3, rate, 6.0));
+		const StreamResult result = run(oscillating(3, rate, 6.0));
 		CHECK(result.problem == "");
-		CHECK(result.refused == 0);
+		CHECK(result.rejected == 0);
 		CHECK(result.method.errors.figures().p99 < 0.00501);
 		CHECK(result.method.errors.figures().p99 > 0.0005);
 		CHECK(result.method.delay_max < 0.2501);
 		CHECK(result.method.delay_median > 0.01);
-		// Only what the receiver had nothing to show of at the begin.
+		// Only the beginning, before playback.
 		CHECK(double(result.method.unseen) < 0.4 * rate * 3);
 		CHECK(result.method.bytes_per_second > 10.0);
 		CHECK(result.method.bytes_per_second < 3 * 400.0);
 	}
 }
 
-TEST_CASE("stream run: the same seed gives the same run, another one another") {
-	LinkSettings lossy;
+TEST_CASE("stream run: the same seed gives the same run, another seed a different one") {
+	harness::LinkSettings lossy;
 	lossy.loss = 0.1;
 	lossy.jitter = 0.03;
 	lossy.delay = 0.02;
-	const std::string text = swinging(3, 60.0, 6.0);
+	const std::string text = oscillating(3, 60.0, 6.0);
 	const StreamResult one = run(text, lossy, 5);
 	const StreamResult same = run(text, lossy, 5);
 	const StreamResult other = run(text, lossy, 6);
@@ -77,14 +77,14 @@ TEST_CASE("stream run: the same seed gives the same run, another one another") {
 	CHECK(one.bytes_sent != other.bytes_sent);
 }
 
-TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
-	const StreamResult result = run(swinging(2, 60.0, 8.0, 3.0));
+TEST_CASE("stream run: a gap in the trace, and bodies that appear and vanish") {
+	const StreamResult result = run(oscillating(2, 60.0, 8.0, 3.0));
 	CHECK(result.problem == "");
 	CHECK(result.method.errors.figures().p50 < 0.005);
 	CHECK(double(result.method.unseen) < 60.0);
 
 	Trace trace;
-	std::string text = swinging(1, 60.0, 6.0);
+	std::string text = oscillating(1, 60.0, 6.0);
 	std::string late;
 	for (size_t at = 0, end = 0; at < text.size(); at = end) {
 		end = text.find('\n', at) + 1;
@@ -97,15 +97,15 @@ TEST_CASE("stream run: a hole in the trace, and bodies that come and go") {
 	}
 	const StreamResult coming = run(late);
 	CHECK(coming.problem == "");
-	CHECK(coming.refused == 0);
+	CHECK(coming.rejected == 0);
 	CHECK(coming.method.errors.figures().p99 < 0.00501);
 	CHECK(double(coming.method.unseen) < 30.0);
 }
 
-TEST_CASE("stream run: a link that carries nothing shows nothing") {
-	LinkSettings dead;
+TEST_CASE("stream run: nothing is shown over a link that loses everything") {
+	harness::LinkSettings dead;
 	dead.loss = 1.0;
-	const StreamResult result = run(swinging(1, 60.0, 2.0), dead);
+	const StreamResult result = run(oscillating(1, 60.0, 2.0), dead);
 	CHECK(result.method.unseen == 121);
 	CHECK(std::isnan(result.method.errors.figures().p99));
 }

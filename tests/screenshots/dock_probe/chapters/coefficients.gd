@@ -1,9 +1,9 @@
 @tool
 extends "../chapter.gd"
-## The 32 coefficients of the selected entry: typed and dragged, in both bases.
+## The 32 coefficients of the selected entry, typed and dragged, in both bases.
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(["B", "point(0, 4, 0)", "C", "point(1, 0, 0)", "pair1", "join(B, C)"])
 	await select(["B"])
 	coefficients().expand()
@@ -22,7 +22,7 @@ func _type_number() -> void:
 	Hands.click(number("e1"))
 	await settle()
 	var edit := window().gui_get_focus_owner() as LineEdit
-	expect_true(edit != null, "a text to type the number into")
+	expect_true(edit != null, "a text field for the number")
 	if edit != null:
 		Hands.press_key(edit.get_viewport(), KEY_A, KEY_MASK_CTRL)
 		Hands.type(edit.get_viewport(), "2.5")
@@ -71,6 +71,6 @@ func _null_basis() -> void:
 
 func _dependent() -> void:
 	await select(["pair1"])
-	expect(number("e1").read_only, true, "what depends on others being read-only")
+	expect(number("e1").read_only, true, "a dependent entry being read-only")
 	await select(["B"])
 	expect(number("e1").read_only, false, "a free object being read-only again")

@@ -1,29 +1,29 @@
 @tool
 extends "../chapter.gd"
-## The colour picker of an entry: a whole choice is one step.
+## The color picker of an entry: a choice is one action in the history.
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(["A", "point(0, 0, 0)"])
 	var before := scene().document
 	var swatch := row_part("A", "Color") as ColorPickerButton
 	Hands.click(swatch)
 	await settle()
-	expect(swatch.get_popup().visible, true, "the picker after a click on the colour")
+	expect(swatch.get_popup().visible, true, "the picker after a click on the color")
 	var text := _find_text(swatch.get_picker())
 	for color: String in ["ff0000", "00ff00", "22cc44"]:
 		Hands.write_over(text, color)
 		Hands.press_key(text.get_viewport(), KEY_ENTER)
 		await settle(2)
-		expect(scene().get_entry_attribute("A", "color"), "#" + color, "colour while it is chosen")
+		expect(scene().get_entry_attribute("A", "color"), "#" + color, "color while it is chosen")
 	swatch.get_popup().hide()
 	await settle(2)
 	var after := scene().document
 	undo()
-	expect(scene().document, before, "document after one undo of three colours")
+	expect(scene().document, before, "document after one undo of three colors")
 	redo()
 	expect(scene().document, after, "document after redoing the choice")
-	expect(swatch.color.to_html(false), "22cc44", "colour of the swatch")
+	expect(swatch.color.to_html(false), "22cc44", "color of the swatch")
 	Hands.click(swatch)
 	await settle()
 	swatch.get_popup().hide()
@@ -32,11 +32,11 @@ func read() -> void:
 	expect(
 		scene().document,
 		before,
-		"document after undoing with a picker opened for nothing in between"
+		"document after undo, with a picker opened in between without a choice"
 	)
 
 
-# Where the colour is written in hexadecimal.
+# The picker's text field for hexadecimal colors.
 func _find_text(picker: ColorPicker) -> LineEdit:
 	for edit: LineEdit in picker.find_children("*", "LineEdit", true, false):
 		if (

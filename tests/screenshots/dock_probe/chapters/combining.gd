@@ -1,6 +1,6 @@
 @tool
 extends "../chapter.gd"
-## Two entries selected, a button pressed.
+## The buttons that combine two selected entries.
 
 const ENTRIES: PackedStringArray = [
 	"A",
@@ -20,7 +20,7 @@ const ENTRIES: PackedStringArray = [
 	"m",
 	"translator(3 e1)",
 ]
-## Which two, the button, and what is added: its name, expression and description.
+## Two entries, the button, and the name, expression and description of the added entry.
 const CASES: Array[PackedStringArray] = [
 	["p", "q", "meet", "l1", "meet(p, q)", "line, at (2, 1, 0), direction (0, 0, 1)"],
 	[
@@ -48,7 +48,7 @@ const CASES: Array[PackedStringArray] = [
 ]
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(ENTRIES)
 	for dual: String in ["d", "n"]:
 		scene().set_entry_attribute(dual, "ipns", true)
@@ -69,6 +69,6 @@ func _combine(case: PackedStringArray) -> void:
 	var what := "%s of %s and %s" % [case[2], case[0], case[1]]
 	expect(names()[-1], case[3], "name of the " + what)
 	expect(scene().get_expression(names()[-1]), case[4], "expression of the " + what)
-	expect(words_of(names()[-1]), case[5], "words of the " + what)
+	expect(words_of(names()[-1]), case[5], "description of the " + what)
 	undo()
 	expect(scene().document, before, "document after undoing the " + what)

@@ -1,6 +1,6 @@
 @tool
 extends "../chapter.gd"
-## Entries copied as text for other places, and pasted.
+## Copying entries as text in several formats, and pasting them.
 
 const ENTRIES: PackedStringArray = [
 	"A",
@@ -14,16 +14,18 @@ const ENTRIES: PackedStringArray = [
 	"m",
 	"motor(2 e1, rotor(e3, deg(90)), 1)",
 ]
+# gdlint: disable=max-line-length
 const LATEX := """\\begin{align*}
 A &= \\mathbf{e}_{1} + 2 \\mathbf{e}_{2} + 3 \\mathbf{e}_{3} + 6.5 \\mathbf{e}_{4} + 7.5 \\mathbf{e}_{5} \\\\
 p &= 1.5 \\mathbf{e}_{1234} + 1.5 \\mathbf{e}_{1235} + \\mathbf{e}_{1345}
 \\end{align*}
 """
-## What tests/playground compiles.
+# gdlint: enable=max-line-length
+## Compiled by tests/playground.
 const CPP_FIXTURE := "res://addons/dock_probe/copied.inc"
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(ENTRIES)
 	await _copy_gdscript()
 	await _copy_cpp()
@@ -33,7 +35,7 @@ func read() -> void:
 	await _copy_json()
 
 
-## The copied text as a script: its variables are the values of the document.
+## The copied text is a script whose variables have the values of the entries.
 func _copy_gdscript() -> void:
 	await select(["c_1", "m"])
 	await choose_for_entry("m", "Copy as GDScript")
@@ -64,14 +66,14 @@ func _copy_cpp() -> void:
 	expect(
 		DisplayServer.clipboard_get(),
 		FileAccess.get_file_as_string(CPP_FIXTURE),
-		"what is copied as C++"
+		"text copied as C++"
 	)
 
 
 func _copy_latex() -> void:
 	await select(["A", "p"])
 	await choose_for_entry("p", "Copy as LaTeX")
-	expect(DisplayServer.clipboard_get(), LATEX, "what is copied as LaTeX")
+	expect(DisplayServer.clipboard_get(), LATEX, "text copied as LaTeX")
 
 
 func _copy_numbers() -> void:
@@ -80,20 +82,20 @@ func _copy_numbers() -> void:
 	expect(
 		DisplayServer.clipboard_get(),
 		"[0,1,2,3,6.5,7.5%s]" % ",0".repeat(26),
-		"what is copied as 32 numbers"
+		"text copied as 32 numbers"
 	)
 
 
 func _paste() -> void:
 	var before := scene().document
 	await choose_in_file_menu("Paste JSON or 32 Numbers")
-	expect(names()[-1], "B", "the name of 32 pasted numbers that are a point")
-	expect(words_of("B"), "point, at (1, 2, 3)", "words of 32 pasted numbers")
+	expect(names()[-1], "B", "name of a point pasted as 32 numbers")
+	expect(words_of("B"), "point, at (1, 2, 3)", "description of 32 pasted numbers")
 	undo()
 	expect(scene().document, before, "document after undoing a paste")
 	DisplayServer.clipboard_set("neither")
 	await choose_in_file_menu("Paste JSON or 32 Numbers")
-	expect(scene().document, before, "document after pasting a text that is neither")
+	expect(scene().document, before, "document after pasting invalid text")
 
 
 func _copy_json() -> void:

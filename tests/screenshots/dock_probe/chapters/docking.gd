@@ -1,11 +1,12 @@
 @tool
 extends "../chapter.gd"
-## The dock itself: floated, moved, closed, opened, taken away with the plugin; and nodes made of entries.
+## The dock: floating, moving, closing, opening, disabling the plugin; and creating nodes of
+## entries.
 
 const EDITED_SCENE := "res://demos/interpolation/interpolation.tscn"
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(["s", "sphere(point(0, 0, 0), 2)"])
 	await _float()
 	await _close()
@@ -20,7 +21,9 @@ func _float() -> void:
 	var before := scene().document
 	Hands.click(part("Objects/sphere"))
 	expect(
-		scene().get_value(names()[-1]).classify()["kind"], &"sphere", "what is added in the window"
+		scene().get_value(names()[-1]).classify()["kind"],
+		&"sphere",
+		"kind of the object added in the window"
 	)
 	undo()
 	await settle(2)
@@ -41,7 +44,7 @@ func _close() -> void:
 	expect(words_of("s"), "sphere, radius 2, center (0, 0, 0)", "row after closing and opening")
 
 
-## To the slots at the left and back, by the map in the menu of its tab.
+## Moves the dock to slots on the left and back.
 func _move() -> void:
 	var home := dock().get_parent()
 	for slot: EditorDock.DockSlot in [
@@ -63,7 +66,7 @@ func _restart_plugin() -> void:
 	EditorInterface.set_plugin_enabled("ga_godot", false)
 	await settle()
 	expect_true(dock() == null, "no dock without the plugin")
-	# What the playground did is still in the history.
+	# The playground's actions are still in the history.
 	for step in 3:
 		Hands.press_key(plugin.get_window(), KEY_Z, KEY_MASK_CTRL)
 	for step in 3:
@@ -86,7 +89,7 @@ func _restart_plugin() -> void:
 	expect(scene().document, before, "document after undoing it")
 
 
-## By the menu of an entry.
+## Creates a node by the menu of an entry.
 func _create_node() -> void:
 	EditorInterface.open_scene_from_path(EDITED_SCENE)
 	await settle()
@@ -98,14 +101,20 @@ func _create_node() -> void:
 		"a node that follows the entry"
 	)
 	await settle()
-	expect(_left_out(), PackedStringArray(["s"]), "what the dock does not draw, as a node does")
+	expect(
+		_excluded(), PackedStringArray(["s"]), "entries that the dock does not draw, as a node does"
+	)
 	undo()
 	expect(root.has_node(^"s"), false, "the node after undo")
 	await settle()
-	expect(_left_out(), PackedStringArray(), "what the dock does not draw once the node is gone")
+	expect(
+		_excluded(),
+		PackedStringArray(),
+		"entries that the dock does not draw once the node is removed"
+	)
 
 
-func _left_out() -> PackedStringArray:
+func _excluded() -> PackedStringArray:
 	return plugin.get_tree().root.find_child("ViewportTool", true, false).get_child(0).get(
-		&"left_out"
+		&"excluded"
 	)

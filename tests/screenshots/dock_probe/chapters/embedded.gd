@@ -1,12 +1,13 @@
 @tool
 extends "../chapter.gd"
-## A GAScene within a .tscn: shown for its node, changed in the history of that scene, saved with it.
+## A GAScene embedded in a .tscn: shown for its node, changed in that scene's history, saved with
+## it.
 
 const PLACE := "res://probe_embedded.tscn"
 const OTHER := "res://demos/interpolation/interpolation.tscn"
 
 
-func read() -> void:
+func run() -> void:
 	_write_scene()
 	await begin_with(["k", "5"])
 	EditorInterface.open_scene_from_path(PLACE)
@@ -46,7 +47,7 @@ func _show_by_node() -> void:
 	EditorInterface.get_selection().clear()
 	await settle()
 	expect(scene() == own, true, "the dock's own scene when no node is selected")
-	expect(file_name().text, "not saved yet*", "its name when no node is selected")
+	expect(file_name().text, "[unsaved]*", "its name when no node is selected")
 	expect(names(), ["k", "c1"], "its unsaved entries")
 	undo()
 	await settle(2)
@@ -91,7 +92,7 @@ func _save_and_reload() -> void:
 	expect(names(), ["A", "s1"], "rows after reloading")
 
 
-## The dock stays with what it shows; steps go to the history that they belong to.
+## The dock keeps its scene; actions go to the history of that scene.
 func _switch_tabs() -> void:
 	var edited := scene()
 	EditorInterface.open_scene_from_path(OTHER)
@@ -117,7 +118,7 @@ func _switch_tabs() -> void:
 	expect(names(), ["A", "s1"], "entries after undo in the scene's own tab")
 
 
-## By one that is opened in the inspector.
+## A scene that is opened in the inspector replaces an unsaved one.
 func _ask_before_replacing() -> void:
 	await begin_with([])
 	Hands.click(part("Objects/circle"))
@@ -142,7 +143,7 @@ func _close_tab() -> void:
 	expect(EditorInterface.close_scene(), OK, "closing the scene")
 	await settle()
 	expect(names(), [], "entries after the scene that they are in was closed")
-	expect(file_name().text, "not saved yet", "name after that")
+	expect(file_name().text, "[unsaved]", "name after that")
 
 
 func _select_node() -> void:

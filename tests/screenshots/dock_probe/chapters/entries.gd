@@ -1,9 +1,9 @@
 @tool
 extends "../chapter.gd"
-## Entries: added, typed, renamed, hidden, slid, reordered, deleted, and all of that undone.
+## Entries: adding, typing, renaming, hiding, sliding, reordering, deleting, and undoing all of it.
 
 
-func read() -> void:
+func run() -> void:
 	dock().make_visible()
 	expect(names(), [], "entries at the start")
 	await settle()
@@ -33,7 +33,7 @@ func _type() -> void:
 	await settle()
 	expect_true(
 		typed_words().text.begins_with("column 14: expected"),
-		"what is said while typing: %s" % typed_words().text
+		"error while typing: %s" % typed_words().text
 	)
 	Hands.press_key(window(), KEY_ENTER)
 	expect(names(), ["A", "B"], "entries after a wrong line")
@@ -52,7 +52,7 @@ func _join() -> void:
 	expect(
 		words_of("pair1"),
 		"point pair, radius 0.5, center (0.5, 0, 0), direction (-1, 0, 0)",
-		"words of the join"
+		"description of the join"
 	)
 	await settle()
 	var edit := row_part("B", "Expression") as LineEdit
@@ -62,7 +62,7 @@ func _join() -> void:
 	expect(
 		words_of("pair1"),
 		"point pair, radius 2, center (0, 2, 0), direction (0, -1, 0)",
-		"what follows from it"
+		"description of the dependent entry"
 	)
 	await settle()
 
@@ -82,8 +82,9 @@ func _rename() -> void:
 	Hands.write_over(row_part("B", "Name") as LineEdit, "e1")
 	await settle()
 	expect_true(
-		words_of("B").contains("cannot be a name"), "refusal while typing: %s" % words_of("B")
+		words_of("B").begins_with("'e1' "), "error of a name while typing: %s" % words_of("B")
 	)
+	expect(words_of("B"), scene().get_name_error("e1"), "error of a name while typing")
 	Hands.press_key(window(), KEY_ESCAPE)
 	expect(names(), ["apex", "B", "s", "pair1"], "names after a refusal")
 	await settle()
@@ -100,7 +101,7 @@ func _hide() -> void:
 	await settle()
 
 
-## The toggle makes of the next object its dual.
+## The toggle adds objects as duals.
 func _add_dual() -> void:
 	Hands.click(part("Objects/dual"))
 	Hands.click(part("Objects/plane"))
@@ -154,14 +155,16 @@ func _delete() -> void:
 	expect(question.visible, true, "a question before deleting")
 	expect_true(
 		question.dialog_text.begins_with("s, pair1 depend on apex"),
-		"what depends on it: %s" % question.dialog_text
+		"dependent entries in the question: %s" % question.dialog_text
 	)
 	await settle()
 	press(question.get_ok_button())
 	await settle()
 	expect(names(), ["B", "s", "pair1", "k1"], "names after deleting")
-	expect(scene().get_error("s"), "column 8: there is no entry 'apex'", "error of what lost it")
-	expect(words_of("s"), "column 8: there is no entry 'apex'", "words of what lost it")
+	expect(
+		scene().get_error("s"), "column 8: there is no entry 'apex'", "error of a dependent entry"
+	)
+	expect(words_of("s"), "column 8: there is no entry 'apex'", "text of a dependent entry")
 	undo()
 	await settle()
 	expect(scene().get_error("s"), "", "error after undo")

@@ -1,18 +1,20 @@
 @tool
 extends "../chapter.gd"
-## Scenes saved and opened through the dialogs, files that cannot be read, and the question about what is not saved.
+## Saving and opening scenes through the dialogs, invalid files, and the question about unsaved
+## changes.
 
 const JSON_FILE := "res://probe_scene.json"
 const TRES_FILE := "res://probe_scene.tres"
 const BROKEN := """{"format": "ga_godot_scene", "version": 1, "entries": [
-	{"name": "A", "expression": "point(1, 2, 3)"}, {"name": 5}, {"name": "s", "expression": "sphere(A, 1)"}]}"""
+	{"name": "A", "expression": "point(1, 2, 3)"}, {"name": 5},
+	{"name": "s", "expression": "sphere(A, 1)"}]}"""
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with([])
 	Hands.click(part("Objects/sphere"))
 	await settle(2)
-	expect(file_name().text, "not saved yet*", "name of a scene that was never saved")
+	expect(file_name().text, "[unsaved]*", "name of a scene that was never saved")
 	await _save_and_open(JSON_FILE)
 	await _save_and_open(TRES_FILE)
 	await _open_broken()
@@ -38,7 +40,7 @@ func _save_and_open(path: String) -> void:
 	expect(scene().document, before, "document after undoing and saving")
 	await choose_in_file_menu("New")
 	expect(names(), [], "entries of a new scene")
-	expect(_question().visible, false, "a question though all was saved")
+	expect(_question().visible, false, "a question although everything was saved")
 	await choose_in_file_menu("Open...")
 	await _give_path(path)
 	expect(scene().document, before, "document after opening %s" % path)
@@ -47,7 +49,7 @@ func _save_and_open(path: String) -> void:
 	expect(scene().document, before, "document after saving what was opened")
 
 
-## What can be read is opened, and the rest is told.
+## The valid entries are opened, the others reported.
 func _open_broken() -> void:
 	FileAccess.open("res://broken.json", FileAccess.WRITE).store_string(BROKEN)
 	await choose_in_file_menu("Open...")
@@ -55,16 +57,12 @@ func _open_broken() -> void:
 	expect(names(), ["A", "s"], "entries of a file with a broken one")
 	expect_true(
 		(
-			_toasts().contains("broken.json was read in part")
+			_toasts().contains("broken.json was only partly read")
 			and _toasts().contains("line 2, column 58: entry skipped")
 		),
-		"what is told of a broken entry: %s" % _toasts()
+		"the warning about a broken entry: %s" % _toasts()
 	)
-	expect(
-		document().get(&"path"),
-		"",
-		"path of what was read in part, which saving would take the rest from"
-	)
+	expect(document().get(&"path"), "", "path of a partly read file, which must not be overwritten")
 	Hands.click(part("Objects/point"))
 	await settle(2)
 	EditorInterface.save_all_scenes()
@@ -83,18 +81,18 @@ func _open_others() -> void:
 	FileAccess.open("res://no_scene.json", FileAccess.WRITE).store_string("[1, 2")
 	await choose_in_file_menu("Open...")
 	await _give_path("res://no_scene.json")
-	expect(scene().document, before, "document after a file that is no JSON")
+	expect(scene().document, before, "document after a file that is not JSON")
 	expect_true(
-		_toasts().contains("no_scene.json is no scene of the playground"),
-		"what is told of a file that is no JSON: %s" % _toasts()
+		_toasts().contains("no_scene.json is not a playground scene"),
+		"the warning about a file that is not JSON: %s" % _toasts()
 	)
 	ResourceSaver.save(Gradient.new(), "res://gradient.tres")
 	await choose_in_file_menu("Open...")
 	await _give_path("res://gradient.tres")
-	expect(scene().document, before, "document after a file of another kind")
+	expect(scene().document, before, "document after a file of another type")
 	expect_true(
-		_toasts().contains("gradient.tres is a Gradient"),
-		"what is told of a file of another kind: %s" % _toasts()
+		_toasts().contains("gradient.tres contains a Gradient"),
+		"the warning about a file of another type: %s" % _toasts()
 	)
 
 
@@ -146,7 +144,7 @@ func _question() -> ConfirmationDialog:
 	return file_menu().get_node("Question")
 
 
-## All that the editor shows in its corner.
+## All messages that the editor shows in its corner.
 func _toasts() -> String:
 	var texts := PackedStringArray()
 	for label: Label in EditorInterface.get_editor_toaster().find_children(

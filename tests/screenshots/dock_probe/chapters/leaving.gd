@@ -1,11 +1,11 @@
 @tool
 extends "../chapter.gd"
-## The editor is left with a scene that was changed and not saved; returning.gd is what comes after that.
+## Quits the editor with unsaved changes; returning.gd is the next start.
 
 const PLACE := "res://probe_left.tres"
 
 
-func read() -> void:
+func run() -> void:
 	await begin_with(["A", "point(1, 2, 3)", "k", "2"])
 	file_menu().call(&"save", PLACE)
 	await settle()
@@ -13,4 +13,4 @@ func read() -> void:
 	await settle(2)
 	Hands.click(row_part("A", "Eye"))
 	await settle(2)
-	expect(file_name().text, "probe_left.tres*", "name of what is left unsaved")
+	expect(file_name().text, "probe_left.tres*", "name of the unsaved scene")

@@ -1,11 +1,12 @@
 @tool
 extends "../chapter.gd"
-## Pictures of the dock in the theme and at the scale that the editor was started with, docked and floating. Those that
-## have a reference are compared with it.
+## Pictures of the dock, docked and floating, in the editor's theme and scale. Those that have a
+## reference are compared with it. The user arguments are --look=NAME, the prefix of the pictures'
+## names, --pictures=FOLDER and --references=FOLDER.
 
 const PictureComparison := preload("res://tests/pictures/picture_comparison.gd")
 
-## One of each kind, and what a person also sees.
+## One object of each kind, an error, a long expression and an imaginary object.
 const ENTRIES: PackedStringArray = [
 	"A",
 	"point(0, 1, 0)",
@@ -36,7 +37,7 @@ const COLORS: Dictionary[String, String] = {
 }
 
 
-func read() -> void:
+func run() -> void:
 	await _arrange()
 	var look := argument("--look")
 	await _take("%s_docked" % look)

@@ -1,11 +1,11 @@
 @tool
 extends "../chapter.gd"
-## The editor is started again; everything is as leaving.gd left it.
+## After a restart of the editor, everything is as leaving.gd left it.
 
 const PLACE := "res://probe_left.tres"
 
 
-func read() -> void:
+func run() -> void:
 	dock().make_visible()
 	await settle()
 	expect(names(), ["A", "k", "s1"], "entries after a restart of the editor")
@@ -16,12 +16,10 @@ func read() -> void:
 	expect(
 		FileAccess.get_file_as_string(PLACE).contains("sphere"),
 		false,
-		"the file having what was never saved"
+		"unsaved changes in the file"
 	)
 	await choose_in_file_menu("Save")
 	expect(file_name().text, "probe_left.tres", "name after saving")
 	expect(
-		FileAccess.get_file_as_string(PLACE).contains("sphere"),
-		true,
-		"the file having what was saved"
+		FileAccess.get_file_as_string(PLACE).contains("sphere"), true, "saved changes in the file"
 	)

@@ -1,12 +1,12 @@
 @tool
 extends "../chapter.gd"
-## Two hundred entries: how long one change takes, told and not judged.
+## Prints how long changes take in a document of 200 entries, without limits.
 
 const COUNT := 200
 const TIMES := 20
 
 
-func read() -> void:
+func run() -> void:
 	var entries: PackedStringArray = ["k", "1"]
 	for index in COUNT - 1:
 		match index % 4:
@@ -66,7 +66,7 @@ func _add() -> void:
 	expect(names().size(), COUNT, "entries after undoing what was added")
 
 
-## Medians: the machine may do other things meanwhile.
+## Prints medians, as the machine may be busy.
 func _measure(what: String, act: Callable, times := TIMES) -> void:
 	var acting: PackedInt64Array = []
 	var whole: PackedInt64Array = []

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## The 32 coefficients by grade, in the basis with e4 and e5 or in the one with eo and einf.
+## The 32 basis blades by grade, in the basis with e4 and e5 or in the null basis with eo and
+## einf.
 
 const NAMES: PackedStringArray = [
 	"1",
@@ -36,14 +37,14 @@ const NAMES: PackedStringArray = [
 	"e2345",
 	"e12345",
 ]
-## Index of the first of each grade, and the end.
+## Index of the first blade of each grade, then the number of blades.
 const GRADES: PackedInt32Array = [0, 1, 6, 16, 26, 31, 32]
 const GRADE_TITLES: PackedStringArray = [
 	"Scalar", "Vectors", "Bivectors", "Trivectors", "Quadvectors", "Pseudoscalar"
 ]
 
 
-## In the null basis, einf stands where e4 stood and eo where e5 stood.
+## The name at an index. In the null basis, einf takes the index of e4 and eo that of e5.
 static func name_of(index: int, null_basis: bool) -> String:
 	if not null_basis or has_both(index) or not (_has(index, "4") or _has(index, "5")):
 		return NAMES[index]
@@ -52,7 +53,8 @@ static func name_of(index: int, null_basis: bool) -> String:
 	return "e" + rest.trim_prefix("e") + last
 
 
-## The coefficients as they are named in that basis. e4 = einf / 2 - eo, e5 = einf / 2 + eo; e45 is the same in both.
+## Converts coefficients from the standard basis, if `null_basis` is set, by
+## e4 = einf / 2 - eo and e5 = einf / 2 + eo. e45 is the same in both.
 static func from_standard(coefficients: PackedFloat64Array, null_basis: bool) -> PackedFloat64Array:
 	var result := coefficients.duplicate()
 	if null_basis:
@@ -64,7 +66,7 @@ static func from_standard(coefficients: PackedFloat64Array, null_basis: bool) ->
 	return result
 
 
-## The inverse: einf = e4 + e5, eo = (e5 - e4) / 2.
+## The inverse of from_standard(): einf = e4 + e5, eo = (e5 - e4) / 2.
 static func to_standard(coefficients: PackedFloat64Array, null_basis: bool) -> PackedFloat64Array:
 	var result := coefficients.duplicate()
 	if null_basis:
@@ -76,7 +78,7 @@ static func to_standard(coefficients: PackedFloat64Array, null_basis: bool) -> P
 	return result
 
 
-## For a blade with e4 and no e5 the same one with e5 instead; -1 for all else.
+## For a blade with e4 but not e5, the index of the blade with e5 in its place; otherwise -1.
 static func partner_of(index: int) -> int:
 	return (
 		NAMES.find(NAMES[index].replace("4", "5"))

@@ -1,7 +1,7 @@
 @tool
 @abstract
 extends RefCounted
-## Where changes of a scene are kept so that they can be undone.
+## An undo history of changes to a scene.
 
-## Keeps what was done as one step: the scene's text was `before`, and is `after` already.
+## Adds one action to the history: the scene's document was `before` and already is `after`.
 @abstract func commit(title: String, scene: GAScene, before: String, after: String) -> void

@@ -1,12 +1,12 @@
 @tool
 extends RefCounted
-## Everything a person does to entries, each one step of the history.
+## The user's edits of entries. Each is one action in the undo history.
 
 const PlaygroundDocument := preload("playground_document.gd")
 const NewObjects := preload("new_objects.gd")
 const ValueSlider := preload("../entries/value_slider.gd")
 
-## Pressed with two entries selected, in this order; see combine().
+## What combine() can make of two entries, in the order of the buttons.
 const COMBINATIONS: Array[StringName] = [
 	&"join", &"meet", &"intersect", &"project", &"reflect", &"move"
 ]
@@ -20,21 +20,18 @@ func _init(document: PlaygroundDocument) -> void:
 	_document = document
 
 
-## The name of the new entry.
+## Returns the name of the new entry.
 func add_object(kind: StringName, dual: bool) -> String:
 	return add(
 		"", NewObjects.expression(kind, dual, _document.scene), NewObjects.is_dual(kind, dual), kind
 	)
 
 
-## Without a name it gets one by the kind of what it is.
+## Returns the name of the new entry. If `entry` is empty, the name is chosen by `kind`, or else by
+## the kind of the value.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
-		var value: Multivector = (
-			_document.scene.evaluate(expression)
-			if _document.scene.get_expression_error(expression).is_empty()
-			else null
-		)
+		var value: Multivector = _document.scene.describe_expression(expression)["value"]
 		kind = value.classify(ipns)["kind"] if value != null else &""
 	if entry.is_empty():
 		entry = NewObjects.free_name(kind, _document.scene)
@@ -82,10 +79,10 @@ func set_attribute(entry: String, key: String, value: Variant) -> void:
 	)
 
 
-## By the attributes of ValueSlider; what is as by default is not kept.
+## Keys are the attributes of ValueSlider. Default values are not stored.
 func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
 	_document.change(
-		"Set slider of %s" % entry,
+		"Set Slider Range of %s" % entry,
 		func(scene: GAScene) -> void:
 			for key in values:
 				scene.set_entry_attribute(
@@ -94,7 +91,7 @@ func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
 	)
 
 
-## What loses its value without these entries, beside themselves.
+## The other entries that lose their values if these are removed.
 func dependents(entries: PackedStringArray) -> PackedStringArray:
 	var found := PackedStringArray()
 	for entry in entries:
@@ -104,7 +101,7 @@ func dependents(entries: PackedStringArray) -> PackedStringArray:
 	return found
 
 
-## Empty if these two cannot be combined so.
+## The expression that combines two entries; empty if they cannot be combined this way.
 func combination(how: StringName, first: String, second: String) -> String:
 	match how:
 		&"join":
@@ -126,7 +123,7 @@ func combination(how: StringName, first: String, second: String) -> String:
 			return "sandwich(%s, %s)" % [second, first] if _is_motion(second) else ""
 
 
-## Adds what becomes of two entries; the name of the new one.
+## Adds the combination of two entries. Returns the name of the new entry.
 func combine(how: StringName, first: String, second: String) -> String:
 	var moved := second if how == &"move" and _is_motion(first) else first
 	var keeps_reading := how in [&"reflect", &"move"]
@@ -146,7 +143,7 @@ func _is_flat(entry: String) -> bool:
 	return _kind(entry) in FLATS
 
 
-# The foot of a point is that of its flat point: a round one has a radius, which does not stay 0.
+# Points are projected as flat points: the projection of a round point has a radius other than 0.
 func _flat(entry: String) -> String:
 	return (
 		"%s ^ einf" % entry if _kind(entry) == &"point" and not _is_ipns(entry) else _primal(entry)

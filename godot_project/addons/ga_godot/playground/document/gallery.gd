@@ -1,10 +1,10 @@
 @tool
 extends RefCounted
-## The examples that come with the addon, in the order in which they are best read.
+## The examples in the addon, in the recommended order.
 
 const FOLDER := "res://addons/ga_godot/gallery"
 
-## By file name without ending: the title.
+## Titles by file name without extension.
 const EXAMPLES: Dictionary[String, String] = {
 	"circle_through_points": "Circle through three points",
 	"sphere_through_points": "Sphere through four points",
@@ -13,11 +13,11 @@ const EXAMPLES: Dictionary[String, String] = {
 	"three_spheres": "Two spheres, three spheres",
 	"reflection": "Reflection in a plane",
 	"inversion": "Inversion in a sphere",
-	"turn_by_two_mirrors": "A turn is two mirrors",
-	"shift_by_two_mirrors": "A shift is two parallel mirrors",
+	"turn_by_two_mirrors": "A rotation is two reflections",
+	"shift_by_two_mirrors": "A translation is two parallel reflections",
 	"cube_between_poses": "A cube between two poses",
-	"blending_methods": "Three ways from pose to pose",
-	"shell": "A motion that turns and scales",
+	"blending_methods": "Three paths between two poses",
+	"shell": "A motion that rotates and scales",
 	"loxodrome": "From pole to pole",
 	"robot_arm": "A robot arm",
 	"two_pencils": "Two pencils",
@@ -25,12 +25,12 @@ const EXAMPLES: Dictionary[String, String] = {
 	"hexlet": "Soddy's hexlet",
 	"hopf_circles": "Villarceau and Hopf circles",
 }
-## Titles of sections, by the example that each begins with.
+## Section titles by the first example of the section.
 const SECTIONS: Dictionary[String, String] = {
 	"circle_through_points": "Objects",
-	"reflection": "Mirrors",
+	"reflection": "Reflections",
 	"cube_between_poses": "Motions",
-	"robot_arm": "Problems and wonders",
+	"robot_arm": "Problems and curiosities",
 }
 
 
@@ -42,7 +42,7 @@ static func path_of(example: String) -> String:
 	return FOLDER.path_join(example + ".json")
 
 
-## The document, or null, in which case error_of says why.
+## A new copy of the example, or null; then error_of() returns the reason.
 static func load_example(example: String) -> GAScene:
 	if not error_of(example).is_empty():
 		return null
@@ -50,13 +50,13 @@ static func load_example(example: String) -> GAScene:
 	return scene if scene.load_json(FileAccess.get_file_as_string(path_of(example))) == OK else null
 
 
-## Why an example cannot be opened; empty if it can.
+## Why the example cannot be opened; empty if it can.
 static func error_of(example: String) -> String:
 	if not EXAMPLES.has(example):
 		return 'There is no example named "%s".' % example
 	if not FileAccess.file_exists(path_of(example)):
 		return (
-			"%s is missing. Copy the whole folder addons/ga_godot into the project, or export it with *.json files."
+			"%s is missing. Copy the whole addons/ga_godot folder, or export the project with *.json files."
 			% path_of(example)
 		)
 	return ""

@@ -1,21 +1,21 @@
 @tool
 extends RefCounted
-## What the buttons of the dock add: for each kind of object an expression with numbers, and names.
+## New entries for each kind of object: titles, expressions and names.
 
 const KINDS: Array[StringName] = [
 	&"point", &"pair", &"line", &"circle", &"plane", &"sphere", &"motor", &"scalar"
 ]
 const TITLES: Dictionary[StringName, String] = {
 	&"point": "Point",
-	&"pair": "Point pair",
+	&"pair": "Point Pair",
 	&"line": "Line",
 	&"circle": "Circle",
 	&"plane": "Plane",
 	&"sphere": "Sphere",
 	&"motor": "Motor",
-	&"scalar": "Number with a slider",
+	&"scalar": "Number with Slider",
 }
-## %d is a place that the last one of the kind does not have.
+## %d is the number of existing entries of this kind, so that new ones do not coincide.
 const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"point": "point(%d, 0, 0)",
 	&"pair": "point_pair(point(%d, 0, 0), point(0, 1, 0))",
@@ -26,7 +26,7 @@ const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"motor": "motor(%d e1, rotor(e3, deg(90)), 1)",
 	&"scalar": "%d",
 }
-## How names of what is computed begin, by the kind that Multivector.classify tells.
+## Prefixes of names by the kind that Multivector.classify() returns.
 const INITIALS: Dictionary[StringName, String] = {
 	&"point_pair": "pair",
 	&"line": "l",
@@ -41,9 +41,9 @@ const INITIALS: Dictionary[StringName, String] = {
 	&"direction": "v",
 	&"pair": "pair",
 }
-## E and I are constants of the language.
+## Without E and I, which are constants in expressions.
 const POINT_NAMES := "ABCDFGHJKLMNOPQRSTUVWXYZ"
-## Objects that also have a dual.
+## Kinds that can also be added as duals.
 const WITH_DUAL: Array[StringName] = [&"point", &"pair", &"line", &"circle", &"plane", &"sphere"]
 
 
@@ -58,7 +58,7 @@ static func is_dual(kind: StringName, dual: bool) -> bool:
 	return dual and kind in WITH_DUAL
 
 
-## A name that no entry has: A, B, ... for points, an initial and a number for all else.
+## An unused name: A, B, ... for points, otherwise a prefix and a number.
 static func free_name(kind: StringName, scene: GAScene) -> String:
 	if kind in [&"point", &"flat_point"]:
 		for letter in POINT_NAMES:

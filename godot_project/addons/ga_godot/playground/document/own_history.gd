@@ -1,6 +1,6 @@
 @tool
 extends "edit_history.gd"
-## A history of the playground's own, for a running game.
+## The playground's own undo history, for use in a running game.
 
 signal changed
 
@@ -24,14 +24,14 @@ func commit(title: String, scene: GAScene, before: String, after: String) -> voi
 	_undo_redo.commit_action(false)
 
 
-## The title of what was undone; empty if there was nothing.
+## Returns the title of the undone action; empty if there is none.
 func undo() -> String:
 	var title := _undo_redo.get_current_action_name() if _undo_redo.has_undo() else ""
 	_undo_redo.undo()
 	return title
 
 
-## The title of what was done again; empty if there was nothing.
+## Returns the title of the redone action; empty if there is none.
 func redo() -> String:
 	return _undo_redo.get_current_action_name() if _undo_redo.redo() else ""
 

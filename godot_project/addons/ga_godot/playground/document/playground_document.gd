@@ -1,29 +1,25 @@
 @tool
 extends RefCounted
-## The scene that the playground shows, where it is saved, and every change to it as one step that can be undone.
+## The scene that the playground shows, with its file and its undo history.
 
-## Another scene is shown, or it has another file.
+## Another scene is shown, or the file of the scene changed.
 signal scene_switched
-## Something of the scene changed; also when it was undone.
+## The scene changed, also by undo and redo.
 signal changed
-## Just before that: which entries have another value or error, as GAScene tells it.
+## Forwarded from GAScene.entries_changed, before `changed`.
 signal entries_changed(names: PackedStringArray)
 
 const EditHistory := preload("edit_history.gd")
 
-## What an expression that is being typed is called meanwhile.
-const TYPED := "_typed"
-const MAX_NAME_LENGTH := 64
-
 var scene: GAScene
-## Of the file; empty if it was never saved.
+## The resource path; empty for a scene without a file.
 var path := ""
 
 var _history: EditHistory
 var _saved_text := ""
 var _text_before_gesture := ""
 var _in_gesture := false
-# Within change(): listeners are told once, at its end.
+# While change() runs, `changed` is delayed until its end.
 var _is_changing := false
 
 
@@ -50,17 +46,17 @@ func is_unsaved() -> bool:
 	return _in_gesture or scene.document != _saved_text
 
 
-## If it is a part of another file, such as a .tscn, and is saved with that.
+## Whether the scene is embedded in another file, such as a .tscn, and is saved with it.
 func is_embedded() -> bool:
 	return path.contains("::")
 
 
-## The file that it is in; empty if it was never saved.
+## The file that contains the scene; empty if there is none.
 func get_file() -> String:
 	return path.get_slice("::", 0)
 
 
-## The scene as it was when it was opened or last saved.
+## The scene's text when it was opened or last saved.
 func get_saved_text() -> String:
 	return _saved_text
 
@@ -71,7 +67,7 @@ func mark_saved(new_path: String) -> void:
 	scene_switched.emit()
 
 
-## Calls edit with the scene; all that it does is one step of the history.
+## Calls `edit` with the scene. All its changes become one action in the history.
 func change(title: String, edit: Callable) -> void:
 	var before := scene.document
 	_is_changing = true
@@ -83,7 +79,8 @@ func change(title: String, edit: Callable) -> void:
 		changed.emit()
 
 
-## Between these two, changes are made on the scene itself, at the rate of a drag; they become one step.
+## Changes to the scene between begin_gesture() and end_gesture(), such as those of a drag, become
+## one action in the history.
 func begin_gesture() -> void:
 	_in_gesture = true
 	_text_before_gesture = scene.document
@@ -98,46 +95,6 @@ func end_gesture(title: String) -> void:
 		_in_gesture = false
 		_commit(title, _text_before_gesture, scene.document)
 		changed.emit()
-
-
-func copy_scene() -> GAScene:
-	var copy := GAScene.new()
-	copy.document = scene.document
-	return copy
-
-
-## Why the text cannot be the name of a new entry; empty if it can.
-func name_error(text: String) -> String:
-	if scene.has_entry(text):
-		return "There is an entry %s already." % text
-	var language := GAScene.new()
-	language.add_entry(TYPED, text)
-	if (
-		text.length() > MAX_NAME_LENGTH
-		or language.get_dependencies(TYPED) != PackedStringArray([text])
-	):
-		return (
-			"%s cannot be a name: it needs letters, digits and underscores, no digit first, and must not be a constant."
-			% ("This" if text.is_empty() else text)
-		)
-	return ""
-
-
-## What an expression without an error is, in words.
-func describe(expression: String) -> String:
-	var alone := GAScene.new()
-	alone.add_entry(TYPED, scene.evaluate(expression).to_json())
-	return alone.get_description(TYPED)
-
-
-## The scene as it would be with that expression of an entry, or of one more called TYPED.
-func preview(text: String, entry := TYPED) -> GAScene:
-	var copy := copy_scene()
-	if copy.has_entry(entry):
-		copy.set_expression(entry, text)
-	else:
-		copy.add_entry(entry, text)
-	return copy
 
 
 func _commit(title: String, before: String, after: String) -> void:

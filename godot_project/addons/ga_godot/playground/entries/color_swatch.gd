@@ -1,6 +1,7 @@
 @tool
 extends ColorPickerButton
-## The colour of an entry: shown at once while it is chosen, one step of the history when the picker closes.
+## The color of an entry. The drawing follows while the picker is open; closing it adds one action
+## to the history.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
@@ -15,7 +16,7 @@ var _document: PlaygroundDocument
 func _init(document: PlaygroundDocument) -> void:
 	name = "Color"
 	_document = document
-	tooltip_text = "The colour that the object is drawn in."
+	tooltip_text = "Choose the color of the object."
 	focus_mode = Control.FOCUS_NONE
 	size_flags_vertical = Control.SIZE_SHRINK_CENTER
 	var side := WIDTH * PlaygroundStyle.scale()

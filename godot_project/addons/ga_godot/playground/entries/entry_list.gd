@@ -1,21 +1,25 @@
 @tool
 extends ScrollContainer
-## The entries of the scene in their order, and which of them are selected, in the order of selection.
+## The list of entries, and the selected ones in the order of selection.
+
+signal selection_changed
+signal menu_requested(row: Control)
+signal deletion_requested
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryRow := preload("entry_row.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-signal selection_changed
-signal menu_requested(row: Control)
-signal deletion_requested
-
-## Of two rows.
+## The height of about two rows.
 const MIN_HEIGHT := 104.0
-## The key of an entry's name in what is dragged.
+## The key of the entry's name in drag data.
 const DRAGGED := "ga_playground_entry"
-const HINT := "Nothing here yet.\n\nAdd an object with a button above, open an example, or type an expression below: point(1, 2, 3)"
+const HINT := (
+	"No entries yet.\n\n"
+	+ "Add an object with the buttons above, open an example, or type an expression below, "
+	+ "such as point(1, 2, 3)."
+)
 
 var selection := PackedStringArray()
 
@@ -23,10 +27,10 @@ var _document: PlaygroundDocument
 var _edits: EntryEdits
 var _rows := VBoxContainer.new()
 var _hint := Label.new()
-# Entries whose value changed since they were shown; all of another scene.
+# Entries whose value changed since their row was last updated.
 var _stale: Dictionary[String, bool] = {}
 var _are_all_stale := true
-# While a row is dragged, in the viewport.
+# The position of the mouse in the viewport, while a row is dragged.
 var _mouse := Vector2.ZERO
 
 
@@ -103,7 +107,7 @@ func select(entries: PackedStringArray) -> void:
 	selection_changed.emit()
 
 
-# Keys go on to the list when the row that had them goes.
+# Moves the keyboard focus from a row that is removed to the list.
 func _keep_focus(row: EntryRow) -> void:
 	var focused := get_viewport().gui_get_focus_owner() if is_inside_tree() else null
 	if focused != null and (focused == row or row.is_ancestor_of(focused)):
@@ -142,14 +146,15 @@ func _notification(what: int) -> void:
 		_show_drop(null, EntryRow.Drop.NONE)
 
 
-# What the engine tells of the place when something is dropped is that of the screen's mouse, which events need not follow.
+# The position that the engine passes to _drop() is that of the system's mouse pointer, which
+# injected events do not move.
 func _input(event: InputEvent) -> void:
 	var mouse := event as InputEventMouse
 	if mouse != null:
 		_mouse = mouse.position
 
 
-## Rows are dragged to another place.
+## Starts dragging a row to another place in the list.
 func _drag(_at: Vector2, row: EntryRow) -> Variant:
 	var preview := Label.new()
 	preview.text = "%s = %s" % [row.entry, _document.scene.get_expression(row.entry)]
@@ -203,7 +208,7 @@ func _on_row_input(event: InputEvent, row: EntryRow) -> void:
 		row.accept_event()
 
 
-## What a key does to the entry that was selected last, while no text is edited; false if nothing.
+## Handles a key for the entry that was selected last. Returns whether the key was used.
 func press_key(key: InputEventKey) -> bool:
 	if key == null or not key.pressed or selection.is_empty():
 		return false

@@ -1,6 +1,8 @@
 @tool
 extends PopupMenu
-## What can be done with the selected entries, beside what their rows offer.
+## The context menu of the selected entries.
+
+enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
@@ -8,11 +10,9 @@ const EntryList := preload("entry_list.gd")
 const EntryRow := preload("entry_row.gd")
 const SliderRangeDialog := preload("slider_range_dialog.gd")
 const ValueSlider := preload("value_slider.gd")
-const WrittenCode := preload("../document/written_code.gd")
+const CodeExport := preload("../document/code_export.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
-
-enum Item { RENAME, UP, DOWN, DUAL, NODE, SLIDER, GDSCRIPT, CPP, LATEX, JSON_NUMBERS, DELETE }
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -51,7 +51,7 @@ func show_for(row: EntryRow) -> void:
 	popup()
 
 
-## Asks if other entries would lose their values.
+## Asks for confirmation if other entries would lose their values.
 func delete_selected() -> void:
 	var dependents := _edits.dependents(_list.selection)
 	if dependents.is_empty():
@@ -59,8 +59,13 @@ func delete_selected() -> void:
 		return
 	_question.title = "Delete %s?" % ", ".join(_list.selection)
 	_question.dialog_text = (
-		"%s depend%s on %s and will have no value without it. Undo brings everything back."
-		% [", ".join(dependents), "s" if dependents.size() == 1 else "", ", ".join(_list.selection)]
+		"%s depend%s on %s and would lose %s. You can undo the deletion."
+		% [
+			", ".join(dependents),
+			"s" if dependents.size() == 1 else "",
+			", ".join(_list.selection),
+			"its value" if dependents.size() == 1 else "their values"
+		]
 	)
 	_question.popup_centered(Vector2i(Vector2(320, 90) * PlaygroundStyle.scale()))
 
@@ -73,7 +78,7 @@ func _fill() -> void:
 	set_item_disabled(-1, index == 0)
 	add_item("Move Down", Item.DOWN, KEY_MASK_ALT | KEY_DOWN)
 	set_item_disabled(-1, index == _document.scene.get_entry_count() - 1)
-	add_check_item("Read as Dual (IPNS)", Item.DUAL)
+	add_check_item("Interpret as Dual (IPNS)", Item.DUAL)
 	set_item_checked(-1, _is_dual())
 	if _document.scene.get_parameters(_row.entry).has(ValueSlider.PARAMETER):
 		add_item("Slider Range...", Item.SLIDER)
@@ -106,11 +111,11 @@ func _on_item_pressed(item: int) -> void:
 			for selected in _list.selection:
 				_host.create_node(_document.scene, selected)
 		Item.GDSCRIPT:
-			DisplayServer.clipboard_set(WrittenCode.gdscript(_document.scene, _list.selection))
+			DisplayServer.clipboard_set(CodeExport.gdscript(_document.scene, _list.selection))
 		Item.CPP:
-			DisplayServer.clipboard_set(WrittenCode.cpp(_document.scene, _list.selection))
+			DisplayServer.clipboard_set(CodeExport.cpp(_document.scene, _list.selection))
 		Item.LATEX:
-			DisplayServer.clipboard_set(WrittenCode.latex(_document.scene, _list.selection))
+			DisplayServer.clipboard_set(CodeExport.latex(_document.scene, _list.selection))
 		Item.JSON_NUMBERS:
 			var value := _document.scene.get_value(entry)
 			DisplayServer.clipboard_set(value.to_json() if value != null else "")

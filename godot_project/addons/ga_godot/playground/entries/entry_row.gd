@@ -1,6 +1,13 @@
 @tool
 extends PanelContainer
-## One entry of the list: colour, name, expression, whether it and its label are drawn, and what it is or what is wrong.
+## One row of the entry list: color, name, expression, visibility, label, and the description of the
+## value or the error.
+
+## The left mouse button was pressed on the row. If `adding`, the entry is added to the selection.
+signal pressed(row: Control, adding: bool)
+signal menu_requested(row: Control)
+
+enum Drop { NONE, ABOVE, BELOW }
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
@@ -9,14 +16,8 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
 
-enum Drop { NONE, ABOVE, BELOW }
-
-## Pressed with that button of the mouse; adding: to the selection.
-signal pressed(row: Control, adding: bool)
-signal menu_requested(row: Control)
-
 const NAME_WIDTH := 30.0
-## Between a button's edge and its icon.
+## Between the edge of a button and its icon, in pixels.
 const BUTTON_MARGIN := 4.0
 const DROP_LINE := 2.0
 const QUIET := Color(1, 1, 1, 0.65)
@@ -24,7 +25,7 @@ const QUIET := Color(1, 1, 1, 0.65)
 var entry := ""
 var selected := false:
 	set = set_selected
-## Where a line tells that what is dragged would go: above, below, or nowhere.
+## Where a line marks the drop position of a dragged row.
 var drop_side := Drop.NONE:
 	set = set_drop_side
 
@@ -43,7 +44,7 @@ var _slider: ValueSlider
 var _label_icon: Texture2D
 var _label_icon_on: Texture2D
 var _is_styling := false
-# What was shown last, beside the value.
+# What the row shows, to update it only when it changes.
 var _shown_expression := ""
 var _shown_attributes := {}
 
@@ -87,7 +88,7 @@ func _notification(what: int) -> void:
 			show_entry(entry)
 
 
-## Shows what the scene has under that name, if it is anything else than before.
+## Updates the row if it shows another entry or the entry changed.
 func refresh(new_entry: String, has_new_value: bool) -> void:
 	var scene := _document.scene
 	if (
@@ -99,7 +100,7 @@ func refresh(new_entry: String, has_new_value: bool) -> void:
 		show_entry(new_entry)
 
 
-## Shows what the scene has under that name.
+## Shows the entry of that name.
 func show_entry(new_entry: String) -> void:
 	entry = new_entry
 	var scene := _document.scene
@@ -119,7 +120,7 @@ func show_entry(new_entry: String) -> void:
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
 	_swatch.show_entry(entry)
 	_slider.show_entry(entry)
-	_show_words(scene, entry)
+	_show_words(scene.get_description(entry), scene.get_error(entry))
 
 
 func set_selected(value: bool) -> void:
@@ -135,20 +136,20 @@ func set_drop_side(value: Drop) -> void:
 	queue_redraw()
 
 
-## Has these three asked whatever part of the row the mouse is on; see Control.set_drag_forwarding().
+## Calls Control.set_drag_forwarding() for the row and its parts.
 func forward_drag(drag: Callable, can_drop: Callable, drop: Callable) -> void:
 	set_drag_forwarding(drag, can_drop, drop)
 	for part: Control in [_swatch, _name, _expression, _slider, _eye, _label_toggle, _menu]:
 		part.set_drag_forwarding(Callable(), can_drop, drop)
 
 
-## Puts the cursor into the name.
+## Starts editing the name.
 func start_renaming() -> void:
 	_name.edit()
 	_name.select_all()
 
 
-# Below the texts, not below the colour.
+# The slider is aligned with the texts, to the right of the color.
 func _make_slider_line() -> Control:
 	var line := HBoxContainer.new()
 	line.mouse_filter = Control.MOUSE_FILTER_PASS
@@ -169,7 +170,7 @@ func _prepare_texts() -> void:
 	_name.expand_to_text_length = true
 	_name.add_theme_constant_override(&"minimum_character_width", 2)
 	_name.custom_minimum_size.x = NAME_WIDTH * scale
-	_name.tooltip_text = "The name. Type another to rename the entry, in all expressions as well."
+	_name.tooltip_text = "Name of the entry. Renaming it updates all expressions that refer to it."
 	_name.text_submitted.connect(_on_name_submitted)
 	_name.focus_exited.connect(_commit_name)
 	_name.text_changed.connect(_on_name_typed)
@@ -193,18 +194,18 @@ func _prepare_texts() -> void:
 
 func _prepare_buttons() -> void:
 	_eye.name = "Eye"
-	_eye.tooltip_text = "Draw the object, or hide it."
+	_eye.tooltip_text = "Toggle the visibility of the object."
 	_eye.toggle_mode = true
 	_eye.toggled.connect(func(on: bool) -> void: _edits.set_attribute(entry, "visible", on))
 	_label_toggle.name = "Label"
-	_label_toggle.tooltip_text = "Write the name beside the object."
+	_label_toggle.tooltip_text = "Toggle the label of the object."
 	_label_toggle.toggle_mode = true
 	_label_toggle.toggled.connect(func(on: bool) -> void: _edits.set_attribute(entry, "label", on))
-	# Its icons have their colours.
+	# The icons are colored already.
 	for color: StringName in [&"icon_pressed_color", &"icon_hover_pressed_color"]:
 		_label_toggle.add_theme_color_override(color, Color.WHITE)
 	_menu.name = "Menu"
-	_menu.tooltip_text = "What else can be done with the entry. Also by a right click."
+	_menu.tooltip_text = "Open the menu of the entry. You can also right-click the entry."
 	_menu.pressed.connect(func() -> void: menu_requested.emit(self))
 	for button: Button in [_eye, _label_toggle, _menu]:
 		button.flat = true
@@ -231,7 +232,7 @@ func _gui_input(event: InputEvent) -> void:
 		menu_requested.emit(self)
 
 
-## A click into a text selects the entry as well; Escape takes back what was typed.
+## A click in a text field also selects the entry. Esc restores the text.
 func _on_text_input(event: InputEvent, edit: LineEdit) -> void:
 	var click := event as InputEventMouseButton
 	if click != null and click.pressed and click.button_index == MOUSE_BUTTON_LEFT:
@@ -251,18 +252,20 @@ func _on_expression_submitted(_text: String) -> void:
 
 
 func _on_name_typed(text: String) -> void:
-	_tell("" if text == entry else _document.name_error(text))
+	_show_error("" if text == entry else _document.scene.get_name_error(text))
 
 
 func _on_expression_typed(text: String) -> void:
-	_show_words(_document.preview(text, entry), entry)
+	var found := _document.scene.describe_expression(text, entry)
+	_show_words(found["description"] as String, found["error"] as String)
 
 
 func _commit_name() -> void:
 	var text := _name.text.strip_edges()
-	if text != entry and _document.scene.has_entry(entry) and _document.name_error(text).is_empty():
+	var scene := _document.scene
+	if text != entry and scene.has_entry(entry) and scene.get_name_error(text).is_empty():
 		_edits.rename(entry, text)
-	elif _document.scene.has_entry(entry):
+	elif scene.has_entry(entry):
 		_name.text = entry
 		show_entry(entry)
 
@@ -275,16 +278,15 @@ func _commit_expression() -> void:
 		_edits.set_expression(entry, _expression.text)
 
 
-func _show_words(scene: GAScene, shown: String) -> void:
-	var error := scene.get_error(shown)
-	_tell(error)
+func _show_words(description: String, error: String) -> void:
+	_show_error(error)
 	if error.is_empty():
-		_words.text = scene.get_description(shown)
-		_words.tooltip_text = _words.text
+		_words.text = description
+		_words.tooltip_text = description
 
 
-## What is wrong; nothing if that is empty.
-func _tell(error: String) -> void:
+## Hides the error if the text is empty.
+func _show_error(error: String) -> void:
 	var is_wrong := not error.is_empty()
 	_error_icon.texture = get_theme_icon(&"StatusError", &"EditorIcons") if is_wrong else null
 	_words.modulate = Color.WHITE if is_wrong else QUIET
@@ -297,27 +299,27 @@ func _tell(error: String) -> void:
 	_wrap_words()
 
 
-# One line, except for what is selected or wrong.
+# Wraps the text of selected entries and of errors; trims all others to one line.
 func _wrap_words() -> void:
 	var is_whole := selected or _error_icon.texture != null
 	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART if is_whole else TextServer.AUTOWRAP_OFF
 	_words.text_overrun_behavior = (
 		TextServer.OVERRUN_NO_TRIMMING if is_whole else TextServer.OVERRUN_TRIM_ELLIPSIS
 	)
-	# A change there and back within a frame would leave them higher than their line.
+	# Without this, changing the mode twice within a frame leaves the label too high.
 	(_words.get_parent() as Container).queue_sort()
 
 
-# Narrower than a button by itself.
+# With smaller margins than the theme's buttons.
 func _button_style() -> StyleBox:
 	var style := StyleBoxEmpty.new()
 	style.set_content_margin_all(BUTTON_MARGIN * PlaygroundStyle.scale())
 	return style
 
 
-# Begins where the name does, and has its first line at the height of the buttons.
+# Aligns the text with the name, and its first line with the buttons.
 func _words_style() -> StyleBox:
-	# By types: the parts of the row learn of another theme after the row.
+	# Looked up by type, as the row is notified of a theme change before its parts.
 	var style := StyleBoxEmpty.new()
 	style.content_margin_left = get_theme_stylebox(&"normal", &"LineEdit").get_margin(SIDE_LEFT)
 	var button := (
@@ -337,13 +339,13 @@ func _show_selection() -> void:
 		get_theme_stylebox(&"selected", &"Tree").duplicate() if selected else StyleBoxEmpty.new()
 	)
 	style.set_content_margin_all(3 * PlaygroundStyle.scale())
-	# An override counts as a change of the theme.
+	# An override causes another theme notification.
 	_is_styling = true
 	add_theme_stylebox_override(&"panel", style)
 	_is_styling = false
 
 
-# Not while it is typed in.
+# Leaves a text alone while the user edits it.
 func _set_text(edit: LineEdit, text: String) -> void:
 	if edit.text != text and not (edit.has_focus() and edit.is_editing()):
 		edit.text = text

@@ -1,6 +1,6 @@
 @tool
 extends ConfirmationDialog
-## From where to where the slider of a number goes, and by which steps.
+## Edits the range and step of an entry's slider.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
@@ -49,7 +49,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 
 func ask(entry: String) -> void:
 	_entry = entry
-	title = "Slider of %s" % entry
+	title = "Slider Range of %s" % entry
 	var values := ValueSlider.get_range(_document.scene, entry)
 	for key in _fields:
 		_fields[key].text = String.num(values[key]).trim_suffix(".0")
@@ -76,15 +76,15 @@ func _show_error() -> void:
 func _find_error() -> String:
 	for key in _fields:
 		if not _fields[key].text.strip_edges().is_valid_float():
-			return "%s needs a number." % TITLES[key]
+			return "%s must be a number." % TITLES[key]
 	var values := _read()
 	if not values[ValueSlider.MIN] < values[ValueSlider.MAX]:
-		return "From has to be less than To."
+		return "From must be less than To."
 	if not (
 		values[ValueSlider.STEP] > 0.0
 		and values[ValueSlider.STEP] <= values[ValueSlider.MAX] - values[ValueSlider.MIN]
 	):
-		return "Step has to be more than 0 and within the range."
+		return "Step must be greater than 0 and fit in the range."
 	return ""
 
 

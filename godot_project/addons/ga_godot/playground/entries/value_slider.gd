@@ -1,11 +1,11 @@
 @tool
 extends HSlider
-## Slides an entry that is a number; hidden for all else.
+## A slider for entries that are numbers; hidden for all others.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 
 const PARAMETER := "value"
-## Attributes of the entry, and what holds without them.
+## Attributes of the entry, and their defaults.
 const MIN := "slider/min"
 const MAX := "slider/max"
 const STEP := "slider/step"
@@ -25,7 +25,7 @@ func _init(document: PlaygroundDocument) -> void:
 	value_changed.connect(_on_value_changed)
 
 
-## By the attributes; what is not set, or cannot be used, is as by default.
+## The range from the entry's attributes, with defaults for missing or invalid ones.
 static func get_range(scene: GAScene, entry: String) -> Dictionary[String, float]:
 	var found: Dictionary[String, float] = DEFAULTS.duplicate()
 	for key in DEFAULTS:

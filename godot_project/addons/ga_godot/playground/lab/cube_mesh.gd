@@ -1,8 +1,8 @@
 @tool
 extends RefCounted
-## The meshes of the demo's cubes: a solid one whose faces tell the axes apart, and its bare edges.
+## Meshes of cubes: solid, with the axes marked by color, and edges only.
 
-## Edge length at scale 1, in metres.
+## Edge length at scale 1, in meters.
 const EDGE := 0.5
 
 const FACE_COLORS: Dictionary[Vector3, Color] = {
@@ -15,7 +15,7 @@ const FACE_COLORS: Dictionary[Vector3, Color] = {
 }
 
 
-## A cube with vertex colours: +X red, +Y green, +Z blue, the others grey.
+## A cube with vertex colors: +X red, +Y green, +Z blue, the others gray.
 static func solid() -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
@@ -25,13 +25,13 @@ static func solid() -> ArrayMesh:
 		tool.set_normal(normal)
 		tool.set_color(FACE_COLORS[normal])
 		var corners: Array[Vector3] = [-u - v, -u + v, u + v, u - v]
-		# Clockwise, seen from outside, is the front.
+		# Front faces are clockwise when seen from outside.
 		for index: int in [0, 1, 2, 0, 2, 3]:
 			tool.add_vertex((normal + corners[index]) * (EDGE / 2.0))
 	return tool.commit()
 
 
-## The twelve edges as bars of that thickness in metres.
+## The twelve edges as bars. The thickness is in meters.
 static func frame(thickness: float) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)

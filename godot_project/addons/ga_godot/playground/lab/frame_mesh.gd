@@ -1,8 +1,8 @@
 @tool
 extends RefCounted
-## A frame of axes: x red, y green, z blue, from a small hub at the origin.
+## A coordinate frame: x red, y green and z blue, with a small hub at the origin.
 
-## Of an axis at scale 1, in metres.
+## Length of an axis and edge of the hub at scale 1, in meters.
 const LENGTH := 0.5
 const HUB := 0.07
 
@@ -11,7 +11,7 @@ const AXIS_COLORS: Array[Color] = [
 ]
 
 
-## The three axes as bars of that thickness in metres, with vertex colours.
+## The three axes as bars with vertex colors. The thickness is in meters.
 static func axes(thickness: float) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
@@ -25,7 +25,7 @@ static func axes(thickness: float) -> ArrayMesh:
 	return tool.commit()
 
 
-## The hub as a further surface of a mesh, for a material of its own.
+## Adds the hub as a separate surface, so that it can have its own material.
 static func add_hub(mesh: ArrayMesh) -> void:
 	var hub := BoxMesh.new()
 	hub.size = Vector3.ONE * HUB

@@ -1,7 +1,13 @@
 @tool
 extends RefCounted
-## Two poses of a document and the ways between them: which entries, at which t, and what is shown of it. Panel and drawing
-## show what it says; it lives in the document's attributes (lab_settings.gd), except for t while that is moved.
+## The model of the interpolation lab: two poses of a document, the parameter t, and display
+## settings. LabPanel and LabDrawing show it. It is stored in the document's attributes
+## (lab_settings.gd), except for t while the user moves it.
+
+## The poses, the settings or the error message changed.
+signal changed
+## Only t changed.
+signal moved
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const NewObjects := preload("../document/new_objects.gd")
@@ -10,27 +16,23 @@ const LabPlayback := preload("lab_playback.gd")
 const LabPoses := preload("lab_poses.gd")
 const LabSettings := preload("lab_settings.gd")
 
-## The poses, the settings, or what is wrong.
-signal changed
-## t, and nothing else.
-signal moved
-
 const VALUE := "value"
-## Of what is written into an entry.
-const FINEST := 1e-4
+## The step that t is rounded to in an entry.
+const T_STEP := 1e-4
 
 var document: PlaygroundDocument
 var poses: LabPoses
-## Whether it is wanted at all; without, nothing is computed or drawn.
+## While closed, nothing is computed or drawn.
 var is_open := false:
 	set = set_open
-## Further than 0 to 1 only where an entry gives it.
+## From 0 to 1; only an entry can set it beyond.
 var t := 0.5
 
 var _playback := LabPlayback.new()
 var _t_before_play := 0.0
 var _moved_entry := ""
-## The settings as they were last read, and t among them: what is slid or played is not there.
+# The stored settings when they were last read, and their t, which differs from `t` during a drag
+# or playback.
 var _summary := {}
 var _kept_t := NAN
 
@@ -59,9 +61,9 @@ func get_setting(key: StringName) -> Variant:
 	return LabSettings.read(document.scene, key)
 
 
-## One step of the history.
+## Adds one action to the history.
 func set_setting(key: StringName, value: Variant) -> void:
-	set_settings("Set %s of the interpolation" % String(key).replace("_", " "), {key: value})
+	set_settings("Set Interpolation %s" % String(key).capitalize(), {key: value})
 
 
 func set_settings(title: String, settings: Dictionary[StringName, Variant]) -> void:
@@ -81,13 +83,13 @@ func shows_mode(mode: MultivectorLerp.Mode) -> bool:
 	return get_setting(LabSettings.MODES[mode])
 
 
-## The entry that t is the value of; empty if none is.
+## The entry that provides t; empty if none does.
 func get_t_entry() -> String:
 	var entry: String = get_setting(&"t_entry")
 	return entry if _is_number(document.scene, entry) else ""
 
 
-## Between begin_move() and end_move(), move() is one step of the history.
+## All calls of move() between begin_move() and end_move() are one action in the history.
 func begin_move() -> void:
 	stop()
 	_moved_entry = get_t_entry()
@@ -100,11 +102,11 @@ func move(new_t: float) -> void:
 	if entry.is_empty():
 		_set_t(new_t)
 	elif document.is_in_gesture() or is_playing():
-		document.scene.set_parameter(entry, VALUE, snappedf(new_t, FINEST))
+		document.scene.set_parameter(entry, VALUE, snappedf(new_t, T_STEP))
 	else:
 		document.change(
 			"Slide %s" % entry,
-			func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, snappedf(new_t, FINEST))
+			func(scene: GAScene) -> void: scene.set_parameter(entry, VALUE, snappedf(new_t, T_STEP))
 		)
 
 
@@ -112,7 +114,7 @@ func end_move() -> void:
 	if not _moved_entry.is_empty():
 		document.end_gesture("Slide %s" % _moved_entry)
 	else:
-		set_settings("Slide t of the interpolation", {&"t": t})
+		set_settings("Slide Interpolation t", {&"t": t})
 
 
 func is_playing() -> bool:
@@ -126,7 +128,7 @@ func play() -> void:
 	moved.emit()
 
 
-## What was played on an entry becomes one step of the history.
+## If t is an entry, adds the playback as one action to the history.
 func stop() -> void:
 	if not is_playing():
 		return
@@ -150,27 +152,28 @@ func advance(delta: float) -> void:
 	if is_playing():
 		move(next)
 	else:
-		# It has come to its end.
+		# The playback has ended.
 		_playback.is_playing = true
 		move(next)
 		stop()
 
 
-## The pose at t as a motor, null without poses.
-func get_moment(mode: MultivectorLerp.Mode) -> Multivector:
+## The pose at t as a motor; null without poses.
+func get_pose(mode: MultivectorLerp.Mode) -> Multivector:
 	return (
 		MultivectorLerp.interpolate(poses.from, poses.to, t, mode) if poses.is_complete() else null
 	)
 
 
-## The largest deviation of two modes, as MultivectorLerp.measure_deviation tells it.
+## The largest deviation between two modes, see MultivectorLerp.measure_deviation().
 func measure(first: MultivectorLerp.Mode, second: MultivectorLerp.Mode) -> Dictionary:
 	var lever: float = get_setting(&"lever")
 	return MultivectorLerp.measure_deviation(poses.from, poses.to, first, second, lever)
 
 
-## Makes the interpolation an entry, over an entry t with a slider, which then is the lab's t. Its name; empty without poses.
-func keep(mode: MultivectorLerp.Mode) -> String:
+## Adds the interpolation as an entry, with t as a second entry that has a slider and from then on
+## provides the lab's t. Returns the name of the entry; empty without poses.
+func add_entry(mode: MultivectorLerp.Mode) -> String:
 	if not poses.is_complete():
 		return ""
 	stop()
@@ -187,7 +190,7 @@ func keep(mode: MultivectorLerp.Mode) -> String:
 		)
 	var value := t
 	document.change(
-		"Keep the interpolation of %s and %s" % [from, to],
+		"Add Interpolation of %s and %s" % [from, to],
 		func(scene: GAScene) -> void:
 			if is_new_t:
 				scene.add_entry(t_entry, String.num(snappedf(value, 0.001)))
@@ -230,7 +233,7 @@ func _read_settings() -> void:
 	poses.choose(from, to)
 
 
-# Whether an entry has given another t.
+# Reads t from its entry. Returns whether it changed.
 func _follow_t_entry() -> bool:
 	var entry := get_t_entry()
 	if entry.is_empty():

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## What is drawn at a pose: a cube, or a frame of axes.
+## The body that is drawn at a pose: a cube or a coordinate frame.
 
 const CubeMesh := preload("cube_mesh.gd")
 const FrameMesh := preload("frame_mesh.gd")
@@ -10,13 +10,13 @@ const FRAME := &"frame"
 const KINDS: Array[StringName] = [FRAME, CUBE]
 const TITLES: Dictionary[StringName, String] = {CUBE: "Cube", FRAME: "Frame"}
 
-## In metres at scale 1: of a cube's edges, and of axes.
+## Thickness of edges or axes at scale 1, in meters.
 const THICKNESS: Dictionary[StringName, float] = {CUBE: 0.022, FRAME: 0.017}
 const GHOST_THICKNESS: Dictionary[StringName, float] = {CUBE: 0.014, FRAME: 0.011}
 const GHOST_ALPHA := 0.45
 
 
-## The body itself, in the colour of its mode at the edges or the hub.
+## The moving body. Its edges or its hub have the color of the mode.
 static func solid(kind: StringName, color: Color) -> ArrayMesh:
 	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS[kind])
 	mesh.surface_set_material(0, _with_vertex_colors(1.0))
@@ -30,7 +30,7 @@ static func solid(kind: StringName, color: Color) -> ArrayMesh:
 	return mesh
 
 
-## Where the body is on its way.
+## The translucent body at a step of the path.
 static func ghost(kind: StringName, color: Color) -> ArrayMesh:
 	var faint := Color(color, GHOST_ALPHA)
 	if kind == CUBE:
@@ -53,7 +53,7 @@ static func _of_one_color(color: Color) -> StandardMaterial3D:
 	return material
 
 
-# Without light: a scene need not have any.
+# Unshaded, as the scene may have no lights.
 static func _with_vertex_colors(alpha: float) -> StandardMaterial3D:
 	var material := _of_one_color(Color(1.0, 1.0, 1.0, alpha))
 	material.vertex_color_use_as_albedo = true

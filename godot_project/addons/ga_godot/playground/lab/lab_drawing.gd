@@ -1,6 +1,6 @@
 @tool
 extends Node3D
-## Draws what the lab shows, beside the objects of the document.
+## Draws the interpolation lab next to the objects of the document.
 
 const InterpolationLab := preload("interpolation_lab.gd")
 const ModePath := preload("mode_path.gd")
@@ -26,15 +26,15 @@ func _init(p_lab: InterpolationLab = null) -> void:
 func set_lab(new_lab: InterpolationLab) -> void:
 	if lab != null:
 		lab.changed.disconnect(_draw)
-		lab.moved.disconnect(_draw_moment)
+		lab.moved.disconnect(_draw_t)
 	lab = new_lab
 	if lab != null:
 		lab.changed.connect(_draw)
-		lab.moved.connect(_draw_moment)
+		lab.moved.connect(_draw_t)
 		_draw()
 
 
-## What draws a mode.
+## The node that draws a mode.
 func get_path_of(mode: MultivectorLerp.Mode) -> ModePath:
 	return _paths[mode]
 
@@ -53,11 +53,11 @@ func _draw() -> void:
 		if path.visible:
 			path.set_style(StringName(body), roundi(count) if has_ghosts else 0, has_path)
 			path.show_poses(lab.poses.from, lab.poses.to)
-			path.show_moment(lab.t)
+			path.show_t(lab.t)
 
 
-func _draw_moment() -> void:
+func _draw_t() -> void:
 	if visible:
 		for path in _paths:
 			if path.visible:
-				path.show_moment(lab.t)
+				path.show_t(lab.t)

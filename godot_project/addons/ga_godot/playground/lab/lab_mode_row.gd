@@ -1,11 +1,11 @@
 @tool
 extends VBoxContainer
-## One way between the poses: whether it is drawn, its colour, the pose at t, and how far it is from the screw.
+## One interpolation mode: its toggle and color, the pose at t, and the deviation from the screw.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 const LabSettings := preload("lab_settings.gd")
-const LabWords := preload("lab_words.gd")
+const LabText := preload("lab_text.gd")
 const Modes := preload("interpolation_modes.gd")
 
 const SWATCH := Vector2(4.0, 16.0)
@@ -29,7 +29,7 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 	add_theme_constant_override(&"separation", 0)
 	_toggle.name = "Toggle"
 	_toggle.text = Modes.TITLES[mode]
-	_toggle.tooltip_text = Modes.LINES[mode] + "."
+	_toggle.tooltip_text = Modes.DESCRIPTIONS[mode] + "."
 	_toggle.toggled.connect(func(on: bool) -> void: _lab.set_setting(LabSettings.MODES[_mode], on))
 	var line := HBoxContainer.new()
 	line.add_child(_make_swatch(Modes.COLORS[mode]))
@@ -48,15 +48,15 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 func refresh() -> void:
 	var is_shown := _lab.shows_mode(_mode)
 	_toggle.set_pressed_no_signal(is_shown)
-	# Told all the same: nothing moves away from under the mouse.
+	# Hidden modes keep their text, so that the layout does not move under the mouse.
 	_words.modulate = QUIET if is_shown else FAINT
 	_measure()
-	refresh_moment()
+	refresh_t()
 
 
-func refresh_moment() -> void:
-	_words.text = LabWords.pose(_lab.get_moment(_mode)) + _deviation
-	# It grows, but does not jump while t moves.
+func refresh_t() -> void:
+	_words.text = LabText.pose(_lab.get_pose(_mode)) + _deviation
+	# The height only grows, so that the layout does not jump while t moves.
 	_words.custom_minimum_size.y = _words.size.y
 
 
@@ -70,11 +70,14 @@ func _measure() -> void:
 	if _mode == MultivectorLerp.SCREW:
 		_deviation = ""
 		return
-	_deviation = "\n" + LabWords.deviation(_lab.measure(_mode, MultivectorLerp.SCREW))
+	_deviation = "\n" + LabText.deviation(_lab.measure(_mode, MultivectorLerp.SCREW))
 	var lever: float = _lab.get_setting(&"lever")
 	_words.tooltip_text = (
-		"The pose at t, and the largest deviation on the way. The distance is that of a point %s from the body's origin, of all such points the one that fares worst."
-		% LabWords.length(lever)
+		(
+			"The pose at t, and the largest deviation from the screw. The distance is measured at the"
+			+ " point of the body that deviates most, of all points %s from its origin."
+		)
+		% LabText.length(lever)
 	)
 
 

@@ -1,6 +1,6 @@
 @tool
 extends MarginContainer
-## A setting of the lab that is a number.
+## A field for a numeric setting of the lab.
 
 const NumberField := preload("../panel/number_field.gd")
 const PlaygroundHost := preload("../playground_host.gd")
@@ -52,4 +52,4 @@ func _on_edited(number: float) -> void:
 
 
 func _step_title() -> String:
-	return "Set %s of the interpolation" % String(_key).replace("_", " ")
+	return "Set Interpolation %s" % String(_key).capitalize()

@@ -1,28 +1,29 @@
 @tool
 extends FoldableContainer
-## "Interpolation": two poses of the document and the three ways between them. Unfolded, they are drawn.
+## The panel "Interpolation": two poses of the document and three interpolations between them, which
+## are drawn while it is unfolded.
+
+## An entry was added.
+signal added(entry: String)
 
 const EntryList := preload("../entries/entry_list.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
-const LabEnds := preload("lab_ends.gd")
+const LabEndpoints := preload("lab_endpoints.gd")
 const LabModeRow := preload("lab_mode_row.gd")
 const LabPlayer := preload("lab_player.gd")
-const LabShown := preload("lab_shown.gd")
+const LabDisplay := preload("lab_display.gd")
 const Modes := preload("interpolation_modes.gd")
-
-## An entry was made.
-signal added(entry: String)
 
 var lab: InterpolationLab
 
 var _column := VBoxContainer.new()
 var _below := VBoxContainer.new()
-var _ends: LabEnds
+var _ends: LabEndpoints
 var _player: LabPlayer
-var _shown: LabShown
+var _shown: LabDisplay
 var _rows: Array[LabModeRow] = []
-var _keep := MenuButton.new()
+var _add_entry := MenuButton.new()
 
 
 func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> void:
@@ -30,9 +31,9 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	title = "Interpolation"
 	folded = true
 	lab = p_lab
-	_ends = LabEnds.new(lab, list)
+	_ends = LabEndpoints.new(lab, list)
 	_player = LabPlayer.new(lab)
-	_shown = LabShown.new(lab, host)
+	_shown = LabDisplay.new(lab, host)
 	_column.name = "Column"
 	add_child(_column)
 	_column.add_child(_ends)
@@ -45,9 +46,9 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 		_rows.append(LabModeRow.new(lab, mode))
 		_below.add_child(_rows[-1])
 	_below.add_child(_shown)
-	_make_keep()
+	_make_add_entry()
 	lab.changed.connect(_refresh)
-	lab.moved.connect(_refresh_moment)
+	lab.moved.connect(_refresh_t)
 	lab.document.scene_switched.connect(_on_scene_switched)
 	folding_changed.connect(_on_folding_changed)
 	_on_scene_switched()
@@ -55,7 +56,7 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
-		_keep.icon = get_theme_icon(&"arrow", &"OptionButton")
+		_add_entry.icon = get_theme_icon(&"arrow", &"OptionButton")
 		_refresh()
 
 
@@ -63,16 +64,19 @@ func _process(delta: float) -> void:
 	lab.advance(delta)
 
 
-func _make_keep() -> void:
-	_keep.name = "Keep"
-	_keep.text = "Keep as entry"
-	_keep.icon_alignment = HORIZONTAL_ALIGNMENT_RIGHT
-	_keep.tooltip_text = "Adds the pose at t as an entry, and t as a number with a slider: other entries can then refer to it."
-	_keep.size_flags_horizontal = Control.SIZE_SHRINK_BEGIN
+func _make_add_entry() -> void:
+	_add_entry.name = "AddEntry"
+	_add_entry.text = "Add as Entry"
+	_add_entry.icon_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+	_add_entry.tooltip_text = (
+		"Add the pose at t as an entry, and t as a number with a slider, so that other entries can"
+		+ " depend on them."
+	)
+	_add_entry.size_flags_horizontal = Control.SIZE_SHRINK_BEGIN
 	for mode in Modes.COUNT:
-		_keep.get_popup().add_item(Modes.TITLES[mode], mode)
-	_keep.get_popup().id_pressed.connect(_on_keep_pressed)
-	_below.add_child(_keep)
+		_add_entry.get_popup().add_item(Modes.TITLES[mode], mode)
+	_add_entry.get_popup().id_pressed.connect(_on_mode_chosen)
+	_below.add_child(_add_entry)
 
 
 func _refresh() -> void:
@@ -89,17 +93,17 @@ func _refresh() -> void:
 		row.refresh()
 
 
-func _refresh_moment() -> void:
+func _refresh_t() -> void:
 	set_process(lab.is_playing())
 	if folded or not lab.poses.is_complete():
 		return
-	_player.refresh_moment()
+	_player.refresh_t()
 	for row in _rows:
-		row.refresh_moment()
+		row.refresh_t()
 
 
 func _on_scene_switched() -> void:
-	# A document that was made with it shows it.
+	# Unfolds for documents that have settings of the lab.
 	var from: String = lab.get_setting(&"from")
 	folded = from.is_empty()
 	_on_folding_changed(folded)
@@ -110,5 +114,5 @@ func _on_folding_changed(is_folded: bool) -> void:
 	_refresh()
 
 
-func _on_keep_pressed(mode: int) -> void:
-	added.emit(lab.keep(mode as MultivectorLerp.Mode))
+func _on_mode_chosen(mode: int) -> void:
+	added.emit(lab.add_entry(mode as MultivectorLerp.Mode))

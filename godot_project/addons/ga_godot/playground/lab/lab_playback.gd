@@ -1,25 +1,23 @@
 @tool
 extends RefCounted
-## Where t is while it is played.
+## Advances t during playback.
 
-const THERE_AND_BACK := "there and back"
+const PING_PONG := "ping-pong"
 const LOOP := "loop"
 const ONCE := "once"
-const TITLES: Dictionary[String, String] = {
-	THERE_AND_BACK: "There and back", LOOP: "Loop", ONCE: "Once"
-}
+const TITLES: Dictionary[String, String] = {PING_PONG: "Ping-pong", LOOP: "Loop", ONCE: "Once"}
 
 var is_playing := false
 
-## 0 to 1 is there, 1 to 2 is back.
+# From 0 to 1 forward, from 1 to 2 backward.
 var _phase := 0.0
 
 
-## On from t; from the start where there is nothing more to come.
+## Continues at t, or at 0 if t is at the end.
 func start(t: float, repeat: String) -> void:
 	is_playing = true
 	_phase = clampf(t, 0.0, 1.0)
-	if repeat != THERE_AND_BACK and _phase >= 1.0:
+	if repeat != PING_PONG and _phase >= 1.0:
 		_phase = 0.0
 
 
@@ -27,11 +25,11 @@ func stop() -> void:
 	is_playing = false
 
 
-## t after that many seconds.
+## Returns t after `delta` seconds.
 func advance(delta: float, duration: float, repeat: String) -> float:
 	_phase += delta / duration
 	match repeat:
-		THERE_AND_BACK:
+		PING_PONG:
 			_phase = fposmod(_phase, 2.0)
 			return 1.0 - absf(1.0 - _phase)
 		LOOP:

@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## t by hand or played, and what comes after its end.
+## The slider of t, the play button, and the repeat mode.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
@@ -10,7 +10,7 @@ const STEP := 0.001
 const VALUE_WIDTH := 44.0
 const SLIDER_WIDTH := 60.0
 const REPEAT_ICONS: Dictionary[String, StringName] = {
-	LabPlayback.THERE_AND_BACK: &"PingPongLoop",
+	LabPlayback.PING_PONG: &"PingPongLoop",
 	LabPlayback.LOOP: &"Loop",
 	LabPlayback.ONCE: &"Stop",
 }
@@ -54,20 +54,20 @@ func refresh() -> void:
 	var repeat: String = _lab.get_setting(&"repeat")
 	_repeat.icon = get_theme_icon(REPEAT_ICONS[repeat], &"EditorIcons")
 	_repeat.tooltip_text = (
-		"Played: %s. Click for another way." % LabPlayback.TITLES[repeat].to_lower()
+		"Repeat mode: %s. Click to change it." % LabPlayback.TITLES[repeat].to_lower()
 	)
-	refresh_moment()
+	refresh_t()
 
 
-func refresh_moment() -> void:
+func refresh_t() -> void:
 	var is_playing := _lab.is_playing()
 	_play.icon = get_theme_icon(&"Pause" if is_playing else &"Play", &"EditorIcons")
-	_play.tooltip_text = "Pause" if is_playing else "Play from one pose to the other"
+	_play.tooltip_text = "Pause." if is_playing else "Play from one pose to the other."
 	_slider.set_value_no_signal(_lab.t)
 	_value.text = "%.3f" % _lab.t
 	var entry := _lab.get_t_entry()
 	_slider.tooltip_text = (
-		"t, how far it is from one pose to the other."
+		"t, from 0 at the first pose to 1 at the second."
 		if entry.is_empty()
 		else "t, the value of the entry %s." % entry
 	)
@@ -88,8 +88,8 @@ func _on_play_pressed() -> void:
 
 
 func _on_repeat_pressed() -> void:
-	var ways := LabPlayback.TITLES.keys()
-	_lab.set_setting(&"repeat", ways[(ways.find(_lab.get_setting(&"repeat")) + 1) % ways.size()])
+	var modes := LabPlayback.TITLES.keys()
+	_lab.set_setting(&"repeat", modes[(modes.find(_lab.get_setting(&"repeat")) + 1) % modes.size()])
 
 
 func _on_drag_started() -> void:
@@ -106,7 +106,7 @@ func _on_value_changed(t: float) -> void:
 	if _is_dragged:
 		_lab.move(t)
 	else:
-		# By a key: a step each.
+		# Each step by the keyboard is an action.
 		_lab.begin_move()
 		_lab.move(t)
 		_lab.end_move()

@@ -1,25 +1,25 @@
 @tool
 extends RefCounted
-## The two entries that are interpolated: their motors, followed through changes of their values and names, and in words what
-## is wrong with them.
+## The two entries to interpolate between. Follows their values and names, and describes problems
+## with them.
+
+## A pose, a name, the candidates or the messages changed.
+signal changed
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const LabSettings := preload("lab_settings.gd")
 
-## A pose, a name, what can be chosen, or what is wrong.
-signal changed
-
 const NUMBER := "value"
-const TOO_FEW := "Add two motors, such as motor(e1, rotor(e3, deg(90))): they are the poses to go between."
+const TOO_FEW := "Add two motors to interpolate between, such as motor(e1, rotor(e3, deg(90)))."
 
 var from_name := ""
 var to_name := ""
-## Null where there is none.
+## Null without a valid entry.
 var from: Multivector
 var to: Multivector
-## What is wrong, and what to do; empty if nothing is.
-var fault := ""
-## What happened to the entries by itself; empty if nothing did.
+## What is wrong and what to do; empty if nothing is.
+var error := ""
+## Reports an automatic change, such as a followed rename; empty if there is none.
 var notice := ""
 
 var _document: PlaygroundDocument
@@ -27,9 +27,9 @@ var _scene: GAScene
 var _is_watching := false
 var _chosen_from := ""
 var _chosen_to := ""
-## Each entry that can be chosen, in no order.
+# The entries that can be chosen, as a set.
 var _candidates: Dictionary[String, bool] = {}
-## Where the two are in the document, to know them again under another name.
+# The indices of both entries, to recognize them after a rename.
 var _from_index := -1
 var _to_index := -1
 
@@ -45,7 +45,7 @@ func set_watching(watching: bool) -> void:
 	_on_scene_switched()
 
 
-## The entries of the settings; empty names for the first two that can be.
+## Chooses the entries of the settings. An empty name stands for the first unused candidate.
 func choose(from_entry: String, to_entry: String) -> void:
 	if from_entry == _chosen_from and to_entry == _chosen_to:
 		return
@@ -60,7 +60,7 @@ func is_complete() -> bool:
 	return from != null and to != null
 
 
-## What can be chosen, in the order of the document.
+## The entries that can be chosen, in the order of the document.
 func get_candidates() -> PackedStringArray:
 	var names := PackedStringArray()
 	if not _candidates.is_empty():
@@ -84,12 +84,12 @@ func _on_scene_switched() -> void:
 	to = null
 	if _scene != null:
 		_scene.entries_changed.connect(_on_entries_changed)
-		_sort_out(_scene.get_names())
+		_update_candidates(_scene.get_names())
 		_update()
 
 
 func _on_entries_changed(names: PackedStringArray) -> void:
-	var has_other_candidates := _sort_out(names)
+	var has_other_candidates := _update_candidates(names)
 	if has_other_candidates or names.has(from_name) or names.has(to_name):
 		notice = ""
 		if not _follow_names(names):
@@ -97,12 +97,12 @@ func _on_entries_changed(names: PackedStringArray) -> void:
 		changed.emit()
 
 
-# Whether others can be chosen now.
-func _sort_out(names: PackedStringArray) -> bool:
+# Updates the candidates. Returns whether they changed.
+func _update_candidates(names: PackedStringArray) -> bool:
 	var is_other := false
 	for entry in names:
 		var value := _scene.get_value(entry) if _scene.has_entry(entry) else null
-		# A number is a motor, too: one that does nothing. One with a slider is hardly meant as a pose.
+		# Scalars are motors too, but those with a slider are not meant as poses.
 		var fits := (
 			value != null and value.is_motor() and not _scene.get_parameters(entry).has(NUMBER)
 		)
@@ -115,7 +115,8 @@ func _sort_out(names: PackedStringArray) -> bool:
 	return is_other
 
 
-# An entry that is gone while another stands in its place with its value has been renamed; whether one has.
+# A missing entry was renamed if a new entry with its value is at its index. Returns whether one
+# was renamed.
 func _follow_names(names: PackedStringArray) -> bool:
 	var new_from := _renamed(_chosen_from, from, _from_index, names)
 	var new_to := _renamed(_chosen_to, to, _to_index, names)
@@ -123,13 +124,13 @@ func _follow_names(names: PackedStringArray) -> bool:
 		return false
 	var words := PackedStringArray()
 	if new_from != _chosen_from:
-		words.append("%s is called %s now." % [_chosen_from, new_from])
+		words.append("%s was renamed to %s." % [_chosen_from, new_from])
 	if new_to != _chosen_to and _chosen_to != _chosen_from:
-		words.append("%s is called %s now." % [_chosen_to, new_to])
+		words.append("%s was renamed to %s." % [_chosen_to, new_to])
 	_chosen_from = new_from
 	_chosen_to = new_to
 	_update()
-	# Belongs to the step that renamed; it follows again when that is undone or done again.
+	# Not an action of its own: undoing the rename is followed as well.
 	LabSettings.write(_scene, &"from", new_from)
 	LabSettings.write(_scene, &"to", new_to)
 	notice = " ".join(words)
@@ -163,30 +164,30 @@ func _update() -> void:
 			from_name = entry
 		elif to_name.is_empty() and entry != from_name:
 			to_name = entry
-	var faults := PackedStringArray()
-	from = _motor_of(from_name, faults)
-	to = _motor_of(to_name, faults)
-	fault = TOO_FEW if from_name.is_empty() or to_name.is_empty() else " ".join(faults)
+	var errors := PackedStringArray()
+	from = _motor_of(from_name, errors)
+	to = _motor_of(to_name, errors)
+	error = TOO_FEW if from_name.is_empty() or to_name.is_empty() else " ".join(errors)
 	_note_places()
 
 
-func _motor_of(entry: String, faults: PackedStringArray) -> Multivector:
+func _motor_of(entry: String, errors: PackedStringArray) -> Multivector:
 	if entry.is_empty():
 		return null
 	if not _scene.has_entry(entry):
-		faults.append("%s is gone: choose another, or undo." % entry)
+		errors.append("%s no longer exists. Choose another entry, or undo." % entry)
 		return null
 	var value := _scene.get_value(entry)
 	if value == null:
-		faults.append("%s has no value: %s." % [entry, _scene.get_error(entry).trim_suffix(".")])
+		errors.append("%s has no value: %s." % [entry, _scene.get_error(entry).trim_suffix(".")])
 		return null
 	if not value.is_motor():
-		faults.append(
-			"%s is no motor: choose a product of translators, rotors and dilators." % entry
+		errors.append(
+			"%s is not a motor. Choose a product of translators, rotors and dilators." % entry
 		)
 		return null
 	if not value.to_transform().is_finite():
-		faults.append("%s is too large to be drawn." % entry)
+		errors.append("%s is too large to draw." % entry)
 		return null
 	return value
 

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## What a scene keeps of the lab, as attributes "interpolation/KEY". What is as by default is not kept.
+## The settings of the lab, stored as scene attributes "interpolation/KEY" unless they are defaults.
 
 const PREFIX := "interpolation/"
 const NO_ENTRY := ""
@@ -9,7 +9,7 @@ const DEFAULTS: Dictionary[StringName, Variant] = {
 	&"from": NO_ENTRY,  # an entry
 	&"to": NO_ENTRY,  # an entry
 	&"t": 0.5,  # 0..1
-	&"t_entry": NO_ENTRY,  # an entry that is a number: t is its value
+	&"t_entry": NO_ENTRY,  # the entry that provides t, a number
 	&"linear": true,
 	&"screw": true,
 	&"separate": true,
@@ -17,9 +17,9 @@ const DEFAULTS: Dictionary[StringName, Variant] = {
 	&"ghost_count": 9.0,
 	&"path": true,
 	&"body": "frame",  # or "cube"
-	&"lever": 1.0,  # metres
+	&"lever": 1.0,  # meters, the lever arm of deviations
 	&"duration": 2.5,  # seconds
-	&"repeat": "there and back",  # or "loop", "once"
+	&"repeat": "ping-pong",  # or "loop", "once"
 }
 const RANGES: Dictionary[StringName, Array] = {
 	&"t": [0.0, 1.0],
@@ -29,13 +29,13 @@ const RANGES: Dictionary[StringName, Array] = {
 }
 const CHOICES: Dictionary[StringName, Array] = {
 	&"body": ["frame", "cube"],
-	&"repeat": ["there and back", "loop", "once"],
+	&"repeat": ["ping-pong", "loop", "once"],
 }
 ## By MultivectorLerp.Mode.
 const MODES: Array[StringName] = [&"linear", &"screw", &"separate"]
 
 
-## What the scene says, or the default if it says nothing that could be.
+## The stored value, or the default if it is missing or invalid.
 static func read(scene: GAScene, key: StringName) -> Variant:
 	var value: Variant = scene.get_scene_attribute(PREFIX + key)
 	var standard: Variant = DEFAULTS[key]
@@ -52,7 +52,7 @@ static func write(scene: GAScene, key: StringName, value: Variant) -> void:
 	scene.set_scene_attribute(PREFIX + key, null if value == DEFAULTS[key] else value)
 
 
-## All that the scene says of the lab, to see whether it is still the same.
+## All stored settings, to detect changes.
 static func summary(scene: GAScene) -> Dictionary:
 	var all := scene.get_scene_attributes()
 	for key: String in all.keys():

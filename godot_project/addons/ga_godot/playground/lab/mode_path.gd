@@ -1,7 +1,8 @@
 @tool
 extends Node3D
-## The way between two poses in one mode: ghosts of a body at even steps, the path of its origin, and the body at t.
-## From motors, not transforms: which way a half turn goes is in their signs.
+## Draws one interpolation mode: ghosts of a body at equal steps, the path of its origin, and the
+## body at t. Takes motors rather than transforms, as their signs determine the direction of half
+## turns.
 
 const Modes := preload("interpolation_modes.gd")
 const LabBody := preload("lab_body.gd")
@@ -37,7 +38,7 @@ func _init(p_mode: MultivectorLerp.Mode = MultivectorLerp.LINEAR) -> void:
 		add_child(part)
 
 
-## What of it is drawn: no ghosts are 0 of them.
+## A ghost count of 0 hides the ghosts.
 func set_style(body_kind: StringName, ghost_count: int, with_path: bool) -> void:
 	if body_kind != _body_kind:
 		_body_kind = body_kind
@@ -62,7 +63,7 @@ func show_poses(from: Multivector, to: Multivector) -> void:
 		PathRibbon.build(_ribbon, centers)
 
 
-func show_moment(t: float) -> void:
+func show_t(t: float) -> void:
 	_body.transform = _pose_at(t).to_transform()
 
 
@@ -82,7 +83,7 @@ func _pose_at(t: float) -> Multivector:
 	return MultivectorLerp.interpolate(_from, _to, t, mode)
 
 
-# Three rows of a 3x4 matrix each, the origin in the last column.
+# Each transform as the three rows of a 3x4 matrix, the layout of MultiMesh.buffer.
 func _ghost_rows() -> PackedFloat32Array:
 	var rows := PackedFloat32Array()
 	for i in _ghost_count:

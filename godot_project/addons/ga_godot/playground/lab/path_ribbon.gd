@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## A path as a band of the same width in pixels everywhere: the mesh and material for path_ribbon.gdshader.
+## A path as a ribbon of constant width in pixels: its mesh, and the material with
+## path_ribbon.gdshader.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const SHADER := preload("path_ribbon.gdshader")
@@ -8,8 +9,8 @@ const SHADER := preload("path_ribbon.gdshader")
 ## In pixels.
 const WIDTH := 3.0
 
-## Points nearer than this, in metres, are one.
-const NEAREST := 1e-5
+## Points closer than this, in meters, are merged.
+const MIN_POINT_DISTANCE := 1e-5
 
 
 static func make_material(color: Color) -> ShaderMaterial:
@@ -20,7 +21,7 @@ static func make_material(color: Color) -> ShaderMaterial:
 	return material
 
 
-## Shows the path in the mesh; nothing where it does not lead anywhere.
+## Rebuilds the mesh; it stays empty if all points coincide.
 static func build(mesh: ArrayMesh, points: PackedVector3Array) -> void:
 	mesh.clear_surfaces()
 	var line := _without_repeats(points)
@@ -52,6 +53,9 @@ static func build(mesh: ArrayMesh, points: PackedVector3Array) -> void:
 static func _without_repeats(points: PackedVector3Array) -> PackedVector3Array:
 	var line := PackedVector3Array()
 	for point in points:
-		if line.is_empty() or line[-1].distance_squared_to(point) > NEAREST * NEAREST:
+		if (
+			line.is_empty()
+			or line[-1].distance_squared_to(point) > MIN_POINT_DISTANCE * MIN_POINT_DISTANCE
+		):
 			line.append(point)
 	return line

@@ -1,6 +1,6 @@
 @tool
 extends ScrollContainer
-## As high as its content where there is room for that (see sharing_column.gd); what is higher is scrolled.
+## A scroll container that grows to the height of its content if there is room (sharing_column.gd).
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
@@ -19,12 +19,12 @@ func _init(p_content: Control) -> void:
 	_fit()
 
 
-func get_wanted_height() -> float:
+func get_content_height() -> float:
 	return content.get_combined_minimum_size().y
 
 
 func _fit() -> void:
-	custom_minimum_size.y = minf(get_wanted_height(), MIN_HEIGHT * PlaygroundStyle.scale())
+	custom_minimum_size.y = minf(get_content_height(), MIN_HEIGHT * PlaygroundStyle.scale())
 	var column := get_parent() as Container
 	if column != null:
 		column.queue_sort()

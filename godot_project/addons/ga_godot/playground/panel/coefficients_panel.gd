@@ -1,6 +1,6 @@
 @tool
 extends FoldableContainer
-## The 32 coefficients of the selected entry. Those of an entry that depends on no other can be changed, while it is drawn.
+## The 32 coefficients of the selected entry, which can be edited if it depends on no other entry.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryList := preload("../entries/entry_list.gd")
@@ -12,15 +12,15 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 const WIDTH := 96.0
 const HEIGHT := 170.0
 const STEP := 0.001
-## Before the arrow of the basis.
+## To the right of the basis button's arrow, in pixels.
 const ARROW_SPACE := 6.0
-## Of the numbers that are 0.
+## Opacity of coefficients that are 0.
 const ZERO_ALPHA := 0.7
-const FREE := "Drag it, or click and type."
-const DEPENDENT := "It follows from other entries; change those."
-const WITHOUT_VALUE := "Without a value: select an entry that has one."
+const FREE := "Drag to change the coefficient, or click to type it."
+const DEPENDENT := "Computed from other entries. Edit those instead."
+const WITHOUT_VALUE := "Select an entry that has a value."
 const PARAMETER := "coefficients"
-## A sum of blades, which then can be given any coefficients.
+## A sum of blades, whose parameter "coefficients" can have any value.
 const ANY_SUM := "1 + e1"
 
 var _document: PlaygroundDocument
@@ -42,14 +42,14 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	_basis.name = "Basis"
 	_basis.flat = true
 	_basis.focus_mode = Control.FOCUS_NONE
-	# The title is as high as those of other panels.
+	# Without margins, so that the title is no higher than those of other panels.
 	for style: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
 		var box := StyleBoxEmpty.new()
 		box.content_margin_right = ARROW_SPACE * PlaygroundStyle.scale()
 		_basis.add_theme_stylebox_override(style, box)
 	_basis.add_item("e4, e5")
 	_basis.add_item("eo, e∞")
-	_basis.tooltip_text = "The basis of the coefficients: e4 and e5, or the origin eo and infinity e∞."
+	_basis.tooltip_text = "Basis of the coefficients: e4 and e5, or eo (origin) and e∞ (infinity)."
 	_basis.item_selected.connect(func(_index: int) -> void: _show_coefficients())
 	add_title_bar_control(_basis)
 	var scroll := _scroll
@@ -93,7 +93,7 @@ func _make_field(index: int) -> NumberField:
 	return field
 
 
-## Shows the first grade that the entry has.
+## Scrolls to the first grade that is not 0.
 func _on_selection_changed() -> void:
 	var before := _entry
 	_show_coefficients()
@@ -106,7 +106,7 @@ func _on_folding_changed() -> void:
 	_scroll_soon()
 
 
-# Once all has its place.
+# In the next frame, when the layout is done.
 func _scroll_soon() -> void:
 	if is_inside_tree() and not get_tree().process_frame.is_connected(_scroll_to_grade):
 		get_tree().process_frame.connect(_scroll_to_grade, CONNECT_ONE_SHOT)
@@ -115,7 +115,7 @@ func _scroll_soon() -> void:
 func _scroll_to_grade() -> void:
 	if not is_inside_tree():
 		return
-	# What was folded has no places yet.
+	# A panel that was just unfolded takes one more frame.
 	await get_tree().process_frame
 	for field in _fields:
 		if not is_zero_approx(field.get_number()):

@@ -1,22 +1,22 @@
 @tool
 extends HFlowContainer
-## What can be made of two selected entries.
+## Buttons that combine two selected entries.
+
+signal added(entry: String)
 
 const EntryEdits := preload("../document/entry_edits.gd")
 const EntryList := preload("../entries/entry_list.gd")
 const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
 
-signal added(entry: String)
-
 ## %s, %s: the entries in the order of selection.
 const TITLES: Dictionary[StringName, String] = {
 	&"join": "Join %s and %s",
 	&"meet": "Meet %s and %s",
-	&"intersect": "Intersect %s and %s, duals as what they are duals of",
+	&"intersect": "Intersect %s and %s, converting duals (IPNS) to OPNS first",
 	&"project": "Project %s onto %s",
 	&"reflect": "Reflect %s in %s",
-	&"move": "Move by a motor: %s and %s, one of which is the motor",
+	&"move": "Move by a motor: %s and %s, one of which must be a motor",
 }
 
 var _edits: EntryEdits
@@ -53,11 +53,11 @@ func _show_selection() -> void:
 		var button: Button = get_node(String(how))
 		var is_pair := chosen.size() == 2
 		button.disabled = not is_pair or _edits.combination(how, chosen[0], chosen[1]).is_empty()
-		var title := TITLES[how] % ([chosen[0], chosen[1]] if is_pair else ["one", "another"])
+		var title := TITLES[how] % ([chosen[0], chosen[1]] if is_pair else ["one entry", "another"])
 		button.tooltip_text = (
-			title
+			title + "."
 			if is_pair
-			else "%s. Select two entries: click one, then the other with Ctrl." % title
+			else "%s. Click the first entry, then Ctrl+click the second." % title
 		)
 
 

@@ -1,7 +1,7 @@
 @tool
 extends PanelContainer
-## What a document says about itself: its scene attributes "title" and "description". Not there if it has neither, and
-## once it is closed, until a document with another text is shown.
+## Shows the scene attributes "title" and "description". Hidden if both are empty, and after it was
+## closed until a scene with other texts is shown.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
@@ -10,10 +10,10 @@ const DESCRIPTION := "description"
 const MARGIN := 8.0
 const TITLE_ENLARGEMENT := 1.15
 const TEXT_OPACITY := 0.85
-## Of the text that is seen without scrolling.
+## Lines of text that are visible without scrolling.
 const MAX_LINES := 6
 
-## Null shows nothing.
+## Null hides the panel.
 var scene: GAScene:
 	set = set_scene
 
@@ -41,7 +41,7 @@ func _init() -> void:
 	head.add_child(_title)
 	_close.name = "Close"
 	_close.theme_type_variation = &"FlatButton"
-	_close.tooltip_text = "Close the description"
+	_close.tooltip_text = "Close the description."
 	_close.focus_mode = FOCUS_NONE
 	_close.size_flags_vertical = SIZE_SHRINK_BEGIN
 	_close.pressed.connect(close)
@@ -77,7 +77,7 @@ func set_scene(new_scene: GAScene) -> void:
 		visible = false
 
 
-## Away with it, until a document with another text is shown.
+## Hides the panel until a scene with other texts is shown.
 func close() -> void:
 	_closed_text = _title.text + _text.text
 	visible = false

@@ -1,12 +1,13 @@
 @tool
 extends "number_field.gd"
-## The number field of a running game: dragged across it changes the number, a click types it.
+## The number field of a running game: drag horizontally to change the number, click to type it.
 
 const HEIGHT := 26.0
-## Pixels of mouse before a click counts as a drag.
+## The distance in pixels at which a press becomes a drag.
 const DRAG_START := 3.0
-## Of a unit for each pixel; a hundredth of that with Shift held.
+## Change of the number per pixel.
 const SPEED := 0.01
+## Factor of the speed while Shift is held.
 const FINE := 0.1
 const DIGITS := 3
 const LABEL_ALPHA := 0.55
@@ -97,7 +98,7 @@ func _draw() -> void:
 	)
 
 
-# Without the sign of a zero.
+# Adding 0.0 turns -0.0 into 0.0.
 func _text() -> String:
 	var number := snappedf(_number, _step) + 0.0
 	return str(roundi(number)) if _step >= 1.0 else String.num(number, DIGITS)
@@ -159,16 +160,16 @@ func _on_edit_input(event: InputEvent) -> void:
 		_edit.accept_event()
 
 
-# A calculation such as 1/3 is a number, too; what is none is left out.
+# Any expression with a scalar value, such as 1/3, is accepted; all others are ignored.
 func _end_typing(keeps: bool) -> void:
 	if not _edit.visible:
 		return
 	_edit.visible = false
 	queue_redraw()
-	var scene := GAScene.new()
-	if not keeps or not scene.get_expression_error(_edit.text).is_empty():
+	var value: Multivector = GAScene.new().describe_expression(_edit.text)["value"]
+	if not keeps or value == null:
 		return
-	var numbers := scene.evaluate(_edit.text).coefficients
+	var numbers := value.coefficients
 	if numbers.slice(1).count(0.0) == numbers.size() - 1:
 		_edit_number(numbers[0])
 

@@ -1,13 +1,13 @@
 @tool
 extends PopupMenu
-## The gallery's examples by their titles, as a menu or a submenu.
+## A menu of the examples in the gallery.
+
+## `scene` is a new copy of the example.
+signal chosen(scene: GAScene, title: String)
+## The example cannot be opened; `words` is the reason.
+signal failed(words: String)
 
 const Gallery := preload("../document/gallery.gd")
-
-## A fresh copy of an example.
-signal chosen(scene: GAScene, title: String)
-## An example cannot be opened: why.
-signal failed(words: String)
 
 
 func _init() -> void:

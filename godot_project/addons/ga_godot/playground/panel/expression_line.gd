@@ -1,11 +1,12 @@
 @tool
 extends VBoxContainer
-## Where expressions are typed: what they are, or what is wrong with them, is told while typing.
+## A text field for new entries. It shows the description or the error of the expression while it is
+## being typed.
+
+signal added(entry: String)
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
-
-signal added(entry: String)
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -33,7 +34,8 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 
 
 func _on_submitted(text: String) -> void:
-	if text.strip_edges().is_empty() or not _error_of(text).is_empty():
+	var error: String = _describe(text)["error"]
+	if text.strip_edges().is_empty() or not error.is_empty():
 		return
 	var parts := _split(text)
 	_line.clear()
@@ -42,27 +44,31 @@ func _on_submitted(text: String) -> void:
 
 
 func _show_words(text: String) -> void:
-	var error := _error_of(text)
 	_words.visible = not text.strip_edges().is_empty()
 	if not _words.visible:
 		return
-	_words.text = error if not error.is_empty() else _document.describe(_split(text)[1])
-	_words.modulate = Color.WHITE if not error.is_empty() else Color(1, 1, 1, 0.65)
-	if error.is_empty():
-		_words.remove_theme_color_override(&"font_color")
-	else:
+	var found := _describe(text)
+	var error: String = found["error"]
+	var is_wrong := not error.is_empty()
+	_words.text = error if is_wrong else found["description"]
+	_words.modulate = Color.WHITE if is_wrong else Color(1, 1, 1, 0.65)
+	if is_wrong:
 		_words.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
+	else:
+		_words.remove_theme_color_override(&"font_color")
 
 
-func _error_of(text: String) -> String:
+## The "description" and "error" of the entry that the text would add.
+func _describe(text: String) -> Dictionary:
 	var parts := _split(text)
-	if not parts[0].is_empty() and not _document.name_error(parts[0]).is_empty():
-		return _document.name_error(parts[0])
-	return _document.scene.get_expression_error(parts[1])
+	var name_error := "" if parts[0].is_empty() else _document.scene.get_name_error(parts[0])
+	if not name_error.is_empty():
+		return {"description": "", "error": name_error}
+	return _document.scene.describe_expression(parts[1], parts[0])
 
 
-## The name, empty if there is none, and the expression. What stands before the sign becomes spaces, so that columns are
-## those of the line.
+## Returns the name, empty if there is none, and the expression, padded with spaces on the left so
+## that columns in error messages are those of the text field.
 func _split(text: String) -> PackedStringArray:
 	var found := _assignment.search(text)
 	if found == null:

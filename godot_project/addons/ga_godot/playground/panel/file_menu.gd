@@ -1,17 +1,17 @@
 @tool
 extends MenuButton
-## New, open, save, and the clipboard.
+## The File menu: new, open, save, clipboard and picture export.
+
+## The user chose to export a picture.
+signal picture_requested
+
+enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 
-## A picture of what is shown is wanted.
-signal picture_requested
-
-enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
-
-## A ganja.js element: a list of 32 numbers, or an object with the keys 0 to 31.
+## A scene or a ganja.js element, which is an array of 32 numbers or an object with keys 0 to 31.
 const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
 
 var _document: PlaygroundDocument
@@ -48,13 +48,13 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	_files.file_selected.connect(_on_file_selected)
 	add_child(_files)
 	_question.name = "Question"
-	_question.dialog_text = "The playground has changes that are not saved. Discard them?"
+	_question.dialog_text = "The playground has unsaved changes. Discard them?"
 	_question.ok_button_text = "Discard"
 	_question.confirmed.connect(_discard)
 	add_child(_question)
 
 
-## Shows the scene of a .tres or .json file; what is wrong with it is told.
+## Shows the scene in a .tres or .json file. Problems are reported by the host.
 func open(path: String) -> void:
 	if path.get_extension() == "json":
 		_open_json(path)
@@ -65,15 +65,15 @@ func open(path: String) -> void:
 	elif resource != null:
 		_warn(
 			(
-				"%s is a %s. The playground opens files of a GAScene: .tres, or .json."
+				"%s contains a %s. The playground opens GAScene files (.tres or .json)."
 				% [path, resource.get_class()]
 			)
 		)
 	else:
-		_warn("%s cannot be read. See the output for why." % path)
+		_warn("%s cannot be read. See the Output panel for the reason." % path)
 
 
-# What cannot be read whole is shown without its file, which saving would otherwise take the rest from.
+# A scene that was read only in part has no path, so that saving does not overwrite the file.
 func _open_json(path: String) -> void:
 	var text := FileAccess.get_file_as_string(path)
 	if FileAccess.get_open_error() != OK:
@@ -83,13 +83,13 @@ func _open_json(path: String) -> void:
 	var outcome := scene.load_json(text)
 	var errors := "\n".join(scene.get_load_errors())
 	if outcome == ERR_PARSE_ERROR:
-		_warn("%s is no scene of the playground:\n%s" % [path, errors])
+		_warn("%s is not a playground scene:\n%s" % [path, errors])
 		return
 	_document.show_scene(scene, path if outcome == OK else "")
 	if outcome != OK:
 		_warn(
 			(
-				"%s was read in part, and is shown as a new scene; the file stays as it is:\n%s"
+				"%s was only partly read and is shown as a new scene. The file is unchanged:\n%s"
 				% [path, errors]
 			)
 		)
@@ -107,13 +107,13 @@ func save(path: String) -> void:
 	if outcome != OK:
 		_warn(
 			(
-				"%s cannot be saved: %s. Choose another place with Save As."
+				"%s cannot be saved: %s. Choose another location with Save As."
 				% [path, error_string(outcome)]
 			)
 		)
 		return
 	_document.mark_saved(path)
-	_host.note_file(path)
+	_host.on_file_written(path)
 
 
 func save_or_ask() -> void:
@@ -125,12 +125,15 @@ func save_or_ask() -> void:
 		save(_document.path)
 
 
-## An element of ganja.js becomes an entry; a whole document takes the place of what is there, which can be undone.
+## A ganja.js element is added as an entry. A scene replaces the current one, which can be undone.
 func paste(text: String) -> void:
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
 		_warn(
-			"The clipboard has neither a scene of the playground as JSON nor a list of 32 numbers. Copy one of them first."
+			(
+				"The clipboard contains neither a playground scene as JSON nor a list of 32 numbers."
+				+ " Copy one of them first."
+			)
 		)
 		return
 	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
@@ -157,7 +160,7 @@ func _on_item_pressed(item: int) -> void:
 			picture_requested.emit()
 
 
-## Asks before what is unsaved is lost.
+## Calls `act`, after asking the user if there are unsaved changes.
 func unless_unsaved(act: Callable) -> void:
 	if _document.is_embedded() or not _document.is_unsaved():
 		act.call()
@@ -166,7 +169,7 @@ func unless_unsaved(act: Callable) -> void:
 	_question.popup_centered()
 
 
-# A scene of a file is still held by whatever else uses it, and must not keep what was discarded.
+# Other users of the file share the scene resource and must not see the discarded changes.
 func _discard() -> void:
 	if not _document.path.is_empty():
 		_document.scene.document = _document.get_saved_text()

@@ -1,14 +1,14 @@
 @tool
 extends RefCounted
-## Buttons with an icon, so narrow that a row of them fits a narrow dock.
+## Gives icon buttons narrow margins, so that a row of them fits a narrow dock.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-## Beside the icon.
+## To the left and right of the icon, in pixels.
 const MARGIN := 4.0
 
 
-## Whenever the theme changes.
+## To be called whenever the theme changes.
 static func apply(button: Button) -> void:
 	for state: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
 		button.remove_theme_stylebox_override(state)

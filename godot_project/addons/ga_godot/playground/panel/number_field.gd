@@ -1,17 +1,17 @@
 @tool
 @abstract
 extends MarginContainer
-## A number with a label, which is dragged or typed.
+## A labeled number that the user can drag or type.
 
-## By a person.
+## The user changed the number.
 signal edited(number: float)
-## Between these two, it is dragged.
+## The user started and stopped dragging.
 signal grabbed
 signal ungrabbed
 
 @abstract func get_number() -> float
 
-## Without a signal.
+## Emits no signal.
 @abstract func show_number(number: float) -> void
 
 @abstract func show_label(text: String) -> void

@@ -1,13 +1,13 @@
 @tool
 extends HFlowContainer
-## One button for each kind of object that can be added, and whether it shall be its dual.
+## One button for each kind of object to add, and a toggle to add its dual instead.
+
+signal added(entry: String)
 
 const EntryEdits := preload("../document/entry_edits.gd")
 const NewObjects := preload("../document/new_objects.gd")
 const NarrowButton := preload("narrow_button.gd")
 const PlaygroundIcons := preload("../theme/playground_icons.gd")
-
-signal added(entry: String)
 
 var _edits: EntryEdits
 var _dual := Button.new()
@@ -44,13 +44,13 @@ func _show_titles() -> void:
 	for kind in NewObjects.KINDS:
 		var button: Button = get_node(String(kind))
 		button.tooltip_text = (
-			"Add: %s%s"
+			"Add a %s%s."
 			% [
-				NewObjects.TITLES[kind],
-				" (dual)" if NewObjects.is_dual(kind, _dual.button_pressed) else ""
+				"dual " if NewObjects.is_dual(kind, _dual.button_pressed) else "",
+				NewObjects.TITLES[kind].to_lower()
 			]
 		)
-	_dual.tooltip_text = "Add what comes next as its dual (IPNS)."
+	_dual.tooltip_text = "Add objects as duals (IPNS)."
 
 
 func _on_pressed(kind: StringName) -> void:

@@ -1,13 +1,14 @@
 @tool
 extends Container
-## Parts below each other. What scrolls gets the height that it wants as long as there is room; the part that expands gets
-## the rest. The least height is not that of the moment, so that the column can get lower again.
+## A column whose scroll containers get the height of their contents if there is room; the part with
+## SIZE_EXPAND gets the rest. The minimum height is independent of the current layout, so that the
+## column can shrink again.
 
 const CappedScroll := preload("capped_scroll.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const SEPARATION := 4.0
-## Of the room, for the first of what scrolls if there is not enough for all.
+## The share of the first scroll container if there is not enough room for all.
 const FIRST_SHARE := 0.4
 
 
@@ -31,7 +32,7 @@ func _lay_out() -> void:
 	for extra: float in extras.values():
 		room -= extra
 	for child in get_children():
-		# Else it would lie where it was and take the mouse.
+		# Otherwise it would stay where it was and block the mouse.
 		if child is CappedScroll and not parts.has(child as Control):
 			fit_child_in_rect(child as Control, Rect2())
 	var place := 0.0
@@ -42,33 +43,35 @@ func _lay_out() -> void:
 		place += height + _separation()
 
 
-## What each of what scrolls gets beside its least height.
+## The height of each scroll container beyond its minimum.
 func _share_out(parts: Array[Control], room: float) -> Dictionary[Control, float]:
-	var wishes: Dictionary[Control, float] = {}
+	var requested: Dictionary[Control, float] = {}
 	var all := 0.0
 	for part in parts:
 		if part is CappedScroll:
-			wishes[part] = (
-				(part as CappedScroll).get_wanted_height() - part.get_combined_minimum_size().y
+			requested[part] = (
+				(part as CappedScroll).get_content_height() - part.get_combined_minimum_size().y
 			)
-			all += wishes[part]
+			all += requested[part]
 	if all <= room:
-		return wishes
+		return requested
 	var rest := room
-	for part: Control in wishes:
-		var others := all - wishes[part]
-		wishes[part] = minf(
-			wishes[part],
-			maxf(rest - others, room * FIRST_SHARE if part == wishes.keys()[0] else rest)
+	for part: Control in requested:
+		var others := all - requested[part]
+		requested[part] = minf(
+			requested[part],
+			maxf(rest - others, room * FIRST_SHARE if part == requested.keys()[0] else rest)
 		)
-		rest -= wishes[part]
-	return wishes
+		rest -= requested[part]
+	return requested
 
 
 func _get_parts() -> Array[Control]:
 	var parts: Array[Control] = []
 	for child in get_children():
-		var is_empty := child is CappedScroll and (child as CappedScroll).get_wanted_height() == 0.0
+		var is_empty := (
+			child is CappedScroll and (child as CappedScroll).get_content_height() == 0.0
+		)
 		if child is Control and (child as Control).visible and not is_empty:
 			parts.append(child)
 	return parts

@@ -1,15 +1,15 @@
 @tool
 extends ConfirmationDialog
-## Asks for size, background and file of a picture, and writes it: what is shown, drawn anew by PictureExport.
+## Asks for the size, background and file of a picture, and exports it with PictureExport.
+
+signal saved(path: String)
+
+enum Size { AS_SHOWN, TWICE, HD, UHD, CUSTOM }
+enum Background { AS_SHOWN, TRANSPARENT, COLOR }
 
 const PictureExport := preload("picture_export.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ViewPoint := preload("view_point.gd")
-
-signal saved(path: String)
-
-enum Size { AS_SHOWN, TWICE, HD, UHD, OWN }
-enum Background { AS_SHOWN, TRANSPARENT, COLOR }
 
 const FIXED_SIZES: Dictionary[Size, Vector2i] = {
 	Size.HD: Vector2i(1920, 1080), Size.UHD: Vector2i(3840, 2160)
@@ -20,11 +20,11 @@ const FIRST_NAME := "picture.png"
 var _scene: GAScene
 var _view: ViewPoint
 var _shown_size := Vector2i(1280, 720)
-var _make_besides: Callable
+var _make_extra_nodes: Callable
 var _sizes := OptionButton.new()
 var _width := SpinBox.new()
 var _height := SpinBox.new()
-var _own_size := HBoxContainer.new()
+var _custom_size := HBoxContainer.new()
 var _backgrounds := OptionButton.new()
 var _color := ColorPickerButton.new()
 var _path := LineEdit.new()
@@ -34,7 +34,7 @@ var _problem := Label.new()
 var _is_drawing := false
 
 
-## The dialog for files is that of the place where the playground runs; it becomes a child.
+## The file dialog comes from the host and becomes a child.
 func _init(files: FileDialog) -> void:
 	name = "PictureDialog"
 	title = "Export Picture"
@@ -50,7 +50,7 @@ func _init(files: FileDialog) -> void:
 	grid.columns = 2
 	add_child(grid)
 	_add_row(grid, "Size", _sizes)
-	_add_row(grid, "", _own_size)
+	_add_row(grid, "", _custom_size)
 	_add_row(grid, "Background", _backgrounds)
 	_add_row(grid, "", _color)
 	_add_row(grid, "File", _make_file_row())
@@ -76,16 +76,18 @@ func _notification(what: int) -> void:
 		)
 
 
-## Opens for a document as it is seen now. What stands beside it in the world is made for each picture by a callable
-## that returns an Array[Node3D].
-func ask(scene: GAScene, view: ViewPoint, shown_size: Vector2i, make_besides := Callable()) -> void:
+## Opens the dialog for the current view of a document. `make_extra_nodes` returns an Array[Node3D]
+## to be drawn as well.
+func ask(
+	scene: GAScene, view: ViewPoint, shown_size: Vector2i, make_extra_nodes := Callable()
+) -> void:
 	_scene = scene
 	_view = view
 	_shown_size = shown_size
-	_make_besides = make_besides
-	_sizes.set_item_text(Size.AS_SHOWN, "As shown, %d x %d" % [shown_size.x, shown_size.y])
+	_make_extra_nodes = make_extra_nodes
+	_sizes.set_item_text(Size.AS_SHOWN, "As Shown (%d x %d)" % [shown_size.x, shown_size.y])
 	_sizes.set_item_text(
-		Size.TWICE, "Twice as large, %d x %d" % [2 * shown_size.x, 2 * shown_size.y]
+		Size.TWICE, "Twice as Large (%d x %d)" % [2 * shown_size.x, 2 * shown_size.y]
 	)
 	_width.value = shown_size.x
 	_height.value = shown_size.y
@@ -104,7 +106,7 @@ func chosen_size() -> Vector2i:
 			return _shown_size
 		Size.TWICE:
 			return 2 * _shown_size
-		Size.OWN:
+		Size.CUSTOM:
 			return Vector2i(roundi(_width.value), roundi(_height.value))
 	return FIXED_SIZES[_sizes.selected as Size]
 
@@ -118,7 +120,8 @@ func chosen_background() -> Color:
 	return _view.background
 
 
-## Draws and saves; stays open and says so if that fails. Returns why, or nothing. To be awaited.
+## Draws and saves the picture. If that fails, the dialog stays open and shows the reason, which is
+## also returned; otherwise returns an empty string. To be awaited.
 func export_picture() -> String:
 	if _is_drawing:
 		return ""
@@ -130,10 +133,10 @@ func export_picture() -> String:
 	var error := PictureExport.size_error(export.size)
 	if error.is_empty():
 		_is_drawing = true
-		var besides: Array[Node3D] = []
-		if _make_besides.is_valid():
-			besides = _make_besides.call()
-		var image := await export.draw(self, _scene, besides)
+		var extra_nodes: Array[Node3D] = []
+		if _make_extra_nodes.is_valid():
+			extra_nodes = _make_extra_nodes.call()
+		var image := await export.draw(self, _scene, extra_nodes)
 		error = PictureExport.save(image, _path.text.strip_edges())
 		_is_drawing = false
 	_problem.text = error
@@ -160,7 +163,7 @@ func _make_file_row() -> Control:
 	_path.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	row.add_child(_path)
 	_browse.text = "..."
-	_browse.tooltip_text = "Choose a file"
+	_browse.tooltip_text = "Choose a file."
 	_browse.pressed.connect(_files.popup_centered_ratio.bind(0.6))
 	row.add_child(_browse)
 	return row
@@ -168,19 +171,17 @@ func _make_file_row() -> Control:
 
 func _fill_choices() -> void:
 	_sizes.name = "Size"
-	for words: String in [
-		"As shown", "Twice as large", "1920 x 1080", "3840 x 2160", "Another size"
-	]:
+	for words: String in ["As Shown", "Twice as Large", "1920 x 1080", "3840 x 2160", "Custom"]:
 		_sizes.add_item(words)
 	for field: SpinBox in [_width, _height]:
 		field.min_value = 1
-		field.max_value = PictureExport.LARGEST
+		field.max_value = PictureExport.MAX_SIZE
 		field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		field.suffix = "px"
-		_own_size.add_child(field)
-	_own_size.name = "OwnSize"
+		_custom_size.add_child(field)
+	_custom_size.name = "CustomSize"
 	_backgrounds.name = "Background"
-	for words: String in ["As shown", "Transparent", "A colour"]:
+	for words: String in ["As Shown", "Transparent", "Custom Color"]:
 		_backgrounds.add_item(words)
 	_color.custom_minimum_size.y = 24.0 * PlaygroundStyle.scale()
 	_color.edit_alpha = false
@@ -189,12 +190,12 @@ func _fill_choices() -> void:
 	_show_fields()
 
 
-# The labels beside the fields that are not asked for go with them.
+# Hides fields that do not apply, with their labels.
 func _show_fields() -> void:
-	for field: Control in [_own_size, _color]:
+	for field: Control in [_custom_size, _color]:
 		var is_asked := (
-			_sizes.selected == Size.OWN
-			if field == _own_size
+			_sizes.selected == Size.CUSTOM
+			if field == _custom_size
 			else _backgrounds.selected == Background.COLOR
 		)
 		field.visible = is_asked

@@ -1,43 +1,40 @@
 @tool
 extends RefCounted
-## Draws a document into a picture of any size, in a world of its own, and saves it as PNG.
+## Draws a document into a picture of any size, in its own world, and saves it as PNG.
 
 const SceneDrawing := preload("../view/scene_drawing.gd")
 const ViewPoint := preload("view_point.gd")
 
-const LARGEST := 8192
-## Pixels of a picture in whose height lines and letters have their usual size.
-const USUAL_HEIGHT := 720.0
+const MAX_SIZE := 8192
+## The height in pixels of a picture in which lines and labels have their normal size.
+const REFERENCE_HEIGHT := 720.0
 
 ## In pixels.
 var size := Vector2i(1280, 720)
 var view := ViewPoint.new()
-## With alpha 0, what is empty is transparent.
+## An alpha of 0 makes the background transparent.
 var background := Color.TRANSPARENT
-## Times the usual width of lines; labels keep their share of the height by themselves.
+## Factor of line widths. Labels scale with the height by themselves.
 var line_scale := 1.0
 
 
-## Why there can be no picture of that size; empty if there can.
+## Why a picture cannot have this size; empty if it can.
 static func size_error(wanted: Vector2i) -> String:
 	if wanted.x < 1 or wanted.y < 1:
+		return "The picture must be at least 1 x 1 pixels, not %d x %d." % [wanted.x, wanted.y]
+	if wanted.x > MAX_SIZE or wanted.y > MAX_SIZE:
 		return (
-			"A picture needs at least one pixel in each direction, not %d x %d."
-			% [wanted.x, wanted.y]
-		)
-	if wanted.x > LARGEST or wanted.y > LARGEST:
-		return (
-			"A picture has at most %d pixels in each direction, not %d x %d."
-			% [LARGEST, wanted.x, wanted.y]
+			"The picture must be at most %d x %d pixels, not %d x %d."
+			% [MAX_SIZE, MAX_SIZE, wanted.x, wanted.y]
 		)
 	return ""
 
 
-## The document as seen from `view`; what else stands in the world besides can be given, and is freed. To be awaited.
-## Null where nothing can be drawn, as without a display. The host is any node in the tree.
-func draw(host: Node, scene: GAScene, besides: Array[Node3D] = []) -> Image:
+## Draws the document as seen from `view`, together with extra nodes, which are freed. `host` is any
+## node in the tree. Returns null if nothing can be drawn, as without a display. To be awaited.
+func draw(host: Node, scene: GAScene, extra_nodes: Array[Node3D] = []) -> Image:
 	if DisplayServer.get_name() == "headless" or not size_error(size).is_empty():
-		for node in besides:
+		for node in extra_nodes:
 			node.free()
 		return null
 	var viewport := _make_viewport()
@@ -46,12 +43,12 @@ func draw(host: Node, scene: GAScene, besides: Array[Node3D] = []) -> Image:
 	viewport.add_child(drawing)
 	for node in drawing.find_children("*", "GANode3D", true, false):
 		(node as GANode3D).line_width *= line_scale
-	for node in besides:
+	for node in extra_nodes:
 		viewport.add_child(node)
 	host.add_child(viewport)
 	for node in drawing.find_children("*", "GANode3D", true, false):
 		(node as GANode3D).update_drawing()
-	# An editor that has nothing to do draws no frames by itself.
+	# An idle editor does not draw frames by itself.
 	for i in 2:
 		await host.get_tree().process_frame
 		RenderingServer.force_draw(false)
@@ -65,21 +62,21 @@ func draw(host: Node, scene: GAScene, besides: Array[Node3D] = []) -> Image:
 ## Why the picture could not be saved; empty if it was.
 static func save(image: Image, path: String) -> String:
 	if image == null:
-		return "There is no picture: drawing needs a display."
+		return "No picture was drawn: drawing requires a display."
 	if path.is_empty():
-		return "Give the picture a file name that ends with .png."
+		return "Enter a file name that ends with .png."
 	if path.get_extension().to_lower() != "png":
-		return "%s: a picture is saved as PNG; give it a name that ends with .png." % path
+		return "%s is not a PNG file name. Enter a file name that ends with .png." % path
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	if file == null:
 		return (
-			"%s cannot be written: %s. Is there such a folder, and may you write there?"
+			"%s cannot be written: %s. Check that the folder exists and is writable."
 			% [path, error_string(FileAccess.get_open_error()).to_lower()]
 		)
 	return (
 		""
 		if file.store_buffer(image.save_png_to_buffer())
-		else "%s cannot be written to its end. Is the disk full?" % path
+		else "%s cannot be written completely. Check the free space on the disk." % path
 	)
 
 
@@ -103,7 +100,7 @@ func _make_viewport() -> SubViewport:
 	return viewport
 
 
-# What is blended onto nothing has its colour multiplied by the alpha; a PNG keeps them apart.
+# Blending onto transparency premultiplies colors by alpha; PNG stores straight alpha.
 static func _divide_by_alpha(image: Image) -> void:
 	image.convert(Image.FORMAT_RGBA8)
 	var data := image.get_data()

@@ -1,8 +1,8 @@
 @tool
 extends RefCounted
-## Where a document is looked at from. Kept in the document, as attributes of its scene: "view/from" and "view/to" are
-## places, written as three numbers with commas between them; "view/fov" is the vertical angle in degrees, and
-## "view/background" the colour behind everything.
+## A view of a document, stored as scene attributes: "view/from" and "view/to" are positions,
+## written as three numbers separated by commas, "view/fov" is the vertical field of view in
+## degrees, and "view/background" the background color.
 
 const ViewPoint := preload("view_point.gd")
 
@@ -15,10 +15,10 @@ const DEFAULT_FROM := Vector3(4.0, 3.0, 7.0)
 const DEFAULT_TO := Vector3(0.0, 0.5, 0.0)
 const DEFAULT_FOV := 40.0
 const DEFAULT_BACKGROUND := Color(0.075, 0.086, 0.11)
-const NARROWEST := 1.0
-const WIDEST := 150.0
-## Width by height of the pictures that documents are arranged for.
-const USUAL_ASPECT := 16.0 / 9.0
+const MIN_FOV := 1.0
+const MAX_FOV := 150.0
+## The aspect ratio that documents are arranged for.
+const REFERENCE_ASPECT := 16.0 / 9.0
 
 var from := DEFAULT_FROM
 var to := DEFAULT_TO
@@ -26,7 +26,7 @@ var fov := DEFAULT_FOV
 var background := DEFAULT_BACKGROUND
 
 
-## That of a document; what it does not say, or says in a way that cannot be used, is as by default.
+## The view stored in a document, with defaults for missing or invalid attributes.
 static func of(scene: GAScene) -> ViewPoint:
 	var view := ViewPoint.new()
 	view.from = _read_place(scene.get_scene_attribute(FROM), DEFAULT_FROM)
@@ -35,14 +35,14 @@ static func of(scene: GAScene) -> ViewPoint:
 		view.from = view.to + DEFAULT_FROM - DEFAULT_TO
 	var angle: Variant = scene.get_scene_attribute(FOV)
 	if angle is float:
-		view.fov = clampf(angle, NARROWEST, WIDEST)
+		view.fov = clampf(angle, MIN_FOV, MAX_FOV)
 	var color: Variant = scene.get_scene_attribute(BACKGROUND)
 	if color is String:
 		view.background = Color.from_string(color, DEFAULT_BACKGROUND)
 	return view
 
 
-## That of a camera, which looks at a place at this distance.
+## The view of a camera that looks at a point at this distance.
 static func of_camera(camera: Camera3D, distance: float) -> ViewPoint:
 	var view := ViewPoint.new()
 	view.from = camera.global_position
@@ -51,30 +51,30 @@ static func of_camera(camera: Camera3D, distance: float) -> ViewPoint:
 	return view
 
 
-## Whether a document says where to look from.
-static func is_told_by(scene: GAScene) -> bool:
+## Whether a document stores a view.
+static func is_stored_in(scene: GAScene) -> bool:
 	return scene.get_scene_attribute(FROM) != null
 
 
-## Keeps it in a document.
+## Stores the view in a document.
 func write_to(scene: GAScene) -> void:
 	scene.set_scene_attribute(FROM, _write_place(from))
 	scene.set_scene_attribute(TO, _write_place(to))
 	scene.set_scene_attribute(FOV, snappedf(fov, 0.01))
 
 
-## For a camera in the same space as the drawing.
+## Sets up a camera in the same space as the drawing.
 func apply_to(camera: Camera3D) -> void:
 	camera.transform = get_transform()
 	camera.fov = fov
 
 
-## The vertical angle with which a view that is narrower than usual shows as much from left to right.
+## The vertical field of view with which a view narrower than REFERENCE_ASPECT shows the same width.
 func fov_in(size: Vector2) -> float:
-	var narrowing := USUAL_ASPECT * size.y / maxf(size.x, 1.0)
+	var narrowing := REFERENCE_ASPECT * size.y / maxf(size.x, 1.0)
 	if narrowing <= 1.0:
 		return fov
-	return clampf(rad_to_deg(2.0 * atan(tan(deg_to_rad(fov) / 2.0) * narrowing)), NARROWEST, WIDEST)
+	return clampf(rad_to_deg(2.0 * atan(tan(deg_to_rad(fov) / 2.0) * narrowing)), MIN_FOV, MAX_FOV)
 
 
 func get_transform() -> Transform3D:

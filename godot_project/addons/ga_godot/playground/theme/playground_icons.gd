@@ -1,13 +1,14 @@
 @tool
 extends RefCounted
-## The playground's pictures that the editor has no icon for, drawn in the theme's colour.
+## Icons that the editor does not have, drawn in the theme's color.
 
 const PlaygroundStyle := preload("playground_style.gd")
 
 const SIZE := 16
-## Within <svg>, where COLOR stands for the colour of the theme's text.
-const PICTURES: Dictionary[StringName, String] = {
-	&"exchange":
+# gdlint: disable=max-line-length
+## Contents of <svg>. COLOR stands for the color of the theme's text.
+const ICONS: Dictionary[StringName, String] = {
+	&"swap":
 	'<path d="M2 5.5h11M14 10.5H3" stroke="COLOR" stroke-width="1.6" stroke-linecap="round"/><path d="m10 1.8 5 3.7-5 3.7zM6 6.8l-5 3.7 5 3.7z" fill="COLOR"/>',
 	&"pick":
 	'<rect x="1.5" y="2" width="13" height="4" rx="1.2" fill="COLOR"/><rect x="1.5" y="9.5" width="13" height="4" rx="1.2" fill="COLOR"/>',
@@ -42,12 +43,13 @@ const PICTURES: Dictionary[StringName, String] = {
 	&"dual":
 	'<path d="M8 1.5a6.5 6.5 0 0 0 0 13z" fill="COLOR"/><circle cx="8" cy="8" r="6.5" fill="none" stroke="COLOR" stroke-width="1.4"/>',
 }
+# gdlint: enable=max-line-length
 
 
-## The picture as the theme of that control would have it, in one of the theme's colours.
-static func make(picture: StringName, control: Control, color_name := &"font_color") -> Texture2D:
+## The icon for a control, in one of the colors of its theme.
+static func make(icon: StringName, control: Control, color_name := &"font_color") -> Texture2D:
 	var color := control.get_theme_color(color_name, &"Editor")
-	var body := PICTURES[picture].replace("COLOR", "#" + color.to_html(false))
+	var body := ICONS[icon].replace("COLOR", "#" + color.to_html(false))
 	var source := (
 		'<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>'
 		% [SIZE, SIZE, body]

@@ -1,21 +1,21 @@
 @tool
 extends RefCounted
-## The panel's look in a running game, dark or light: everything that it takes from the editor's theme in the editor, and
-## the controls that it is made of.
+## The panel's theme in a running game, dark or light. It contains the items of the editor's theme
+## that the panel uses, and the styles of its controls.
 
 const ThemeIcons := preload("theme_icons.gd")
 
 const FONT_SIZE := 14
 const SMALL_RADIUS := 4
 const RADIUS := 6
-## What is typed into or lies in a list.
+## Text fields and lists.
 const BOXES: Array[StringName] = [&"LineEdit", &"TextEdit", &"Tree", &"ItemList"]
 const BUTTONS: Array[StringName] = [
 	&"Button", &"OptionButton", &"MenuButton", &"CheckBox", &"CheckButton"
 ]
 
 
-## Colours by what they are for; translucent ones lie on any surface.
+## Colors by purpose. Translucent ones are drawn over any surface.
 static func palette(light: bool) -> Dictionary[StringName, Color]:
 	if light:
 		return {

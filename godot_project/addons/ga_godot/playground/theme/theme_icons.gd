@@ -1,9 +1,10 @@
 @tool
 extends RefCounted
-## The theme's pictures in a running game: those that the editor has for its own theme, and the marks of controls.
+## Icons of the theme in a running game: those that the editor's theme has, and those of controls.
 
 const SIZE := 16
-## Within <svg>, where TEXT, ACCENT, BASE and ERROR stand for colours of the palette.
+# gdlint: disable=max-line-length
+## Contents of <svg>. TEXT, ACCENT, BASE and ERROR stand for colors of the palette.
 const EDITOR_ICONS: Dictionary[StringName, String] = {
 	&"GuiVisibilityVisible":
 	'<path d="M1 8c2.5-5.4 11.5-5.4 14 0-2.5 5.4-11.5 5.4-14 0z" fill="none" stroke="ACCENT" stroke-width="1.6" stroke-linejoin="round"/><circle cx="8" cy="8" r="2.4" fill="ACCENT"/>',
@@ -45,7 +46,7 @@ const RING := '<circle cx="8" cy="8" r="5.5" fill="none" stroke="TEXT" stroke-op
 const FILLED_RING := '<circle cx="8" cy="8" r="6" fill="ACCENT"/><circle cx="8" cy="8" r="2.3" fill="BASE"/>'
 const GRABBER := '<circle cx="8" cy="8" r="5.5" fill="BASE" stroke="TEXT" stroke-width="1.6"/><circle cx="8" cy="8" r="2.4" fill="TEXT"/>'
 const GRABBER_HIGHLIGHT := '<circle cx="8" cy="8" r="6" fill="BASE" stroke="ACCENT" stroke-width="1.8"/><circle cx="8" cy="8" r="2.8" fill="ACCENT"/>'
-## By type and name of the theme's item.
+## Keys are type and name of the theme item.
 const MARKS: Dictionary[String, String] = {
 	"OptionButton/arrow": ARROW_DOWN,
 	"FoldableContainer/expanded_arrow": ARROW_DOWN,
@@ -73,9 +74,10 @@ const MARKS: Dictionary[String, String] = {
 	"Tree/arrow_collapsed": ARROW_RIGHT,
 	"Tree/select_arrow": ARROW_DOWN,
 }
+# gdlint: enable=max-line-length
 
 
-## Adds all of them to a theme; colors: by TEXT, ACCENT, BASE, ERROR.
+## Adds all icons to a theme. Keys of `colors` are TEXT, ACCENT, BASE and ERROR.
 static func add_to(theme: Theme, colors: Dictionary[String, Color]) -> void:
 	for icon in EDITOR_ICONS:
 		theme.set_icon(icon, &"EditorIcons", _draw(EDITOR_ICONS[icon], colors))

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## Objects that are added by a click into the view: on the sphere or plane that is hit, else on the ground y = 0.
+## Adds objects by a click in the view: on the sphere or plane under the mouse, or on the ground
+## plane y = 0.
 
 const EntryEdits := preload("../document/entry_edits.gd")
 const NewObjects := preload("../document/new_objects.gd")
@@ -9,12 +10,13 @@ const SceneDrawing := preload("scene_drawing.gd")
 const ViewRay := preload("view_ray.gd")
 const ViewScale := preload("view_scale.gd")
 
-## Of radii, in pixels.
+## Radius of new objects, in pixels.
 const SIZE := 70.0
-## Where nothing is hit, in metres from the eye; and beyond which the ground is not taken.
+## Distance from the eye if nothing is hit, and the maximum distance of a hit, in meters.
 const DEPTH := 5.0
-const FARTHEST := 1000.0
-## {place}: coordinates of where the click was; {other}: above it; {normal}, {distance}: of the surface there; {length}: a radius.
+const MAX_DISTANCE := 1000.0
+## {place}: the coordinates of the hit; {other}: a point above it; {normal}, {distance}: of the
+## tangent plane there; {length}: a radius.
 const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"point": "point({place})",
 	&"pair": "point_pair(point({place}), point({other}))",
@@ -35,14 +37,15 @@ const AXES: Dictionary[Vector3, String] = {
 }
 
 
-## In the space of the drawing: "place", and "normal" of the surface, which faces the eye.
+## Returns the "place" of the hit and the "normal" of the surface, which faces the eye, in the space
+## of the drawing.
 static func find_place(
 	drawing: SceneDrawing, camera: Camera3D, point: Vector2
 ) -> Dictionary[String, Vector3]:
 	var ray := ViewRay.new(camera, point, drawing.global_transform)
 	var place := ray.meet_plane(Vector3.UP, 0.0)
 	var normal := Vector3.UP
-	if place.distance_to(ray.origin) > FARTHEST:
+	if place.distance_to(ray.origin) > MAX_DISTANCE:
 		place = Vector3.INF
 	for node in drawing.get_nodes():
 		var facts := Picking.classify(node)
@@ -54,14 +57,14 @@ static func find_place(
 		elif facts.get("kind") == &"sphere" and not facts["imaginary"]:
 			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
 			across = (found - (facts["center"] as Vector3)).normalized()
-		# What is hidden is nowhere on the screen.
+		# Hidden objects are at an infinite distance on the screen.
 		var is_drawn := (
 			node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point))
 		)
 		if (
 			is_drawn
 			and found.is_finite()
-			and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), FARTHEST)
+			and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), MAX_DISTANCE)
 		):
 			place = found
 			normal = across if across.dot(ray.direction) < 0.0 else -across
@@ -70,7 +73,7 @@ static func find_place(
 	return {"place": place, "normal": normal}
 
 
-## The name of the new entry.
+## Returns the name of the new entry.
 static func add(
 	edits: EntryEdits,
 	drawing: SceneDrawing,
@@ -107,7 +110,7 @@ static func _coordinates(vector: Vector3, step: float) -> String:
 
 
 static func _number(value: float, step: float) -> String:
-	# Without the sign of a zero.
+	# Adding 0.0 turns -0.0 into 0.0.
 	return (
 		String
 		. num(snappedf(value, step) + 0.0, maxi(0, roundi(-log(step) / log(10.0))))

@@ -1,13 +1,13 @@
 @tool
 extends RefCounted
-## One drag of a handle, from its beginning to its end: one step of the history, or none if it is taken back.
+## One drag of a handle, which is one action in the history unless it is cancelled.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const ViewHandle := preload("view_handle.gd")
 const ViewRay := preload("view_ray.gd")
 const ViewScale := preload("view_scale.gd")
 
-## As it was when the drag began.
+## The handle when the drag began.
 var start: ViewHandle
 var entry: String
 
@@ -26,7 +26,7 @@ func _init(document: PlaygroundDocument, handle: ViewHandle, mouse: Vector2) -> 
 	_document.begin_gesture()
 
 
-## On a level: what moves freely stays at its height.
+## With `on_level`, a freely moving handle keeps its height.
 func move(camera: Camera3D, mouse: Vector2, snaps: bool, on_level: bool) -> void:
 	if (
 		not is_instance_valid(start.node)
@@ -56,6 +56,6 @@ func end() -> void:
 	_document.end_gesture("Drag %s of %s" % [start.key(), entry])
 
 
-func take_back() -> void:
+func cancel() -> void:
 	_document.scene.document = _before
 	end()

@@ -1,13 +1,14 @@
 @tool
 extends RefCounted
-## What lies over a view of a document: handles, what is dragged in numbers, where a click would add something.
+## Draws over the view: the handles, the value that is being dragged, and where a click adds an
+## object.
 
 const ClickAdding := preload("click_adding.gd")
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const ViewHandle := preload("view_handle.gd")
 const ViewPointer := preload("view_pointer.gd")
 
-## Radii in pixels.
+## Sizes in pixels.
 const DISC := 4.5
 const RIM := 1.5
 const HOVERED := 1.35
@@ -22,7 +23,7 @@ const TEXT_OFFSET := Vector2(16, -16)
 const FONT_SIZE := 14
 
 
-## Within the canvas item's drawing.
+## To be called while the canvas item draws.
 static func draw(canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer) -> void:
 	var handles := pointer.get_handles(camera)
 	var scale := PlaygroundStyle.scale()
@@ -94,7 +95,7 @@ static func _draw_text(
 	var font_size := roundi(FONT_SIZE * scale)
 	var size := font.get_string_size(words, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
 	var corner := place + TEXT_OFFSET * scale - Vector2(0, size.y)
-	# Within the view; on the other side of the handle where there is no room.
+	# Keeps the text inside the view, to the left of the handle if there is no room to the right.
 	var room := bounds.size - size - MARGIN * scale
 	corner.x = corner.x if corner.x < room.x else place.x - TEXT_OFFSET.x * scale - size.x
 	corner = corner.clamp(MARGIN * scale, room.max(MARGIN * scale))
@@ -109,7 +110,7 @@ static func _draw_text(
 	)
 
 
-# A ring on the surface where a click adds something.
+# A ring on the surface where a click adds an object.
 static func _draw_target(
 	canvas: CanvasItem, camera: Camera3D, pointer: ViewPointer, scale: float
 ) -> void:

@@ -1,14 +1,14 @@
 @tool
 extends RefCounted
-## Where an object is taken hold of by the mouse, away from its handles.
+## Starts drags of objects away from their handles.
 
 const Picking := preload("picking.gd")
 const ViewHandle := preload("view_handle.gd")
 const ViewRay := preload("view_ray.gd")
 
 
-## The handle that moves the object, to be dragged so that what is under the mouse stays there. Of what goes through points
-## the point under the mouse. Null if nothing moves it.
+## The handle that moves the object, adjusted so that the grabbed point stays under the mouse; for
+## objects through points, the handle of the point under the mouse. Null if the object cannot move.
 static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle:
 	var handles := ViewHandle.of(node, camera)
 	for handle: ViewHandle in handles:
@@ -18,7 +18,7 @@ static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle
 				node, ViewRay.new(camera, point, node.global_transform), place
 			)
 			handle.handle["grab"] = grabbed - place if grabbed.is_finite() else Vector3.ZERO
-			# By the mouse itself, not by where the handle is on the screen.
+			# The drag starts at the mouse, not at the handle.
 			handle.place = point
 			return handle
 	return Picking.find_handle(handles, point)

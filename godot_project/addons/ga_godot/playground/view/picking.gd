@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## What is under the mouse: handles before points, points before curves, curves before surfaces.
+## Finds what is under the mouse: handles first, then points, curves and surfaces.
 
 const ViewScale := preload("view_scale.gd")
 const ViewHandle := preload("view_handle.gd")
@@ -22,8 +22,8 @@ static func find_handle(handles: Array[RefCounted], point: Vector2) -> ViewHandl
 	return best
 
 
-## Null if there is none. Planes fill the view, and spheres hold other things: with their faces they are taken wherever the mouse
-## is on them, without only by their lines.
+## Null if there is none. With `with_faces`, spheres and planes are picked anywhere on their
+## surface, otherwise only at their lines, as they may cover much of the view.
 static func find_object(
 	nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_faces: bool
 ) -> GANode3D:
@@ -37,7 +37,7 @@ static func find_object(
 	return best
 
 
-## As it is drawn.
+## The classification of the value as it is drawn.
 static func classify(node: GANode3D) -> Dictionary:
 	var value := node.get_value()
 	if value == null:
@@ -53,7 +53,7 @@ static func classify(node: GANode3D) -> Dictionary:
 	return value.classify(dual)
 
 
-# The lower, the sooner it is taken; infinite if it is not under the mouse.
+# The lowest rank is picked; infinite if the object is not under the mouse.
 static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: bool) -> float:
 	if not node.is_visible_in_tree():
 		return INF
@@ -69,7 +69,7 @@ static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: 
 		return reach + pixels
 	if kind == &"plane":
 		return 1e30 if with_faces or pixels > 0.0 else INF
-	# Of spheres within each other the smallest; the one around the eye is the last before the planes.
+	# The smallest of nested spheres is picked; a sphere around the eye comes last, before planes.
 	var center: Vector3 = facts["center"]
 	var radius: float = facts["radius"]
 	var eye := node.global_transform.affine_inverse() * camera.global_position
@@ -82,7 +82,7 @@ static func _is_on_outline(
 	node: GANode3D, camera: Camera3D, point: Vector2, center: Vector3, radius: float, reach: float
 ) -> bool:
 	var ray := ViewRay.new(camera, point, node.global_transform)
-	var nearest := ray.pass_by(center)
+	var nearest := ray.closest_to(center)
 	var pixel := (
 		ViewScale.pixel(camera, node.global_transform * nearest)
 		/ node.global_transform.basis.x.length()

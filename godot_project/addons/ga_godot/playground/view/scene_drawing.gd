@@ -1,11 +1,11 @@
 @tool
 extends Node3D
-## Draws the entries of a scene: a node for each, in the colour of its kind unless the entry has one, and with lines of
-## the usual width unless its attribute "line_width" tells another one in pixels.
+## Draws the entries of a scene, one node each, with the entry's color or else that of its kind. The
+## attribute "line_width" of an entry sets its line width in pixels.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-## By what Multivector.classify tells; all else has the last.
+## Colors by the kind that Multivector.classify() returns; OTHER_COLOR for all others.
 const COLORS: Dictionary[StringName, Color] = {
 	&"point": Color(0.98, 0.45, 0.45),
 	&"flat_point": Color(0.98, 0.45, 0.45),
@@ -20,24 +20,24 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
-## Line widths in pixels at the usual scale, and what is added to them.
+## Line widths in pixels, before the editor's scale.
 const LINE_WIDTH := 2.0
 const SELECTED_EXTRA := 1.0
 const HOVERED_EXTRA := 1.6
-const THINNEST := 0.25
-const THICKEST := 20.0
+const MIN_LINE_WIDTH := 0.25
+const MAX_LINE_WIDTH := 20.0
 
-## Before a light background nothing is lighter.
-const LIGHTEST := 0.48
+## Upper limit of the lightness of colors before a light background.
+const MAX_LIGHTNESS := 0.48
 
 var scene: GAScene:
 	set = set_scene
-## Whether what is behind the objects is light; colours of kinds are then darker. An entry with its own keeps it.
+## Whether the background is light, which needs darker colors.
 var on_light := false:
 	set = set_on_light
-## Entries that something else draws in the same place.
-var left_out := PackedStringArray():
-	set = set_left_out
+## Entries that are not drawn, as another node draws them in the same place.
+var excluded := PackedStringArray():
+	set = set_excluded
 
 var _nodes: Dictionary[String, GANode3D] = {}
 var _hovered := ""
@@ -64,10 +64,10 @@ func set_on_light(value: bool) -> void:
 		_draw()
 
 
-func set_left_out(entries: PackedStringArray) -> void:
-	left_out = entries
+func set_excluded(entries: PackedStringArray) -> void:
+	excluded = entries
 	for entry in _nodes:
-		_nodes[entry].visible = not left_out.has(entry)
+		_nodes[entry].visible = not excluded.has(entry)
 
 
 ## The node that draws an entry, or null.
@@ -79,7 +79,7 @@ func get_nodes() -> Array[GANode3D]:
 	return Array(_nodes.values(), TYPE_OBJECT, &"GANode3D", null)
 
 
-## Draws the one under the mouse, and those that are selected, with wider lines.
+## Widens the lines of the entry under the mouse and of selected ones.
 func emphasize(hovered: String, selected: PackedStringArray) -> void:
 	_hovered = hovered
 	_selected = selected
@@ -101,7 +101,7 @@ static func color_of(of_scene: GAScene, entry: String) -> Color:
 
 static func width_of(of_scene: GAScene, entry: String) -> float:
 	var own: Variant = of_scene.get_entry_attribute(entry, "line_width")
-	return clampf(own, THINNEST, THICKEST) if own is float else LINE_WIDTH
+	return clampf(own, MIN_LINE_WIDTH, MAX_LINE_WIDTH) if own is float else LINE_WIDTH
 
 
 func _draw() -> void:
@@ -113,7 +113,7 @@ func _draw() -> void:
 		if not _nodes.has(entry):
 			_nodes[entry] = _make_node(entry)
 		var color := _on_background(color_of(scene, entry))
-		# While one is dragged all others stay as they are.
+		# Avoids redrawing entries that did not change, which matters during a drag.
 		if _nodes[entry].color != color:
 			_nodes[entry].color = color
 		_set_width(entry)
@@ -123,9 +123,9 @@ func _draw() -> void:
 
 
 func _on_background(color: Color) -> Color:
-	# As labels measure it, which then have a light outline.
+	# The same measure by which labels choose a light outline.
 	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
-	var factor := LIGHTEST / maxf(lightness, LIGHTEST) if on_light else 1.0
+	var factor := MAX_LIGHTNESS / maxf(lightness, MAX_LIGHTNESS) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
 
 
@@ -148,6 +148,6 @@ func _make_node(entry: String) -> GANode3D:
 	node.scene = scene
 	node.entry = entry
 	node.line_width = _width_of(entry)
-	node.visible = not left_out.has(entry)
+	node.visible = not excluded.has(entry)
 	add_child(node)
 	return node

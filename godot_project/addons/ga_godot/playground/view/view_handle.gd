@@ -1,21 +1,21 @@
 @tool
 extends RefCounted
-## A handle as a camera sees it.
+## A handle as seen by a camera.
 
 const ViewRay := preload("view_ray.gd")
 const ViewScale := preload("view_scale.gd")
 
-## In pixels, of what is the tip of an arm.
+## Length of arms, in pixels.
 const ARM := 60.0
 
-## What draws the object; the handle is in its space.
+## The node that draws the object. The handle is in its local space.
 var node: GANode3D
-## One of GAScene.get_handles().
+## A dictionary from GAScene.get_handles().
 var handle: Dictionary
-## On the screen: the handle, and where the line to it begins.
+## Screen positions of the handle and of the start of its line.
 var place: Vector2
 var stem: Vector2
-## In front of the eye.
+## Whether the handle is in front of the camera.
 var is_visible: bool
 
 
@@ -55,7 +55,7 @@ func is_same(other: RefCounted) -> bool:
 	)
 
 
-## Those of the entry that a node draws; none of what is hidden.
+## The handles of the entry that a node draws; none if it is hidden.
 static func of(of_node: GANode3D, camera: Camera3D) -> Array[RefCounted]:
 	var found: Array[RefCounted] = []
 	var scene := of_node.scene

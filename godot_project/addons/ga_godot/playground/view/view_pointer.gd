@@ -1,7 +1,12 @@
 @tool
 extends RefCounted
-## The mouse over a view of a document: hovers, selects, drags handles and objects, adds objects. Give it every event of the
-## view; it says which it used. The editor's viewports and a game's view are the same to it.
+## Handles the mouse over a view of a document: hovers, selects, drags handles and objects, adds
+## objects. Works for the editor's viewports and for a game's view; pass it every event of the view.
+
+## The overlay of the view needs to be redrawn.
+signal redraw_needed
+## `adding` changed.
+signal adding_changed
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
@@ -13,42 +18,37 @@ const Picking := preload("picking.gd")
 const SceneDrawing := preload("scene_drawing.gd")
 const ViewHandle := preload("view_handle.gd")
 
-## What is drawn over the view has to be drawn anew.
-signal redraw_needed
-## Also when it ends.
-signal adding_changed
-
-## In pixels: a click moves less.
+## A press becomes a drag at this distance, in pixels.
 const CLICK := 4.0
 
-## The kind of NewObjects.KINDS that a click adds; empty for none.
+## The kind (of NewObjects.KINDS) that a click adds; empty for none.
 var adding := &"":
 	set = set_adding
-## The kind that a double click beside all objects adds; empty for none.
+## The kind that a double click on empty space adds; empty for none.
 var double_click_adds := &""
-## Whether planes and spheres are taken by their faces, too, which may be all over the view.
-var takes_faces := true
-## Whether an object is taken at that place of the screen, for which the camera and the place are given.
-var may_take := func(_camera: Camera3D, _point: Vector2) -> bool: return true
-## Whether a click beside all objects selects nothing.
+## Whether planes and spheres are picked anywhere on their surface, not only at their lines.
+var picks_faces := true
+## Whether objects can be picked at a point of the screen; called with the camera and the point.
+var can_pick := func(_camera: Camera3D, _point: Vector2) -> bool: return true
+## Whether a click on empty space clears the selection.
 var clears_selection := true
-## What draws entries of the document beside the drawing, with handles as well.
+## Further nodes that draw entries of the document and have handles.
 var other_nodes: Array[GANode3D] = []
 
 var document: PlaygroundDocument
 var drawing: SceneDrawing
 var hovered_handle: ViewHandle
 var hovered_node: GANode3D
-## Where the mouse was last, and by which camera it was seen there.
+## The last position of the mouse, and the camera of that view.
 var mouse := Vector2.INF
 var mouse_camera: Camera3D
 
 var _edits: EntryEdits
 var _list: EntryList
 var _drag: HandleDrag
-# Pressed, but not moved yet.
+# The handle that is pressed but not yet dragged.
 var _pressed: ViewHandle
-# What a click selects when it ends.
+# The entry that is selected if the press ends as a click.
 var _pressed_selects := ""
 var _pressed_adds := false
 var _pressed_at := Vector2.INF
@@ -88,7 +88,7 @@ func get_selection() -> PackedStringArray:
 	return _list.selection
 
 
-## Of the selected entries.
+## The handles of the selected entries.
 func get_handles(camera: Camera3D) -> Array[RefCounted]:
 	var found: Array[RefCounted] = []
 	for node in get_nodes():
@@ -97,7 +97,7 @@ func get_handles(camera: Camera3D) -> Array[RefCounted]:
 	return found
 
 
-## All that draw entries of the document.
+## All nodes that draw entries of the document.
 func get_nodes() -> Array[GANode3D]:
 	var nodes: Array[GANode3D] = []
 	if drawing.is_visible_in_tree():
@@ -108,7 +108,7 @@ func get_nodes() -> Array[GANode3D]:
 	return nodes
 
 
-## True if the event was for the playground, and for nobody else.
+## Returns whether the event was used and should not be handled further.
 func handle_input(event: InputEvent, camera: Camera3D) -> bool:
 	var key := event as InputEventKey
 	if key != null:
@@ -120,18 +120,18 @@ func handle_input(event: InputEvent, camera: Camera3D) -> bool:
 	if button == null:
 		return false
 	if button.button_index == MOUSE_BUTTON_RIGHT and button.pressed and _drag != null:
-		return take_back()
+		return cancel()
 	if button.button_index != MOUSE_BUTTON_LEFT:
 		return false
 	return _press(button, camera) if button.pressed else _release(button)
 
 
-## Ends a drag as if it had not been; false if there is none.
-func take_back() -> bool:
+## Cancels the current drag and restores the document. Returns whether there was one.
+func cancel() -> bool:
 	var drag := _drag
 	_forget_press()
 	if drag != null:
-		drag.take_back()
+		drag.cancel()
 	return drag != null
 
 
@@ -143,7 +143,7 @@ func leave() -> void:
 
 
 func _escape() -> bool:
-	if take_back():
+	if cancel():
 		return true
 	var was_adding := not adding.is_empty()
 	adding = &""
@@ -157,7 +157,7 @@ func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
 		_drag = HandleDrag.new(document, _pressed, _pressed_at)
 	if _drag != null:
 		if not motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
-			# The release was somewhere else.
+			# The button was released outside the view.
 			_end_drag()
 			return false
 		_drag.move(camera, mouse, motion.is_command_or_control_pressed(), motion.shift_pressed)
@@ -203,7 +203,7 @@ func _release(button: InputEventMouseButton) -> bool:
 	if _drag != null:
 		_end_drag()
 	elif document.scene.has_entry(_pressed_selects):
-		# Handles lie before their objects: a click is for the object.
+		# A click on a handle is meant for its object.
 		_select_object(_pressed_selects, _pressed_adds)
 	elif _pressed_beside and clears_selection and button.position.distance_to(_pressed_at) < CLICK:
 		_select([])
@@ -247,8 +247,8 @@ func _hover_at(camera: Camera3D, point: Vector2) -> void:
 		return
 	var handle := Picking.find_handle(get_handles(camera), point)
 	var node: GANode3D = null
-	if handle == null and may_take.call(camera, point):
-		node = Picking.find_object(get_nodes(), camera, point, takes_faces)
+	if handle == null and can_pick.call(camera, point):
+		node = Picking.find_object(get_nodes(), camera, point, picks_faces)
 	_hover(handle, node)
 
 

@@ -1,15 +1,15 @@
 @tool
 extends RefCounted
-## What is seen through a place of the screen, in the space of a node.
+## The ray from the camera through a point of the screen, in the local space of a node.
 
 var origin: Vector3
-## Unit.
+## Unit vector.
 var direction: Vector3
-## Where the camera looks to. Unit.
+## The direction of the camera. Unit vector.
 var view: Vector3
 
 
-## Without a direction in a space that is flat.
+## The direction is zero if the space is degenerate.
 func _init(camera: Camera3D, point: Vector2, space: Transform3D) -> void:
 	if is_flat(space):
 		return
@@ -23,7 +23,7 @@ static func is_flat(space: Transform3D) -> bool:
 	return space.basis.determinant() == 0.0
 
 
-## The nearer place in front of the eye; infinite if there is none.
+## The nearest intersection in front of the eye; infinite if there is none.
 func meet_sphere(center: Vector3, radius: float) -> Vector3:
 	var nearest := direction.dot(center - origin)
 	var squared := radius * radius - (origin + direction * nearest - center).length_squared()
@@ -33,14 +33,14 @@ func meet_sphere(center: Vector3, radius: float) -> Vector3:
 	return origin + direction * (depth if depth > 0.0 else nearest + sqrt(squared))
 
 
-## Infinite if there is none in front of the eye.
+## The intersection in front of the eye; infinite if there is none.
 func meet_plane(normal: Vector3, distance: float) -> Vector3:
 	var cosine := direction.dot(normal)
 	var depth := (distance - origin.dot(normal)) / cosine if absf(cosine) > 1e-6 else -1.0
 	return origin + direction * depth if depth > 0.0 else Vector3.INF
 
 
-## The place of a line that is nearest to the ray.
+## The point of a line closest to the ray; infinite if they are parallel.
 func meet_line(point: Vector3, along: Vector3) -> Vector3:
 	var cosine := direction.dot(along)
 	var across := 1.0 - cosine * cosine
@@ -50,6 +50,6 @@ func meet_line(point: Vector3, along: Vector3) -> Vector3:
 	return point + along * ((between.dot(along) - cosine * between.dot(direction)) / across)
 
 
-## The place of the ray that is nearest to a point.
-func pass_by(point: Vector3) -> Vector3:
+## The point of the ray closest to a point.
+func closest_to(point: Vector3) -> Vector3:
 	return origin + direction * direction.dot(point - origin)

@@ -1,18 +1,18 @@
 @tool
 extends RefCounted
-## How large things are on the screen.
+## Converts between pixels and lengths in the scene.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-## How near in pixels the mouse has to come.
+## The pick radius of the mouse, in pixels.
 const REACH := 9.0
-## In pixels, the fewest between two places of the grid that Ctrl snaps to.
+## The minimum spacing of the snapping grid, in pixels.
 const GRID := 3.0
 const COARSE_ANGLE := deg_to_rad(15.0)
 const FINE_ANGLE := deg_to_rad(0.1)
 
 
-## How many metres a pixel is, at the depth of a place.
+## The size of a pixel in meters, at the depth of a place.
 static func pixel(camera: Camera3D, place: Vector3) -> float:
 	var depth := maxf(-(camera.global_transform.affine_inverse() * place).z, camera.near)
 	var middle := Vector2(camera.get_viewport().get_visible_rect().size) / 2.0
@@ -21,17 +21,17 @@ static func pixel(camera: Camera3D, place: Vector3) -> float:
 	)
 
 
-## A power of ten below a pixel: what is dragged becomes a number with no more digits than can be seen.
+## A power of ten below a pixel, so that dragged numbers have no more digits than are visible.
 static func fine_step(of_pixel: float) -> float:
 	return pow(10.0, floorf(log(maxf(of_pixel, 1e-9)) / log(10.0)))
 
 
-## A power of ten that is some pixels: the grid.
+## A power of ten of at least GRID pixels, for snapping.
 static func coarse_step(of_pixel: float) -> float:
 	return pow(10.0, ceilf(log(maxf(of_pixel * GRID, 1e-9)) / log(10.0)))
 
 
-## One, two or five times a power of ten, near that many pixels.
+## 1, 2 or 5 times a power of ten, about as long as that many pixels.
 static func round_length(of_pixel: float, pixels: float) -> float:
 	var length := maxf(of_pixel * pixels, 1e-9)
 	var power := pow(10.0, floorf(log(length) / log(10.0)))

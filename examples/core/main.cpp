@@ -1,0 +1,73 @@
+// GA-Godot's core without Godot: typed elements, a block of motors, and poses sent as bytes.
+
+#include "cga/batch/motor_block.hpp"
+#include "cga/typed/motion.hpp"
+#include "cga/typed/objects.hpp"
+#include "net/receiver.hpp"
+#include "net/sender.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+// A quarter turn about z, then 1 m along x.
+const cga::Pose<double> QUARTER_TURN = { { 1.0, 0.0, 0.0 }, { std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5) }, 1.0 };
+
+// The types of products follow from the types of their factors: two spheres share a Circle, a moved Circle stays one.
+void intersect_spheres() {
+	using namespace cga::typed;
+	const Circle<> circle = sphere<double>({ 0.0, 0.0, 0.0 }, 1.0).regressive_product(sphere<double>({ 1.0, 0.0, 0.0 }, 1.0));
+	const Circle<> moved_circle = moved(circle, cga::Motor<double>::from_pose(QUARTER_TURN));
+	const cga::Vector3<double> at = center(moved_circle);
+	std::printf("circle: center (%.3f, %.3f, %.3f), radius %.3f\n", at.x, at.y, at.z, std::sqrt(squared_radius(moved_circle)));
+}
+
+// Eight motors and eight points in one call, with the widest registers that this machine has.
+void transform_block() {
+	cga::MotorBlock motors;
+	std::vector<float> points;
+	for (int lane = 0; lane < cga::MotorBlock::LANES; ++lane) {
+		motors.set(lane, cga::Motor<float>::from_pose(cga::pose_cast<float>(QUARTER_TURN)));
+		points.insert(points.end(), { float(lane), 0.0f, 0.0f });
+	}
+	cga::transform_points(&motors, points.data(), cga::MotorBlock::LANES, points.data());
+	std::printf("point 7: (%.3f, %.3f, %.3f)\n", double(points[21]), double(points[22]), double(points[23]));
+}
+
+// A body moves at 1 m/s for 2 s; its packets go straight from the sender to the receiver.
+void replicate_body() {
+	constexpr uint32_t BODY = 1, PEER = 2;
+	const net::StreamSettings settings;
+	net::Sender sender(settings);
+	net::Receiver receiver;
+	sender.add_body(BODY, {});
+	sender.add_receiver(PEER, 0.0);
+	std::vector<uint8_t> reply;
+	for (int tick = 1; tick <= 120; ++tick) {
+		const double now = tick * settings.tick;
+		sender.observe(BODY, now, { { now, 0.0, 0.0 } });
+		sender.flush(now);
+		for (const net::OutgoingPacket &packet : sender.packets()) {
+			receiver.accept(sender.bytes() + packet.begin, packet.size, now);
+		}
+		if (receiver.take_answer(reply, now)) {
+			sender.accept(PEER, reply.data(), reply.size(), now);
+		}
+		receiver.advance(now);
+	}
+	cga::Pose<double> shown;
+	const bool is_shown = receiver.pose(BODY, shown);
+	const double error = std::abs(sender.media_time(shown.translation.x) - receiver.media_time());
+	std::printf("body: %s, %s\n", is_shown ? "shown" : "not shown", error <= settings.position_tolerance ? "within tolerance" : "out of tolerance");
+}
+
+} // namespace
+
+int main() {
+	intersect_spheres();
+	transform_block();
+	replicate_body();
+	return 0;
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+// The only file with attributes and pragmas of particular compilers, and with the names they give to processors.
+
+#if defined(__x86_64__) || defined(_M_X64)
+#define CGA_X86_64 1
+#elif defined(__aarch64__) || defined(_M_ARM64)
+#define CGA_ARM64 1
+#endif
+
+// A function that is always inlined: kernels that vectorize, or become straight-line code, only as a whole.
+#if defined(_MSC_VER) && !defined(__clang__)
+#define CGA_ALWAYS_INLINE __forceinline
+#else
+#define CGA_ALWAYS_INLINE inline __attribute__((always_inline))
+#endif
+
+// Before a loop: its iterations are independent, even where input and output are the same memory.
+#if defined(__clang__)
+#define CGA_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(_MSC_VER)
+#define CGA_INDEPENDENT_ITERATIONS __pragma(loop(ivdep))
+#else
+#define CGA_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#endif

@@ -1,0 +1,71 @@
+#include "cga/versor/inverse.hpp"
+
+#include "cga/algebra/complex_matrix.hpp"
+#include "cga/motor/motor_multivector.hpp"
+
+#include <cmath>
+
+namespace cga {
+
+namespace {
+
+// Of |X| |X^-1|.
+constexpr double MAX_CONDITION = 1e13;
+
+double euclidean_norm(const Multivector &x) {
+	double sum = 0.0;
+	for (const double coefficient : x.coefficients()) {
+		sum += coefficient * coefficient;
+	}
+	return std::sqrt(sum);
+}
+
+// The inverse of an element whose largest coefficient is about 1. Empty if it is singular.
+std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
+	const std::optional<ComplexMatrix> matrix = inverse_matrix(to_matrix(x));
+	if (!matrix) {
+		return std::nullopt;
+	}
+	const Multivector inverse = from_matrix(*matrix);
+	if (!(euclidean_norm(x) * euclidean_norm(inverse) <= MAX_CONDITION)) {
+		return std::nullopt;
+	}
+	// One Newton step, Y (2 - X Y), removes the error of the elimination.
+	return inverse.geometric_product(Multivector::scalar(2.0) - x.geometric_product(inverse));
+}
+
+} // namespace
+
+MultivectorResult inverse(const Multivector &x) {
+	if (!x.is_finite()) {
+		return AlgebraError::NOT_FINITE;
+	}
+	if (!(x.max_abs() > 0.0)) {
+		return AlgebraError::ZERO_HAS_NO_INVERSE;
+	}
+	// At unit size, squares neither overflow nor vanish.
+	const int exponent = std::ilogb(x.max_abs());
+	const Multivector scaled = x.times_power_of_two(-exponent);
+	std::optional<Multivector> inverse = scaled.inverse_of_versor(0.0);
+	if (!inverse) {
+		inverse = inverse_by_matrix(scaled);
+	}
+	if (!inverse) {
+		// Motors with a large translation have large coefficients that cancel: only the minimal form tells them from null elements.
+		if (const std::optional<Motor<double>> motor = to_motor(scaled)) {
+			if (const std::optional<Motor<double>> reverse = motor->inverse()) {
+				inverse = to_multivector(*reverse);
+			}
+		}
+	}
+	if (!inverse) {
+		return AlgebraError::SINGULAR;
+	}
+	const Multivector result = inverse->times_power_of_two(-exponent);
+	if (!result.is_finite()) {
+		return AlgebraError::INVERSE_OVERFLOW;
+	}
+	return result;
+}
+
+} // namespace cga

@@ -1,0 +1,141 @@
+#include "godot/net/setup_warnings.hpp"
+
+#include "godot/net/motor_synchronizer.hpp"
+
+#include <godot_cpp/classes/multiplayer_synchronizer.hpp>
+#include <godot_cpp/classes/scene_replication_config.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+
+namespace ga_godot {
+
+using godot::MultiplayerSynchronizer;
+using godot::Node;
+using godot::Node3D;
+using godot::NodePath;
+using godot::Object;
+using godot::PackedStringArray;
+using godot::Ref;
+using godot::SceneReplicationConfig;
+using godot::String;
+using godot::StringName;
+using godot::TypedArray;
+using godot::vformat;
+
+static constexpr int64_t MAX_TARGET_FAULTS = 6;
+
+/// True if a property of a Node3D changes its pose. No other synchronizer may replicate it.
+static bool is_pose_property(const String &name) {
+	static constexpr const char *NAMES[] = { "transform", "position", "rotation", "rotation_degrees", "quaternion", "basis", "scale", "global_transform", "global_position", "global_rotation", "global_rotation_degrees", "global_basis" };
+	return std::any_of(std::begin(NAMES), std::end(NAMES), [&](const char *pose) { return name == String(pose); });
+}
+
+/// The root of the edited scene, or of the whole tree.
+static Node *find_top(const Node &node) {
+	Node *edited = node.is_part_of_edited_scene() ? node.get_tree()->get_edited_scene_root() : nullptr;
+	if (edited != nullptr) {
+		return edited;
+	}
+	Node *top = node.get_parent();
+	while (top != nullptr && top->get_parent() != nullptr) {
+		top = top->get_parent();
+	}
+	return top;
+}
+
+namespace {
+
+/// A node whose pose a MultiplayerSynchronizer replicates.
+struct ReplicatedPose {
+	const Node *node;
+	String property;
+	StringName synchronizer;
+};
+
+} // namespace
+
+static std::vector<ReplicatedPose> find_replicated_poses(const Node *top) {
+	std::vector<ReplicatedPose> poses;
+	const TypedArray<Node> synchronizers = top->find_children("*", "MultiplayerSynchronizer", true, false);
+	for (int64_t i = 0; i < synchronizers.size(); i++) {
+		MultiplayerSynchronizer *synchronizer = Object::cast_to<MultiplayerSynchronizer>(synchronizers[i].get_validated_object());
+		const Ref<SceneReplicationConfig> config = synchronizer->get_replication_config();
+		const Node *root = synchronizer->get_node_or_null(synchronizer->get_root_path());
+		if (config.is_null() || root == nullptr) {
+			continue;
+		}
+		const TypedArray<NodePath> properties = config->get_properties();
+		for (int64_t k = 0; k < properties.size(); k++) {
+			const NodePath path = properties[k];
+			const String property = String(path.get_concatenated_subnames()).get_slice(":", 0);
+			const String names = path.get_concatenated_names();
+			const Node *node = names.is_empty() ? root : root->get_node_or_null(NodePath(names));
+			if (node != nullptr && is_pose_property(property)) {
+				poses.push_back({ node, property, synchronizer->get_name() });
+			}
+		}
+	}
+	return poses;
+}
+
+static void find_target_faults(const Node &synchronizer, const std::vector<const Node3D *> &nodes, PackedStringArray &faults) {
+	const std::vector<ReplicatedPose> poses = find_replicated_poses(find_top(synchronizer));
+	const TypedArray<Node> others = synchronizer.get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
+	const int64_t max_faults = faults.size() + MAX_TARGET_FAULTS;
+	for (const Node3D *node : nodes) {
+		if (faults.size() >= max_faults) {
+			faults.push_back("Other targets have similar faults.");
+			return;
+		}
+		for (int64_t i = 0; i < others.size(); i++) {
+			const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
+			if (other != nullptr && other != &synchronizer && other->selects(node)) {
+				faults.push_back(vformat("%s is also a target of %s. Remove it from one of the two.", node->get_name(), other->get_name()));
+			}
+		}
+		for (const ReplicatedPose &pose : poses) {
+			if (pose.node == node) {
+				faults.push_back(vformat("The MultiplayerSynchronizer %s also replicates %s of %s. Remove the property there.", pose.synchronizer, pose.property, node->get_name()));
+			}
+		}
+		if (node->is_class("RigidBody3D") && !bool(node->get("freeze"))) {
+			faults.push_back(vformat("%s is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is true.", node->get_name()));
+		}
+	}
+}
+
+PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelection &selection) {
+	PackedStringArray faults;
+	if (selection.is_empty()) {
+		faults.push_back("Nothing is replicated. Assign \"targets\", set \"target_group\", or call add_target() from a script.");
+	}
+	std::vector<const Node3D *> nodes;
+	const TypedArray<NodePath> &paths = selection.paths();
+	for (int64_t i = 0; i < paths.size(); i++) {
+		const NodePath path = paths[i];
+		if (const Node3D *node = Object::cast_to<Node3D>(path.is_empty() ? nullptr : synchronizer.get_node_or_null(path))) {
+			nodes.push_back(node);
+		} else {
+			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D.", i, path));
+		}
+	}
+	const StringName &group = selection.group();
+	if (group != StringName()) {
+		const size_t before = nodes.size();
+		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(group);
+		for (int64_t i = 0; i < members.size(); i++) {
+			if (const Node3D *node = Object::cast_to<Node3D>(members[i].get_validated_object())) {
+				nodes.push_back(node);
+			}
+		}
+		if (nodes.size() == before) {
+			faults.push_back(vformat("No Node3D of this scene is in the group \"%s\". This is correct only if all of its members are spawned later.", group));
+		}
+	}
+	find_target_faults(synchronizer, nodes, faults);
+	return faults;
+}
+
+} // namespace ga_godot

@@ -1,0 +1,303 @@
+#include "net/endpoint/receiver.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace net {
+
+namespace {
+
+/// After this many seconds without progress the receiver requests a snapshot, and repeats that at REQUEST_INTERVAL.
+constexpr double SILENCE = 1.5;
+constexpr double REQUEST_INTERVAL = 0.25;
+/// While fragments of a snapshot keep arriving within this time, the receiver waits for the rest.
+constexpr double FRAGMENT_TIMEOUT = 0.75;
+/// A snapshot older than the last one is a late duplicate, unless the stream has been silent for so long: then the sender
+/// has restarted.
+constexpr double RESTART_SILENCE = 1.0;
+/// A snapshot whose number is further ahead than this and whose time is earlier comes from another sender.
+constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
+/// Weight of a chunk in the estimate of loss.
+constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+/// Maximum size of a body in a snapshot, and of the models.
+constexpr size_t BODY_BYTES = 96;
+constexpr size_t MODEL_BYTES = 8192;
+
+} // namespace
+
+PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	PacketResult result = read_packet(packet, size, _content);
+	if (result) {
+		result = check_fragments();
+	}
+	if (!result) {
+		++_statistics.packets_rejected;
+		return result;
+	}
+	_statistics.bytes_received += size;
+	++_statistics.packets_received;
+	if (!_has_heard) {
+		_has_heard = true;
+		_progress_time = now;
+	}
+	if (_content.round_trip > 0.0) {
+		_statistics.round_trip = _content.round_trip;
+	}
+	for (const ChunkItem &chunk : _content.chunks) {
+		_ack_due = true;
+		if (const auto number = _chunks.add(chunk)) {
+			count_loss(*number);
+		}
+	}
+	for (const FragmentItem &fragment : _content.fragments) {
+		_snapshot_ack_due = true;
+		take_fragment(fragment, now);
+	}
+	if (_fragments.is_complete()) {
+		result = finish_snapshot(now);
+		if (!result) {
+			++_statistics.packets_rejected;
+			return result;
+		}
+	}
+	set_limits();
+	decode_windows(now);
+	return {};
+}
+
+void Receiver::count_loss(uint8_t number) {
+	// A chunk that arrives after a later one was lost, or overtaken.
+	const bool is_late = int8_t(number - _newest_chunk) < 0;
+	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
+	_newest_chunk = is_late ? _newest_chunk : number;
+}
+
+PacketResult Receiver::check_fragments() const {
+	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / Snapshot::FRAGMENT_BYTES + 1;
+	for (const FragmentItem &fragment : _content.fragments) {
+		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
+			return PacketError::BAD_FRAGMENT;
+		}
+		if (fragment.count > max_count) {
+			return PacketError::TOO_MANY_BODIES;
+		}
+	}
+	return {};
+}
+
+void Receiver::take_fragment(const FragmentItem &fragment, double now) {
+	if (_snapshot_done && fragment.snapshot == _fragments.number()) {
+		return;
+	}
+	if ((_fragments.is_open() || _snapshot_done) && int8_t(fragment.snapshot - _fragments.number()) < 0 && now - _progress_time < RESTART_SILENCE) {
+		return;
+	}
+	if (!_fragments.belongs(fragment)) {
+		_snapshot_done = false;
+		_fragments.start(fragment);
+	}
+	if (_fragments.add(fragment)) {
+		_progress_time = _fragment_time = now;
+	}
+}
+
+PacketResult Receiver::finish_snapshot(double now) {
+	_fragments.finish(_window);
+	SnapshotHeader next;
+	if (const PacketResult result = read_snapshot_header(_window.data(), _window.size(), next); !result) {
+		return result;
+	}
+	if (is_behind(next)) {
+		_snapshot_done = true;
+		return {};
+	}
+	StreamDecoder decoder(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), _max_bodies);
+	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+		return result;
+	}
+	const bool is_earlier = double(next.tick) < _window_end;
+	const bool continues = is_ready() && next.settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next.tick) >= _window_end - MAX_TICKS));
+	_header = next;
+	_decoder = std::move(decoder);
+	_window_end = double(next.tick);
+	_snapshot_done = true;
+	_last_snapshot = _fragments.number();
+	_broken = false;
+	if (!continues) {
+		_clock.start(known_time(), std::max(double(next.window), usual_delay()), now);
+		for (auto &track : _tracks) {
+			track.second = MotionTrack();
+		}
+	}
+	set_limits();
+	_clock.observe(known_time(), now);
+	_chunks.restart(_fragments.next_chunk());
+	if (!continues || int8_t(_newest_chunk - _fragments.next_chunk()) < 0) {
+		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
+	}
+	show_snapshot(continues);
+	return {};
+}
+
+/// Bodies in the snapshot exist from its time on; all others do not.
+void Receiver::show_snapshot(bool continues) {
+	std::unordered_set<uint32_t> present;
+	for (size_t i = 0; i < _decoder->body_count(); ++i) {
+		BodyMotion motion;
+		motion.id = _decoder->id(i);
+		motion.segment.begin = _window_end;
+		motion.segment.from = _decoder->pose(i);
+		const auto track = _tracks.find(motion.id);
+		// At the first snapshot all bodies have existed before. Later, an unknown one has appeared.
+		motion.appears = continues && (track == _tracks.end() || track->second.is_empty());
+		present.insert(motion.id);
+		show(motion);
+	}
+	for (auto &track : _tracks) {
+		if (present.count(track.first) == 0) {
+			BodyMotion motion;
+			motion.id = track.first;
+			motion.vanishes = true;
+			motion.segment.begin = _window_end;
+			track.second.add(motion);
+		}
+	}
+}
+
+bool Receiver::is_next_snapshot() const {
+	return uint8_t(_fragments.number() - _last_snapshot) <= MAX_SNAPSHOTS_MISSED;
+}
+
+bool Receiver::is_behind(const SnapshotHeader &next) const {
+	// It came so late that the windows after it have been decoded already.
+	return is_ready() && !_broken && is_next_snapshot() && double(next.tick) <= _window_end && double(next.tick) >= _window_end - MAX_TICKS &&
+			next.settings.is_same_stream(_header.settings);
+}
+
+void Receiver::show(const BodyMotion &motion) {
+	const auto entry = _tracks.try_emplace(motion.id);
+	if (entry.second) {
+		_events.push_back({ BodyEvent::ADDED, motion.id });
+	}
+	entry.first->second.add(motion);
+}
+
+void Receiver::decode_windows(double now) {
+	if (_broken) {
+		return;
+	}
+	while (is_ready() && !_broken) {
+		const auto check = _chunks.take_window(_window);
+		if (!check) {
+			break;
+		}
+		const auto ticks = _decoder->decode_window(_window.data(), _window.size(), *check, _window_end, _header.settings.mode, _motions);
+		if (!ticks) {
+			_broken = true;
+			break;
+		}
+		_progress_time = now;
+		const double begin = _window_end;
+		_window_end += *ticks;
+		_clock.observe(known_time(), now);
+		double moves_from = _window_end;
+		for (const BodyMotion &motion : _motions) {
+			moves_from = std::min(moves_from, motion.segment.begin);
+			show(motion);
+		}
+		if (!_motions.empty()) {
+			_clock.observe_motion(moves_from * tick(), now);
+			if (_clock.media_time() > begin * tick()) {
+				++_statistics.late_windows;
+			}
+		}
+	}
+	_broken = _broken || _chunks.is_broken() || _tracks.size() > 2 * _max_bodies + 64;
+	if (_events.size() > 8 * _max_bodies + 64) {
+		// The caller does not take them. Drop the older half.
+		_events.erase(_events.begin(), _events.begin() + ptrdiff_t(_events.size() / 2));
+	}
+	if (_broken) {
+		_chunks.forget();
+	}
+}
+
+double Receiver::usual_delay() const {
+	return std::max(_header.settings.max_latency - FRAME, 0.0);
+}
+
+void Receiver::set_limits() {
+	const double latency = _header.settings.max_latency;
+	const double max_delay = std::max(latency, double(_header.window)) + (_max_margin < 0.0 ? latency : _max_margin);
+	_clock.set_limits(std::min(std::max(_min_margin, usual_delay()), max_delay), max_delay);
+}
+
+bool Receiver::needs_snapshot(double now) const {
+	if (_fragments.is_open() && now - _fragment_time < FRAGMENT_TIMEOUT) {
+		return false;
+	}
+	return _broken || (_has_heard && now - _progress_time > (!is_ready() && !_fragments.is_open() ? REQUEST_INTERVAL : SILENCE));
+}
+
+void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
+	packet.clear();
+	if (needs_snapshot(now) && now - _request_time > REQUEST_INTERVAL) {
+		_request_time = now;
+		put_snapshot_request(packet);
+	}
+	if (_snapshot_ack_due) {
+		put_snapshot_ack(packet, _fragments.ack(_snapshot_done));
+		_snapshot_ack_due = false;
+	}
+	if (_ack_due && is_ready() && !_broken) {
+		put_ack(packet, _chunks.ack());
+	}
+	_ack_due = false;
+}
+
+void Receiver::advance(double now) {
+	if (!is_ready()) {
+		return;
+	}
+	_clock.advance(now);
+	const double shown = media_time() / tick();
+	for (auto track = _tracks.begin(); track != _tracks.end();) {
+		track->second.forget_before(shown);
+		if (track->second.is_over(shown)) {
+			_events.push_back({ BodyEvent::REMOVED, track->first });
+			track = _tracks.erase(track);
+		} else {
+			++track;
+		}
+	}
+	_statistics.playback_delay = _clock.delay_at(now);
+	_statistics.jitter = _clock.jitter();
+}
+
+std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
+	const auto track = _tracks.find(id);
+	return track != _tracks.end() ? track->second.pose_at(media_time / tick()) : std::nullopt;
+}
+
+std::vector<uint32_t> Receiver::bodies() const {
+	std::vector<uint32_t> ids;
+	for (const auto &track : _tracks) {
+		if (track.second.pose_at(media_time() / tick())) {
+			ids.push_back(track.first);
+		}
+	}
+	return ids;
+}
+
+void Receiver::take_events(std::vector<BodyEvent> &events) {
+	events.clear();
+	events.swap(_events);
+}
+
+void Receiver::set_margin_limits(double min, double max) {
+	_min_margin = std::max(min, 0.0);
+	_max_margin = std::max(max, _min_margin);
+	set_limits();
+}
+
+} // namespace net

@@ -1,0 +1,277 @@
+#include "net/endpoint/sender.hpp"
+
+#include "net/stream/snapshot_header.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace net {
+
+namespace {
+
+/// Maximum length of a window in which nothing moves, in seconds. It is the stream's keep-alive.
+constexpr double IDLE_WINDOW = 0.5;
+/// Minimum share of max_latency that is left for the window, whatever the network needs.
+constexpr double MIN_WINDOW = 0.25;
+/// Loss from which a window has to leave time for a retransmission.
+constexpr double NOTABLE_LOSS = 0.004;
+/// Longer steps between two flushes, in ticks, are pauses and do not count.
+constexpr double MAX_STEP = 4.0;
+/// Times that differ by less, in ticks, are the same tick.
+constexpr double SAME_TICK = 1e-5;
+
+/// A number that is random but for the same time.
+uint8_t number_from(double time) {
+	uint64_t bits = 0;
+	std::memcpy(&bits, &time, sizeof(bits));
+	return uint8_t((bits ^ bits >> 32) * 0x9e3779b97f4a7c15u >> 56);
+}
+
+} // namespace
+
+bool Sender::can_hold(const cga::Pose<double> &pose) const {
+	return BodyState::can_hold(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)));
+}
+
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
+	if (_encoder) {
+		return _encoder->add_body(id, ticks(_time), pose);
+	}
+	return id < ID_LIMIT && can_hold(pose) && _idle_bodies.emplace(id, pose).second;
+}
+
+bool Sender::remove_body(uint32_t id) {
+	return _encoder ? _encoder->remove_body(id, ticks(_time)) : _idle_bodies.erase(id) != 0;
+}
+
+bool Sender::has_body(uint32_t id) const {
+	return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0;
+}
+
+size_t Sender::body_count() const {
+	return _encoder ? _encoder->body_count() : _idle_bodies.size();
+}
+
+bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
+	if (!std::isfinite(time)) {
+		return false;
+	}
+	begin_at(time);
+	if (_encoder) {
+		return _encoder->observe(id, ticks(time), pose);
+	}
+	const auto found = _idle_bodies.find(id);
+	if (found == _idle_bodies.end() || !can_hold(pose)) {
+		return false;
+	}
+	found->second = pose;
+	return true;
+}
+
+bool Sender::observe(uint32_t id, double time) {
+	if (!std::isfinite(time)) {
+		return false;
+	}
+	begin_at(time);
+	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
+}
+
+bool Sender::teleport(uint32_t id) {
+	return _encoder ? _encoder->jump(id) : has_body(id);
+}
+
+void Sender::add_receiver(uint32_t receiver, double time) {
+	begin_at(time);
+	_peers.erase(receiver);
+	_peers.emplace(receiver, Peer{ Delivery(time) });
+}
+
+void Sender::remove_receiver(uint32_t receiver) {
+	_peers.erase(receiver);
+	if (_peers.empty()) {
+		stop_encoder();
+	}
+}
+
+void Sender::begin_at(double first_time) {
+	if (!_has_origin) {
+		_origin = _time = first_time;
+		_has_origin = true;
+	}
+}
+
+void Sender::start_encoder() {
+	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
+	std::vector<uint32_t> ids;
+	ids.reserve(_idle_bodies.size());
+	for (const auto &body : _idle_bodies) {
+		ids.push_back(body.first);
+	}
+	std::sort(ids.begin(), ids.end());
+	for (const uint32_t id : ids) {
+		(void)_encoder->add_body(id, double(_window_begin), _idle_bodies[id]);
+	}
+	_idle_bodies.clear();
+	for (auto &peer : _peers) {
+		peer.second.delivery = Delivery(_time);
+	}
+	_changed_since = -1;
+}
+
+void Sender::stop_encoder() {
+	if (_encoder) {
+		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose) { _idle_bodies.emplace(id, pose); });
+		_encoder.reset();
+	}
+}
+
+double Sender::max_window() const {
+	// What a chunk may need after its window has ended, at the receiver that needs most.
+	double network = FRAME;
+	for (const auto &peer : _peers) {
+		const Delivery &delivery = peer.second.delivery;
+		if (!delivery.is_silent(_time)) {
+			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
+			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
+		}
+	}
+	const double longest = std::max(_settings.max_latency - network, _settings.max_latency * MIN_WINDOW);
+	return std::max(longest, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0) / _settings.tick;
+}
+
+bool Sender::is_window_due(int64_t now) const {
+	const double next = double(now) + _step;
+	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TICK) {
+		return true;
+	}
+	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
+		return true;
+	}
+	if (_changed_since >= 0) {
+		return next - double(_changed_since) > max_window() + SAME_TICK;
+	}
+	return next - double(_window_begin) > IDLE_WINDOW / _settings.tick;
+}
+
+void Sender::close_window(int64_t end) {
+	while (_window_begin < end) {
+		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
+		_window.clear();
+		_encoder->encode_window(double(_window_begin), length, _window);
+		_ring.push_window(_window, _encoder->check());
+		_window_begin += length;
+	}
+	_changed_since = _encoder->has_changes() ? _window_begin : -1;
+}
+
+void Sender::start_snapshots() {
+	std::shared_ptr<Snapshot> snapshot;
+	for (auto &peer : _peers) {
+		Delivery &delivery = peer.second.delivery;
+		if (delivery.needs_snapshot() && !delivery.is_silent(_time)) {
+			snapshot = snapshot != nullptr ? snapshot : make_snapshot();
+			delivery.start_snapshot(snapshot);
+		}
+	}
+}
+
+std::shared_ptr<Snapshot> Sender::make_snapshot() {
+	if (!_has_snapshot_number) {
+		_has_snapshot_number = true;
+		_snapshot_number = number_from(_origin);
+	}
+	auto snapshot = std::make_shared<Snapshot>();
+	snapshot->number = ++_snapshot_number;
+	snapshot->next_chunk = _ring.next();
+	SnapshotHeader header;
+	header.settings = _settings;
+	header.tick = uint32_t(_window_begin);
+	header.window = float(max_window() * _settings.tick);
+	put_snapshot_header(snapshot->bytes, header);
+	_encoder->encode_snapshot(snapshot->bytes);
+	return snapshot;
+}
+
+void Sender::send_all() {
+	for (auto &entry : _peers) {
+		Peer &peer = entry.second;
+		peer.delivery.send(_ring, _time, _bytes, [&](size_t begin, size_t size) {
+			_packets.push_back({ entry.first, begin, size });
+			peer.bytes_sent += size;
+			++peer.packets_sent;
+		});
+	}
+}
+
+void Sender::flush(double time) {
+	_bytes.clear();
+	_packets.clear();
+	begin_at(time);
+	_time = std::max(time, _time);
+	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	if (now > _last_flush) {
+		// The maximum of the recent steps, slowly decaying: a window has to end before it would be too long.
+		_step = std::clamp(double(now - _last_flush), 0.9 * _step, MAX_STEP);
+	}
+	const int64_t before = _last_flush;
+	_last_flush = now;
+	if (_peers.empty()) {
+		_window_begin = now;
+		return;
+	}
+	if (!_encoder) {
+		_window_begin = now > 0 ? now - 1 : 0;
+		start_encoder();
+	}
+	if (_changed_since < 0 && _encoder->has_changes()) {
+		// Close the idle window at once, so that the window with the motion can be short.
+		close_window(std::max(_window_begin, std::min(before, now - 1)));
+		_changed_since = _window_begin;
+	}
+	if (now > _window_begin && is_window_due(now)) {
+		close_window(now);
+		start_snapshots();
+	}
+	send_all();
+}
+
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+	const auto found = _peers.find(receiver);
+	if (found == _peers.end()) {
+		return PacketError::UNKNOWN_RECEIVER;
+	}
+	if (const PacketResult result = read_packet(packet, size, _content); !result) {
+		return result;
+	}
+	found->second.delivery.accept(_content, _ring, time);
+	return {};
+}
+
+void Sender::set_settings(const StreamSettings &settings) {
+	const bool restarts = !_settings.is_same_stream(settings);
+	if (_settings.tick != settings.tick) {
+		_origin = _time;
+		_window_begin = _last_flush = 0;
+	}
+	_settings = settings;
+	if (restarts) {
+		stop_encoder();
+	}
+}
+
+ReceiverStatistics Sender::statistics(uint32_t receiver) const {
+	ReceiverStatistics statistics;
+	const auto found = _peers.find(receiver);
+	if (found != _peers.end()) {
+		const Peer &peer = found->second;
+		statistics.bytes_sent = peer.bytes_sent;
+		statistics.packets_sent = peer.packets_sent;
+		statistics.chunks_repeated = peer.delivery.repeated();
+		statistics.loss = peer.delivery.loss();
+		statistics.round_trip = peer.delivery.round_trip();
+	}
+	return statistics;
+}
+
+} // namespace net

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "net/delivery/delivery.hpp"
+#include "net/stream/stream_encoder.hpp"
+#include "net/stream/stream_settings.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace net {
+
+/// A packet for one receiver.
+struct OutgoingPacket {
+	uint32_t receiver = 0;
+	size_t begin = 0; ///< in Sender::bytes()
+	size_t size = 0;
+};
+
+struct ReceiverStatistics {
+	uint64_t bytes_sent = 0;
+	uint64_t packets_sent = 0;
+	uint64_t chunks_repeated = 0;
+	double loss = 0.0; ///< recent share of chunks that had to be repeated
+	double round_trip = 0.0; ///< seconds, smoothed; 0 before the first acknowledgement
+};
+
+/// Sends the poses of one authority's bodies to any number of receivers. It does no input or output of its own: the caller
+/// takes packets after `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
+///
+/// Each window is encoded once for all receivers, against the window before it. A receiver that lacks a window gets it
+/// again; one that is new or too far behind gets a snapshot.
+class Sender {
+public:
+	explicit Sender(const StreamSettings &settings) :
+			_settings(settings) {}
+
+	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range.
+	bool add_body(uint32_t id, const cga::Pose<double> &pose);
+	bool remove_body(uint32_t id);
+	[[nodiscard]] bool has_body(uint32_t id) const;
+	[[nodiscard]] size_t body_count() const;
+
+	/// The pose of a body at a time, not before the body's last one. False, with nothing changed, if there is no such body or
+	/// the pose is not finite or out of range.
+	bool observe(uint32_t id, double time, const cga::Pose<double> &pose);
+	/// The body is still at its last pose. False if there is no such body.
+	bool observe(uint32_t id, double time);
+	/// The body jumps to its next observed pose instead of moving there.
+	bool teleport(uint32_t id);
+
+	void add_receiver(uint32_t receiver, double time);
+	void remove_receiver(uint32_t receiver);
+	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
+
+	/// Makes the packets that are due. Call it every tick, after all poses up to `time` have been observed.
+	void flush(double time);
+	/// The packets of the last flush, valid until the next.
+	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
+	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
+
+	/// Processes a packet from a receiver.
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
+
+	/// New settings apply from the next window on. All but the send rate restart the stream.
+	void set_settings(const StreamSettings &settings);
+	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
+	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
+	/// The media time (see Receiver::media_time) of a time on the sender's clock; 0 before the first flush.
+	[[nodiscard]] double media_time(double time) const { return _has_origin ? time - _origin : 0.0; }
+	/// Number of bodies that moved in the last window.
+	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
+
+private:
+	struct Peer {
+		Delivery delivery;
+		uint64_t bytes_sent = 0;
+		uint64_t packets_sent = 0;
+	};
+
+	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
+	[[nodiscard]] bool can_hold(const cga::Pose<double> &pose) const;
+	void begin_at(double first_time);
+	void start_encoder();
+	void stop_encoder();
+	[[nodiscard]] double max_window() const;
+	[[nodiscard]] bool is_window_due(int64_t now) const;
+	void close_window(int64_t end);
+	void start_snapshots();
+	[[nodiscard]] std::shared_ptr<Snapshot> make_snapshot();
+	void send_all();
+
+	StreamSettings _settings;
+	std::optional<StreamEncoder> _encoder; // only while there are receivers
+	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // the bodies while there is no encoder
+	ChunkRing _ring;
+	std::map<uint32_t, Peer> _peers;
+	std::vector<uint8_t> _window;
+	std::vector<uint8_t> _bytes;
+	std::vector<OutgoingPacket> _packets;
+	PacketContent _content;
+	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
+	bool _has_snapshot_number = false;
+	double _time = 0.0; // of the last flush
+	double _origin = 0.0; // time of tick 0
+	bool _has_origin = false;
+	int64_t _window_begin = 0; // ticks
+	int64_t _last_flush = 0; // ticks
+	int64_t _changed_since = -1; // tick; -1: nothing has changed
+	double _step = 1.0; // ticks between flushes
+};
+
+} // namespace net

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "net/endpoint/receiver.hpp"
+#include "net/session/rejections.hpp"
+#include "net/session/session_statistics.hpp"
+#include "net/session/traffic_meter.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace net {
+
+/// What a session knows of one connected peer.
+struct Peer {
+	/// Packets of a stream that has ended may arrive for so long, in seconds, without counting as rejected.
+	static constexpr double AFTERMATH = 2.0;
+
+	TrafficMeter sent;
+	TrafficMeter received;
+	Rejections rejections;
+	double ended_at = -1e9; ///< when a stream in either direction last ended
+
+	// Our stream to the peer.
+	bool subscribed = false;
+	uint8_t subscription = 0; ///< its link
+	double subscribed_at = -1e9;
+
+	// The peer's stream to us.
+	std::optional<Receiver> stream;
+	uint8_t link = 0;
+	size_t max_bodies = 0;
+	double open_due = 0.0; ///< when to send the next OPEN
+	uint64_t unauthorized_bodies = 0;
+
+	[[nodiscard]] bool is_aftermath(double now) const { return now - ended_at < AFTERMATH; }
+
+	/// Without what the sender knows of the peer.
+	[[nodiscard]] SessionStatistics statistics(double now) {
+		SessionStatistics result;
+		result.sent_bytes = sent.bytes_per_second(now);
+		result.sent_packets = sent.packets_per_second(now);
+		result.received_bytes = received.bytes_per_second(now);
+		result.received_packets = received.packets_per_second(now);
+		if (stream) {
+			result.loss = stream->statistics().loss;
+			result.round_trip = stream->statistics().round_trip;
+			result.playback_delay = stream->statistics().playback_delay;
+			result.late = stream->statistics().late_windows;
+		}
+		result.rejected = rejections.count();
+		result.unauthorized = unauthorized_bodies;
+		return result;
+	}
+};
+
+} // namespace net

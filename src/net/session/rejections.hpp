@@ -1,0 +1,45 @@
+#pragma once
+
+#include "net/stream/packet_error.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace net {
+
+/// Counts the packets of one peer that were rejected, and limits how often they are reported. Counting is cheap: a hostile
+/// peer can cause it at any rate.
+class Rejections {
+public:
+	struct Report {
+		PacketError error; ///< of the last one
+		uint64_t count; ///< since the last report
+	};
+
+	void add(PacketError error) {
+		_error = error;
+		++_count;
+		++_unreported;
+	}
+	[[nodiscard]] uint64_t count() const { return _count; }
+	/// What has not been reported yet, at most once an INTERVAL.
+	[[nodiscard]] std::optional<Report> take_report(double now) {
+		if (_unreported == 0 || now - _reported_at < INTERVAL) {
+			return std::nullopt;
+		}
+		const Report report{ _error, _unreported };
+		_unreported = 0;
+		_reported_at = now;
+		return report;
+	}
+
+private:
+	static constexpr double INTERVAL = 0.5; // seconds
+
+	PacketError _error = PacketError::EMPTY;
+	uint64_t _count = 0;
+	uint64_t _unreported = 0;
+	double _reported_at = -1e9;
+};
+
+} // namespace net

@@ -1,0 +1,396 @@
+#include "net/session/session.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+namespace net {
+
+namespace {
+
+/// Seconds between two OPEN packets, until the stream arrives.
+constexpr double OPEN_INTERVAL = 0.25;
+/// After so many seconds without a packet the owner may have lost the subscription: OPEN is sent again.
+constexpr double SILENCE = 1.0;
+/// Minimum seconds between two subscriptions of a peer, so that it cannot make us start a stream every tick.
+constexpr double SUBSCRIPTION_INTERVAL = 0.2;
+/// Room for bodies that do not exist here yet. It bounds the memory that a peer can make us use.
+constexpr size_t SPARE_BODIES = 4096;
+
+/// One sequence for all sessions of a process, from a random start, so that packets in flight to an earlier stream are not
+/// taken for packets of a new one.
+uint8_t next_link(double now) {
+	static uint8_t last_link = uint8_t(int64_t(now * 1e3));
+	return ++last_link;
+}
+
+} // namespace
+
+void Session::connect(PeerId self, uint16_t key) {
+	for (auto &[id, peer] : _peers) {
+		end_stream(peer);
+	}
+	_peers.clear();
+	_connected.clear();
+	_owners.clear();
+	_body_count.clear();
+	_sender.reset();
+	_self = self;
+	_key = key;
+	_streams_stale = true;
+}
+
+bool Session::has_peer(PeerId peer) const {
+	return std::binary_search(_connected.begin(), _connected.end(), peer);
+}
+
+std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double now) {
+	std::vector<PeerId> left;
+	if (peers == _connected) {
+		return left;
+	}
+	_now = now;
+	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
+	_connected = peers;
+	for (const PeerId id : left) {
+		if (const auto found = _peers.find(id); found != _peers.end()) {
+			unsubscribe(id, found->second);
+			end_stream(found->second);
+			_peers.erase(found);
+		}
+	}
+	_streams_stale = true;
+	return left;
+}
+
+void Session::close(double now) {
+	_now = now;
+	for (auto &[id, peer] : _peers) {
+		if (peer.subscribed) {
+			send_close(id, peer, peer.subscription, CloseRole::SENDER);
+		}
+		if (peer.stream) {
+			send_close(id, peer, peer.link, CloseRole::RECEIVER);
+		}
+	}
+}
+
+void Session::set_settings(const StreamSettings &settings) {
+	const double tick = _settings.tick;
+	_settings = settings;
+	_settings.tick = tick;
+	if (_sender) {
+		_sender->set_settings(_settings);
+	}
+}
+
+void Session::set_margin_limits(double min, double max) {
+	_min_margin = min;
+	_max_margin = max;
+	for (auto &[id, peer] : _peers) {
+		if (peer.stream) {
+			peer.stream->set_margin_limits(min, max);
+		}
+	}
+}
+
+void Session::count_owner(PeerId owner, int change) {
+	size_t &count = _body_count[owner];
+	count += size_t(change);
+	if (count == 0) {
+		_body_count.erase(owner);
+	}
+	_streams_stale = true;
+}
+
+void Session::set_owner(uint32_t body, PeerId owner) {
+	remove_body(body);
+	_owners[body] = owner;
+	count_owner(owner, 1);
+}
+
+void Session::remove_body(uint32_t body) {
+	const auto found = _owners.find(body);
+	if (found == _owners.end()) {
+		return;
+	}
+	if (found->second == _self && _sender) {
+		_sender->remove_body(body);
+	}
+	count_owner(found->second, -1);
+	_owners.erase(found);
+}
+
+void Session::begin_tick(double now, double length) {
+	_now = _tick_time = now;
+	if (length != _settings.tick) {
+		// The sender, too, counts whole ticks of the new length from here.
+		_first_tick = time();
+		_tick = 0;
+		_settings.tick = length;
+		if (_sender) {
+			_sender->set_settings(_settings);
+		}
+	}
+	_tick++;
+}
+
+bool Session::observe(uint32_t body, const cga::Pose<double> &pose) {
+	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose))) {
+		return false;
+	}
+	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
+}
+
+bool Session::observe(uint32_t body) {
+	return _sender && _sender->observe(body, time());
+}
+
+void Session::teleport(uint32_t body) {
+	if (_sender) {
+		_sender->teleport(body);
+	}
+}
+
+void Session::end_tick() {
+	if (_streams_stale) {
+		update_streams();
+	}
+	if (_sender) {
+		send_motion();
+	}
+}
+
+void Session::send_motion() {
+	_sender->flush(time());
+	for (const OutgoingPacket &packet : _sender->packets()) {
+		const auto found = _peers.find(PeerId(packet.receiver));
+		if (found != _peers.end() && found->second.subscribed) {
+			send(found->first, found->second, PacketKind::MOTION, found->second.subscription, _sender->bytes() + packet.begin, packet.size);
+		}
+	}
+}
+
+/// Opens a stream from each peer that owns a body, and closes the others.
+void Session::update_streams() {
+	_streams_stale = false;
+	for (auto &[id, peer] : _peers) {
+		const bool is_too_small = peer.max_bodies < _owners.size() + SPARE_BODIES / 2;
+		if (peer.stream && (!owns_bodies(id) || is_too_small)) {
+			send_close(id, peer, peer.link, CloseRole::RECEIVER);
+			end_stream(peer);
+		}
+	}
+	for (const auto &entry : _body_count) {
+		if (entry.first != _self && has_peer(entry.first) && !_peers[entry.first].stream) {
+			open_stream(_peers[entry.first]);
+		}
+	}
+}
+
+void Session::open_stream(Peer &peer) {
+	peer.link = next_link(_now);
+	peer.max_bodies = 2 * _owners.size() + SPARE_BODIES;
+	peer.stream.emplace(peer.max_bodies);
+	peer.stream->set_margin_limits(_min_margin, _max_margin);
+	peer.open_due = 0.0;
+}
+
+void Session::end_stream(Peer &peer) {
+	if (peer.stream) {
+		_late += peer.stream->statistics().late_windows;
+		peer.stream.reset();
+		peer.ended_at = _now;
+	}
+}
+
+void Session::subscribe(PeerId id, uint8_t link, double now) {
+	const auto found = _peers.find(id);
+	const bool subscribed = found != _peers.end() && found->second.subscribed;
+	const bool is_recent = found != _peers.end() && now - found->second.subscribed_at < SUBSCRIPTION_INTERVAL;
+	if ((subscribed && found->second.subscription == link) || is_recent || !owns_bodies(_self)) {
+		return; // the peer repeats the OPEN until a stream arrives
+	}
+	Peer &peer = _peers[id];
+	if (!_sender) {
+		_sender.emplace(_settings);
+	}
+	if (subscribed) {
+		_sender->remove_receiver(uint32_t(id));
+		peer.ended_at = now;
+	}
+	peer.subscribed = true;
+	peer.subscription = link;
+	peer.subscribed_at = now;
+	_sender->add_receiver(uint32_t(id), time());
+}
+
+void Session::unsubscribe(PeerId id, Peer &peer) {
+	if (!peer.subscribed) {
+		return;
+	}
+	peer.subscribed = false;
+	peer.ended_at = _now;
+	_sender->remove_receiver(uint32_t(id));
+	if (std::none_of(_peers.begin(), _peers.end(), [](const auto &entry) { return entry.second.subscribed; })) {
+		_sender.reset();
+	}
+}
+
+void Session::advance(double now) {
+	_now = now;
+	for (auto &[id, peer] : _peers) {
+		if (!peer.stream) {
+			continue;
+		}
+		peer.stream->advance(now);
+		count_unauthorized(id, peer);
+		peer.stream->take_ack(_ack, now);
+		if (!_ack.empty()) {
+			send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
+		}
+		if (now >= peer.open_due) {
+			peer.open_due = now + OPEN_INTERVAL;
+			send(id, peer, PacketKind::OPEN, peer.link, nullptr, 0);
+		}
+	}
+}
+
+/// A body in the stream of a peer that does not own it is not shown. It is not an error: while a body changes its owner,
+/// peers learn of it at different times.
+void Session::count_unauthorized(PeerId id, Peer &peer) {
+	peer.stream->take_events(_events);
+	for (const BodyEvent &event : _events) {
+		const auto owner = _owners.find(event.id);
+		if (event.kind == BodyEvent::ADDED && owner != _owners.end() && owner->second != id) {
+			peer.unauthorized_bodies++;
+		}
+	}
+}
+
+const Receiver *Session::stream(PeerId peer) const {
+	const auto found = _peers.find(peer);
+	return found != _peers.end() && found->second.stream && found->second.stream->is_ready() ? &*found->second.stream : nullptr;
+}
+
+double Session::media_time(PeerId peer) const {
+	if (peer == _self) {
+		return _sender ? _sender->media_time(time()) : 0.0;
+	}
+	const Receiver *receiver = stream(peer);
+	return receiver != nullptr ? receiver->media_time() : 0.0;
+}
+
+void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
+	uint8_t *packet = _outbox.add(id, kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
+	write_envelope({ kind, _key, link, ENVELOPE_VERSION }, packet);
+	if (size > 0) {
+		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
+	}
+	peer.sent.add(ENVELOPE_BYTES + size, _now);
+}
+
+void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
+	const uint8_t byte = uint8_t(role);
+	send(id, peer, PacketKind::CLOSE, link, &byte, 1);
+}
+
+void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
+	const auto envelope = read_envelope(bytes, size);
+	if (!envelope || envelope->key != _key || !has_peer(id)) {
+		return;
+	}
+	const auto found = _peers.find(id);
+	Peer *peer = found != _peers.end() ? &found->second : nullptr;
+	if (peer != nullptr) {
+		peer->received.add(size, now);
+	}
+	bytes += ENVELOPE_BYTES;
+	size -= ENVELOPE_BYTES;
+	PacketResult result;
+	if (envelope->version != ENVELOPE_VERSION) {
+		result = PacketError::OTHER_SESSION_VERSION;
+	} else if (envelope->kind == PacketKind::OPEN) {
+		subscribe(id, envelope->link, now);
+	} else if (envelope->kind == PacketKind::CLOSE) {
+		result = accept_close(id, peer, envelope->link, bytes, size);
+	} else if (envelope->kind == PacketKind::MOTION) {
+		result = accept_motion(peer, envelope->link, bytes, size, now);
+	} else {
+		result = accept_ack(id, peer, envelope->link, bytes, size, now);
+	}
+	if (!result) {
+		_peers[id].rejections.add(result.error());
+		_rejected++;
+	}
+}
+
+PacketResult Session::accept_motion(Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	if (peer == nullptr || !peer->stream || peer->link != link) {
+		if (peer != nullptr && peer->is_aftermath(now)) {
+			return {};
+		}
+		return peer != nullptr && peer->stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING;
+	}
+	const PacketResult result = peer->stream->accept(bytes, size, now);
+	if (result) {
+		peer->open_due = now + SILENCE;
+	}
+	return result;
+}
+
+PacketResult Session::accept_ack(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	if (peer == nullptr || !peer->subscribed || peer->subscription != link) {
+		if (peer != nullptr && peer->is_aftermath(now)) {
+			return {};
+		}
+		return PacketError::NOT_SUBSCRIBED;
+	}
+	// Time passes between two ticks: without this, round trips would be whole ticks.
+	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
+	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
+}
+
+PacketResult Session::accept_close(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size) {
+	if (size != 1 || bytes[0] > uint8_t(CloseRole::SENDER)) {
+		return PacketError::MALFORMED_CLOSE;
+	}
+	const CloseRole role = CloseRole(bytes[0]);
+	if (peer == nullptr) {
+		return {};
+	}
+	if (role == CloseRole::SENDER && peer->stream && peer->link == link) {
+		// It may come back: a new stream is requested until it does.
+		end_stream(*peer);
+		_streams_stale = true;
+	} else if (role == CloseRole::RECEIVER && peer->subscribed && peer->subscription == link) {
+		unsubscribe(id, *peer);
+	}
+	return {};
+}
+
+SessionStatistics Session::statistics(PeerId id, double now) {
+	const auto found = _peers.find(id);
+	if (found == _peers.end()) {
+		return {};
+	}
+	SessionStatistics result = found->second.statistics(now);
+	if (found->second.subscribed) {
+		const ReceiverStatistics receiver = _sender->statistics(uint32_t(id));
+		result.loss = std::max(result.loss, receiver.loss);
+		result.round_trip = std::max(result.round_trip, receiver.round_trip);
+	}
+	return result;
+}
+
+SessionStatistics Session::total_statistics(double now) {
+	SessionStatistics total;
+	for (const auto &entry : _peers) {
+		total.add(statistics(entry.first, now));
+	}
+	total.late += _late;
+	total.rejected = _rejected;
+	return total;
+}
+
+} // namespace net

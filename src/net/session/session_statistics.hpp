@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace net {
+
+/// Statistics of the traffic with one peer, or with all.
+struct SessionStatistics {
+	double sent_bytes = 0.0; ///< a second, like the next three
+	double sent_packets = 0.0;
+	double received_bytes = 0.0;
+	double received_packets = 0.0;
+	double loss = 0.0; ///< share; of several peers the maximum, like the next two
+	double round_trip = 0.0; ///< seconds
+	double playback_delay = 0.0; ///< seconds
+	uint64_t late = 0; ///< windows that arrived after playback had reached them
+	uint64_t rejected = 0; ///< packets
+	uint64_t unauthorized = 0; ///< bodies that a peer sent without being their authority
+
+	void add(const SessionStatistics &other) {
+		sent_bytes += other.sent_bytes;
+		sent_packets += other.sent_packets;
+		received_bytes += other.received_bytes;
+		received_packets += other.received_packets;
+		loss = std::max(loss, other.loss);
+		round_trip = std::max(round_trip, other.round_trip);
+		playback_delay = std::max(playback_delay, other.playback_delay);
+		late += other.late;
+		rejected += other.rejected;
+		unauthorized += other.unauthorized;
+	}
+};
+
+} // namespace net

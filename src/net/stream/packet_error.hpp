@@ -1,0 +1,41 @@
+#pragma once
+
+#include "cga/result.hpp"
+
+#include <cstdint>
+
+namespace net {
+
+/// Why a packet was rejected. A rejected packet has changed nothing.
+enum class PacketError : uint8_t {
+	// What any end can see.
+	EMPTY,
+	TOO_LONG,
+	TRUNCATED,
+	UNKNOWN_ITEM,
+	BAD_ACK,
+	// What a receiver can see.
+	BAD_FRAGMENT,
+	TOO_MANY_BODIES,
+	TRUNCATED_SNAPSHOT,
+	UNREADABLE_SNAPSHOT,
+	OTHER_STREAM_VERSION,
+	UNKNOWN_MODE,
+	SETTINGS_OUT_OF_RANGE,
+	// What a sender can see.
+	UNKNOWN_RECEIVER,
+	// What a session can see.
+	OTHER_SESSION_VERSION,
+	MALFORMED_CLOSE,
+	STREAM_NOT_REQUESTED,
+	SENDER_OWNS_NOTHING,
+	NOT_SUBSCRIBED,
+};
+
+/// The reason as a clause without a period.
+[[nodiscard]] const char *describe(PacketError error);
+
+/// Success, or why a packet was rejected.
+using PacketResult = cga::Result<void, PacketError>;
+
+} // namespace net

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "net/stream/packet_error.hpp"
+#include "net/stream/stream_settings.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace net {
+
+/// Version of the stream format. A receiver rejects any other.
+inline constexpr uint8_t STREAM_VERSION = 1;
+
+/// The header of a snapshot.
+struct SnapshotHeader {
+	static constexpr size_t BYTES = 30;
+
+	StreamSettings settings; ///< send_rate is not transmitted
+	uint32_t tick = 0; ///< the snapshot's media time
+	float window = 0.0f; ///< usual length of a window, in seconds
+};
+
+void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);
+/// Parses a header into `header`. Fails with the reason.
+PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
+
+} // namespace net

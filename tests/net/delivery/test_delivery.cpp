@@ -1,0 +1,177 @@
+#include "net/delivery/delivery.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace net;
+
+namespace {
+
+/// A delivery, and its receiver's side as far as acknowledgements go.
+struct Line {
+	Line() {
+		auto snapshot = std::make_shared<Snapshot>();
+		snapshot->number = 3;
+		snapshot->bytes.assign(3 * Snapshot::FRAGMENT_BYTES - 5, 1);
+		delivery.start_snapshot(snapshot);
+	}
+
+	void push_window(size_t size = 10) { ring.push_window(std::vector<uint8_t>(size, 2), 0); }
+
+	/// The items of all packets that are sent at `time`.
+	PacketContent send(double time) {
+		PacketContent all;
+		bytes.clear();
+		packets = 0;
+		std::vector<std::pair<size_t, size_t>> ranges;
+		delivery.send(ring, time, bytes, [&](size_t begin, size_t size) { ranges.emplace_back(begin, size); });
+		for (const auto &[begin, size] : ranges) {
+			++packets;
+			PacketContent content;
+			CHECK(size <= size_t(MAX_PACKET_BYTES));
+			REQUIRE(read_packet(bytes.data() + begin, size, content));
+			all.chunks.insert(all.chunks.end(), content.chunks.begin(), content.chunks.end());
+			all.fragments.insert(all.fragments.end(), content.fragments.begin(), content.fragments.end());
+			all.round_trip = std::max(all.round_trip, content.round_trip);
+		}
+		return all;
+	}
+
+	void accept_ack(uint8_t next, uint64_t later, double time) {
+		PacketContent content;
+		content.acks.push_back({ next, later });
+		delivery.accept(content, ring, time);
+	}
+
+	void accept_snapshot_ack(uint8_t number, uint16_t next, uint32_t later, double time) {
+		PacketContent content;
+		content.snapshot_acks.push_back({ number, next, later });
+		delivery.accept(content, ring, time);
+	}
+
+	/// All of the snapshot arrives.
+	void finish_snapshot(double time) {
+		(void)send(time);
+		accept_snapshot_ack(3, 3, 0, time);
+	}
+
+	ChunkRing ring;
+	Delivery delivery{ 0.0 };
+	std::vector<uint8_t> bytes;
+	int packets = 0;
+};
+
+} // namespace
+
+TEST_CASE("delivery: fragments are repeated after a timeout until they have arrived") {
+	Line line;
+	CHECK(line.send(0.0).fragments.size() == 3);
+	CHECK(line.packets == 3);
+	CHECK(line.send(0.01).fragments.empty());
+	CHECK(line.delivery.rto() == 0.2); // before the first measurement
+	line.accept_snapshot_ack(3, 0, 1, 0.05); // fragment 1
+	line.accept_snapshot_ack(4, 3, 0, 0.05); // of another snapshot
+	const PacketContent repeated = line.send(0.21);
+	REQUIRE(repeated.fragments.size() == 2);
+	CHECK(repeated.fragments[0].index == 0);
+	CHECK(repeated.fragments[1].index == 2);
+	CHECK(repeated.fragments[1].size == Snapshot::FRAGMENT_BYTES - 5);
+	CHECK(line.delivery.repeated() == 2);
+	line.accept_snapshot_ack(3, 3, 0, 0.3);
+	CHECK(line.send(1.0).fragments.empty());
+}
+
+TEST_CASE("delivery: chunks are sent once, and again if they are not acknowledged") {
+	Line line;
+	line.finish_snapshot(0.0);
+	for (int i = 0; i < 3; ++i) {
+		line.push_window();
+	}
+	PacketContent content = line.send(0.1);
+	REQUIRE(content.chunks.size() == 3);
+	CHECK(line.packets == 1);
+	CHECK_FALSE(content.chunks[0].is_short); // only the last of a packet can be
+	CHECK(content.chunks[2].is_short);
+	line.accept_ack(0, 1 << 1, 0.2); // chunk 2
+	CHECK(line.delivery.round_trip() == doctest::Approx(0.1));
+	CHECK(line.send(0.2).chunks.empty());
+	content = line.send(0.1 + line.delivery.rto() + 1e-6);
+	REQUIRE(content.chunks.size() == 2);
+	CHECK(content.chunks[0].number == 0);
+	CHECK(content.chunks[1].number == 1);
+	CHECK_FALSE(content.chunks[1].is_short);
+	CHECK(line.delivery.loss() == doctest::Approx(1.0 - std::pow(31.0 / 32.0, 2)));
+	line.accept_ack(3, 0, 0.6);
+	CHECK(line.send(2.0).chunks.empty());
+	CHECK(line.delivery.round_trip() == doctest::Approx(0.1)); // repeated chunks give no sample
+}
+
+TEST_CASE("delivery: stale and invalid acknowledgements change nothing") {
+	Line line;
+	line.finish_snapshot(0.0);
+	line.push_window();
+	line.push_window();
+	(void)line.send(0.1);
+	line.accept_ack(2, 0, 0.15);
+	line.accept_ack(1, 0, 0.16); // an older one
+	line.accept_ack(200, ~uint64_t(0), 0.16); // of chunks that were not sent
+	line.push_window();
+	const PacketContent content = line.send(0.2);
+	REQUIRE(content.chunks.size() == 1);
+	CHECK(content.chunks[0].number == 2);
+	CHECK(content.chunks[0].is_short);
+	CHECK(line.delivery.round_trip() == doctest::Approx(0.05));
+}
+
+TEST_CASE("delivery: a receiver that is stuck, far behind or asks gets a snapshot, at most every half second") {
+	Line stuck;
+	stuck.finish_snapshot(0.0);
+	CHECK_FALSE(stuck.delivery.needs_snapshot());
+	stuck.push_window();
+	double time = 0.0;
+	for (; time < 10.0 && !stuck.delivery.needs_snapshot(); time += 1.0 / 60.0) {
+		(void)stuck.send(time);
+		stuck.accept_ack(0, 0, time); // it is not silent
+	}
+	CHECK(time > 1.5);
+	CHECK(time < 7.0);
+
+	Line behind;
+	behind.finish_snapshot(0.0);
+	for (int i = 0; i <= 100; ++i) {
+		behind.push_window();
+	}
+	(void)behind.send(0.1);
+	CHECK(behind.delivery.needs_snapshot());
+	CHECK(behind.send(0.2).chunks.empty()); // it waits for the snapshot
+
+	Line asking;
+	PacketContent request;
+	request.requests_snapshot = true;
+	for (const double when : { 1.0, 1.4, 1.51 }) {
+		asking.finish_snapshot(when);
+		asking.delivery.accept(request, asking.ring, when);
+		CHECK(asking.delivery.needs_snapshot() == (when != 1.4));
+		auto snapshot = std::make_shared<Snapshot>();
+		snapshot->bytes.resize(10);
+		asking.delivery.start_snapshot(snapshot);
+	}
+}
+
+TEST_CASE("delivery: a silent receiver is only probed") {
+	Line line;
+	line.finish_snapshot(0.0);
+	line.push_window();
+	int packets = 0;
+	size_t bytes = 0;
+	for (double time = Delivery::SILENCE + 0.01; time < 13.0; time += 1.0 / 60.0) {
+		CHECK(line.delivery.is_silent(time));
+		CHECK(line.send(time).chunks.empty());
+		packets += line.packets;
+		bytes += line.bytes.size();
+	}
+	CHECK(packets == 10);
+	CHECK(bytes == 10 * ROUND_TRIP_BYTES);
+	line.accept_ack(0, 0, 13.0);
+	CHECK_FALSE(line.delivery.is_silent(13.0));
+	CHECK(line.send(13.0).chunks.size() == 1);
+}

@@ -1,0 +1,231 @@
+#pragma once
+
+#include "../../harness/simulated_link.hpp"
+#include "../motion_scenes.hpp"
+#include "net/session/session.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace net_test {
+
+using harness::LinkSettings;
+using harness::SimulatedLink;
+using net::PeerId;
+
+/// Peers with a session each, connected by simulated links, in virtual time. Reliable packets are delayed, but not lost.
+class SessionNetwork {
+public:
+	struct Link {
+		SimulatedLink unreliable;
+		SimulatedLink reliable;
+	};
+
+	struct Peer {
+		net::Session session{ net::StreamSettings() };
+		std::map<uint32_t, PeerId> owners; // as this peer knows them
+		std::vector<std::pair<PeerId, net::Rejections::Report>> reports;
+		double origin = 0.0; // virtual time at which the media time of its stream is 0
+		int poses_rejected = 0;
+	};
+
+	struct SentPacket {
+		PeerId from;
+		PeerId to;
+		net::Envelope envelope;
+		bool reliable;
+		double time;
+		std::vector<uint8_t> bytes;
+	};
+
+	/// All links have the same settings; by default 30 ms of delay.
+	explicit SessionNetwork(const LinkSettings &link = { 0.03 }) :
+			_link(link) {}
+
+	net::Session &join(PeerId id) {
+		peers[id].session.connect(id, KEY);
+		update_peers();
+		return peers[id].session;
+	}
+
+	void leave(PeerId id) {
+		peers.erase(id);
+		update_peers();
+	}
+
+	/// Ends the session of a peer, which stays connected, as when its node is removed.
+	void close_session(PeerId id) {
+		Peer &peer = peers[id];
+		peer.session.close(local(id));
+		send(id, peer);
+		peer.session.connect(0, KEY);
+		peer.owners.clear();
+	}
+
+	/// `knowing` learns who owns a body.
+	void set_owner(PeerId knowing, uint32_t body, PeerId owner) {
+		peers[knowing].owners[body] = owner;
+		peers[knowing].session.set_owner(body, owner);
+	}
+
+	/// All peers learn it.
+	void set_owner(uint32_t body, PeerId owner) {
+		for (auto &entry : peers) {
+			set_owner(entry.first, body, owner);
+		}
+	}
+
+	/// A tick of each peer, and its frames.
+	void step() {
+		for (int frame = 0; frame < frames_per_tick; ++frame) {
+			now += tick / frames_per_tick;
+			for (auto &[id, peer] : peers) {
+				receive(id, peer);
+				if (frame == 0) {
+					step_tick(id, peer);
+				}
+				peer.session.advance(local(id));
+				send(id, peer);
+				peer.session.report_rejections([&reports = peer.reports](PeerId from, const net::Rejections::Report &report) { reports.emplace_back(from, report); });
+			}
+		}
+	}
+
+	template <class EachStep>
+	void run(double seconds, EachStep &&each) {
+		for (const double end = now + seconds - 1e-9; now < end;) {
+			step();
+			each();
+		}
+	}
+	void run(double seconds) {
+		run(seconds, [] {});
+	}
+
+	/// A packet arrives at once.
+	void inject(PeerId from, PeerId to, const std::vector<uint8_t> &bytes) {
+		peers.at(to).session.accept(from, bytes.data(), bytes.size(), local(to));
+	}
+
+	[[nodiscard]] net::Session &session(PeerId id) { return peers.at(id).session; }
+	[[nodiscard]] bool is_streaming(PeerId from, PeerId to) { return session(to).stream(from) != nullptr; }
+	/// The error of a body at a peer, relative to the tolerance; 1e9 if the peer does not show it.
+	[[nodiscard]] double error(uint32_t body, PeerId at) {
+		const PeerId owner = peers.at(at).owners.at(body);
+		const net::Receiver *stream = session(at).stream(owner);
+		const std::optional<PoseD> shown = stream != nullptr ? stream->pose(body) : std::nullopt;
+		if (!shown) {
+			return 1e9;
+		}
+		const net::StreamGrid grid(float(stream->settings().position_tolerance), float(stream->settings().rotation_tolerance));
+		return error_share(*shown, paths.at(body)(peers.at(owner).origin + stream->media_time()), grid);
+	}
+	[[nodiscard]] net::SessionStatistics statistics(PeerId of, PeerId at) { return session(at).statistics(of, local(at)); }
+	[[nodiscard]] net::SessionStatistics total(PeerId at) { return session(at).total_statistics(local(at)); }
+	/// The time on a peer's clock; clocks are not synchronized.
+	[[nodiscard]] double local(PeerId id) const { return now + 1000.0 * double(id); }
+	[[nodiscard]] Link &link(PeerId from, PeerId to) {
+		const auto found = _links.find({ from, to });
+		if (found != _links.end()) {
+			return found->second;
+		}
+		LinkSettings reliable = _link;
+		reliable.loss = reliable.duplication = 0.0;
+		const uint64_t seed = uint64_t(from) * 100 + uint64_t(to);
+		return _links.emplace(std::pair(from, to), Link{ SimulatedLink(_link, seed), SimulatedLink(reliable, ~seed) }).first->second;
+	}
+
+	/// The packets of a kind that a peer has sent to another since `since`.
+	[[nodiscard]] std::vector<SentPacket> packets(PeerId from, PeerId to, net::PacketKind kind, double since = -1e9) const {
+		std::vector<SentPacket> result;
+		for (const SentPacket &packet : sent) {
+			if (packet.from == from && packet.to == to && packet.envelope.kind == kind && packet.time >= since) {
+				result.push_back(packet);
+			}
+		}
+		return result;
+	}
+
+	static constexpr uint16_t KEY = 0xc6a1;
+
+	std::map<PeerId, Peer> peers;
+	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
+	std::vector<SentPacket> sent;
+	double now = 100.0;
+	double tick = 1.0 / 60.0;
+	int frames_per_tick = 1;
+
+private:
+	void update_peers() {
+		for (auto &entry : peers) {
+			std::vector<PeerId> others;
+			for (const auto &other : peers) {
+				if (other.first != entry.first) {
+					others.push_back(other.first);
+				}
+			}
+			(void)entry.second.session.set_peers(others, local(entry.first));
+		}
+	}
+
+	void step_tick(PeerId id, Peer &peer) {
+		peer.session.begin_tick(local(id), tick);
+		for (const auto &[body, owner] : peer.owners) {
+			const auto path = paths.find(body);
+			if (owner == id && path != paths.end() && peer.session.is_sending()) {
+				peer.poses_rejected += peer.session.observe(body, path->second(now)) ? 0 : 1;
+			}
+		}
+		peer.session.end_tick();
+		peer.origin = now - peer.session.media_time(id);
+	}
+
+	void receive(PeerId id, Peer &peer) {
+		for (auto &[ends, link] : _links) {
+			if (ends.second != id) {
+				continue;
+			}
+			for (SimulatedLink *direction : { &link.reliable, &link.unreliable }) {
+				// Sums of ticks are rounded: a packet of this tick may be due slightly later.
+				while (const std::optional<harness::Delivery> packet = direction->receive(now + 1e-9)) {
+					peer.session.accept(ends.first, packet->bytes.data(), packet->bytes.size(), local(id));
+				}
+			}
+		}
+	}
+
+	void send(PeerId id, Peer &peer) {
+		peer.session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
+			const std::optional<net::Envelope> envelope = net::read_envelope(bytes, packet.size);
+			REQUIRE(envelope);
+			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
+			Link &to = link(id, packet.peer);
+			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);
+		});
+	}
+
+	LinkSettings _link;
+	std::map<std::pair<PeerId, PeerId>, Link> _links;
+};
+
+/// A smooth motion that is different for each body.
+inline Path smooth_path(uint32_t body) {
+	return [body](double time) {
+		const double phase = time * (1.0 + 0.1 * double(body % 5)) + double(body);
+		return turned_at(Vector3D(std::sin(phase), double(body), std::cos(1.3 * phase)), Vector3D(0.6, 0.0, 0.8), 0.7 * phase);
+	};
+}
+
+/// A packet of a session with any content.
+inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}, uint16_t key = SessionNetwork::KEY) {
+	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
+	net::write_envelope({ kind, key, link, net::ENVELOPE_VERSION }, bytes.data());
+	bytes.insert(bytes.end(), content.begin(), content.end());
+	return bytes;
+}
+
+} // namespace net_test

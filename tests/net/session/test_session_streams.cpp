@@ -1,0 +1,332 @@
+#include "net/session/session.hpp"
+
+#include "../../harness/allocation_counter.hpp"
+#include "session_network.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+// When streams are opened and closed.
+
+using namespace net;
+using namespace net_test;
+
+namespace {
+
+constexpr double OPEN_INTERVAL = 0.25;
+constexpr double ROUND_TRIP = 0.06;
+constexpr double TICKS = 3.0 / 60.0; // processing at both ends
+
+/// The distinct streams that a peer has sent to another.
+size_t stream_count(const SessionNetwork &network, PeerId from, PeerId to, double since = -1e9) {
+	std::set<uint8_t> links;
+	for (const SessionNetwork::SentPacket &packet : network.packets(from, to, PacketKind::MOTION, since)) {
+		links.insert(packet.envelope.link);
+	}
+	return links.size();
+}
+
+} // namespace
+
+TEST_CASE("session: a stream opens whichever peer starts first") {
+	for (const double viewer_first : { -1.0, 0.0, 1.0 }) { // seconds
+		SessionNetwork network;
+		network.paths[5] = smooth_path(5);
+		const double both = network.now + std::abs(viewer_first);
+		network.join(viewer_first > 0.0 ? 2 : 1);
+		network.join(viewer_first > 0.0 ? 1 : 2);
+		if (viewer_first >= 0.0) {
+			network.set_owner(2, 5, 1);
+		}
+		if (viewer_first <= 0.0) {
+			network.set_owner(1, 5, 1);
+		}
+		network.run(both - network.now);
+		network.set_owner(5, 1);
+		double ready_at = 1e9;
+		network.run(2.0, [&] { ready_at = network.is_streaming(1, 2) ? std::min(ready_at, network.now) : ready_at; });
+		CAPTURE(viewer_first);
+		CHECK(ready_at - both <= (viewer_first > 0.0 ? OPEN_INTERVAL : 0.0) + ROUND_TRIP + TICKS);
+		CHECK(network.error(5, 2) <= 1.3);
+		CHECK(network.total(1).rejected + network.total(2).rejected == 0);
+	}
+}
+
+TEST_CASE("session: OPEN is repeated until the stream arrives, and when it is silent") {
+	SessionNetwork network;
+	network.join(1);
+	network.join(2);
+	network.paths[5] = smooth_path(5);
+	network.set_owner(5, 1);
+	LinkSettings &up = network.link(2, 1).unreliable.settings();
+	up.outage_begin = network.now;
+	up.outage_end = network.now + 3.0;
+	network.run(3.0);
+	CHECK_FALSE(network.is_streaming(1, 2));
+	const auto opens = network.packets(2, 1, PacketKind::OPEN);
+	CHECK(opens.size() >= 11);
+	for (size_t i = 1; i < opens.size(); ++i) {
+		CHECK(opens[i].time - opens[i - 1].time >= OPEN_INTERVAL - 1e-6);
+		CHECK(opens[i].time - opens[i - 1].time <= OPEN_INTERVAL + network.tick + 1e-6);
+		CHECK(opens[i].envelope.link == opens[0].envelope.link);
+		CHECK_FALSE(opens[i].reliable);
+	}
+	network.run(OPEN_INTERVAL + ROUND_TRIP + TICKS);
+	CHECK(network.is_streaming(1, 2));
+	const double ready = network.now;
+	network.run(5.0);
+	CHECK(network.packets(2, 1, PacketKind::OPEN, ready + network.tick / 2.0).empty());
+	// After a second of silence the owner may have lost the subscription.
+	LinkSettings &down = network.link(1, 2).unreliable.settings();
+	down.outage_begin = network.now;
+	down.outage_end = network.now + 3.0;
+	const double silent = network.now;
+	network.run(3.0);
+	const auto repeated = network.packets(2, 1, PacketKind::OPEN, silent + network.tick / 2.0);
+	REQUIRE(repeated.size() >= 6);
+	CHECK(repeated[0].time - silent >= 0.9);
+	CHECK(repeated[0].time - silent <= 1.1);
+	CHECK(repeated[0].envelope.link == opens[0].envelope.link);
+	network.run(3.0);
+	CHECK(network.error(5, 2) <= 1.3);
+	CHECK(stream_count(network, 1, 2) == 1);
+}
+
+TEST_CASE("session: a stream opens under loss") {
+	for (const double loss : { 0.3, 0.6 }) {
+		SessionNetwork network({ 0.03, 0.02, loss });
+		network.join(1);
+		network.join(2);
+		network.paths[5] = smooth_path(5);
+		network.set_owner(5, 1);
+		network.run(4.0);
+		CAPTURE(loss);
+		CHECK(network.is_streaming(1, 2));
+		CHECK(stream_count(network, 1, 2) == 1);
+	}
+}
+
+TEST_CASE("session: a peer that owns nothing ignores OPEN") {
+	SessionNetwork network;
+	network.join(1);
+	network.join(2);
+	network.set_owner(2, 5, 1);
+	network.run(2.0);
+	CHECK(network.packets(2, 1, PacketKind::OPEN).size() >= 7);
+	CHECK_FALSE(network.session(1).is_sending());
+	CHECK(network.sent.size() == network.packets(2, 1, PacketKind::OPEN).size());
+	CHECK(network.total(1).rejected + network.total(2).rejected == 0);
+}
+
+TEST_CASE("session: when a body changes its owner, its old stream is closed and the new one opened") {
+	SessionNetwork network;
+	for (PeerId id = 1; id <= 3; ++id) {
+		network.join(id);
+	}
+	for (const uint32_t body : { 7u, 8u }) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, 1);
+	}
+	network.run(2.0);
+	CHECK_FALSE(network.is_streaming(3, 2));
+	network.set_owner(7, 3);
+	network.run(1.5);
+	CHECK(network.error(7, 2) <= 1.3);
+	CHECK(network.error(7, 1) <= 1.3);
+	CHECK(network.error(8, 2) <= 1.3);
+	CHECK(stream_count(network, 1, 2) == 1); // it was not interrupted
+	CHECK_FALSE(network.session(2).stream(1)->pose(7));
+	network.set_owner(8, 3);
+	const double changed = network.now;
+	network.run(0.1);
+	CHECK_FALSE(network.is_streaming(1, 2));
+	const auto closes = network.packets(2, 1, PacketKind::CLOSE);
+	REQUIRE(closes.size() == 1);
+	CHECK(closes[0].time - changed <= network.tick + 1e-6);
+	CHECK(closes[0].reliable);
+	CHECK(closes[0].bytes.back() == uint8_t(CloseRole::RECEIVER));
+	network.run(1.5);
+	CHECK_FALSE(network.session(1).is_sending());
+	CHECK(network.error(8, 2) <= 1.3);
+	CHECK(network.error(8, 1) <= 1.3);
+	for (PeerId id = 1; id <= 3; ++id) {
+		CHECK(network.total(id).rejected == 0);
+	}
+	network.session(2).remove_body(7);
+	network.session(2).remove_body(8);
+	network.session(2).remove_body(9); // unknown
+	network.run(0.5);
+	CHECK_FALSE(network.is_streaming(3, 2));
+}
+
+TEST_CASE("session: bodies that their sender does not own are counted, and the owner's poses are shown") {
+	SessionNetwork network;
+	for (PeerId id = 1; id <= 3; ++id) {
+		network.join(id);
+	}
+	for (const uint32_t body : { 7u, 8u }) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, 3);
+	}
+	network.paths[6] = smooth_path(6);
+	network.set_owner(6, 1);
+	network.set_owner(1, 7, 1); // peer 1 takes two of peer 3's bodies
+	network.set_owner(1, 8, 1);
+	network.run(2.0);
+	for (const uint32_t body : { 6u, 7u, 8u }) {
+		CHECK(network.error(body, 2) <= 1.3);
+	}
+	CHECK(network.statistics(1, 2).unauthorized == 2);
+	CHECK(network.statistics(3, 2).unauthorized == 0);
+	CHECK(network.total(2).unauthorized == 2);
+	CHECK(network.total(2).rejected == 0);
+}
+
+TEST_CASE("session: either peer closes a stream") {
+	SessionNetwork network;
+	network.join(1);
+	network.join(2);
+	network.paths[5] = smooth_path(5);
+	network.set_owner(5, 1);
+	network.run(1.0);
+	REQUIRE(network.is_streaming(1, 2));
+	network.close_session(1);
+	CHECK(network.packets(1, 2, PacketKind::CLOSE).size() == 1);
+	CHECK(network.packets(1, 2, PacketKind::CLOSE)[0].reliable);
+	const double closed = network.now;
+	network.run(0.03 + 2.0 * network.tick);
+	CHECK_FALSE(network.is_streaming(1, 2));
+	network.run(2.0);
+	CHECK(network.packets(2, 1, PacketKind::OPEN, closed).size() >= 7); // it may come back
+	network.join(1);
+	network.set_owner(1, 5, 1);
+	network.run(1.0);
+	CHECK(network.error(5, 2) <= 1.3);
+
+	network.close_session(2);
+	CHECK(network.packets(2, 1, PacketKind::CLOSE).size() == 1);
+	network.run(0.03 + 2.0 * network.tick);
+	CHECK_FALSE(network.session(1).is_sending());
+	CHECK(network.total(1).rejected + network.total(2).rejected == 0);
+	network.join(2);
+	network.set_owner(2, 5, 1);
+	network.run(1.0);
+	CHECK(network.error(5, 2) <= 1.3);
+	// CLOSE of another stream changes nothing.
+	const uint8_t link = uint8_t(network.packets(1, 2, PacketKind::MOTION).back().envelope.link + 1);
+	network.inject(1, 2, make_packet(PacketKind::CLOSE, link, { uint8_t(CloseRole::SENDER) }));
+	network.inject(2, 1, make_packet(PacketKind::CLOSE, link, { uint8_t(CloseRole::RECEIVER) }));
+	CHECK(network.is_streaming(1, 2));
+	CHECK(network.session(1).is_sending());
+}
+
+TEST_CASE("session: packets in flight of an ended stream are not rejected for two seconds") {
+	for (const bool has_stream : { false, true }) {
+		SessionNetwork network;
+		network.join(1);
+		network.join(2);
+		network.paths[5] = smooth_path(5);
+		network.set_owner(5, 1);
+		network.run(1.0);
+		const std::vector<uint8_t> motion = network.packets(1, 2, PacketKind::MOTION).back().bytes;
+		const std::vector<uint8_t> ack = network.packets(2, 1, PacketKind::ACK).back().bytes;
+		network.set_owner(2, 5, 2);
+		network.run(0.1);
+		REQUIRE_FALSE(network.session(1).is_sending());
+		if (has_stream) {
+			network.set_owner(2, 5, 1);
+		}
+		for (const double wait : { 0.0, 1.7 }) {
+			network.run(wait);
+			network.inject(1, 2, motion);
+			network.inject(2, 1, ack);
+		}
+		CHECK(network.total(1).rejected + network.total(2).rejected == 0);
+		network.run(0.4);
+		network.inject(1, 2, motion);
+		network.inject(2, 1, ack);
+		CHECK(network.total(2).rejected == 1);
+		CHECK(network.total(1).rejected == 1);
+		network.run(1.0);
+		REQUIRE(network.peers[2].reports.size() == 1);
+		CHECK(network.peers[2].reports[0].second.error == (has_stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING));
+		REQUIRE(network.peers[1].reports.size() == 1);
+		CHECK(network.peers[1].reports[0].second.error == PacketError::NOT_SUBSCRIBED);
+	}
+}
+
+TEST_CASE("session: a peer cannot make the owner start a stream more often than every 0.2 s") {
+	for (const bool closes : { false, true }) {
+		SessionNetwork network;
+		network.join(1);
+		network.join(2);
+		network.paths[5] = smooth_path(5);
+		network.set_owner(1, 5, 1);
+		uint8_t link = 0;
+		network.run(3.0, [&] {
+			if (closes) {
+				network.inject(2, 1, make_packet(PacketKind::CLOSE, link, { uint8_t(CloseRole::RECEIVER) }));
+			}
+			network.inject(2, 1, make_packet(PacketKind::OPEN, ++link));
+		});
+		CAPTURE(closes);
+		CHECK(stream_count(network, 1, 2) <= 15);
+		CHECK(stream_count(network, 1, 2) >= 10);
+		CHECK(network.total(1).rejected == 0);
+	}
+}
+
+TEST_CASE("session: a peer that leaves is returned and its state freed") {
+	SessionNetwork network;
+	Session &session = network.join(1);
+	network.join(2);
+	network.join(3);
+	for (const uint32_t body : { 5u, 6u }) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, body == 5 ? 1 : 2);
+	}
+	network.run(2.0);
+	CHECK(session.has_peer(2));
+	CHECK(session.peers() == std::vector<PeerId>{ 2, 3 });
+	CHECK(network.statistics(2, 1).received_bytes > 0.0);
+	CHECK(session.set_peers({ 2, 3 }, network.local(1)).empty());
+	const size_t before = harness::live_bytes();
+	CHECK(session.set_peers({ 3 }, network.local(1)) == std::vector<PeerId>{ 2 });
+	CHECK(harness::live_bytes() + 10000 < before);
+	CHECK_FALSE(session.has_peer(2));
+	CHECK(session.stream(2) == nullptr);
+	CHECK(network.statistics(2, 1).received_bytes == 0.0);
+	CHECK(session.is_sending()); // to peer 3
+	CHECK(session.set_peers({ 4 }, network.local(1)) == std::vector<PeerId>{ 3 });
+	CHECK_FALSE(session.is_sending());
+	CHECK(session.set_peers({}, network.local(1)) == std::vector<PeerId>{ 4 }); // no packet was exchanged with it
+	const size_t sent = network.sent.size();
+	network.run(0.5);
+	CHECK(network.packets(1, 2, PacketKind::MOTION, network.now - 0.4).empty());
+	CHECK(network.sent.size() > sent); // of the others
+}
+
+TEST_CASE("session: connect starts over without sending") {
+	SessionNetwork network;
+	Session &session = network.join(1);
+	network.join(2);
+	network.paths[5] = network.paths[6] = smooth_path(5);
+	network.set_owner(5, 1);
+	network.set_owner(6, 2);
+	network.run(1.0);
+	REQUIRE(session.is_sending());
+	REQUIRE(session.stream(2) != nullptr);
+	session.connect(7, 99);
+	CHECK(session.is_connected());
+	CHECK(session.self() == 7);
+	CHECK(session.key() == 99);
+	CHECK(session.peers().empty());
+	CHECK_FALSE(session.is_sending());
+	CHECK(session.stream(2) == nullptr);
+	session.connect(0, 99);
+	CHECK_FALSE(session.is_connected());
+	int count = 0;
+	session.outbox().drain([&](const Outbox::Packet &, const uint8_t *) { ++count; });
+	CHECK(count == 0);
+}

@@ -1,0 +1,17 @@
+#include "net/stream/packet_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using namespace net;
+
+TEST_CASE("packet error: each has a description of its own") {
+	std::set<std::string> descriptions;
+	for (int error = 0; error <= int(PacketError::NOT_SUBSCRIBED); ++error) {
+		descriptions.insert(describe(PacketError(error)));
+	}
+	CHECK(descriptions.size() == size_t(PacketError::NOT_SUBSCRIBED) + 1);
+	CHECK(descriptions.count("unknown error") == 0);
+}

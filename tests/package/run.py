@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Builds and runs examples/core with the CMake package, installed and by add_subdirectory, and checks the objects.
+
+Prints "[package] N passed, N failed" as the last line; the exit code is 0 only if every check passed.
+"""
+
+import glob
+import os
+import platform
+import shutil
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BUILD = os.path.join(ROOT, "build", "package")
+EXAMPLE = os.path.join(ROOT, "examples", "core")
+EXPECTED = """\
+circle: center (1.000, 0.500, 0.000), radius 0.866
+point 7: (1.000, 7.000, 0.000)
+body: shown, within tolerance
+"""
+IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")
+# What exception handling adds to an object; it has no code for an instruction set.
+HARMLESS = ("DW.ref.__gxx_personality_v0", "__clang_call_terminate")
+sys.path.insert(0, os.path.join(ROOT, "site_scons"))
+
+import instruction_sets  # noqa: E402
+
+
+def run(*command):
+    """What a program printed on stdout; raises RuntimeError with all it printed if it failed."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def folder(name):
+    """Path of a folder below build/package."""
+    return os.path.join(BUILD, name)
+
+
+def configure(source, name, build_type, *options):
+    """Configures a build folder, with warnings as errors."""
+    run("cmake", "-S", source, "-B", folder(name), f"-DCMAKE_BUILD_TYPE={build_type}",
+        "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror", *options)
+
+
+def build(name, *targets):
+    """Builds in a configured folder."""
+    run("cmake", "--build", folder(name), "--parallel", str(os.cpu_count() or 1), *[f"--target={target}" for target in targets])
+
+
+def example_prints_what_it_should(name):
+    """Builds and runs the example in a configured folder."""
+    build(name, "core_example")
+    printed = run(os.path.join(folder(name), "core_example"))
+    if printed != EXPECTED:
+        raise RuntimeError(f"core_example printed\n{printed}instead of\n{EXPECTED}")
+
+
+def installed():
+    """find_package() of the installed library, unoptimized."""
+    configure(ROOT, "core", "Debug", f"-DCMAKE_INSTALL_PREFIX={folder('prefix')}")
+    build("core")
+    shutil.rmtree(folder("prefix"), ignore_errors=True)
+    run("cmake", "--install", folder("core"))
+    configure(EXAMPLE, "example_of_package", "Debug", f"-DCMAKE_PREFIX_PATH={folder('prefix')}")
+    example_prints_what_it_should("example_of_package")
+
+
+def subdirectory():
+    """add_subdirectory() of the sources, optimized."""
+    configure(EXAMPLE, "example_of_sources", "Release", f"-DGA_GODOT_CORE_SOURCE={ROOT}")
+    example_prints_what_it_should("example_of_sources")
+
+
+def no_shared_code(name):
+    """Objects for AVX2 define one symbol each: a shared one could replace the baseline's when they are linked."""
+    sources = glob.glob(os.path.join(ROOT, "src", "*", "*", "*_avx2*.cpp"))
+    objects = glob.glob(os.path.join(folder(name), "**", "*_avx2*.o"), recursive=True)
+    if not sources or len(objects) != len(sources):
+        raise RuntimeError(f"{len(sources)} sources for AVX2, {len(objects)} objects: {objects}")
+    for path in objects:
+        lines = run("nm", "--demangle", "--defined-only", "--extern-only", path).splitlines()
+        symbols = [line.split(maxsplit=2) for line in lines if not line.endswith(HARMLESS)]
+        if len(symbols) != (1 if IS_X86_64 else 0) or any(kind not in "TDR" for _, kind, _ in symbols):
+            raise RuntimeError(f"{path} defines {symbols}; code in it must have internal linkage (see batch/kernels.hpp)")
+
+
+def same_options():
+    """CMakeLists.txt has the options of site_scons/instruction_sets.py."""
+    with open(os.path.join(ROOT, "CMakeLists.txt"), encoding="utf-8") as file:
+        text = file.read()
+    for suffix, options in {**instruction_sets.ANY, **instruction_sets.X86_64}.items():
+        line = f"set({suffix[1:-len('.cpp')]} {' '.join(options)})"
+        if line not in text:
+            raise RuntimeError(f"CMakeLists.txt lacks: {line}")
+
+
+CHECKS = (
+    ("the example with the installed package", installed),
+    ("the example with the sources", subdirectory),
+    ("unoptimized objects for AVX2 share no code", lambda: no_shared_code("core")),
+    ("optimized objects for AVX2 share no code", lambda: no_shared_code("example_of_sources")),
+    ("CMake and SCons use the same options for each instruction set", same_options),
+)
+
+
+def main():
+    """Runs the checks; a failed one does not stop the next."""
+    failed = 0
+    for name, check in CHECKS:
+        try:
+            check()
+        except (RuntimeError, OSError) as error:
+            failed += 1
+            print(f"FAIL {name}: {error}")
+    print(f"[package] {len(CHECKS) - failed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
