@@ -1,4 +1,4 @@
-// The two methods of the GA-Unity paper, with what the other subjects of interpolate_linear give: 12 floats a pose.
+// The two methods of the GA-Unity paper, with the output of interpolate_linear's other subjects: 12 floats a pose.
 
 #include "../cga/random_poses.hpp"
 #include "engine/paper_method.hpp"

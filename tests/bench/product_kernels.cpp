@@ -1,5 +1,5 @@
-// n products of multivectors with 32 coefficients, beside the loops that one would write first, and of motors, whose type tells
-// what is zero.
+// n products of multivectors with 32 coefficients, compared with straightforward loops, and of motors and typed elements, whose
+// zero coefficients are known at compile time.
 
 #include "kernel_input.hpp"
 
@@ -85,7 +85,7 @@ struct Ours {
 	Multivector operator()(const Multivector &a, const Multivector &b) const { return a.geometric_product(b); }
 };
 
-// Through 4 x 4 complex matrices, as which the algebra can be written.
+// As 4 x 4 complex matrices, to which the algebra is isomorphic.
 struct ComplexMatrices {
 	Multivector operator()(const Multivector &a, const Multivector &b) const {
 		const cga::ComplexMatrix left = cga::to_matrix(a), right = cga::to_matrix(b);
@@ -93,7 +93,7 @@ struct ComplexMatrices {
 		for (size_t row = 0; row < 4; ++row) {
 			for (size_t middle = 0; middle < 4; ++middle) {
 				for (size_t column = 0; column < 4; ++column) {
-					// By hand, without std::complex's care for infinities.
+					// Written out: std::complex would check for infinities.
 					const std::complex<double> l = left[row][middle], r = right[middle][column];
 					product[row][column] += std::complex<double>(l.real() * r.real() - l.imag() * r.imag(), l.real() * r.imag() + l.imag() * r.real());
 				}

@@ -45,7 +45,7 @@ inline constexpr int8_t NULL_PLANE_PRODUCTS[4][4][4] = {
 
 inline constexpr NullTable NULL_TABLE = detail::make_null_table();
 
-// The sign of the null blade at `result` in a product of those at `left` and `right`; 0 where it has none.
+// The coefficient of the null blade at `result` in the product of those at `left` and `right`: -1, 0 or 1.
 [[nodiscard]] constexpr int null_sign(Product product, int left, int right, int result) {
 	const int sign = NULL_TABLE[size_t(left)][size_t(right)][size_t(result)];
 	return sign != 0 && keeps_grade(product, blade_grade(left), blade_grade(right), blade_grade(result)) ? sign : 0;
