@@ -160,7 +160,7 @@ func test_target_is_reparented() -> void:
 func test_rename_to_a_path_with_the_same_hash() -> void:
 	await connect_peers(1, 0)
 	for branch in branches:
-		for title: String in ["Bodymyzauyp", "Body1"]:
+		for title: String in ["Body1", "Bodymyzauyp"]:
 			branch.add_body(title)
 	await expect_motion(0.2, [branches[1]])
 	for branch in branches:
@@ -168,7 +168,7 @@ func test_rename_to_a_path_with_the_same_hash() -> void:
 		expect_error(
 			(
 				(
-					"MotorSynchronizer %s: the paths of %s/Bodymyzauyp and %s/Bodyayxxpyx have the "
+					"MotorSynchronizer %s: the paths of %s/Bodyayxxpyx and %s/Bodymyzauyp have the "
 					+ "same hash, so peers cannot tell them apart. The first is not replicated; "
 					+ "rename one of them on all peers."
 				)
