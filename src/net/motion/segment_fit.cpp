@@ -160,7 +160,7 @@ void SegmentFit::round_end(const double way[6], SegmentCode &code) const {
 bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
-		const int32_t *bend = code.bend + 3 * group;
+		const int32_t *bend = code.bend + ptrdiff_t(3) * group;
 		result.code.bent[group] = (bend[0] | bend[1] | bend[2]) != 0;
 	}
 	result.error = error_of(SegmentSteps(_predicted, result.code), limit);
