@@ -181,7 +181,7 @@ void loads_and_stores(benchmark::State &state) {
 }
 #endif
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	for (const char *const name : { "interpolate_linear", "interpolate_screw" }) {
 		const std::string mode = name;
 		const cga::Mode blend = mode == "interpolate_linear" ? cga::Mode::LINEAR : cga::Mode::SCREW;

@@ -88,6 +88,7 @@ struct OneMotor {
 template <class Subject>
 std::vector<typename Subject::Form> forms(const std::vector<Posef> &poses) {
 	std::vector<typename Subject::Form> made;
+	made.reserve(poses.size());
 	for (const Posef &pose : poses) {
 		made.push_back(Subject::make(pose));
 	}
@@ -226,7 +227,7 @@ void triad(benchmark::State &state) {
 	});
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	const InstructionSet best = cga::best_instruction_set();
 	add("compose", "ga_godot", compose_in_blocks, best);
 	add("compose", "ga_godot_baseline", compose_in_blocks, InstructionSet::BASELINE);

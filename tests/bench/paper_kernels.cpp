@@ -34,7 +34,7 @@ void paper_method(benchmark::State &state) {
 	}
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	for (const int count : { 1, 10, 100, 1000, 10000 }) {
 		benchmark::RegisterBenchmark("interpolate_linear/paper_pooled", paper_method<paper::Pool>)->Arg(count);
 		benchmark::RegisterBenchmark("interpolate_linear/paper_allocating", paper_method<paper::Allocating>)->Arg(count);

@@ -77,7 +77,7 @@ void rust(benchmark::State &state, Library library) {
 	library.free(made);
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	// glam's pose is 48 bytes with its padding, a pose of ultraviolet's 8 floats.
 	const Library slerp = { glam_pairs, glam_free, glam_slerp, cga::Mode::SEPARATE, 96 };
 	const Library nlerp = { glam_pairs, glam_free, glam_nlerp, cga::Mode::LINEAR, 96 };

@@ -40,7 +40,7 @@ enum class Product {
 }
 
 // For each left bitmap and each bitmap of the *result*, the sign of the term; the right bitmap is left ^ result.
-using SignTable = std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>;
+using SignTable = std::array<std::array<int, BLADE_COUNT>, BLADE_COUNT>;
 
 [[nodiscard]] constexpr SignTable make_sign_table(Product product) {
 	SignTable table{};
@@ -48,7 +48,7 @@ using SignTable = std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>;
 		for (unsigned result = 0; result < BLADE_COUNT; ++result) {
 			const unsigned right = left ^ result;
 			if (keeps_grade(product, grade_of_bitmap(left), grade_of_bitmap(right), grade_of_bitmap(result))) {
-				table[left][result] = int8_t(product_sign(left, right));
+				table[left][result] = product_sign(left, right);
 			}
 		}
 	}
