@@ -1,5 +1,5 @@
 extends RefCounted
-## A pose as the sliders edit it.
+## A pose as position, Euler angles and scale, which the sliders edit.
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 

@@ -3,7 +3,7 @@ extends RefCounted
 ##
 ## ENet disconnects a peer after a few retransmissions of one reliable packet without an
 ## acknowledgement. At 33% packet loss, this disconnects live peers within seconds. Therefore ENet
-## gets long timeouts, and server and clients measure how long the other has been silent.
+## gets long timeouts, and server and clients measure the silence of their peers themselves.
 
 ## Seconds of silence after which a peer counts as disconnected.
 const MAX_SILENCE := 8.0
@@ -23,5 +23,5 @@ static func prepare(peer: ENetPacketPeer) -> void:
 
 
 ## Makes ENet disconnect a silent peer soon.
-static func give_up(peer: ENetPacketPeer) -> void:
+static func expire(peer: ENetPacketPeer) -> void:
 	peer.set_timeout(1, 200, 500)

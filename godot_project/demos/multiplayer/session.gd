@@ -1,5 +1,5 @@
 extends Node
-## The messages between clients and server other than poses: players, input, settings, and the begin
+## The messages between clients and server other than poses: players, input, settings, and the start
 ## and end of the scene. Each message emits a signal on the receiving side. The server validates the
 ## messages of clients.
 

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## A GAScene that is embedded in a .tscn is saved with it and leaves the dock when it is closed.
+## Keeps the dock consistent with the .tscn that its GAScene is embedded in: saving the .tscn marks
+## the GAScene as saved, and closing the .tscn removes the GAScene from the dock.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 

@@ -27,8 +27,8 @@ func add_object(kind: StringName, dual: bool) -> String:
 	)
 
 
-## Returns the name of the new entry. If `entry` is empty, the name is chosen by `kind`, or else by
-## the kind of the value.
+## Returns the name of the new entry. If `entry` is empty, chooses a name for `kind`; an empty
+## `kind` stands for the kind of the value.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
 		var value: Multivector = _document.scene.describe_expression(expression)["value"]
@@ -126,8 +126,8 @@ func combination(how: StringName, first: String, second: String) -> String:
 ## Adds the combination of two entries. Returns the name of the new entry.
 func combine(how: StringName, first: String, second: String) -> String:
 	var moved := second if how == &"move" and _is_motion(first) else first
-	var keeps_reading := how in [&"reflect", &"move"]
-	return add("", combination(how, first, second), keeps_reading and _is_ipns(moved))
+	var keeps_ipns := how in [&"reflect", &"move"]
+	return add("", combination(how, first, second), keeps_ipns and _is_ipns(moved))
 
 
 func _is_motion(entry: String) -> bool:

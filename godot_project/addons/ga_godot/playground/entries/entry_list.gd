@@ -154,7 +154,7 @@ func _input(event: InputEvent) -> void:
 		_mouse = mouse.position
 
 
-## Starts dragging a row to another place in the list.
+## Starts dragging a row to another position in the list.
 func _drag(_at: Vector2, row: EntryRow) -> Variant:
 	var preview := Label.new()
 	preview.text = "%s = %s" % [row.entry, _document.scene.get_expression(row.entry)]

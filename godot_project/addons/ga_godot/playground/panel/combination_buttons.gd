@@ -16,7 +16,7 @@ const TITLES: Dictionary[StringName, String] = {
 	&"intersect": "Intersect %s and %s, converting duals (IPNS) to OPNS first",
 	&"project": "Project %s onto %s",
 	&"reflect": "Reflect %s in %s",
-	&"move": "Move by a motor: %s and %s, one of which must be a motor",
+	&"move": "Apply a motor: %s and %s, one of which must be the motor",
 }
 
 var _edits: EntryEdits
