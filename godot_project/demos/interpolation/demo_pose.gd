@@ -3,7 +3,7 @@ extends RefCounted
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 
-## Meters.
+## Position in meters.
 var position: Vector3
 ## Euler angles in degrees, in YXZ order.
 var rotation_degrees: Vector3

@@ -10,7 +10,7 @@ const MAX_SILENCE := 8.0
 ## ENet's timeouts in milliseconds.
 const MIN_TIMEOUT := 20000
 const MAX_TIMEOUT := 60000
-## ENet compares it with two to the power of the number of retransmissions.
+## ENet's limit for 2 to the power of the number of retransmissions of a packet.
 const TIMEOUT_LIMIT := 4096
 
 

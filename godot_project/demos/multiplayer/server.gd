@@ -23,7 +23,7 @@ const MAX_FINAL_SILENCE := 2.0
 
 var _options: Options
 var _session: Session
-## By method.
+## Links by method.
 var _links: Dictionary[String, PoseLink]
 var _methods: Dictionary[int, String] = {}
 var _tolerance := 0.005

@@ -2,7 +2,7 @@ extends RefCounted
 ## Bounding boxes of objects, for framing them in the view.
 
 const MOTIONS: Array[StringName] = [&"motor", &"rotor", &"translator", &"dilator"]
-## Unbounded objects. One of their points stands for them.
+## Unbounded objects. The box of one of their points represents them.
 const UNBOUNDED: Array[StringName] = [&"line", &"plane"]
 ## Half the size of the box around a point, in meters.
 const POINT_RADIUS := 0.05

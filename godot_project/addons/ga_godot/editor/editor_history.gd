@@ -41,7 +41,7 @@ static func is_embedded(scene: GAScene) -> bool:
 	return scene.resource_path.contains("::")
 
 
-## Called by the actions.
+## Called by the undo and redo actions.
 func write(scene: GAScene, text: String) -> void:
 	scene.document = text
 

@@ -12,7 +12,7 @@ func _init(document: PlaygroundDocument) -> void:
 	_document = document
 
 
-## A .tscn was saved with its embedded resources.
+## Call this when the editor has saved a .tscn with its embedded resources.
 func on_scene_saved(path: String) -> void:
 	if _document.get_file() == path and _document.is_embedded():
 		_document.mark_saved(_document.path)

@@ -46,7 +46,7 @@ func show_scene(scene: GAScene) -> void:
 		panel.file_menu.confirm_discard(panel.show_scene.bind(scene))
 
 
-## The file of an edited scene was saved.
+## Call this when the editor has saved the file of an edited scene.
 func on_scene_saved(path: String) -> void:
 	embedded.on_scene_saved(path)
 

@@ -17,7 +17,8 @@ func _init(dock: Control, document: PlaygroundDocument, history: EditorHistory) 
 	_history = history
 
 
-# _input() runs before the controls, as an empty text field would consume the shortcut.
+# _input() runs before the controls. In _shortcut_input(), an empty text field would already have
+# consumed the event.
 func _input(event: InputEvent) -> void:
 	if not event is InputEventKey:
 		return

@@ -31,7 +31,7 @@ var lab: InterpolationLab
 var toolbar := HBoxContainer.new()
 ## The description of the scene, above the buttons.
 var top := VBoxContainer.new()
-## Foldable panels about the selection, at the bottom.
+## Foldable panels for the selected entries, at the bottom.
 var bottom := VBoxContainer.new()
 
 var _top_scroll := CappedScroll.new(top)

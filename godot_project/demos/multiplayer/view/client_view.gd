@@ -134,7 +134,7 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 
 
 ## Runs the other method first, so that the screenshot shows the rates of both. 3D rendering is off
-## until then: software rendering would be too slow for realistic figures.
+## until the screenshot, because software rendering would be too slow for realistic statistics.
 func _prepare_screenshot() -> void:
 	get_viewport().disable_3d = true
 	var other := "synchronizer" if _client.method == "motors" else "motors"

@@ -4,7 +4,7 @@ extends RefCounted
 ## that it is the same in each run.
 
 const BALL_RADIUS := 1.0
-## Rate at which the ball runs through the figure, in radians per second.
+## Angular rate of the ball along the figure eight, in radians per second.
 const BALL_RATE := 0.55
 ## Seconds between two launches. The lifts alternate.
 const LIFT_INTERVAL := 1.5

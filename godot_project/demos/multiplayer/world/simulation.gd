@@ -154,7 +154,7 @@ func _add_box(parent: StaticBody3D, center: Vector3, size: Vector3) -> void:
 	parent.add_child(collision)
 
 
-## Drops a body that has left the arena from above its start position.
+## If a body has left the arena, drops it from above its start position.
 func _keep_inside(body: RigidBody3D, home: Vector3) -> void:
 	if (
 		body.position.y > -2.0

@@ -50,7 +50,7 @@ static func load_example(example: String) -> GAScene:
 	return scene if scene.load_json(FileAccess.get_file_as_string(path_of(example))) == OK else null
 
 
-## Why the example cannot be opened; empty if it can.
+## Returns why the example cannot be opened, or an empty string.
 static func error_of(example: String) -> String:
 	if not EXAMPLES.has(example):
 		return 'There is no example named "%s".' % example

@@ -41,7 +41,7 @@ const PREFIXES: Dictionary[StringName, String] = {
 	&"direction": "v",
 	&"pair": "pair",
 }
-## Without E and I, which are constants in expressions.
+## Names of points. E and I are omitted, because they are constants in expressions.
 const POINT_NAMES := "ABCDFGHJKLMNOPQRSTUVWXYZ"
 ## Kinds that can also be added as duals.
 const WITH_DUAL: Array[StringName] = [&"point", &"pair", &"line", &"circle", &"plane", &"sphere"]

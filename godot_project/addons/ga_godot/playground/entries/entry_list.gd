@@ -107,7 +107,7 @@ func select(entries: PackedStringArray) -> void:
 	selection_changed.emit()
 
 
-# Moves the keyboard focus from a row that is removed to the list.
+# If the row has the keyboard focus, moves the focus to the list before the row is removed.
 func _keep_focus(row: EntryRow) -> void:
 	var focused := get_viewport().gui_get_focus_owner() if is_inside_tree() else null
 	if focused != null and (focused == row or row.is_ancestor_of(focused)):

@@ -8,8 +8,8 @@ const LabBody := preload("lab_body.gd")
 const LabNumber := preload("lab_number.gd")
 
 const LEVER_ARM_HINT := (
-	"Lever arm, in meters. The distance of a deviation is that of the body point that deviates most,"
-	+ " among all points at the lever arm from the body's origin."
+	"Lever arm, in meters. Deviations are measured at the points of the body that are this far from"
+	+ " its origin."
 )
 
 var _lab: InterpolationLab

@@ -75,8 +75,8 @@ func _measure() -> void:
 	var lever_arm: float = _lab.get_setting(&"lever_arm")
 	_message.tooltip_text = (
 		(
-			"The pose at t, and the largest deviation from the screw path. The distance is that of the"
-			+ " body point that deviates most, among all points %s from the body's origin."
+			"The pose at t, and the largest deviation from the screw path, measured at the points of the"
+			+ " body that are %s from its origin."
 		)
 		% LabText.length(lever_arm)
 	)

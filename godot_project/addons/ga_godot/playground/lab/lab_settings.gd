@@ -31,7 +31,7 @@ const CHOICES: Dictionary[StringName, Array] = {
 	&"body": ["frame", "cube"],
 	&"repeat": ["ping-pong", "loop", "once"],
 }
-## By MultivectorLerp.Mode.
+## Keys of the visibility of the modes, indexed by MultivectorLerp.Mode.
 const MODES: Array[StringName] = [&"linear", &"screw", &"separate"]
 
 

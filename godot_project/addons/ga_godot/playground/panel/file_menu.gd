@@ -54,7 +54,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	add_child(_question)
 
 
-## Shows the scene in a .tres or .json file. Problems are reported by the host.
+## Shows the scene in a .tres or .json file. Reports errors through the host.
 func open(path: String) -> void:
 	if path.get_extension() == "json":
 		_open_json(path)

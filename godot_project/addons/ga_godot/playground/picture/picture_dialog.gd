@@ -118,8 +118,8 @@ func chosen_background() -> Color:
 	return _view.background
 
 
-## Draws and saves the picture. Returns an empty string, or an error message, which the dialog then
-## shows and stays open. A coroutine: use await.
+## Draws and saves the picture. On failure, the dialog stays open and shows the error. Returns the
+## error message, or an empty string. A coroutine: use await.
 func export_picture() -> String:
 	if _is_drawing:
 		return ""

@@ -9,12 +9,12 @@ const MAX_SIZE := 8192
 ## The height in pixels of a picture in which lines and labels have their normal size.
 const REFERENCE_HEIGHT := 720.0
 
-## In pixels.
+## Size of the picture in pixels.
 var size := Vector2i(1280, 720)
 var view := ViewPoint.new()
 ## An alpha of 0 makes the background transparent.
 var background := Color.TRANSPARENT
-## Factor of line widths. Labels scale with the height by themselves.
+## Factor of line widths. Labels scale with the height automatically.
 var line_scale := 1.0
 
 

@@ -7,8 +7,9 @@ const ViewHandle := preload("view_handle.gd")
 const ViewRay := preload("view_ray.gd")
 
 
-## The handle that moves the object, adjusted so that the grabbed point stays under the mouse; for
-## objects through points, the handle of the point under the mouse. Null if the object cannot move.
+## Returns the handle that moves the object, adjusted so that the grabbed point stays under the
+## mouse. For objects through points, returns the handle of the point under the mouse. Returns null
+## if the object cannot be moved.
 static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle:
 	var handles := ViewHandle.of(node, camera)
 	for handle: ViewHandle in handles:

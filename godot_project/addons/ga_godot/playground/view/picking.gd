@@ -54,7 +54,8 @@ static func classify(node: GANode3D) -> Dictionary:
 	return value.classify(dual)
 
 
-# The lowest rank is picked; infinite if the object is not under the mouse.
+# Returns the rank of the object, of which the lowest is picked. It is infinite if the object is not
+# under the mouse.
 static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: bool) -> float:
 	if not node.is_visible_in_tree():
 		return INF

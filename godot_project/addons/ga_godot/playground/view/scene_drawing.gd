@@ -123,7 +123,7 @@ func _draw() -> void:
 
 
 func _on_background(color: Color) -> Color:
-	# The same measure by which labels choose a light outline.
+	# The formula by which labels choose between a light and a dark outline.
 	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
 	var factor := MAX_LIGHTNESS / maxf(lightness, MAX_LIGHTNESS) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)
