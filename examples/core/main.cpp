@@ -3,8 +3,8 @@
 #include "cga/batch/motor_block.hpp"
 #include "cga/typed/motion.hpp"
 #include "cga/typed/objects.hpp"
-#include "net/receiver.hpp"
-#include "net/sender.hpp"
+#include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 
 #include <cmath>
 #include <cstdio>

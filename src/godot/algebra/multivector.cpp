@@ -1,12 +1,12 @@
 #include "godot/algebra/multivector.hpp"
 
-#include "cga/versor/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/text/json.hpp"
 #include "cga/text/text.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"

@@ -25,7 +25,7 @@ namespace ga_godot {
 
 /// Draws the geometric object that a multivector represents; doc_classes/GANode3D.xml documents it.
 ///
-/// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit endless objects to each view. A new
+/// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit unbounded objects to each view. A new
 /// value of the same kind costs as much as a new transform, and a moving camera costs nothing.
 class GANode3D : public godot::Node3D {
 	GDCLASS(GANode3D, godot::Node3D)

@@ -90,7 +90,7 @@ private:
 
 	// Scratch memory, kept so that a frame allocates nothing.
 	std::vector<cga::Pose<float>> _poses;
-	/// The last node of a row: finding the C++ object of a node costs as much as moving the node.
+	/// The cached node of a row: looking up the C++ object of a node costs as much as moving the node.
 	struct KnownNode {
 		uint64_t id = 0;
 		godot::Node3D *node = nullptr;

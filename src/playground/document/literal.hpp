@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-// Literals in expressions and their places in the text, so that a new value can replace them.
+// Literals in expressions and their positions in the text, so that new values can replace them.
 
 namespace playground {
 
@@ -40,7 +40,7 @@ public:
 	// If the range is a single call `name(...)`, the ranges of its arguments; otherwise empty.
 	[[nodiscard]] std::vector<TokenRange> arguments() const;
 	// The index after the parenthesis that closes the one at `open`; size() + 1 if it is not closed.
-	[[nodiscard]] size_t behind_bracket(size_t open) const;
+	[[nodiscard]] size_t after_parenthesis(size_t open) const;
 
 private:
 	std::string_view _text;

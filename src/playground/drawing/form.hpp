@@ -29,8 +29,8 @@ inline constexpr int SHARED_FORM_COUNT = int(Form::CUSTOM);
 enum class Space {
 	MODEL, // meters
 	SCREEN, // pixels, scaled at the depth of the origin
-	ROUND, // (s, ring, arrow): shaders/round_places.gdshaderinc
-	LINE, // (step, 0, arrow): shaders/endless_places.gdshaderinc
+	ROUND, // (s, ring, arrow): shaders/round_positions.gdshaderinc
+	LINE, // (step, 0, arrow): shaders/unbounded_positions.gdshaderinc
 	PLANE, // (step, azimuth, 0): likewise
 };
 

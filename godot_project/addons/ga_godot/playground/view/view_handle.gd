@@ -31,8 +31,8 @@ func _init(p_node: GANode3D, p_handle: Dictionary, camera: Camera3D) -> void:
 			* ViewScale.pixel(camera, space * from)
 			/ space.basis.x.length()
 		)
-		handle["place"] = from + (handle["place"] as Vector3 - from) * length
-	var in_world := space * (handle["place"] as Vector3)
+		handle["position"] = from + (handle["position"] as Vector3 - from) * length
+	var in_world := space * (handle["position"] as Vector3)
 	is_visible = not camera.is_position_behind(in_world)
 	if is_visible:
 		place = camera.unproject_position(in_world)
