@@ -34,7 +34,7 @@ using godot::Variant;
 using godot::Vector3;
 using godot::vformat;
 
-// The largest difference of equal coefficients, relative to the largest coefficient of both multivectors.
+// The largest difference between coefficients that count as equal, relative to the largest coefficient of both multivectors.
 static constexpr double EQUALITY_TOLERANCE = 1e-9;
 
 static constexpr const char *NOT_A_MOTOR = "Multivector.%s: this multivector is not a motor with a positive scale, so it has no transform.";

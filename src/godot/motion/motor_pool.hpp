@@ -80,7 +80,7 @@ private:
 	void interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode);
 
 	std::vector<cga::PoseBlock> _blocks;
-	godot::PackedFloat32Array _buffer; // 12 floats a row
+	godot::PackedFloat32Array _buffer; // 12 floats per row
 	godot::PackedFloat32Array _spare_buffer; // replaces _buffer when that is shared
 	bool _is_shared = false; // a script or the engine may hold _buffer
 	std::vector<uint32_t> _slot_of_row; // NO_ROW where the body was released

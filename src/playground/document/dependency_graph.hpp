@@ -4,7 +4,7 @@
 
 #include <vector>
 
-// The graph of entries and the entries they refer to. Traversals use an explicit stack, so that long chains are safe.
+// The dependency graph of the entries. Traversals use an explicit stack, so that long chains are safe.
 
 namespace playground {
 

@@ -30,7 +30,7 @@ public:
 	[[nodiscard]] size_t size() const { return size_t(_last - _first); }
 	[[nodiscard]] const Token &operator[](size_t index) const { return _first[index]; }
 	[[nodiscard]] TokenRange part(size_t from, size_t to) const { return { _text, _first + from, _first + to }; }
-	// The text of one token, and of all from the first to the last.
+	// The text of one token; the text from the first token to the last.
 	[[nodiscard]] std::string_view text(size_t index) const { return _text.substr(_first[index].offset, _first[index].length); }
 	[[nodiscard]] std::string_view text() const;
 	[[nodiscard]] TextSpan span() const;

@@ -17,7 +17,7 @@ enum class Form {
 	CIRCLE, // through the origin, center (0, 0, -radius), normal y
 	SPHERE, // through the origin, center (0, 0, -radius)
 	PLANE, // normal z
-	NORMAL, // an arrow along z on the side that a plane faces
+	NORMAL, // an arrow along z, on the front of a plane
 	TANGENT_ALONG, // an arrow along z
 	TANGENT_ACROSS, // a disc with normal z
 	DIRECTION_ALONG, // arrows along z

@@ -134,7 +134,7 @@ private:
 		if (_token.kind != TokenKind::NAME && _token.kind != TokenKind::OPEN) {
 			return;
 		}
-		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which few expect.
+		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which is rarely intended.
 		const auto before = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.level != PREFIX_LEVEL; });
 		if (before != _pending.rend() && before->kind == Pending::OPERATOR && before->node.kind == NodeKind::DIVIDE) {
 			const std::string divisor = text_of(token);

@@ -21,7 +21,7 @@ constexpr std::string_view POSITIONS[] = { "position", "center", "point", "a", "
 
 std::optional<Drag> dragged_direction(const FreeObject &object, const Handle &start, const Vector &position, const Steps &steps) {
 	Vector direction = glm::normalize(position - start.constraint.center);
-	// The arm of a plane's normal points away from the origin, which may be against the normal.
+	// The arm of a plane's normal points away from the origin, which may be opposite to the normal.
 	if (start.key == "normal" && object.number("distance").value_or(0.0) < 0.0) {
 		direction = -direction;
 	}

@@ -210,7 +210,7 @@ std::vector<Handle> handles_of(const Document &document, std::string_view name, 
 	}
 	HandleCollector collector(*object, right);
 	collector.collect();
-	// Handles outside the draggable range.
+	// Handles beyond MAX_DISTANCE cannot be dragged.
 	const auto is_far = [](const Handle &handle) { return !(cga::detail::length(handle.constraint.position) <= MAX_DISTANCE && cga::detail::length(handle.stem) <= MAX_DISTANCE); };
 	collector.found.erase(std::remove_if(collector.found.begin(), collector.found.end(), is_far), collector.found.end());
 	return std::move(collector.found);
