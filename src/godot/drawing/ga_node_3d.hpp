@@ -51,7 +51,7 @@ public:
 	void set_label(const godot::String &label);
 	godot::String get_label() const;
 
-	/// The value of the entry if the node draws one, otherwise `multivector`; null if there is none.
+	/// The value of the entry if the node draws one, otherwise `multivector`; null if it has no value.
 	godot::Ref<Multivector> get_value() const;
 	/// One line of text that describes the value.
 	godot::String describe() const;

@@ -21,7 +21,7 @@ public:
 	// Whether it is a parameter (parameters.hpp).
 	[[nodiscard]] bool can_set(std::string_view parameter) const { return literal(parameter) != nullptr; }
 
-	// The value of a parameter or of a computed argument; empty if there is none of this type.
+	// The value of a parameter or of a computed argument; empty if it does not exist or has another type.
 	[[nodiscard]] std::optional<Vector> vector(std::string_view name) const;
 	[[nodiscard]] std::optional<double> number(std::string_view name) const;
 	// Null if there is no such parameter.

@@ -160,7 +160,7 @@ TEST_CASE("nothing follows a ray that leads nowhere") {
 		CHECK(dragged(text, key, { {}, {}, {} }) == text);
 		CHECK(dragged(text, key, { { NAN, 0.0, 0.0 }, { NAN, 1.0, 0.0 }, { 1.0, 0.0, 0.0 } }) == text);
 	}
-	// Across the centre: no radius below zero, with a grid the least of it.
+	// Across the center: no radius below zero, with a grid the least of it.
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 })) == "sphere(0, 2)");
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 }), { 0.1, 0.0 }) == "sphere(0, 0.1)");
 	CHECK(dragged("motor(0, 1, 2)", "scale", through({ -1.0, -1.0, -1.0 })) == "motor(0, 1, 2)");
