@@ -21,16 +21,16 @@ func test_the_handles_of_objects() -> void:
 	_scene.add_entry("x", "1")
 	for expression in cases:
 		_scene.set_expression("x", expression)
-		var places := {}
+		var positions := {}
 		for handle in _scene.get_handles("x"):
-			places[handle.key] = handle.place
-		expect_equal(places, cases[expression], "handles of %s" % expression)
+			positions[handle.key] = handle.position
+		expect_equal(positions, cases[expression], "handles of %s" % expression)
 
 
 func test_the_radius_is_at_the_right_of_the_view() -> void:
 	_scene.add_entry("s", "sphere(0, 2)")
 	var handle: Dictionary = _scene.get_handles("s", Vector3(0, 0, -3))[1]
-	expect_equal(handle.place, Vector3(0, 0, -2), "place")
+	expect_equal(handle.position, Vector3(0, 0, -2), "position")
 	expect_equal(handle.stem, Vector3.ZERO, "stem")
 	expect_equal(handle.motion, "line", "motion")
 	expect_equal(handle.axis, Vector3.FORWARD, "axis")
@@ -56,7 +56,7 @@ func test_dragging() -> void:
 func test_an_arm_may_be_drawn_longer() -> void:
 	_scene.add_entry("c", "circle(0, e2, 1)")
 	var handle: Dictionary = _scene.get_handles("c")[2]
-	handle.place = (handle.stem as Vector3).lerp(handle.place as Vector3, 3.0)
+	handle.position = (handle.stem as Vector3).lerp(handle.position as Vector3, 3.0)
 	expect_equal(
 		_scene.drag_handle(
 			"c", handle, Vector3(4, 0, 10), Vector3.FORWARD, Vector3.FORWARD, 0.0, deg_to_rad(15)
@@ -120,7 +120,7 @@ func test_invalid_arguments() -> void:
 		{},
 		{"key": "radius"},
 		handle.merged({"motion": "round"}, true),
-		handle.merged({"place": 3}, true),
+		handle.merged({"position": 3}, true),
 		handle.merged({"axis": Vector3(NAN, 0, 0)}, true)
 	]:
 		expect_error(

@@ -85,7 +85,7 @@ func test_handles_away_from_the_object() -> void:
 	_list.select(["c"])
 	var normal := _handle("c", "normal")
 	expect_near(normal.position.distance_to(normal.stem), 60.0, 15.0, "length of the arm in pixels")
-	var tip: Vector3 = normal.handle["place"]
+	var tip: Vector3 = normal.handle["position"]
 	_drag(normal.position, _at(Vector3(0, 0, tip.length())), true)
 	expect_equal(
 		_document.scene.get_expression("c"), "circle(0, e3, 1)", "circle with another normal"

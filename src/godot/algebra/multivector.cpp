@@ -1,12 +1,12 @@
 #include "godot/algebra/multivector.hpp"
 
-#include "cga/versor/inverse.hpp"
 #include "cga/algebra/is_blade.hpp"
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/text/json.hpp"
 #include "cga/text/text.hpp"
 #include "cga/versor/exponential.hpp"
+#include "cga/versor/inverse.hpp"
 #include "cga/versor/is_versor.hpp"
 #include "cga/versor/logarithm.hpp"
 #include "cga/versor/normalized.hpp"
@@ -34,7 +34,7 @@ using godot::Variant;
 using godot::Vector3;
 using godot::vformat;
 
-// The largest difference of equal coefficients, relative to the largest coefficient of both multivectors.
+// The largest difference between coefficients that count as equal, relative to the largest coefficient of both multivectors.
 static constexpr double EQUALITY_TOLERANCE = 1e-9;
 
 static constexpr const char *NOT_A_MOTOR = "Multivector.%s: this multivector is not a motor with a positive scale, so it has no transform.";

@@ -28,7 +28,7 @@ public:
 	/// Returns null and prints an error if a coefficient is not finite.
 	static Handle make(const cga::Multivector &value);
 	const cga::Multivector &get_value() const { return _value; }
-	/// Increases with each change of the coefficients, to validate what was computed from them.
+	/// Incremented by each change of the coefficients, so that users can tell whether a cached result is outdated.
 	uint64_t get_revision() const { return _revision; }
 	/// The pose of a motor of any weight; empty if this is not a motor with a positive scale.
 	std::optional<cga::Pose<double>> get_pose() const;

@@ -2,8 +2,8 @@
 
 #include "cga/algebra/blade.hpp"
 #include "cga/algebra/null_basis.hpp"
-#include "cga/motor/motor_multivector.hpp"
 #include "cga/motor/motor_factors.hpp"
+#include "cga/motor/motor_multivector.hpp"
 #include "cga/object/classify.hpp"
 #include "cga/object/construct.hpp"
 #include "cga/object/incidence.hpp"
@@ -167,7 +167,7 @@ Multivector::Handle Multivector::reflect_in(const Handle &mirror) const {
 	return binary(&cga::reflect_in, mirror, "reflect_in");
 }
 
-// False where coefficients that differ by hundreds of orders of magnitude exceeded the range of doubles.
+// False if coefficients that differ by hundreds of orders of magnitude overflowed in the classification.
 static bool is_finite(const cga::Classification &found) {
 	const auto is_finite_vector = [](const std::optional<cga::Vector3<double>> &vector) {
 		return !vector || (std::isfinite(vector->x) && std::isfinite(vector->y) && std::isfinite(vector->z));

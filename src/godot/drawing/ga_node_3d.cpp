@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-// When a GANode3D updates what it draws.
+// Updates of the drawing of a GANode3D.
 
 namespace ga_godot {
 

@@ -25,7 +25,7 @@ namespace ga_godot {
 
 /// Draws the geometric object that a multivector represents; doc_classes/GANode3D.xml documents it.
 ///
-/// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit endless objects to each view. A new
+/// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit unbounded objects to each view. A new
 /// value of the same kind costs as much as a new transform, and a moving camera costs nothing.
 class GANode3D : public godot::Node3D {
 	GDCLASS(GANode3D, godot::Node3D)
@@ -51,7 +51,7 @@ public:
 	void set_label(const godot::String &label);
 	godot::String get_label() const;
 
-	/// The value of the entry if the node draws one, otherwise `multivector`; null if there is none.
+	/// The value of the entry if the node draws one, otherwise `multivector`; null if it has no value.
 	godot::Ref<Multivector> get_value() const;
 	/// One line of text that describes the value.
 	godot::String describe() const;

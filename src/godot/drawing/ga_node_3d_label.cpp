@@ -58,7 +58,7 @@ void GANode3D::update_label() {
 		_label_node->set_outline_render_priority(2);
 		add_child(_label_node, false, INTERNAL_MODE_FRONT);
 	}
-	// A dark outline around light text and the reverse: readable on any background.
+	// A dark outline around light text, or the reverse, is readable on any background.
 	const float lightness = 0.3f * _drawn_appearance.color.r + 0.59f * _drawn_appearance.color.g + 0.11f * _drawn_appearance.color.b;
 	_label_node->set_modulate(Color(_drawn_appearance.color.r, _drawn_appearance.color.g, _drawn_appearance.color.b));
 	_label_node->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));

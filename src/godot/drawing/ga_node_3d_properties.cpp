@@ -89,7 +89,7 @@ bool GANode3D::draws_entry() const {
 	return _scene.is_valid() && !_entry_name.empty();
 }
 
-// A missing entry is no error: the name may be in the middle of an edit.
+// A missing entry is not an error: the user may still be typing the name.
 const playground::Entry *GANode3D::find_entry() const {
 	return draws_entry() ? _scene->find_entry(_entry_name) : nullptr;
 }
@@ -189,12 +189,12 @@ double GANode3D::get_screen_distance(godot::Camera3D *camera, const godot::Vecto
 	if (!(scale > 0.0)) {
 		return NOTHING;
 	}
-	const auto turned = [&](const cga::Vector3<double> &vector) {
+	const auto to_local = [&](const cga::Vector3<double> &vector) {
 		return cga::Vector3<double>(glm::dot(vector, x), glm::dot(vector, y), glm::dot(vector, z)) / scale;
 	};
 	playground::drawing::PickRay ray;
-	ray.origin = turned(origin - to_glm(global.origin)) / scale;
-	ray.direction = glm::normalize(turned(direction));
+	ray.origin = to_local(origin - to_glm(global.origin)) / scale;
+	ray.direction = glm::normalize(to_local(direction));
 	ray.pixel_at_origin = glm::length(next_origin - origin) / scale;
 	ray.pixel_per_meter = glm::length(next_direction - direction);
 	const std::optional<playground::drawing::PickHit> hit = playground::drawing::pick(_figure, ray);

@@ -20,7 +20,7 @@ class StrokeBatch {
 public:
 	StrokeBatch(playground::drawing::Form form, const godot::RID &mesh, const godot::RID &scenario);
 
-	/// The batch of a form in a scenario, created with the form's mesh if there is none.
+	/// The batch of a form in a scenario, created with the form's mesh if it does not exist.
 	static StrokeBatch &of(playground::drawing::Form form, const godot::RID &mesh, const godot::RID &scenario);
 
 	/// Returns the ID that change() and remove() take.

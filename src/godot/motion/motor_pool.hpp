@@ -80,7 +80,7 @@ private:
 	void interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode);
 
 	std::vector<cga::PoseBlock> _blocks;
-	godot::PackedFloat32Array _buffer; // 12 floats a row
+	godot::PackedFloat32Array _buffer; // 12 floats per row
 	godot::PackedFloat32Array _spare_buffer; // replaces _buffer when that is shared
 	bool _is_shared = false; // a script or the engine may hold _buffer
 	std::vector<uint32_t> _slot_of_row; // NO_ROW where the body was released
@@ -90,7 +90,7 @@ private:
 
 	// Scratch memory, kept so that a frame allocates nothing.
 	std::vector<cga::Pose<float>> _poses;
-	/// The last node of a row: finding the C++ object of a node costs as much as moving the node.
+	/// The cached node of a row: looking up the C++ object of a node costs as much as moving the node.
 	struct KnownNode {
 		uint64_t id = 0;
 		godot::Node3D *node = nullptr;

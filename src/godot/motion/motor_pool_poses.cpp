@@ -158,7 +158,7 @@ PackedFloat32Array MotorPool::get_buffer() {
 	return _buffer;
 }
 
-// For a node that is not the last one of its row. Returns null if the node was freed.
+// Updates the cached node of a row. Returns null if the node was freed.
 Node3D *MotorPool::find_node(const Variant &variant, int64_t row) {
 	Node3D *node = Object::cast_to<Node3D>(variant.get_validated_object());
 	_nodes[size_t(row)] = { node != nullptr ? node->get_instance_id() : 0, node };

@@ -208,7 +208,7 @@ void MultivectorLerp::update_target() {
 		}
 	}
 	if (!_local) {
-		// Also without a new result, because the target's parent may have moved.
+		// Set even without a new result, because the target's parent may have moved.
 		target->set_global_transform(_result);
 	}
 }

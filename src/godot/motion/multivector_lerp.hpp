@@ -19,7 +19,7 @@ class MultivectorLerp : public godot::Node {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	/// The values of cga::Mode. Of fixed type because a script may pass any int, which an error message then shows.
+	/// The values of cga::Mode. The underlying type is fixed, because a script may pass any int, which the error message shows.
 	enum Mode : int {
 		LINEAR,
 		SCREW,

@@ -73,7 +73,7 @@ protected:
 	static void _bind_methods();
 
 private:
-	// Null, with an error message in the name of that method, if there is no such entry.
+	// Returns null and prints an error that names the method if there is no such entry.
 	const playground::Entry *find(const godot::String &name, const char *method) const;
 	// Emits the signals of an accepted change, or reports why it was refused.
 	godot::Error finish(const playground::ChangeResult &change, const char *method);

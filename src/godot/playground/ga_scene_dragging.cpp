@@ -87,7 +87,7 @@ static Dictionary to_dictionary(const Handle &handle) {
 	Dictionary dictionary;
 	dictionary["key"] = to_godot(handle.key);
 	dictionary["motion"] = MOTIONS[int(handle.constraint.motion)];
-	dictionary["place"] = to_godot(handle.constraint.position);
+	dictionary["position"] = to_godot(handle.constraint.position);
 	dictionary["center"] = to_godot(handle.constraint.center);
 	dictionary["axis"] = to_godot(handle.constraint.axis);
 	dictionary["stem"] = to_godot(handle.stem);
@@ -114,7 +114,7 @@ static std::optional<Handle> to_handle(const Dictionary &dictionary) {
 		is_complete = is_complete && is_finite(vector);
 		return to_glm(vector);
 	};
-	handle.constraint.position = read("place");
+	handle.constraint.position = read("position");
 	handle.constraint.center = read("center");
 	handle.constraint.axis = read("axis");
 	handle.stem = read("stem");
@@ -161,7 +161,7 @@ Error GAScene::drag_handle(const String &name, const Dictionary &handle, const V
 		return godot::ERR_SKIP;
 	}
 	const playground::ChangeResult change = _document.set_parameter(entry->name, drag->parameter, drag->value);
-	// A drag may reach values that are refused, such as a radius below zero; that is no mistake of the caller.
+	// A drag may reach values that are refused, such as a negative radius; the caller cannot avoid that.
 	return change ? finish(change, "drag_handle") : godot::ERR_SKIP;
 }
 

@@ -12,7 +12,7 @@
 
 namespace playground {
 
-// `monostate`: no value.
+// `monostate` is the absence of a value.
 using AttributeValue = std::variant<std::monostate, bool, double, std::string>;
 
 using Attributes = std::map<std::string, AttributeValue, std::less<>>;
@@ -25,11 +25,11 @@ using Attributes = std::map<std::string, AttributeValue, std::less<>>;
 //   color     string   ""      "#rrggbb" or "#rrggbbaa"; empty: the color of its kind
 //   note      string   ""      free text
 //
-// All other keys are free for users of the document ("interpolation/mode"), with a value of any type.
+// Users of the document may add other keys ("interpolation/mode"), with values of any type.
 [[nodiscard]] AttributeValue default_attribute(std::string_view key);
 
 // Whether an attribute may have this value. Keys consist of 1 to 64 letters, digits, '_', '-', '.' and '/'; numbers are
-// finite. No value is always valid: it resets a known attribute to its default and removes any other.
+// finite. `monostate` is always valid: it resets a known attribute to its default and removes any other.
 cga::Result<void, Error> check_attribute(std::string_view key, const AttributeValue &value);
 
 // The value, or the default.

@@ -18,7 +18,7 @@ bool contains(const std::vector<Entry *> &entries, const Entry *entry) {
 
 } // namespace
 
-bool Entry::lacks_dependency() const {
+bool Entry::has_missing_dependency() const {
 	return contains(dependencies, nullptr);
 }
 
@@ -64,7 +64,7 @@ std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries) {
 	return found;
 }
 
-std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entries) {
+std::vector<Component> components_in_evaluation_order(const std::vector<Entry *> &entries) {
 	constexpr int NOT_REACHED = -1;
 	constexpr int DONE = -2;
 	struct Step {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-// The graph of entries and the entries they refer to. Traversals use an explicit stack, so that long chains are safe.
+// The dependency graph of the entries. Traversals use an explicit stack, so that long chains are safe.
 
 namespace playground {
 
@@ -24,7 +24,7 @@ struct Component {
 
 // The components in topological order: each after those it depends on. Dependencies outside `entries` are ignored.
 // (Tarjan, Depth-first search and linear graph algorithms, 1972.)
-[[nodiscard]] std::vector<Component> in_order_of_evaluation(const std::vector<Entry *> &entries);
+[[nodiscard]] std::vector<Component> components_in_evaluation_order(const std::vector<Entry *> &entries);
 
 // The shortest path from an entry of a cycle back to itself: a, b, c for a -> b -> c -> a.
 [[nodiscard]] std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component);

@@ -29,7 +29,7 @@ const Entry *Document::find(std::string_view name) const {
 	return found == _index.end() ? nullptr : found->second;
 }
 
-Entry *Document::own_entry(std::string_view name) {
+Entry *Document::find_mutable(std::string_view name) {
 	return const_cast<Entry *>(find(name));
 }
 
@@ -68,10 +68,10 @@ void Document::set_text(Entry &entry, std::string_view text) {
 	connect(entry, _index);
 }
 
-std::vector<Entry *> Document::entries_that_lack_others() const {
+std::vector<Entry *> Document::entries_with_missing_dependency() const {
 	std::vector<Entry *> found;
 	for (const std::unique_ptr<Entry> &entry : _entries) {
-		if (entry->lacks_dependency()) {
+		if (entry->has_missing_dependency()) {
 			found.push_back(entry.get());
 		}
 	}
@@ -101,9 +101,9 @@ ChangeResult Document::add(std::string_view name, std::string_view text, size_t 
 	_entries.insert(_entries.begin() + ptrdiff_t(std::min(index, _entries.size())), std::move(added));
 	_index.emplace(entry.name, &entry);
 	// Entries that referred to the name, and those whose error may now suggest it.
-	std::vector<Entry *> stale = entries_that_lack_others();
-	for (Entry *lacking : stale) {
-		connect(*lacking, _index);
+	std::vector<Entry *> stale = entries_with_missing_dependency();
+	for (Entry *dependent : stale) {
+		connect(*dependent, _index);
 	}
 	set_text(entry, pasted_expression(text));
 	stale.push_back(&entry);
@@ -111,7 +111,7 @@ ChangeResult Document::add(std::string_view name, std::string_view text, size_t 
 }
 
 ChangeResult Document::set_expression(std::string_view name, std::string_view text) {
-	Entry *entry = own_entry(name);
+	Entry *entry = find_mutable(name);
 	if (!entry) {
 		return no_entry(name);
 	}
@@ -124,7 +124,7 @@ ChangeResult Document::set_expression(std::string_view name, std::string_view te
 }
 
 ChangeResult Document::rename(std::string_view from, std::string_view to) {
-	Entry *entry = own_entry(from);
+	Entry *entry = find_mutable(from);
 	if (!entry) {
 		return no_entry(from);
 	}
@@ -151,9 +151,9 @@ ChangeResult Document::rename(std::string_view from, std::string_view to) {
 	_index.erase(old_name);
 	entry->name = to;
 	_index.emplace(entry->name, entry);
-	std::vector<Entry *> stale = entries_that_lack_others();
-	for (Entry *lacking : stale) {
-		connect(*lacking, _index);
+	std::vector<Entry *> stale = entries_with_missing_dependency();
+	for (Entry *dependent : stale) {
+		connect(*dependent, _index);
 	}
 	for (const auto &[dependent, text] : rewritten) {
 		set_text(*dependent, text);
@@ -164,7 +164,7 @@ ChangeResult Document::rename(std::string_view from, std::string_view to) {
 }
 
 ChangeResult Document::remove(std::string_view name) {
-	Entry *entry = own_entry(name);
+	Entry *entry = find_mutable(name);
 	if (!entry) {
 		return no_entry(name);
 	}
@@ -175,7 +175,7 @@ ChangeResult Document::remove(std::string_view name) {
 	}
 	_entries.erase(_entries.begin() + ptrdiff_t(index_of(old_name)));
 	_index.erase(old_name);
-	return change(entries_that_lack_others(), { old_name });
+	return change(entries_with_missing_dependency(), { old_name });
 }
 
 ChangeResult Document::move(std::string_view name, size_t index) {
@@ -186,11 +186,11 @@ ChangeResult Document::move(std::string_view name, size_t index) {
 	if (index >= size()) {
 		return Error("the index " + std::to_string(index) + " is outside 0.." + std::to_string(size() - 1));
 	}
-	const auto place = [this](size_t at) { return _entries.begin() + ptrdiff_t(at); };
+	const auto iterator_at = [this](size_t position) { return _entries.begin() + ptrdiff_t(position); };
 	if (from < index) {
-		std::rotate(place(from), place(from + 1), place(index + 1));
+		std::rotate(iterator_at(from), iterator_at(from + 1), iterator_at(index + 1));
 	} else {
-		std::rotate(place(index), place(from), place(from + 1));
+		std::rotate(iterator_at(index), iterator_at(from), iterator_at(from + 1));
 	}
 	return std::vector<std::string>();
 }
@@ -211,7 +211,7 @@ ChangeResult Document::set_parameter(std::string_view name, std::string_view par
 }
 
 ChangeResult Document::set_attribute(std::string_view name, std::string_view key, const AttributeValue &value) {
-	Entry *entry = own_entry(name);
+	Entry *entry = find_mutable(name);
 	if (!entry) {
 		return no_entry(name);
 	}

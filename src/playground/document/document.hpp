@@ -16,11 +16,11 @@ namespace playground {
 // error the document is unchanged.
 using ChangeResult = cga::Result<std::vector<std::string>, Error>;
 
-// Named expressions in an order chosen by the user. An expression may refer to any entry, also to later ones: moving an
-// entry changes no value. Each change immediately recomputes the entries that depend on it, and no others.
+// Named expressions in an order chosen by the user. An expression may refer to any entry, including later ones: moving
+// an entry changes no value. Each change immediately recomputes the entries that depend on it, and no others.
 //
-// An entry with an invalid expression is kept, with an error. Refused are invalid or duplicate names, and changes of
-// entries that do not exist.
+// An entry with an invalid expression is kept, with an error. Invalid or duplicate names, and changes of entries that do
+// not exist, are refused.
 //
 // To undo a change, restore() the state() from before it, or apply the inverse operation.
 class Document {
@@ -66,14 +66,14 @@ public:
 	// The value of an expression that may refer to entries without becoming one. Referring to an entry with an error is an
 	// error.
 	[[nodiscard]] cga::TextResult<cga::Multivector> evaluate(std::string_view text) const;
-	// What the entry of that name, or a new one, would be with this expression; without a name, any new one. It is no part of
-	// the document and connected to none of its entries. Takes time for what the expression refers to, not for all entries.
+	// Evaluates `text` as if it were the expression of the entry `name`, or of a new entry. The result is not part of the
+	// document or of its graph. The cost depends on the entries that the expression refers to, not on the document's size.
 	[[nodiscard]] Entry trial_entry(std::string_view name, std::string_view text) const;
 
 private:
-	Entry *own_entry(std::string_view name);
+	Entry *find_mutable(std::string_view name);
 	void set_text(Entry &entry, std::string_view text);
-	[[nodiscard]] std::vector<Entry *> entries_that_lack_others() const;
+	[[nodiscard]] std::vector<Entry *> entries_with_missing_dependency() const;
 	ChangeResult change(const std::vector<Entry *> &stale, std::vector<std::string> names = {});
 
 	std::vector<std::unique_ptr<Entry>> _entries;

@@ -121,26 +121,26 @@ private:
 
 	bool read_format() {
 		_reader.next_character();
-		const size_t place = _reader.position();
+		const size_t offset = _reader.position();
 		const std::optional<std::string> format = _reader.read_string();
 		if (!format) {
 			return false;
 		}
 		_has_format = *format == FORMAT;
-		return _has_format || _reader.fail(place, "expected the format \"" + std::string(FORMAT) + "\"; this file has another format");
+		return _has_format || _reader.fail(offset, "expected the format \"" + std::string(FORMAT) + "\"; this file has another format");
 	}
 
 	bool read_version() {
 		_reader.next_character();
-		const size_t place = _reader.position();
+		const size_t offset = _reader.position();
 		const std::optional<double> version = _reader.read_number();
 		if (!version) {
 			return false;
 		}
 		if (!(*version >= 1.0) || *version != std::floor(*version)) {
-			report_at(place, "the version must be an integer of at least 1");
+			report_at(offset, "the version must be an integer of at least 1");
 		} else if (*version > DOCUMENT_VERSION) {
-			report_at(place, "the document has a newer version than " + std::to_string(DOCUMENT_VERSION) + ", the latest that this GA-Godot reads; update GA-Godot");
+			report_at(offset, "the document has a newer version than " + std::to_string(DOCUMENT_VERSION) + ", the latest that this GA-Godot reads; update GA-Godot");
 		}
 		return true;
 	}
@@ -168,13 +168,13 @@ private:
 	bool read_attributes(Attributes &attributes, const std::string &owner) {
 		return read_object([this, &attributes, &owner](const std::string &key) {
 			_reader.next_character();
-			const size_t place = _reader.position();
+			const size_t offset = _reader.position();
 			const std::optional<AttributeValue> value = read_attribute();
 			if (!value) {
 				return false;
 			}
 			if (const cga::Result<void, Error> checked = check_attribute(key, *value); !checked) {
-				report_at(place, "attribute of " + owner + " skipped: " + checked.error().message);
+				report_at(offset, "attribute of " + owner + " skipped: " + checked.error().message);
 			} else {
 				set_attribute(attributes, key, *value);
 			}
@@ -194,9 +194,9 @@ private:
 			}
 			is_first = false;
 			if (_reader.error()) {
-				const size_t broken = _reader.error()->offset;
+				const size_t error_offset = _reader.error()->offset;
 				report_error();
-				if (!find_entry(broken)) {
+				if (!find_entry(error_offset)) {
 					return false;
 				}
 				is_first = true;
@@ -220,7 +220,7 @@ private:
 
 	void read_entry() {
 		_reader.next_character();
-		const size_t place = _reader.position();
+		const size_t offset = _reader.position();
 		EntryState entry;
 		std::optional<std::string> text;
 		const bool is_read = read_object([this, &entry, &text](const std::string &key) {
@@ -244,7 +244,7 @@ private:
 			_reader.restart_at(error.offset);
 			_reader.fail(error.offset, what + " skipped: " + error.message);
 		} else if (const cga::Result<void, Error> checked = check_entry(entry.name, text.has_value()); !checked) {
-			report_at(place, what + " skipped: " + checked.error().message);
+			report_at(offset, what + " skipped: " + checked.error().message);
 		} else {
 			entry.text = *std::move(text);
 			_names.insert(entry.name);

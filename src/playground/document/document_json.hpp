@@ -31,11 +31,11 @@ inline constexpr size_t MAX_DOCUMENT_LENGTH = 16 << 20; // bytes
 struct LoadedDocument {
 	DocumentState state; // everything that could be read
 	std::vector<std::string> errors; // everything that could not: "line 7, column 3: entry 'b' skipped: ..."
-	bool is_document = false; // whether the text is a document, even a broken one
+	bool is_document = false; // whether the text is a document, even a corrupted one
 };
 
-// Reads as much as it can: an invalid entry is skipped, with an error. A newer version is an error, and is read as this
-// version.
+// Reads as much as it can: an invalid entry is skipped, with an error. A newer version is reported as an error
+// and read as the current one.
 //
 // An array of 32 numbers, as ganja.js writes a multivector, or an array of such arrays is a document with entries x1, x2, ...
 // with these coefficients.

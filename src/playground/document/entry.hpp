@@ -22,7 +22,7 @@ struct EntryError {
 
 using EntryValue = cga::Result<cga::Multivector, EntryError>;
 
-// Compares coefficients bit for bit, so that the same value gives the same results.
+// Compares coefficients bit for bit, so that incremental and full evaluation give the same results.
 [[nodiscard]] bool is_same(const EntryValue &left, const EntryValue &right);
 
 // A named expression of a document and its value.
@@ -34,9 +34,9 @@ struct Entry {
 	cga::TextResult<Expression> expression = cga::TextError();
 	EntryValue value = EntryError();
 
-	// The entries that expression->variables() name, null where the document has none.
+	// The entries that expression->variables() refer to, in that order; null where no such entry exists.
 	std::vector<Entry *> dependencies;
-	// The entries that have this one as dependency, each once.
+	// The entries that depend directly on this one, each once.
 	std::vector<Entry *> dependents;
 
 	// The number of the last graph traversal that visited this entry, and its mark.
@@ -44,7 +44,7 @@ struct Entry {
 	int mark = 0;
 
 	// Whether the expression refers to a name that has no entry.
-	[[nodiscard]] bool lacks_dependency() const;
+	[[nodiscard]] bool has_missing_dependency() const;
 };
 
 using EntryIndex = std::map<std::string, Entry *, std::less<>>;

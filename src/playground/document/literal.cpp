@@ -118,7 +118,7 @@ TextSpan TokenRange::span() const {
 	return size() == 0 ? TextSpan() : TextSpan{ _first->offset, _last[-1].offset + _last[-1].length - _first->offset };
 }
 
-size_t TokenRange::behind_bracket(size_t open) const {
+size_t TokenRange::after_parenthesis(size_t open) const {
 	size_t depth = 0;
 	for (size_t index = open; index < size(); ++index) {
 		depth += is(index, TokenKind::OPEN) ? 1 : 0;
@@ -131,7 +131,7 @@ size_t TokenRange::behind_bracket(size_t open) const {
 }
 
 std::vector<TokenRange> TokenRange::arguments() const {
-	if (!is(0, TokenKind::NAME) || !is(1, TokenKind::OPEN) || behind_bracket(1) != size()) {
+	if (!is(0, TokenKind::NAME) || !is(1, TokenKind::OPEN) || after_parenthesis(1) != size()) {
 		return {};
 	}
 	std::vector<TokenRange> found;

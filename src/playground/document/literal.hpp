@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-// Literals in expressions and their places in the text, so that a new value can replace them.
+// Literals in expressions and their positions in the text, so that new values can replace them.
 
 namespace playground {
 
@@ -30,7 +30,7 @@ public:
 	[[nodiscard]] size_t size() const { return size_t(_last - _first); }
 	[[nodiscard]] const Token &operator[](size_t index) const { return _first[index]; }
 	[[nodiscard]] TokenRange part(size_t from, size_t to) const { return { _text, _first + from, _first + to }; }
-	// The text of one token, and of all from the first to the last.
+	// The text of one token; the text from the first token to the last.
 	[[nodiscard]] std::string_view text(size_t index) const { return _text.substr(_first[index].offset, _first[index].length); }
 	[[nodiscard]] std::string_view text() const;
 	[[nodiscard]] TextSpan span() const;
@@ -39,7 +39,7 @@ public:
 	// If the range is a single call `name(...)`, the ranges of its arguments; otherwise empty.
 	[[nodiscard]] std::vector<TokenRange> arguments() const;
 	// The index after the parenthesis that closes the one at `open`; size() + 1 if it is not closed.
-	[[nodiscard]] size_t behind_bracket(size_t open) const;
+	[[nodiscard]] size_t after_parenthesis(size_t open) const;
 
 private:
 	std::string_view _text;

@@ -6,7 +6,7 @@
 namespace playground {
 
 // Larger documents get no suggestions: the search takes time proportional to the number of entries.
-static constexpr size_t MAX_SUGGESTIONS = 100;
+static constexpr size_t MAX_CANDIDATES = 100;
 
 std::string missing_entry(const std::string &name, const EntryIndex &index) {
 	std::string message = "there is no entry '" + name + "'";
@@ -14,7 +14,7 @@ std::string missing_entry(const std::string &name, const EntryIndex &index) {
 		return message + "; to call the function write '" + name + "('";
 	}
 	std::vector<std::string_view> names = { "eo", "einf", "pi", "tau" };
-	if (index.size() <= MAX_SUGGESTIONS) {
+	if (index.size() <= MAX_CANDIDATES) {
 		for (const auto &known : index) {
 			names.push_back(known.first);
 		}

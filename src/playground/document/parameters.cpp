@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::string_view ROTATION = "rotation";
 
-// A function that constructs an object from parameters, and the name of the vector that its x, y, z form.
+// A function that constructs an object, and the name of the vector that its arguments x, y, z form.
 struct Constructor {
 	std::string_view name;
-	std::string_view of_three;
+	std::string_view vector_name;
 };
 
 constexpr Constructor CONSTRUCTORS[] = {
@@ -61,7 +61,7 @@ TokenRange unwrapped(TokenRange range) {
 			range = range.part(1, range.size());
 			continue;
 		}
-		if (first == TokenKind::OPEN && range.behind_bracket(0) == range.size()) {
+		if (first == TokenKind::OPEN && range.after_parenthesis(0) == range.size()) {
 			range = range.part(1, range.size() - 1);
 			continue;
 		}
@@ -89,7 +89,7 @@ const Constructor *constructor_of(const TokenRange &call) {
 	return found == std::end(CONSTRUCTORS) ? nullptr : found;
 }
 
-// The first overload that may be meant: an argument with variables may have any kind.
+// The first overload that accepts the arguments; an argument with variables matches any kind.
 const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange> &arguments) {
 	const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
 	if (!function) {
@@ -112,7 +112,7 @@ const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange
 	return nullptr;
 }
 
-// Axis and angle of a rotation. Of the two choices, the axis on the side of the old one.
+// Axis and angle of a rotation. Of the two opposite axes, returns the one closer to the old axis.
 std::pair<cga::Vector3<double>, double> axis_and_angle(cga::Quaternion<double> rotation, const cga::Vector3<double> &old_axis) {
 	const cga::Vector3<double> sines(rotation.x, rotation.y, rotation.z);
 	const double size = glm::length(sines);
@@ -122,8 +122,8 @@ std::pair<cga::Vector3<double>, double> axis_and_angle(cga::Quaternion<double> r
 	const double sign = glm::dot(sines, old_axis) < 0.0 ? -1.0 : 1.0;
 	const cga::Vector3<double> axis = sines * (sign / size);
 	double angle = 2.0 * std::atan2(sign * size, rotation.w);
-	constexpr double HALF_TURN = 3.14159265358979323846;
-	angle = angle > HALF_TURN ? angle - 2.0 * HALF_TURN : (angle < -HALF_TURN ? angle + 2.0 * HALF_TURN : angle);
+	constexpr double PI = 3.14159265358979323846;
+	angle = angle > PI ? angle - 2.0 * PI : (angle < -PI ? angle + 2.0 * PI : angle);
 	const double old_size = glm::length(old_axis);
 	const bool is_old = old_size > 0.0 && glm::distance(axis, old_axis / old_size) < 1e-6;
 	return { is_old ? old_axis : axis, angle };
@@ -143,7 +143,7 @@ public:
 		const std::vector<std::string_view> names = split(overload->parameters);
 		size_t index = 0;
 		if (names[0] == "x" && names.size() >= 3) {
-			index = names.size() == 4 && names[3] == "w" ? collect_group(arguments, 4, ROTATION) : collect_group(arguments, 3, constructor->of_three);
+			index = names.size() == 4 && names[3] == "w" ? collect_group(arguments, 4, ROTATION) : collect_group(arguments, 3, constructor->vector_name);
 		}
 		for (; index < arguments.size(); ++index) {
 			collect_argument(arguments[index], overload->kinds[index], names[index]);
@@ -160,7 +160,7 @@ private:
 		}
 	}
 
-	// Numbers that belong together, if all are literals: as many are done.
+	// Adds the first `count` arguments as one vector or quaternion. Returns `count`, or 0 if one of them is not a literal.
 	size_t collect_group(const std::vector<TokenRange> &arguments, size_t count, std::string_view name) {
 		std::vector<Literal> numbers;
 		std::vector<double> values;

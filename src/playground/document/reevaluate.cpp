@@ -12,7 +12,7 @@ namespace playground {
 
 namespace {
 
-// Longer cycles are not spelled out.
+// The error of a longer cycle does not list its entries.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
 
 std::string quoted(const std::string &name) {
@@ -90,7 +90,7 @@ std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const Entry
 	constexpr int CHANGED = 1;
 	constexpr int STALE = 2;
 	const std::vector<Entry *> affected = with_dependents(entries);
-	const std::vector<Component> components = in_order_of_evaluation(affected);
+	const std::vector<Component> components = components_in_evaluation_order(affected);
 	for (Entry *entry : affected) {
 		entry->mark = UNCHANGED;
 	}

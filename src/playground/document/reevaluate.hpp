@@ -6,10 +6,10 @@
 
 namespace playground {
 
-// Recomputes `entries` and those of their dependents that can have changed: a dependency has a new value or error. Returns
-// the entries whose value or error changed, dependencies first.
+// Recomputes `entries`, and those of their dependents that have a dependency with a new value or error. Returns the entries
+// whose value or error changed, dependencies first.
 //
-// An entry with an error does not stop the others; the error of an entry that depends on it names it.
+// An error in one entry does not stop the evaluation of the others; the errors of its dependents name it.
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index);
 
 } // namespace playground

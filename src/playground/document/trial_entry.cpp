@@ -11,7 +11,7 @@ namespace playground {
 
 namespace {
 
-// Connects `trial` to copies of the entries that it depends on, in which it takes the place of the entry of its name.
+// Connects `trial` to copies of the entries that it depends on, as if it replaced the entry with its name.
 void connect_to_copies(Entry &trial, const std::vector<const Entry *> &reached, std::deque<Entry> &copies) {
 	EntryIndex index = { { trial.name, &trial } };
 	for (const Entry *entry : reached) {

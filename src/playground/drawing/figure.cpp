@@ -20,13 +20,13 @@ namespace {
 using cga::Classification;
 using cga::Kind;
 
-constexpr double ENDLESS = 1e6, MARKER_SIZE = 0.1; // meters
+constexpr double UNBOUNDED = 1e6, MARKER_SIZE = 0.1; // meters
 
 bool is_finite(const Vector &v) {
 	return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Coefficients hundreds of orders of magnitude apart overflow while the center is computed.
+// False if coefficients that differ by hundreds of orders of magnitude overflowed in the classification.
 bool is_in_range(const Classification &found) {
 	const Vector nothing(0.0);
 	return is_finite(found.center.value_or(nothing)) && is_finite(found.normal.value_or(nothing)) && is_finite(found.direction.value_or(nothing)) && std::isfinite(found.radius.value_or(0.0)) && std::isfinite(found.distance.value_or(0.0));
@@ -92,7 +92,7 @@ Figure figure_of(const cga::Multivector &x, bool ipns) {
 			figure.label_position = radius < LARGE_RADIUS ? top_of(center, *found.normal, radius) : figure.parts[0].placement.origin;
 			break;
 		case Kind::SPHERE:
-			figure.parts.push_back({ Form::SPHERE, globe(center, radius), points_inward(x, found.ipns) ? -radius : radius, false });
+			figure.parts.push_back({ Form::SPHERE, on_sphere(center, radius), points_inward(x, found.ipns) ? -radius : radius, false });
 			figure.label_position = figure.parts[0].placement.origin;
 			break;
 		case Kind::PLANE:
@@ -128,16 +128,16 @@ Figure figure_of(const cga::Multivector &x, bool ipns) {
 
 Box placed(const Box &box, const Placement &placement) {
 	const Vector half = 0.5 * (box.max - box.min);
-	const Vector middle = placement.apply(box.min + half);
+	const Vector center = placement.apply(box.min + half);
 	const Vector reach = glm::abs(placement.x) * half.x + glm::abs(placement.y) * half.y + glm::abs(placement.z) * half.z;
-	return { middle - reach, middle + reach };
+	return { center - reach, center + reach };
 }
 
 Placement placed(const Placement &inner, const Placement &space) {
-	const auto turned = [&](const Vector &axis) {
+	const auto rotated = [&](const Vector &axis) {
 		return space.x * axis.x + space.y * axis.y + space.z * axis.z;
 	};
-	return { turned(inner.x), turned(inner.y), turned(inner.z), space.apply(inner.origin) };
+	return { rotated(inner.x), rotated(inner.y), rotated(inner.z), space.apply(inner.origin) };
 }
 
 Box merged(const Box &a, const Box &b) {
@@ -153,7 +153,7 @@ Box bounds_of(const Part &part, const Strokes &custom) {
 	switch (part.form) {
 		case Form::LINE:
 		case Form::PLANE:
-			return { Vector(-ENDLESS), Vector(ENDLESS) };
+			return { Vector(-UNBOUNDED), Vector(UNBOUNDED) };
 		case Form::CIRCLE:
 			return { { -r, -MARKER_SIZE, -2.0 * r }, { r, MARKER_SIZE, 0.0 } };
 		case Form::SPHERE:

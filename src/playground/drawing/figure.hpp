@@ -36,14 +36,14 @@ struct Figure {
 	std::optional<Vector> label_position;
 };
 
-// Without parts for what has neither a position nor a direction: scalars, e_inf, and multivectors that are no object.
+// The figure of a scalar, of e_inf, or of a multivector that is not an object has no parts.
 [[nodiscard]] Figure figure_of(const cga::Multivector &x, bool ipns = false);
 
 struct Box {
 	Vector min, max;
 };
-// Bounds of a form in its own space. Dots count as 0.1 m, arrows and discs of constant size on the screen as 1 m, endless
-// forms as 1e6 m.
+// Bounds of a form in its own space. Dots count as 0.1 m, arrows and discs of constant size on the screen as 1 m,
+// unbounded forms as 1e6 m.
 [[nodiscard]] Box bounds_of(const Part &part, const Strokes &custom);
 // The axis-aligned box around a placed box.
 [[nodiscard]] Box placed(const Box &box, const Placement &placement);
@@ -52,7 +52,7 @@ struct Box {
 // The composition: first `inner`, then `space`.
 [[nodiscard]] Placement placed(const Placement &inner, const Placement &space);
 
-// From this radius on the anchor of a circle or sphere is its point nearest to the origin.
+// The anchor of a circle or sphere of at least this radius is its point nearest to the origin.
 inline constexpr double LARGE_RADIUS = 100.0;
 
 } // namespace playground::drawing

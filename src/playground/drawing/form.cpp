@@ -8,7 +8,7 @@ namespace playground::drawing {
 
 namespace {
 
-constexpr float TURN = 6.28318531f;
+constexpr float TAU = 6.28318531f;
 constexpr float THIN_OPACITY = 0.4f;
 const glm::vec3 X(1.0f, 0.0f, 0.0f), Y(0.0f, 1.0f, 0.0f), Z(0.0f, 0.0f, 1.0f);
 
@@ -21,7 +21,7 @@ void add_ring(Strokes &strokes, float ring, int steps, const Pen &pen) {
 	strokes.add_curve(points, pen);
 }
 
-// `arrow` counts from 1: it is 0 in vertices that are not of an arrow.
+// Arrows are numbered from 1: a vertex with `arrow` 0 does not belong to an arrow.
 void add_arrows(Strokes &strokes, int count) {
 	for (int i = 1; i <= count; ++i) {
 		strokes.add_marker(Profile::ARROW, ARROW, { 0.0f, 0.0f, float(i) }, X);
@@ -43,7 +43,7 @@ Fill polar_fill(int count, int sectors, float last) {
 	Fill fill;
 	for (int i = 0; i <= count; ++i) {
 		for (int j = 0; j <= sectors; ++j) {
-			fill.vertices.push_back({ last * float(i) / float(count), TURN * float(j) / float(sectors), 0.0f });
+			fill.vertices.push_back({ last * float(i) / float(count), TAU * float(j) / float(sectors), 0.0f });
 			if (i > 0 && j > 0) {
 				const int32_t here = int32_t(fill.vertices.size()) - 1, below = here - sectors - 1;
 				fill.indices.insert(fill.indices.end(), { below - 1, here - 1, here, below - 1, here, below });
@@ -55,7 +55,7 @@ Fill polar_fill(int count, int sectors, float last) {
 
 Fill disc(float radius) {
 	Fill fill;
-	for (const CurvePoint &point : arc(radius, 0.0f, TURN, 40)) {
+	for (const CurvePoint &point : arc(radius, 0.0f, TAU, 40)) {
 		const int32_t here = int32_t(fill.vertices.size());
 		fill.vertices.push_back(point.position);
 		if (here > 1) {
@@ -76,7 +76,7 @@ void add_sphere(FormMesh &mesh) {
 	}
 	std::vector<CurvePoint> outline;
 	for (int i = 0; i <= OUTLINE_STEPS; ++i) {
-		outline.push_back({ { TURN * float(i) / OUTLINE_STEPS, OUTLINE, 0.0f }, X });
+		outline.push_back({ { TAU * float(i) / OUTLINE_STEPS, OUTLINE, 0.0f }, X });
 	}
 	mesh.strokes.add_curve(outline);
 	mesh.fill = polar_fill(8, 64, 1.0f);
@@ -85,13 +85,13 @@ void add_sphere(FormMesh &mesh) {
 void add_plane(FormMesh &mesh) {
 	std::vector<CurvePoint> horizon;
 	for (int i = 0; i <= OUTLINE_STEPS; ++i) {
-		horizon.push_back({ { 3.0f, TURN * float(i) / OUTLINE_STEPS, 0.0f }, X });
+		horizon.push_back({ { 3.0f, TAU * float(i) / OUTLINE_STEPS, 0.0f }, X });
 	}
 	mesh.strokes.add_curve(horizon, { HALF_THIN, 0.6f, {} });
 	mesh.fill = polar_fill(3, 32, 3.0f);
 }
 
-// Several at once: a direction has no position.
+// Three arrows, because a direction has no position.
 void add_parallel_arrows(Strokes &strokes) {
 	for (int i = -1; i <= 1; ++i) {
 		const glm::vec3 middle = 13.0f * float(i) * X - 10.0f * float(i * i) * Z;
@@ -101,7 +101,7 @@ void add_parallel_arrows(Strokes &strokes) {
 
 void add_parallel_circles(Strokes &strokes) {
 	for (int i = -1; i <= 1; ++i) {
-		std::vector<CurvePoint> circle = arc(10.0f, 0.4f, TURN, 32);
+		std::vector<CurvePoint> circle = arc(10.0f, 0.4f, TAU, 32);
 		for (CurvePoint &point : circle) {
 			point.position += 26.0f * float(i) * X;
 		}
@@ -178,7 +178,7 @@ FormMesh mesh_of(Form form) {
 			strokes.add_marker(Profile::DOT, DOT, {}, X);
 			break;
 		case Form::TANGENT_ACROSS: {
-			const std::vector<CurvePoint> rim = arc(20.0f, 0.0f, TURN, 48);
+			const std::vector<CurvePoint> rim = arc(20.0f, 0.0f, TAU, 48);
 			strokes.add_curve(rim);
 			strokes.add_marker(Profile::ARROW, 0.8f * ARROW, rim[6].position, rim[6].tangent);
 			strokes.add_marker(Profile::ARROW, 0.8f * ARROW, rim[30].position, rim[30].tangent);

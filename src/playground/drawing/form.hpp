@@ -17,7 +17,7 @@ enum class Form {
 	CIRCLE, // through the origin, center (0, 0, -radius), normal y
 	SPHERE, // through the origin, center (0, 0, -radius)
 	PLANE, // normal z
-	NORMAL, // an arrow along z on the side that a plane faces
+	NORMAL, // an arrow along z, on the front of a plane
 	TANGENT_ALONG, // an arrow along z
 	TANGENT_ACROSS, // a disc with normal z
 	DIRECTION_ALONG, // arrows along z
@@ -29,8 +29,8 @@ inline constexpr int SHARED_FORM_COUNT = int(Form::CUSTOM);
 enum class Space {
 	MODEL, // meters
 	SCREEN, // pixels, scaled at the depth of the origin
-	ROUND, // (s, ring, arrow): shaders/round_places.gdshaderinc
-	LINE, // (step, 0, arrow): shaders/endless_places.gdshaderinc
+	ROUND, // (s, ring, arrow): shaders/round_positions.gdshaderinc
+	LINE, // (step, 0, arrow): shaders/unbounded_positions.gdshaderinc
 	PLANE, // (step, azimuth, 0): likewise
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 using Pose = cga::Pose<double>;
 
-// Smaller angles and changes of scale count as none.
+// Smaller angles and changes of scale count as zero.
 constexpr double EPSILON = 1e-9;
 
 Vector moved(const Pose &pose, const Vector &point) {
@@ -67,15 +67,15 @@ std::optional<Vector> fixed_point_of(const Pose &pose) {
 
 // Without scale, for the part t of the translation perpendicular to the axis n: p = (t + cot(angle / 2) n x t) / 2.
 std::optional<MotorAxis> axis_of(const Pose &pose) {
-	const cga::AxisAngle<double> turn = cga::short_axis_angle(pose.rotation);
-	if (turn.angle <= EPSILON) {
+	const cga::AxisAngle<double> rotation = cga::short_axis_angle(pose.rotation);
+	if (rotation.angle <= EPSILON) {
 		return std::nullopt;
 	}
 	if (const std::optional<Vector> fixed = fixed_point_of(pose)) {
-		return MotorAxis{ *fixed, turn.axis };
+		return MotorAxis{ *fixed, rotation.axis };
 	}
-	const Vector across = pose.translation - turn.axis * glm::dot(pose.translation, turn.axis);
-	return MotorAxis{ 0.5 * (across + glm::cross(turn.axis, across) / std::tan(0.5 * turn.angle)), turn.axis };
+	const Vector across = pose.translation - rotation.axis * glm::dot(pose.translation, rotation.axis);
+	return MotorAxis{ 0.5 * (across + glm::cross(rotation.axis, across) / std::tan(0.5 * rotation.angle)), rotation.axis };
 }
 
 Strokes motor_strokes(const Pose &pose) {

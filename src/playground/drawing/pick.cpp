@@ -12,7 +12,7 @@ namespace playground::drawing {
 
 namespace {
 
-constexpr double TURN = 6.283185307179586;
+constexpr double TAU = 6.283185307179586;
 constexpr int SAMPLES = 96, REFINEMENTS = 40;
 
 std::optional<PickHit> pick_point(const Vector &point, const PickRay &ray) {
@@ -87,7 +87,7 @@ std::optional<PickHit> pick_circle(const Part &part, const PickRay &ray) {
 	const Vector to = ray.origin - at.origin;
 	const double nearest = std::atan2(glm::dot(to, at.x), glm::dot(to, at.z) + radius);
 	const auto curve = [&](double s) {
-		const double angle = nearest + 0.5 * TURN * s * std::abs(s), half_sine = std::sin(0.5 * angle);
+		const double angle = nearest + 0.5 * TAU * s * std::abs(s), half_sine = std::sin(0.5 * angle);
 		return at.origin + at.x * (radius * std::sin(angle)) - at.z * (2.0 * radius * half_sine * half_sine);
 	};
 	return pick_curve(curve, -1.0, 1.0, 4 * SAMPLES, ray);

@@ -8,7 +8,7 @@
 
 namespace playground::drawing {
 
-// A view ray through a pixel, in the space of the figure. At a depth a pixel measures pixel_at_origin + pixel_per_meter * depth.
+// A view ray through a pixel, in the space of the figure. The size of a pixel is pixel_at_origin + pixel_per_meter * depth.
 struct PickRay {
 	Vector origin;
 	Vector direction; // unit

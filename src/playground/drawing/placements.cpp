@@ -43,7 +43,7 @@ Placement around(const Vector &center, const Vector &normal, double radius) {
 	return { glm::cross(normal, outward), normal, outward, center + radius * outward };
 }
 
-Placement globe(const Vector &center, double radius) {
+Placement on_sphere(const Vector &center, double radius) {
 	Vector outward(0.0, 1.0, 0.0);
 	if (radius >= LARGE_RADIUS && glm::length(center) > 1e-9 * radius) {
 		outward = -glm::normalize(center);

@@ -15,6 +15,6 @@ namespace playground::drawing {
 // Of Form::CIRCLE: the origin is the anchor of the circle, y its normal.
 [[nodiscard]] Placement around(const Vector &center, const Vector &normal, double radius);
 // Of Form::SPHERE: the origin is the anchor of the sphere.
-[[nodiscard]] Placement globe(const Vector &center, double radius);
+[[nodiscard]] Placement on_sphere(const Vector &center, double radius);
 
 } // namespace playground::drawing

@@ -16,12 +16,12 @@ std::string begin_shader(const char *render_modes, Renderer renderer) {
 	return std::string("shader_type spatial;\nrender_mode unshaded, cull_disabled, shadows_disabled, fog_disabled, skip_vertex_transform, ") + render_modes + ";\n" + constants + shader_sources::COMMON;
 }
 
-// `functions` are those that `place` calls.
-std::string assemble_stroke(std::string begin, const char *functions, std::string_view place) {
-	constexpr std::string_view MARKER = "#include STROKE_PLACE\n";
+// `functions` defines the functions that `position` calls.
+std::string assemble_stroke(std::string begin, const char *functions, std::string_view position) {
+	constexpr std::string_view MARKER = "#include STROKE_POSITION\n";
 	const std::string_view stroke = shader_sources::STROKE;
 	const size_t at = stroke.find(MARKER);
-	return begin.append(functions).append(stroke.substr(0, at)).append(place).append(stroke.substr(at + MARKER.size()));
+	return begin.append(functions).append(stroke.substr(0, at)).append(position).append(stroke.substr(at + MARKER.size()));
 }
 
 } // namespace
@@ -32,15 +32,15 @@ std::string stroke_shader(Space space, Renderer renderer, StrokePass pass) {
 	const std::string begin = begin_shader(core ? "depth_draw_always" : "depth_draw_never", renderer) + (core ? "const bool IS_CORE = true;\n" : "const bool IS_CORE = false;\n");
 	switch (space) {
 		case Space::MODEL:
-			return assemble_stroke(begin, "", STROKE_PLACE_MODEL);
+			return assemble_stroke(begin, "", STROKE_POSITION_MODEL);
 		case Space::SCREEN:
-			return assemble_stroke(begin, "", STROKE_PLACE_SCREEN);
+			return assemble_stroke(begin, "", STROKE_POSITION_SCREEN);
 		case Space::ROUND:
-			return assemble_stroke(begin, ROUND_PLACES, STROKE_PLACE_ROUND);
+			return assemble_stroke(begin, ROUND_POSITIONS, STROKE_POSITION_ROUND);
 		case Space::LINE:
-			return assemble_stroke(begin, ENDLESS_PLACES, STROKE_PLACE_LINE);
+			return assemble_stroke(begin, UNBOUNDED_POSITIONS, STROKE_POSITION_LINE);
 		default:
-			return assemble_stroke(begin, "", STROKE_PLACE_PLANE);
+			return assemble_stroke(begin, "", STROKE_POSITION_PLANE);
 	}
 }
 
@@ -49,9 +49,9 @@ std::string fill_shader(Space space, Renderer renderer) {
 	const std::string begin = begin_shader("depth_draw_never", renderer);
 	switch (space) {
 		case Space::ROUND:
-			return begin + ROUND_PLACES + FILL_ROUND;
+			return begin + ROUND_POSITIONS + FILL_ROUND;
 		case Space::PLANE:
-			return begin + ENDLESS_PLACES + FILL_PLANE;
+			return begin + UNBOUNDED_POSITIONS + FILL_PLANE;
 		default:
 			return begin + FILL_SCREEN;
 	}

@@ -5,16 +5,16 @@
 namespace playground::drawing::shader_sources {
 
 extern const char *const COMMON;
-extern const char *const ENDLESS_PLACES;
+extern const char *const UNBOUNDED_POSITIONS;
 extern const char *const FILL_PLANE;
 extern const char *const FILL_ROUND;
 extern const char *const FILL_SCREEN;
-extern const char *const ROUND_PLACES;
+extern const char *const ROUND_POSITIONS;
 extern const char *const STROKE;
-extern const char *const STROKE_PLACE_LINE;
-extern const char *const STROKE_PLACE_MODEL;
-extern const char *const STROKE_PLACE_PLANE;
-extern const char *const STROKE_PLACE_ROUND;
-extern const char *const STROKE_PLACE_SCREEN;
+extern const char *const STROKE_POSITION_LINE;
+extern const char *const STROKE_POSITION_MODEL;
+extern const char *const STROKE_POSITION_PLANE;
+extern const char *const STROKE_POSITION_ROUND;
+extern const char *const STROKE_POSITION_SCREEN;
 
 } // namespace playground::drawing::shader_sources

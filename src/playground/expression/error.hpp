@@ -7,8 +7,8 @@
 
 namespace playground {
 
-// Why something was refused, where no place in a text is to blame (that is cga::TextError): what was wrong and what is
-// accepted, without a final period.
+// Why a request was refused: what was wrong and what is accepted, without a final period. An error with a position in a
+// text is a cga::TextError.
 struct Error {
 	std::string message;
 

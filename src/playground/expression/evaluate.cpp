@@ -70,7 +70,7 @@ std::string ordinal(size_t index) {
 // Evaluates the nodes in order, on a stack of values.
 class Evaluation {
 public:
-	// `values` in the order of the expression's variables(), null where unknown; `known` supplies suggestions for those.
+	// `values` in the order of the expression's variables(), null where unknown; `known` has the names to suggest instead.
 	Evaluation(const Expression &expression, const std::vector<const Multivector *> &values, const Variables &known) :
 			_expression(expression), _values(values), _known(known) {
 		_stack.reserve(size_t(expression.stack_size()));

@@ -19,7 +19,7 @@ struct FunctionTable {
 [[nodiscard]] FunctionTable object_functions();
 // Products, grades, conjugations, norms.
 [[nodiscard]] FunctionTable product_functions();
-// Translators, rotors, dilators, motors; exp, log and powers; applying and taking apart motors.
+// Translators, rotors, dilators, motors; exp, log and powers; applying and decomposing motors.
 [[nodiscard]] FunctionTable versor_functions();
 
 // Abbreviations for the tables.

@@ -136,14 +136,14 @@ std::string_view closest_name(std::string_view name, const std::vector<std::stri
 		return closest;
 	}
 	// At most a third of the bytes may differ, or one byte of a short name.
-	size_t fewest = std::max<size_t>(1, name.size() / 3) + 1;
+	size_t smallest = std::max<size_t>(1, name.size() / 3) + 1;
 	for (const std::string_view candidate : candidates) {
 		if (candidate.size() > MAX_NAME_LENGTH || candidate.size() < 2) {
 			continue;
 		}
 		const size_t distance = lower_case(candidate) == lower_case(name) ? 0 : edit_distance(name, candidate);
-		if (distance < fewest) {
-			fewest = distance;
+		if (distance < smallest) {
+			smallest = distance;
 			closest = candidate;
 		}
 	}

@@ -15,7 +15,7 @@ namespace playground {
 
 inline constexpr size_t MAX_NAME_LENGTH = 64; // characters
 
-// The length in bytes of the name at the start of a text, 0 if there is none. Not limited to MAX_NAME_LENGTH.
+// The length in bytes of the name at the start of a text, 0 if it does not start with a name. Not limited to MAX_NAME_LENGTH.
 [[nodiscard]] size_t name_length(std::string_view text);
 
 // The value of a constant: e1 .. e12345 with digits in any order, eo, einf (also ei), E, I, pi, tau.

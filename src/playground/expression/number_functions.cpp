@@ -92,7 +92,7 @@ constexpr Overload TABLE[] = {
 	{ "tanh", "x", 1, { N }, of_number<std::tanh>, "hyperbolic tangent" },
 	{ "exp", "x", 1, { N }, of_number<std::exp>, "e to the power of x" },
 	{ "log", "x", 1, { N }, logarithm, "natural logarithm of a number above 0" },
-	{ "sqrt", "x", 1, { N }, square_root, "square root of a number that is not negative" },
+	{ "sqrt", "x", 1, { N }, square_root, "square root of a non-negative number" },
 	{ "power", "x, exponent", 2, { N, N }, power, "x to the power of the exponent" },
 	{ "abs", "x", 1, { N }, of_number<std::fabs>, "absolute value" },
 	{ "sign", "x", 1, { N }, of_number<sign>, "-1, 0 or 1" },

@@ -134,7 +134,7 @@ private:
 		if (_token.kind != TokenKind::NAME && _token.kind != TokenKind::OPEN) {
 			return;
 		}
-		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which few expect.
+		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which is rarely intended.
 		const auto before = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.level != PREFIX_LEVEL; });
 		if (before != _pending.rend() && before->kind == Pending::OPERATOR && before->node.kind == NodeKind::DIVIDE) {
 			const std::string divisor = text_of(token);
@@ -149,9 +149,9 @@ private:
 	void read_coefficients(const Token &token) {
 		const cga::TextResult<cga::Multivector> value = cga::from_json(text_of(token));
 		if (!value) {
-			Token place = token;
-			place.offset += value.error().offset;
-			fail(place, value.error().message);
+			Token position = token;
+			position.offset += value.error().offset;
+			fail(position, value.error().message);
 			return;
 		}
 		add_constant(token, *value);
@@ -191,7 +191,7 @@ private:
 		return found->second;
 	}
 
-	// The column at an offset not below that of the last call, so that each character is counted only once.
+	// The column at an offset. Offsets must not decrease from call to call, so that each character is counted once.
 	int column_at(size_t offset) {
 		while (_counted < offset) {
 			const cga::Character character = cga::character_at(_expression._text, _counted);

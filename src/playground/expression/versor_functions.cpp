@@ -3,7 +3,6 @@
 #include "cga/motor/axis_angle.hpp"
 #include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
-#include "cga/motor/motor_factors.hpp"
 #include "cga/text/readable.hpp"
 #include "cga/versor/exponential.hpp"
 #include "cga/versor/logarithm.hpp"
@@ -51,7 +50,7 @@ FunctionResult rotor_of_quaternion(const Arguments &arguments) {
 	const double real = arguments.number(3);
 	const double size = std::max(largest(imaginary.x, imaginary.y, imaginary.z), std::abs(real));
 	if (size == 0.0) {
-		return Error("the quaternion is zero; no rotation is (0, 0, 0, 1)");
+		return Error("the quaternion is zero; use (0, 0, 0, 1) for no rotation");
 	}
 	return cga::rotor(glm::normalize(Quaternion<double>(real / size, imaginary.x / size, imaginary.y / size, imaginary.z / size)));
 }
@@ -112,13 +111,13 @@ constexpr Overload TABLE[] = {
 	{ "translator", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::translator(a.numbers(0)); }, "translates by (x, y, z)" },
 	{ "rotor", "axis, angle", 2, { V, N }, rotor_of_axis, "rotates about an axis through the origin by an angle in radians, right-handed" },
 	{ "rotor", "x, y, z, w", 4, { N, N, N, N }, rotor_of_quaternion, "rotates by a quaternion, in the order of Godot's Quaternion" },
-	{ "dilator", "scale", 1, { N }, dilator, "scales from the origin" },
+	{ "dilator", "scale", 1, { N }, dilator, "scales about the origin" },
 	{ "motor", "translation, rotor", 2, { V, R }, rigid_motor, "rotates, then translates" },
 	{ "motor", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "scales, then rotates, then translates" },
 	{ "motor_from", "translation, rotor, scale", 3, { V, R, N }, scaled_motor, "as motor" },
 
 	{ "exp", "x", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::exp(a[0]); }, "the exponential; of a bivector, a versor" },
-	{ "log", "versor", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::log(a[0]); }, "the logarithm of a versor, along the shortest rotation" },
+	{ "log", "versor", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::log(a[0]); }, "the logarithm of a versor, by the shorter rotation" },
 	{ "sqrt", "versor", 1, { X }, [](const Arguments &a) -> FunctionResult { return cga::sqrt(a[0]); }, "the versor of half the motion" },
 	{ "power", "versor, exponent", 2, { X, N }, [](const Arguments &a) -> FunctionResult { return cga::power(a[0], a.number(1)); }, "the versor of a fraction or a multiple of the motion" },
 

@@ -13,7 +13,7 @@ namespace {
 
 using Position = std::optional<Vector>;
 
-constexpr double TURN = 6.283185307179586;
+constexpr double TAU = 6.283185307179586;
 // Directions count as parallel or perpendicular below this sine or cosine of their angle.
 constexpr double MIN_SINE = 1e-6;
 
@@ -104,7 +104,7 @@ Position on_circle(const ViewRay &ray, const Constraint &constraint) {
 		return std::nullopt;
 	}
 	constexpr int SAMPLES = 128;
-	constexpr double STEP = TURN / SAMPLES;
+	constexpr double STEP = TAU / SAMPLES;
 	double best_angle = 0.0, best = HUGE_VAL;
 	for (int i = 0; i < SAMPLES; ++i) {
 		// 0, 1, -1, 2, -2, ...

@@ -27,8 +27,8 @@ struct Constraint {
 inline constexpr double MAX_DISTANCE = 1e9;
 
 // The allowed position closest to the ray, in front of the eye. Where the ray meets a sphere twice, the position on the same
-// side as the current one. Empty if there is none, or no single one: for a ray along the line or plane, a circle or sphere of
-// radius zero, and positions behind the eye, beyond MAX_DISTANCE or not finite.
+// side as the current one. Empty if no such position exists or it is not unique: for a ray along the line or plane, a circle
+// or sphere of radius zero, and positions behind the eye, beyond MAX_DISTANCE or not finite.
 [[nodiscard]] std::optional<Vector> position_on(const ViewRay &ray, const Constraint &constraint);
 
 } // namespace playground::handles

@@ -16,12 +16,12 @@ namespace playground::handles {
 
 namespace {
 
-constexpr double TURN = 6.283185307179586;
+constexpr double TAU = 6.283185307179586;
 constexpr std::string_view POSITIONS[] = { "position", "center", "point", "a", "b", "c", "d", "offset", "vector", "translation" };
 
 std::optional<Drag> dragged_direction(const FreeObject &object, const Handle &start, const Vector &position, const Steps &steps) {
 	Vector direction = glm::normalize(position - start.constraint.center);
-	// The arm of a plane's normal points away from the origin, which may be against the normal.
+	// The arm of a plane's normal points away from the origin, which may be opposite to the normal.
 	if (start.key == "normal" && object.number("distance").value_or(0.0) < 0.0) {
 		direction = -direction;
 	}
@@ -42,14 +42,14 @@ std::optional<Drag> dragged_angle(const FreeObject &object, const Handle &start,
 	const Vector arm = position - start.constraint.center;
 	double angle = rounded(std::atan2(glm::dot(arm, frame.y), glm::dot(arm, frame.x)), steps.angle);
 	if (const std::optional<double> old = object.number("angle"); old && object.can_set("angle")) {
-		// Continue from the old angle, which may exceed a turn.
-		angle += TURN * std::round((*old - angle) / TURN);
+		// Continue from the old angle, which may exceed a full rotation.
+		angle += TAU * std::round((*old - angle) / TAU);
 		return Drag{ "angle", angle };
 	}
 	return object.rotation() ? std::optional<Drag>(Drag{ "rotation", glm::angleAxis(angle, start.constraint.axis) }) : std::nullopt;
 }
 
-// Snapped to the grid, except for the coordinate that the motion keeps: the one along a view direction that is an axis.
+// Snaps to the grid. If the view direction is along an axis, the coordinate on that axis does not change.
 Vector rounded_position(const Handle &start, const ViewRay &ray, const Vector &position, double step) {
 	Vector on_grid = rounded(position, step);
 	const double size = cga::detail::length(ray.view);
@@ -97,16 +97,16 @@ std::optional<Drag> dragged_length(const FreeObject &object, const Handle &start
 
 std::optional<Drag> drag(const Document &document, std::string_view name, const Handle &start, const ViewRay &ray, const Steps &steps) {
 	const std::optional<FreeObject> object = FreeObject::find(document, name);
-	Constraint held = start.constraint;
-	const bool is_held = held.motion == Motion::FREE || held.motion == Motion::LINE;
-	if (is_held) {
-		held.position += start.grab;
+	Constraint grabbed = start.constraint;
+	const bool has_grab_offset = grabbed.motion == Motion::FREE || grabbed.motion == Motion::LINE;
+	if (has_grab_offset) {
+		grabbed.position += start.grab;
 	}
-	std::optional<Vector> position = position_on(ray, held);
+	std::optional<Vector> position = position_on(ray, grabbed);
 	if (!object || !position) {
 		return std::nullopt;
 	}
-	if (is_held) {
+	if (has_grab_offset) {
 		*position -= start.grab;
 	}
 	std::optional<Drag> result;
@@ -116,7 +116,7 @@ std::optional<Drag> drag(const Document &document, std::string_view name, const 
 		result = moved_object(*object, *position, rounded_position(start, ray, *position, steps.length), steps);
 	} else if (start.key == "angle") {
 		result = dragged_angle(*object, start, *position, steps);
-	} else if (held.motion == Motion::SPHERE) {
+	} else if (grabbed.motion == Motion::SPHERE) {
 		result = dragged_direction(*object, start, *position, steps);
 	} else {
 		result = dragged_length(*object, start, *position, steps);

@@ -19,7 +19,7 @@ struct Drag {
 
 // The parameter change that moves a handle to the ray, as close as its constraint and the steps permit. `start` is the handle
 // at the beginning of the drag, which fixes the view plane, the grid and the lengths of arms. Empty if the handle cannot
-// follow: it does not exist any more, the ray gives no position (constraint.hpp), or a radius would not be positive.
+// follow: the handle no longer exists, the ray gives no position (constraint.hpp), or a radius would not be positive.
 [[nodiscard]] std::optional<Drag> drag(const Document &document, std::string_view name, const Handle &start, const ViewRay &ray, const Steps &steps = {});
 
 } // namespace playground::handles

@@ -21,7 +21,7 @@ FreeObject::FreeObject(const Document &document, const Entry &entry) :
 		_document(&document), _parameters(parameters_of(entry.text)), _arguments(arguments_of(entry.text)), _classification(cga::classify(*entry.value, is_set(entry.attributes, "ipns"))) {
 	const std::optional<cga::Motor<double>> motor = cga::to_motor(*entry.value);
 	_pose = motor ? motor->to_pose() : std::nullopt;
-	if (_pose && !is_as_written(*_pose)) {
+	if (_pose && !matches_parameters(*_pose)) {
 		_pose.reset();
 	}
 }
@@ -76,14 +76,14 @@ const cga::Multivector *FreeObject::coefficients() const {
 	return value ? std::get_if<cga::Multivector>(value) : nullptr;
 }
 
-bool FreeObject::is_as_written(const cga::Pose<double> &pose) const {
+bool FreeObject::matches_parameters(const cga::Pose<double> &pose) const {
 	constexpr double TOLERANCE = 1e-6;
 	const std::optional<Vector> offset = can_set("offset") ? vector("offset") : (can_set("translation") ? vector("translation") : std::nullopt);
 	if (offset && glm::distance(*offset, pose.translation) > TOLERANCE * (1.0 + glm::length(*offset))) {
 		return false;
 	}
-	const cga::Quaternion<double> *turn = rotation();
-	if (turn && std::abs(glm::dot(glm::normalize(*turn), pose.rotation)) < 1.0 - TOLERANCE) {
+	const cga::Quaternion<double> *literal_rotation = rotation();
+	if (literal_rotation && std::abs(glm::dot(glm::normalize(*literal_rotation), pose.rotation)) < 1.0 - TOLERANCE) {
 		return false;
 	}
 	const std::optional<double> scale = number("scale");

@@ -21,7 +21,7 @@ public:
 	// Whether it is a parameter (parameters.hpp).
 	[[nodiscard]] bool can_set(std::string_view parameter) const { return literal(parameter) != nullptr; }
 
-	// The value of a parameter or of a computed argument; empty if there is none of this type.
+	// The value of a parameter or of a computed argument; empty if it does not exist or has another type.
 	[[nodiscard]] std::optional<Vector> vector(std::string_view name) const;
 	[[nodiscard]] std::optional<double> number(std::string_view name) const;
 	// Null if there is no such parameter.
@@ -31,7 +31,7 @@ public:
 	[[nodiscard]] bool has_argument(std::string_view name) const;
 
 	[[nodiscard]] const cga::Classification &classification() const { return _classification; }
-	// The pose of a motor; empty for the inverse of the motor that is written.
+	// The pose of a motor; empty if it does not match the parameters, as for the reverse ~motor(...).
 	[[nodiscard]] const std::optional<cga::Pose<double>> &pose() const { return _pose; }
 
 private:
@@ -39,7 +39,7 @@ private:
 
 	[[nodiscard]] const LiteralValue *literal(std::string_view parameter) const;
 	[[nodiscard]] std::optional<cga::Multivector> computed(std::string_view argument) const;
-	[[nodiscard]] bool is_as_written(const cga::Pose<double> &pose) const;
+	[[nodiscard]] bool matches_parameters(const cga::Pose<double> &pose) const;
 
 	const Document *_document;
 	std::vector<Parameter> _parameters;

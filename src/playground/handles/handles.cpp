@@ -92,7 +92,7 @@ private:
 	}
 
 	// The center of a round, or the point of a line or tangent.
-	[[nodiscard]] std::optional<Vector> middle() const {
+	[[nodiscard]] std::optional<Vector> anchor() const {
 		for (const char *key : { "center", "point" }) {
 			if (const std::optional<Vector> position = _object.vector(key)) {
 				return position;
@@ -110,7 +110,7 @@ private:
 	}
 
 	void add_radius() {
-		const std::optional<Vector> center = middle();
+		const std::optional<Vector> center = anchor();
 		if (!_object.can_set("radius") || !center) {
 			return;
 		}
@@ -132,7 +132,7 @@ private:
 			return;
 		}
 		if (_object.has_argument("center") || _object.has_argument("point")) {
-			if (const std::optional<Vector> from = middle()) {
+			if (const std::optional<Vector> from = anchor()) {
 				add_arm("normal", *from, *normal);
 			}
 			return;
@@ -146,7 +146,7 @@ private:
 
 	void add_direction() {
 		const std::optional<Vector> direction = unit(_object.vector("direction"));
-		const std::optional<Vector> from = middle();
+		const std::optional<Vector> from = anchor();
 		if (_object.can_set("direction") && direction && from) {
 			add_arm("direction", *from, *direction);
 		}
@@ -156,7 +156,7 @@ private:
 		if (_object.can_set("translation")) {
 			add_free("translation", pose.translation, pose.translation, true);
 		}
-		add_turn(pose);
+		add_rotation(pose);
 		if (_object.can_set("scale")) {
 			// On the diagonal of the frame, away from the handles on its axes.
 			const Vector along = pose.rotation * glm::normalize(Vector(1.0));
@@ -165,22 +165,22 @@ private:
 	}
 
 	// At the end of the helix that is drawn around the axis.
-	void add_turn(const cga::Pose<double> &pose) {
+	void add_rotation(const cga::Pose<double> &pose) {
 		const cga::Quaternion<double> *rotation = _object.rotation();
 		std::optional<Vector> axis = unit(_object.vector("axis"));
 		std::optional<double> angle = _object.number("angle");
-		const bool is_written_so = axis || angle;
-		if (!is_written_so && rotation) {
-			const cga::AxisAngle<double> turn = cga::short_axis_angle(*rotation);
-			axis = turn.angle > 0.0 ? turn.axis : Vector(0.0, 1.0, 0.0);
-			angle = turn.angle;
+		const bool has_axis_or_angle = axis || angle;
+		if (!has_axis_or_angle && rotation) {
+			const cga::AxisAngle<double> axis_angle = cga::short_axis_angle(*rotation);
+			axis = axis_angle.angle > 0.0 ? axis_angle.axis : Vector(0.0, 1.0, 0.0);
+			angle = axis_angle.angle;
 		}
-		const bool can_turn_axis = is_written_so ? _object.can_set("axis") : rotation && *angle > 1e-9;
-		const bool can_turn = is_written_so ? _object.can_set("angle") : rotation != nullptr;
-		if (axis && can_turn_axis) {
+		const bool can_set_axis = has_axis_or_angle ? _object.can_set("axis") : rotation && *angle > 1e-9;
+		const bool can_set_angle = has_axis_or_angle ? _object.can_set("angle") : rotation != nullptr;
+		if (axis && can_set_axis) {
 			add_arm("axis", pose.translation, *axis);
 		}
-		if (axis && angle && can_turn) {
+		if (axis && angle && can_set_angle) {
 			const drawing::Placement frame = drawing::across(pose.translation, *axis);
 			const Vector outward = frame.x * std::cos(*angle) + frame.y * std::sin(*angle);
 			add("angle", { Motion::CIRCLE, pose.translation + outward * drawing::HELIX_RADIUS, pose.translation, *axis }, pose.translation, true, false);
@@ -210,7 +210,7 @@ std::vector<Handle> handles_of(const Document &document, std::string_view name, 
 	}
 	HandleCollector collector(*object, right);
 	collector.collect();
-	// Handles outside the draggable range.
+	// Handles beyond MAX_DISTANCE cannot be dragged.
 	const auto is_far = [](const Handle &handle) { return !(cga::detail::length(handle.constraint.position) <= MAX_DISTANCE && cga::detail::length(handle.stem) <= MAX_DISTANCE); };
 	collector.found.erase(std::remove_if(collector.found.begin(), collector.found.end(), is_far), collector.found.end());
 	return std::move(collector.found);

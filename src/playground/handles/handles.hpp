@@ -21,7 +21,7 @@ namespace playground::handles {
 //   objects written as a list or a sum of blades         object: free; planes along the normal
 //
 // `right` is the direction from the center of a sphere to its radius handle; for a circle the closest direction in its plane.
-// Empty for entries without value, without parameters or without a position.
+// Empty for entries without a value, parameters or a position.
 [[nodiscard]] std::vector<Handle> handles_of(const Document &document, std::string_view name, const Vector &right = Vector(1.0, 0.0, 0.0));
 
 } // namespace playground::handles

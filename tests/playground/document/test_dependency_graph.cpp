@@ -50,15 +50,15 @@ std::string names_of(const std::vector<Component> &components) {
 
 TEST_CASE("dependencies come before what depends on them") {
 	Graph graph{ { "d", "b + c" }, { "b", "a" }, { "c", "a + b" }, { "a", "1" } };
-	CHECK(names_of(in_order_of_evaluation(graph.all())) == "a b c d");
-	CHECK(names_of(in_order_of_evaluation({ graph["d"], graph["c"] })) == "c d");
+	CHECK(names_of(components_in_evaluation_order(graph.all())) == "a b c d");
+	CHECK(names_of(components_in_evaluation_order({ graph["d"], graph["c"] })) == "c d");
 	CHECK(with_dependents({ graph["b"] }).size() == 3);
 	CHECK(with_dependents({ graph["d"], graph["d"] }).size() == 1);
 }
 
 TEST_CASE("circles are found, and the shortest way round") {
 	Graph graph{ { "a", "b + c" }, { "b", "d" }, { "c", "a" }, { "d", "a" }, { "e", "e + a" }, { "f", "missing" } };
-	const std::vector<Component> components = in_order_of_evaluation(graph.all());
+	const std::vector<Component> components = components_in_evaluation_order(graph.all());
 	CHECK(names_of(components) == "abdc* e* f");
 	std::string way;
 	for (const Entry *entry : shortest_cycle(*graph["a"], components[0])) {

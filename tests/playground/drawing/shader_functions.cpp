@@ -26,7 +26,7 @@ using glm::normalize;
 using glm::sin;
 using glm::sqrt;
 
-#include "playground/drawing/shaders/endless_places.gdshaderinc"
-#include "playground/drawing/shaders/round_places.gdshaderinc"
+#include "playground/drawing/shaders/round_positions.gdshaderinc"
+#include "playground/drawing/shaders/unbounded_positions.gdshaderinc"
 
 } // namespace playground::drawing::shader_functions

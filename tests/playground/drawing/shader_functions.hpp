@@ -8,7 +8,7 @@ namespace playground::drawing::shader_functions {
 
 using glm::vec3;
 
-float endless_extent(float step, float near_extent, float far_plane);
+float unbounded_extent(float step, float near_extent, float far_plane);
 float line_arrow_position(float index, float eye_position, float distance);
 
 vec3 ring_point(float radius, float angle, float ring);

@@ -175,7 +175,7 @@ const std::vector<std::pair<std::string, std::string>> REFUSED = {
 	{ "grade(1, 6)", "grade: the grade must be an integer in 0..5, not 6" },
 	{ "grade(1, -1)", "grade: the grade must be an integer in 0..5, not -1" },
 	{ "rotor(0, 1)", "rotor: the axis is zero; pass a vector of any other length" },
-	{ "rotor(0, 0, 0, 0)", "rotor: the quaternion is zero; no rotation is (0, 0, 0, 1)" },
+	{ "rotor(0, 0, 0, 0)", "rotor: the quaternion is zero; use (0, 0, 0, 1) for no rotation" },
 	{ "dilator(0)", "dilator: the scale must be above 0, not 0" },
 	{ "motor(e1, 1, -2)", "motor: the scale must be above 0, not -2" },
 	{ "point_pair(e1, e1)", "point_pair: two of the points coincide; pass distinct points" },

@@ -37,7 +37,8 @@ func move(camera: Camera3D, mouse: Vector2, snaps: bool, keeps_height: bool) -> 
 	var space := start.node.global_transform
 	var ray := ViewRay.new(camera, mouse - _offset, space)
 	var pixel := (
-		ViewScale.pixel(camera, space * (start.handle["place"] as Vector3)) / space.basis.x.length()
+		ViewScale.pixel(camera, space * (start.handle["position"] as Vector3))
+		/ space.basis.x.length()
 	)
 	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
 	var angle := ViewScale.COARSE_ANGLE if snaps else ViewScale.FINE_ANGLE

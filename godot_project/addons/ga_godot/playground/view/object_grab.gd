@@ -14,7 +14,7 @@ static func take(node: GANode3D, camera: Camera3D, point: Vector2) -> ViewHandle
 	var handles := ViewHandle.of(node, camera)
 	for handle: ViewHandle in handles:
 		if handle.handle["moves_body"]:
-			var position: Vector3 = handle.handle["place"]
+			var position: Vector3 = handle.handle["position"]
 			var grabbed := _point_under(
 				node, ViewRay.new(camera, point, node.global_transform), position
 			)

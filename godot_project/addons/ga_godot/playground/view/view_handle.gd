@@ -31,8 +31,8 @@ func _init(p_node: GANode3D, p_handle: Dictionary, camera: Camera3D) -> void:
 			* ViewScale.pixel(camera, space * from)
 			/ space.basis.x.length()
 		)
-		handle["place"] = from + (handle["place"] as Vector3 - from) * length
-	var world_position := space * (handle["place"] as Vector3)
+		handle["position"] = from + (handle["position"] as Vector3 - from) * length
+	var world_position := space * (handle["position"] as Vector3)
 	is_visible = not camera.is_position_behind(world_position)
 	if is_visible:
 		position = camera.unproject_position(world_position)

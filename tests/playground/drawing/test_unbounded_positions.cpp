@@ -11,17 +11,17 @@ using namespace playground::drawing::shader_functions;
 TEST_CASE("endless forms reach beyond everything that a camera sees") {
 	for (const float far_plane : { 10.0f, 100.0f, 4000.0f, 1e5f }) {
 		for (const float near_extent : { 1e-4f, 1.0f, 30.0f, 1e6f }) {
-			CHECK(endless_extent(0.0f, near_extent, far_plane) == 0.0f);
+			CHECK(unbounded_extent(0.0f, near_extent, far_plane) == 0.0f);
 			float previous = 0.0f;
 			for (float step = 1.0f; step < 3.5f; step += 1.0f) {
-				const float extent = endless_extent(step, near_extent, far_plane);
+				const float extent = unbounded_extent(step, near_extent, far_plane);
 				CHECK(extent > previous);
 				previous = extent;
 			}
 			// The corner of a view of 120 degrees by 16 : 9 is four times as far as the far plane.
 			CHECK(previous > 8.0f * far_plane);
 			// Within half of what is seen, depth is exact.
-			CHECK(endless_extent(2.0f, near_extent, far_plane) == 0.5f * far_plane);
+			CHECK(unbounded_extent(2.0f, near_extent, far_plane) == 0.5f * far_plane);
 		}
 	}
 }
