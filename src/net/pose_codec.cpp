@@ -14,7 +14,7 @@ constexpr int ID_WIDTH_BITS = 5;
 constexpr double MAX_GRID_INDEX = 281474976710656.0;
 constexpr int MAX_OFFSET_BITS = 49;
 
-/// The box of grid indices that holds all bodies of a packet.
+/// The bounding box of the grid indices of a packet's bodies.
 struct Grid {
 	float step = 0;
 	int rotor_bits = 0;
@@ -90,7 +90,7 @@ void write_body(BitWriter &writer, const Grid &grid, const BodyPose &body, int64
 	if (gap != 0) {
 		const uint64_t code = zigzag(gap);
 		const int width = bit_width(code);
-		// Widths 1..32 as 0..31: a zero gap never gets here.
+		// Widths 1 to 32 as 0 to 31; the gap is not zero here.
 		writer.write(uint64_t(width - 1), ID_WIDTH_BITS);
 		writer.write(code, width);
 	}
@@ -135,7 +135,7 @@ std::optional<CodecFault> read_header(BitReader &reader, Grid &grid, size_t &cou
 	if (grid.rotor_bits < MIN_ROTOR_BITS || grid.rotor_bits > MAX_ROTOR_BITS) {
 		return CodecFault::ROTOR_SIZE_OUT_OF_RANGE;
 	}
-	// Also bounds what a hostile count can make the receiver allocate.
+	// This also bounds what a forged count can make the receiver allocate.
 	if (count > reader.bits_left() / record_bits) {
 		return CodecFault::TOO_SHORT_FOR_COUNT;
 	}

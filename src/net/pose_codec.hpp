@@ -17,8 +17,9 @@ struct BodyPose {
 	cga::Pose<float> pose;
 };
 
+/// Why encode or decode failed.
 enum class CodecFault : uint8_t {
-	// Of encode's input.
+	// encode(): the input.
 	ID_OUT_OF_RANGE,
 	POSE_NOT_FINITE,
 	POSITION_TOO_FAR,
@@ -26,7 +27,7 @@ enum class CodecFault : uint8_t {
 	SCALE_OUT_OF_RANGE,
 	POSITION_TOLERANCE_OUT_OF_RANGE,
 	ROTATION_TOLERANCE_OUT_OF_RANGE,
-	// Of a packet.
+	// decode(): the packet.
 	OTHER_FORMAT_VERSION,
 	HEADER_POSITION_OUT_OF_RANGE,
 	HEADER_TRUNCATED,
@@ -46,17 +47,17 @@ enum class CodecFault : uint8_t {
 
 struct CodecError {
 	CodecFault fault;
-	size_t index; ///< of the body, or of the body's record
+	size_t index; ///< of the body or record; 0 if the fault is not in one
 };
 
 using CodecResult = cga::Result<void, CodecError>;
 
-/// Encodes poses as absolute, quantized motors, several in one packet. Each packet
-/// stands alone. A byte-aligned header, then one bit-packed record for each body:
+/// Version of the packet format. A packet holds the absolute, quantized poses of several bodies and can be decoded without
+/// any other. A byte-aligned header, then one bit-packed record for each body:
 ///
 ///   u8       FORMAT_VERSION
 ///   varint   count of bodies
-///   f32      grid step h in metres, little endian
+///   f32      grid step h in meters, little endian
 ///   u8       bits of a rotor component
 ///   3 times  zigzag varint: minimum grid index on the axis; u8: bits of the offsets
 ///   records  1 bit: id is the previous one + 1 (before the first: -1);
@@ -69,13 +70,11 @@ using CodecResult = cga::Result<void, CodecError>;
 /// At the default tolerance, in an arena of 40 m, a pose takes about 9 bytes.
 inline constexpr uint8_t FORMAT_VERSION = 1;
 
-/// Replaces `packet` with the encoded bodies. Positions arrive within
-/// tolerance.position plus float32 rounding, rotations within
-/// tolerance.rotation. On an error `packet` is empty.
+/// Replaces `packet` with the encoded bodies. The error of positions is at most tolerance.position plus float32 rounding, that
+/// of rotations at most tolerance.rotation. On failure `packet` is empty.
 CodecResult encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet);
 
-/// Replaces `bodies` with the packet's content. Any bytes are safe input.
-/// On an error `bodies` is empty.
+/// Replaces `bodies` with the packet's content. Any bytes are safe input. On failure `bodies` is empty.
 CodecResult decode(const uint8_t *packet, size_t size, std::vector<BodyPose> &bodies);
 
 } // namespace net

@@ -103,7 +103,7 @@ inline double error_share(const PoseD &shown, const PoseD &truth, const net::Str
 		worst = std::max(worst, glm::length(offset + grid.lever_arm * (shown.rotation * axis - truth.rotation * axis)));
 	}
 	worst += grid.lever_arm * std::abs(shown.scale - truth.scale);
-	return worst / (net::StreamGrid::TOLERANCE * grid.position);
+	return worst / (net::StreamGrid::TOLERANCE * grid.position_step);
 }
 
 } // namespace net_test

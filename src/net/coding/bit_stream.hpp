@@ -6,10 +6,7 @@
 
 namespace net {
 
-/// Appends bit fields to a byte vector, least significant bit first.
-///
-/// The vector is the caller's, so a sender that keeps it allocates nothing in
-/// steady state. `flush()` pads the last byte with zero bits.
+/// Appends bit fields to the caller's byte vector, least significant bit first. `flush()` pads the last byte with zero bits.
 class BitWriter {
 public:
 	explicit BitWriter(std::vector<uint8_t> &bytes) :
@@ -26,7 +23,7 @@ public:
 		}
 	}
 
-	/// LEB128 in 8-bit groups: 7 bits of value, then 1 if more follow.
+	/// LEB128: groups of 7 bits of the value, low bits first, each followed by a bit that is 1 if another group follows.
 	void write_varint(uint64_t value) {
 		while (value >= 0x80) {
 			write((value & 0x7f) | 0x80, 8);
@@ -47,8 +44,8 @@ private:
 	int _filled = 0;
 };
 
-/// Reads what BitWriter wrote. Past the end it returns zeros and stays failed,
-/// so a decoder checks once, after a group of fields.
+/// Reads the output of BitWriter. Past the end it returns zeros and `failed()` stays true, so a decoder can check once after a
+/// group of fields.
 class BitReader {
 public:
 	BitReader(const uint8_t *bytes, size_t size) :
@@ -70,7 +67,7 @@ public:
 		return value;
 	}
 
-	/// At most 9 groups (63 bits); a longer one fails.
+	/// Reads at most 9 groups (63 bits). A longer varint fails.
 	uint64_t read_varint() {
 		uint64_t value = 0;
 		for (int shift = 0; shift < 63; shift += 7) {
@@ -98,7 +95,7 @@ private:
 	bool _failed = false;
 };
 
-/// Signed to unsigned with small magnitudes first: 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
+/// Maps signed to unsigned integers, small magnitudes first: 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
 [[nodiscard]] constexpr uint64_t zigzag(int64_t value) {
 	return (uint64_t(value) << 1) ^ (value < 0 ? ~uint64_t(0) : 0);
 }
@@ -107,12 +104,12 @@ private:
 	return int64_t(code >> 1) ^ -int64_t(code & 1);
 }
 
-/// Bits that hold any value from 0 to `largest`.
-[[nodiscard]] constexpr int bit_width(uint64_t largest) {
+/// Number of bits that represent any value from 0 to `max`.
+[[nodiscard]] constexpr int bit_width(uint64_t max) {
 	int bits = 0;
-	while (largest != 0) {
+	while (max != 0) {
 		++bits;
-		largest >>= 1;
+		max >>= 1;
 	}
 	return bits;
 }

@@ -7,15 +7,15 @@
 
 namespace net {
 
-/// A unit quaternion by its three components of smallest magnitude, in steps of 2^-17 (8 microradians): few enough
-/// bits to send, and the same doubles on every machine.
+/// A unit quaternion as its three smallest components, quantized to 2^-17 (8 microradians). All machines dequantize it to
+/// the same doubles.
 struct LatticeRotation {
-	static constexpr int BITS = 18; ///< of a level, with its sign
+	static constexpr int BITS = 18; ///< of a level, sign included
 	static constexpr double STEPS = 131072.0;
 	static constexpr int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
 
-	uint8_t dropped = 3; ///< index of the largest component in (x, y, z, w), which is positive
-	int32_t level[3] = { 0, 0, 0 };
+	uint8_t dropped = 3; ///< index in (x, y, z, w) of the largest component, which is positive and not stored
+	int32_t level[3] = { 0, 0, 0 }; ///< the other components times STEPS
 
 	[[nodiscard]] static LatticeRotation nearest(const cga::Quaternion<double> &q) {
 		const double c[4] = { q.x, q.y, q.z, q.w };
@@ -34,26 +34,26 @@ struct LatticeRotation {
 		return result;
 	}
 
-	/// False where no unit quaternion has these components.
+	/// False if no unit quaternion has these components.
 	[[nodiscard]] bool is_valid() const {
 		for (const int32_t value : level) {
 			if (value < -MAX_LEVEL || value > MAX_LEVEL) {
 				return false;
 			}
 		}
-		return dropped < 4 && rest() > 0.0;
+		return dropped < 4 && dropped_squared() > 0.0;
 	}
 
 	[[nodiscard]] cga::Quaternion<double> value() const {
 		double c[4];
 		for (int i = 0, slot = 0; i < 4; ++i) {
-			c[i] = i == dropped ? std::sqrt(rest()) : double(level[slot++]) / STEPS;
+			c[i] = i == dropped ? std::sqrt(dropped_squared()) : double(level[slot++]) / STEPS;
 		}
 		return cga::Quaternion<double>(c[3], c[0], c[1], c[2]);
 	}
 
 private:
-	[[nodiscard]] double rest() const {
+	[[nodiscard]] double dropped_squared() const {
 		double sum = 1.0;
 		for (const int32_t value : level) {
 			const double component = double(value) / STEPS;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double SQRT_HALF = 0.70710678118654752440;
 
-/// Levels -n .. n are stored as 0 .. 2n.
+/// n for which levels from -n to n are stored as 0 to 2n.
 uint32_t half_range(int bits) {
 	return (uint32_t(1) << (bits - 1)) - 1;
 }
@@ -36,7 +36,7 @@ SmallestThree quantize_rotor(const glm::quat &q, int bits) {
 std::optional<glm::quat> dequantize_rotor(const SmallestThree &code, int bits) {
 	const double n = half_range(bits);
 	double c[4] = { 0, 0, 0, 0 };
-	double rest = 1.0;
+	double dropped_squared = 1.0;
 	int slot = 0;
 	for (uint32_t i = 0; i < 4; ++i) {
 		if (i != code.dropped) {
@@ -44,13 +44,13 @@ std::optional<glm::quat> dequantize_rotor(const SmallestThree &code, int bits) {
 				return std::nullopt;
 			}
 			c[i] = (double(code.level[slot++]) - n) / n * SQRT_HALF;
-			rest -= c[i] * c[i];
+			dropped_squared -= c[i] * c[i];
 		}
 	}
-	if (rest < 0) {
+	if (dropped_squared < 0) {
 		return std::nullopt;
 	}
-	c[code.dropped] = std::sqrt(rest);
+	c[code.dropped] = std::sqrt(dropped_squared);
 	return glm::quat(float(c[3]), float(c[0]), float(c[1]), float(c[2]));
 }
 

@@ -7,12 +7,12 @@ namespace net {
 
 const uint16_t *CostMeter::table() {
 	static const std::array<uint16_t, 257> costs = [] {
-		std::array<uint16_t, 257> made{};
+		std::array<uint16_t, 257> values{};
 		for (int i = 1; i <= 256; ++i) {
-			made[size_t(i)] = uint16_t(std::lround(-256.0 * std::log2(i / 256.0)));
+			values[size_t(i)] = uint16_t(std::lround(-256.0 * std::log2(i / 256.0)));
 		}
-		made[0] = made[1];
-		return made;
+		values[0] = values[1];
+		return values;
 	}();
 	return costs.data();
 }

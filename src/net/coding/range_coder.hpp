@@ -4,20 +4,20 @@
 #include <cstdint>
 #include <vector>
 
-// An adaptive binary range coder (Martin, "Range encoding", 1979; carry handling and 32-bit arithmetic as in LZMA).
-// Integers only, so that sender and receiver agree on every machine.
+// An adaptive binary range coder (Martin, "Range encoding", 1979; 32-bit arithmetic and carry propagation as in LZMA), in
+// integers only, so that all machines agree.
 
 namespace net {
 
-/// The estimated probability that a bit is 0: the mean of a fast and a slow running average, in 1/65536.
+/// An adaptive binary model: estimates the probability that a bit is 0 as the mean of a fast and a slow running average.
 class AdaptiveBit {
 public:
 	constexpr AdaptiveBit() = default;
 	constexpr explicit AdaptiveBit(uint16_t zero) :
 			_fast(zero), _slow(zero) {}
 
-	/// In 1/4096, never 0 or 1.
-	[[nodiscard]] uint32_t zero() const {
+	/// The probability of 0, in 1/4096: from 16 to 4,080.
+	[[nodiscard]] uint32_t probability() const {
 		const uint32_t mean = (uint32_t(_fast) + _slow) >> 5;
 		return mean < 16 ? 16 : (mean > 4080 ? 4080 : mean);
 	}
@@ -32,7 +32,7 @@ public:
 		}
 	}
 
-	/// Both averages as one number, and back.
+	/// Both averages, packed.
 	[[nodiscard]] uint32_t state() const { return uint32_t(_fast) << 16 | _slow; }
 	void set_state(uint32_t state) {
 		_fast = uint16_t(state >> 16);
@@ -40,20 +40,21 @@ public:
 	}
 
 private:
+	// Adaptation rates, as shifts.
 	static constexpr int FAST = 4;
 	static constexpr int SLOW = 7;
-	uint16_t _fast = 32768;
+	uint16_t _fast = 32768; // in 1/65536
 	uint16_t _slow = 32768;
 };
 
-/// Appends coded bits to a byte vector of the caller's. `finish()` writes no byte that the reader's zeros stand for.
+/// Appends coded bits to the caller's byte vector. The decoder reads zeros past the end, so `finish()` omits trailing zeros.
 class RangeEncoder {
 public:
 	explicit RangeEncoder(std::vector<uint8_t> &bytes) :
 			_bytes(bytes), _begin(bytes.size()) {}
 
 	void bit(AdaptiveBit &model, bool &value) {
-		const uint32_t bound = (_range >> 12) * model.zero();
+		const uint32_t bound = (_range >> 12) * model.probability();
 		if (value) {
 			_low += bound;
 			_range -= bound;
@@ -61,22 +62,22 @@ public:
 			_range = bound;
 		}
 		model.update(value);
-		normalise();
+		renormalize();
 	}
 
-	/// The low `count` bits of `value`, all values equally likely; 0 <= count <= 32.
+	/// Codes the low `count` bits of `value` with equal probabilities; 0 <= count <= 32.
 	void bits(uint32_t &value, int count) {
 		for (int i = count - 1; i >= 0; --i) {
 			_range >>= 1;
 			if (((value >> i) & 1) != 0) {
 				_low += _range;
 			}
-			normalise();
+			renormalize();
 		}
 	}
 
 	void finish() {
-		// Of the numbers that decode to what was coded, the one with the most zero bits at its end.
+		// Of the values in [low, low + range), all of which decode alike, choose the one with the most trailing zero bits.
 		for (int k = 32; k >= 0; --k) {
 			const uint64_t mask = (uint64_t(1) << k) - 1;
 			const uint64_t candidate = (_low + mask) & ~mask;
@@ -94,7 +95,7 @@ public:
 	}
 
 private:
-	void normalise() {
+	void renormalize() {
 		while (_range < (1u << 24)) {
 			_range <<= 8;
 			shift_low();
@@ -122,12 +123,12 @@ private:
 	size_t _begin;
 	uint64_t _low = 0;
 	uint32_t _range = 0xffffffffu;
-	size_t _pending = 0;
-	uint8_t _cache = 0;
-	bool _first = true; // the byte before the first is always 0 and not written
+	size_t _pending = 0; // bytes 0xff after _cache, through which a carry would propagate
+	uint8_t _cache = 0; // the last byte that a carry may still increment
+	bool _first = true; // the first byte is always 0 and not written
 };
 
-/// Reads what RangeEncoder wrote; past the end it reads zeros. Any bytes are safe input.
+/// Decodes the output of RangeEncoder. Past the end it reads zeros. Any bytes are safe input.
 class RangeDecoder {
 public:
 	RangeDecoder(const uint8_t *bytes, size_t size) :
@@ -138,7 +139,7 @@ public:
 	}
 
 	void bit(AdaptiveBit &model, bool &value) {
-		const uint32_t bound = (_range >> 12) * model.zero();
+		const uint32_t bound = (_range >> 12) * model.probability();
 		value = _code >= bound;
 		if (value) {
 			_code -= bound;
@@ -147,7 +148,7 @@ public:
 			_range = bound;
 		}
 		model.update(value);
-		normalise();
+		renormalize();
 	}
 
 	void bits(uint32_t &value, int count) {
@@ -159,11 +160,11 @@ public:
 				_code -= _range;
 			}
 			value = value << 1 | uint32_t(one);
-			normalise();
+			renormalize();
 		}
 	}
 
-	/// How many bytes beyond the end were read; more than 4 only for what RangeEncoder did not write.
+	/// Number of bytes read past the end; more than 4 only if RangeEncoder did not write the input.
 	[[nodiscard]] size_t overrun() const { return _overrun; }
 
 private:
@@ -175,7 +176,7 @@ private:
 		return 0;
 	}
 
-	void normalise() {
+	void renormalize() {
 		while (_range < (1u << 24)) {
 			_range <<= 8;
 			_code = _code << 8 | next();
@@ -190,11 +191,11 @@ private:
 	uint32_t _code = 0;
 };
 
-/// Counts what coding would cost, in 1/256 bit, and leaves the models as they are.
+/// Sums the cost of coding, in 1/256 bit, without adapting the models.
 class CostMeter {
 public:
 	void bit(const AdaptiveBit &model, bool value) {
-		const uint32_t zero = model.zero();
+		const uint32_t zero = model.probability();
 		_cost += table()[(value ? 4096 - zero : zero) >> 4];
 	}
 	void bits(uint32_t, int count) { _cost += uint32_t(count) << 8; }

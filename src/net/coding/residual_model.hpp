@@ -7,7 +7,7 @@
 
 namespace net {
 
-/// The recent mean of the magnitude of integers, in 1/256; what is expected of the next one.
+/// A running mean of the magnitudes of integers, in 1/256: the expected magnitude of the next one.
 class MeanMagnitude {
 public:
 	constexpr explicit MeanMagnitude(int32_t start) :
@@ -20,30 +20,31 @@ public:
 	[[nodiscard]] int32_t value() const { return _mean; }
 	void set_value(int32_t mean) { _mean = mean; }
 
-	static constexpr int32_t MAX = 1024;
+	static constexpr int32_t MAX = 1024; ///< larger magnitudes count as this
 
 private:
 	int32_t _mean;
 };
 
-/// Codes integers around zero as bits of their own probabilities: is it zero, its sign, then "is it larger" up to
-/// UNARY, then an exponential Golomb code. The probabilities are kept apart by the magnitude that is expected, and
-/// begin as those of the two-sided geometric distribution of that mean.
+/// Codes a residual, an integer close to zero, as adaptive bits: "is zero", a plain sign bit, the magnitude in unary up to
+/// MAX_UNARY, and the rest in an exponential Golomb code. The range of the expected magnitude selects the context, that is,
+/// the set of adaptive bits. They are initialized to the two-sided geometric distribution with that mean.
 class ResidualModel {
 public:
-	static constexpr int LEVELS = 14;
-	static constexpr int UNARY = 11;
-	static constexpr int GOLOMB = 22;
-	static constexpr int32_t LIMIT = 1 << 21; ///< of what decodes, whatever the bytes
+	static constexpr int CONTEXTS = 14;
+	static constexpr int MAX_UNARY = 11;
+	static constexpr int MAX_EXPONENT = 22;
+	static constexpr int32_t MAX_MAGNITUDE = 1 << 21; ///< of a decoded residual, whatever the bytes
 
 	ResidualModel();
 
-	/// `Coder` is a RangeEncoder, a RangeDecoder, which sets `value`, or a CostMeter. `expected` in 1/256.
+	/// `Coder` is a RangeEncoder, a RangeDecoder, which sets `value`, or a CostMeter. `expected` is the expected magnitude, in
+	/// 1/256.
 	template <class Coder>
 	void code(Coder &coder, int32_t &value, int32_t expected) {
-		const int level = level_of(expected);
+		const int context = context_of(expected);
 		bool zero = value == 0;
-		coder.bit(_zero[level], zero);
+		coder.bit(_is_zero[context], zero);
 		if (zero) {
 			value = 0;
 			return;
@@ -53,51 +54,51 @@ public:
 		const uint32_t magnitude = uint32_t(value < 0 ? -value : value);
 		uint32_t coded = 1;
 		bool more = true;
-		for (; coded <= UNARY; ++coded) {
+		for (; coded <= MAX_UNARY; ++coded) {
 			more = magnitude > coded;
-			coder.bit(_more[level][coded - 1], more);
+			coder.bit(_is_larger[context][coded - 1], more);
 			if (!more) {
 				break;
 			}
 		}
 		if (more) {
-			const uint32_t rest = magnitude - UNARY; // 1 or more
+			const uint32_t rest = magnitude - MAX_UNARY; // 1 or more
 			int exponent = 0;
-			for (; exponent < GOLOMB - 1; ++exponent) {
+			for (; exponent < MAX_EXPONENT - 1; ++exponent) {
 				bool longer = (rest >> (exponent + 1)) != 0;
-				coder.bit(_golomb[exponent], longer);
+				coder.bit(_is_longer[exponent], longer);
 				if (!longer) {
 					break;
 				}
 			}
 			uint32_t low = rest & ((1u << exponent) - 1);
 			coder.bits(low, exponent);
-			coded = UNARY + (1u << exponent) + low;
+			coded = MAX_UNARY + (1u << exponent) + low;
 		}
-		coded = coded < LIMIT ? coded : LIMIT;
+		coded = coded < MAX_MAGNITUDE ? coded : MAX_MAGNITUDE;
 		value = negative != 0 ? -int32_t(coded) : int32_t(coded);
 	}
 
-	/// All probabilities, for sending a model.
+	/// Visits all adaptive bits.
 	template <class Visit>
 	void visit(Visit &&visit) {
-		for (int level = 0; level < LEVELS; ++level) {
-			visit(_zero[level]);
-			for (AdaptiveBit &bit : _more[level]) {
+		for (int context = 0; context < CONTEXTS; ++context) {
+			visit(_is_zero[context]);
+			for (AdaptiveBit &bit : _is_larger[context]) {
 				visit(bit);
 			}
 		}
-		for (AdaptiveBit &bit : _golomb) {
+		for (AdaptiveBit &bit : _is_longer) {
 			visit(bit);
 		}
 	}
 
 private:
-	static int level_of(int32_t expected);
+	static int context_of(int32_t expected);
 
-	AdaptiveBit _zero[LEVELS];
-	AdaptiveBit _more[LEVELS][UNARY];
-	AdaptiveBit _golomb[GOLOMB];
+	AdaptiveBit _is_zero[CONTEXTS];
+	AdaptiveBit _is_larger[CONTEXTS][MAX_UNARY];
+	AdaptiveBit _is_longer[MAX_EXPONENT];
 };
 
 } // namespace net

@@ -4,12 +4,13 @@
 
 #include <cmath>
 
-// Rotation vectors: axis times angle in radians.
+// Rotation vectors: axis times angle, in radians.
 
 namespace net {
 
-/// The rotation of a vector of at most about 8 radians. Additions, products and nothing else, so that every machine
-/// finds the same bits: sine and cosine of a quarter of the half angle as series, then the angle doubled twice.
+/// The rotation of a rotation vector of at most about 8 radians. It uses only additions, multiplications and divisions by
+/// constants, so that all machines compute the same bits: sine and cosine of a quarter of the half angle as series, then the
+/// angle is doubled twice.
 [[nodiscard]] inline cga::Quaternion<double> exp_rotation(const cga::Vector3<double> &vector) {
 	const cga::Vector3<double> quarter = vector * 0.125;
 	const double x = quarter.x * quarter.x + quarter.y * quarter.y + quarter.z * quarter.z;
@@ -22,7 +23,7 @@ namespace net {
 	return cga::Quaternion<double>(w, quarter.x * scale, quarter.y * scale, quarter.z * scale);
 }
 
-/// The shortest vector of a unit quaternion's rotation.
+/// The shortest rotation vector of a unit quaternion.
 [[nodiscard]] inline cga::Vector3<double> log_rotation(const cga::Quaternion<double> &q) {
 	const double x = q.x * q.x + q.y * q.y + q.z * q.z;
 	double factor = 0.0;
@@ -40,8 +41,8 @@ namespace net {
 }
 
 /// The rows of the right Jacobian of the exponential map at a rotation vector: I - a [v]x + b [v]x^2 with
-/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). Not the same bits on
-/// every machine.
+/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). Machines may differ
+/// in the last bits.
 inline void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
 	const double t2 = glm::dot(v, v);
 	double a = 0.5 - t2 / 24.0 + t2 * t2 / 720.0;
@@ -62,17 +63,18 @@ inline void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
 	m[7] = b * v.y * v.z - a * v.x;
 }
 
-/// Of the vectors of a rotation, the one nearest to `before`, so that fast turns go on beyond half a turn.
-[[nodiscard]] inline cga::Vector3<double> unwrapped(const cga::Vector3<double> &vector, const cga::Vector3<double> &before) {
+/// Unwraps a rotation vector: of the vectors of the same rotation, returns the one nearest to `previous`. So a fast rotation
+/// continues beyond half a turn.
+[[nodiscard]] inline cga::Vector3<double> unwrapped(const cga::Vector3<double> &vector, const cga::Vector3<double> &previous) {
 	const double angle = glm::length(vector);
 	if (angle < 1.0) {
 		return vector;
 	}
 	constexpr double TURN = 6.28318530717958647693;
-	const cga::Vector3<double> other = vector * (1.0 - TURN / angle);
-	const cga::Vector3<double> more = vector * (1.0 + TURN / angle);
-	const auto distance = [&](const cga::Vector3<double> &v) { return glm::dot(v - before, v - before); };
-	const cga::Vector3<double> &better = distance(other) < distance(more) ? other : more;
+	const cga::Vector3<double> opposite = vector * (1.0 - TURN / angle);
+	const cga::Vector3<double> longer = vector * (1.0 + TURN / angle);
+	const auto distance = [&](const cga::Vector3<double> &v) { return glm::dot(v - previous, v - previous); };
+	const cga::Vector3<double> &better = distance(opposite) < distance(longer) ? opposite : longer;
 	return distance(better) < distance(vector) ? better : vector;
 }
 

@@ -6,34 +6,34 @@
 
 namespace net {
 
-/// The steps in which a stream counts positions and rotations; sender and receivers derive them from the same floats.
+/// The quantization steps of a stream. Sender and receivers derive them from the same float32 tolerances.
 ///
-/// A step of rotation moves a point at the distance `lever` as far as a step of position moves the body, so that one
-/// bound holds for both: with d the error of the centre and r that of the rotation, |d| and |d + lever (r x e_i)| stay
-/// within the position tolerance for the three axes e_i. As |r x e_i| >= sqrt(2/3) |r| for one of them,
-/// lever = sqrt(3/2) position_tolerance / rotation_tolerance makes the rotation count as it is asked for.
+/// A step of rotation moves a point at the lever arm as far as a step of position moves the body, so that one bound covers
+/// both: with the error d of the center and r of the rotation vector, |d| and |d + lever_arm (r x e_i)| stay within the
+/// position tolerance for the three axes e_i. For one of them |r x e_i| >= sqrt(2/3) |r|. So with
+/// lever_arm = sqrt(3/2) position_tolerance / rotation_tolerance, |r| stays within the rotation tolerance.
 struct StreamGrid {
-	/// Steps between the values that the end of a segment usually takes; half of that where it must be finer.
+	/// Quantization of the end of a segment, in steps: usually, and in segments marked fine.
 	static constexpr int COARSE = 8;
-	static constexpr int HALF = 4;
-	/// Steps between values of a bend. It shows at a quarter of its size in the middle of a segment, less elsewhere.
+	static constexpr int FINE = 4;
+	/// Quantization of a curvature, in steps. In the middle of a segment, a quarter of it is displacement, elsewhere less.
 	static constexpr int CURVATURE = 28;
-	/// The tolerance in steps: with sqrt(3)/2 + sqrt(2)/2 of a half step as the largest rounding, it is never too coarse.
+	/// The tolerance in steps. The maximum rounding error of a fine end, (sqrt(3) + sqrt(2)) / 2 fine steps, is below it.
 	static constexpr double TOLERANCE = COARSE / 0.9;
+	/// Share of the tolerances that the encoder may use. The rest is reserved for clocks and float rounding.
+	static constexpr double USABLE_SHARE = 0.95;
 
-	double position = 0.0; ///< metres
-	double rotation = 0.0; ///< radians
-	double lever_arm = 0.0; ///< metres
-
-	/// What the search may use of the tolerances; the rest is for the network, clocks and floats.
-	static constexpr double USED = 0.95;
+	double position_step = 0.0; ///< meters
+	double rotation_step = 0.0; ///< radians
+	double lever_arm = 0.0; ///< meters
 
 	StreamGrid() = default;
+	/// Tolerances in meters and degrees.
 	StreamGrid(float position_tolerance, float rotation_tolerance) {
 		const double radians = double(rotation_tolerance) * (3.14159265358979323846 / 180.0);
 		lever_arm = std::sqrt(1.5) * double(position_tolerance) / radians;
-		position = USED * double(position_tolerance) / TOLERANCE;
-		rotation = position / lever_arm;
+		position_step = USABLE_SHARE * double(position_tolerance) / TOLERANCE;
+		rotation_step = position_step / lever_arm;
 	}
 };
 

@@ -36,7 +36,7 @@ void ChunkBuffer::forget() {
 std::optional<uint8_t> ChunkBuffer::add(const ChunkItem &chunk) {
 	uint8_t number = chunk.number;
 	if (chunk.is_short) {
-		// The number in reach that has these low bits.
+		// The only number within SHORT_REACH with these low bits.
 		const uint8_t lowest = uint8_t(first_missing() - ChunkItem::SHORT_REACH);
 		number = uint8_t(lowest + ((chunk.number - lowest) & 15));
 	}

@@ -24,7 +24,7 @@ public:
 	/// The chunk's number with all 8 bits. Nothing if the chunk has arrived before, is too far ahead, or is short and comes
 	/// before `restart`.
 	std::optional<uint8_t> add(const ChunkItem &chunk);
-	/// If the next window is complete: replaces `window` with it, moves on behind it, and returns its checksum.
+	/// If the next window is complete, replaces `window` with it, advances past it, and returns its checksum.
 	std::optional<WindowCheck> take_window(std::vector<uint8_t> &window);
 	/// True if the next chunks do not form a window: the first is not marked first, or a later one is.
 	[[nodiscard]] bool is_broken() const { return _broken; }

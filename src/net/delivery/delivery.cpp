@@ -12,20 +12,20 @@ constexpr double INITIAL_RTO = 0.2; // before the first round-trip sample
 constexpr double MIN_RTO = 0.03;
 constexpr double MAX_RTO = 0.5; // unless the round trip itself is longer
 constexpr double MIN_DEVIATION = 0.005; // frames and ticks at both ends
-/// After so many transmissions of one chunk, or so many chunks behind, the receiver gets a snapshot instead.
+/// After so many retransmissions of a chunk, or so many chunks behind, the receiver gets a snapshot instead.
 constexpr int MAX_REPEATS = 8;
-constexpr double STUCK_TIME = 1.5; // seconds, so that a round trip longer than expected does not count as stuck
+constexpr double STUCK_TIME = 1.5; // seconds; shorter times may be an unexpectedly long round trip
 constexpr uint32_t MAX_CHUNKS_BEHIND = 100;
 /// The same limit while a snapshot is in flight: earlier chunks are about to leave the ring.
 constexpr uint32_t MAX_CHUNKS_KEPT = 200;
 constexpr double SNAPSHOT_INTERVAL = 0.5; // seconds
-/// The first repeats come after one timeout each, later ones back off.
+/// Retransmissions without back-off.
 constexpr int PROMPT_REPEATS = 3;
 /// Loss above HIGH_LOSS shortens the timeout, with this slope.
 constexpr double HIGH_LOSS = 0.15;
-constexpr double HASTE = 4.0;
+constexpr double LOSS_SLOPE = 4.0;
 /// After so many ambiguous acknowledgements in a row the next one gives a round-trip sample.
-constexpr int MAX_UNCERTAIN = 8;
+constexpr int MAX_AMBIGUOUS = 8;
 /// Weight of a chunk in the estimate of loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 
@@ -58,8 +58,8 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		return;
 	}
 	const double timeout = rto();
-	// On a very lossy line, waiting for a whole timeout before each repeat takes too long.
-	const double haste = std::clamp(1.0 - HASTE * (_loss - HIGH_LOSS), 0.25, 1.0);
+	// At high loss, waiting for a whole timeout before each retransmission takes too long.
+	const double shortening = std::clamp(1.0 - LOSS_SLOPE * (_loss - HIGH_LOSS), 0.25, 1.0);
 	const auto is_due = [&](Sent &sent) {
 		if (sent.arrived) {
 			return false;
@@ -71,7 +71,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 			_loss += (1.0 - _loss) * LOSS_WEIGHT;
 		}
 		// Back off.
-		if (sent.times > 0 && time - sent.time < timeout * haste * std::clamp(sent.times - PROMPT_REPEATS, 1, 4)) {
+		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_REPEATS, 1, 4)) {
 			return false;
 		}
 		_repeated += sent.times > 0 ? 1 : 0;
@@ -126,7 +126,7 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 		return; // stale, or of another stream
 	}
 	if (_snapshot != nullptr && ack.next == uint8_t(_first_missing) && ack.later == 0 && !_fragments.empty()) {
-		return; // it says nothing about the snapshot, whose fragments have acknowledgements of their own
+		return; // fragments of the snapshot have acknowledgements of their own
 	}
 	const uint32_t next = _first_missing + ahead;
 	// The newest chunk caused this acknowledgement. Others may have arrived earlier, if an acknowledgement was lost.
@@ -154,8 +154,7 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 }
 
 bool Delivery::can_be_short(uint32_t number) const {
-	// At its first transmission the receiver lacks this chunk and has all before the first missing one: 4 bits tell which
-	// one it is.
+	// At the first transmission the receiver lacks this chunk and has all before the first missing one, so 4 bits identify it.
 	return _snapshot == nullptr && _sent[number % ChunkRing::RING].times == 1 && number - _first_missing < ChunkItem::SHORT_REACH;
 }
 
@@ -184,17 +183,17 @@ void Delivery::chunk_arrived(uint32_t number, double time, bool is_newest) {
 	// Karn's algorithm: a repeated chunk gives no round-trip sample, unless the acknowledgement comes too soon to belong to
 	// the repeat. If all are ambiguous for long, the timeout is too short and most belong to the first transmission.
 	if (is_newest) {
-		const bool is_certain = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * _round_trip);
-		_uncertain = is_certain ? 0 : _uncertain + 1;
-		if (_uncertain == MAX_UNCERTAIN) {
-			_uncertain = 0;
+		const bool is_unambiguous = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * _round_trip);
+		_ambiguous = is_unambiguous ? 0 : _ambiguous + 1;
+		if (_ambiguous == MAX_AMBIGUOUS) {
+			_ambiguous = 0;
 			_round_trip = 0.0;
 		}
-		if (is_certain || _round_trip == 0.0) {
+		if (is_unambiguous || _round_trip == 0.0) {
 			measure(std::max(time - sent.first, 1e-4));
 		}
 	}
-	_caution -= _caution * LOSS_WEIGHT;
+	_prior_loss -= _prior_loss * LOSS_WEIGHT;
 	if (!sent.lost) {
 		_loss -= _loss * LOSS_WEIGHT;
 	}

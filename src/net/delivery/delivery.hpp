@@ -33,9 +33,9 @@ public:
 	void accept(const PacketContent &acks, const ChunkRing &ring, double time);
 
 	/// Loss assumed on a line that has not been measured yet.
-	static constexpr double INITIAL_CAUTION = 0.015;
+	static constexpr double INITIAL_PRIOR_LOSS = 0.015;
 	/// After this many seconds without a packet from the receiver, the sender only probes it, at PROBE_INTERVAL. (A receiver
-	/// that knows nothing yet does not know whom to ask.)
+	/// without any state does not know where to send its request.)
 	static constexpr double SILENCE = 3.0;
 	static constexpr double PROBE_INTERVAL = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
@@ -44,8 +44,8 @@ public:
 	[[nodiscard]] double round_trip() const { return _round_trip; }
 	[[nodiscard]] double round_trip_deviation() const { return _deviation; }
 	[[nodiscard]] double loss() const { return _loss; }
-	/// loss() plus the caution for a line that has not been measured for long.
-	[[nodiscard]] double expected_loss() const { return _loss + _caution; }
+	/// loss() plus the prior, which decays as chunks arrive.
+	[[nodiscard]] double expected_loss() const { return _loss + _prior_loss; }
 	[[nodiscard]] uint64_t repeated() const { return _repeated; }
 
 private:
@@ -79,8 +79,8 @@ private:
 	double _round_trip_sent = -1e9; // time
 	double _probed = -1e9; // time
 	double _loss = 0.0;
-	double _caution = INITIAL_CAUTION; // decays as chunks arrive
-	int _uncertain = 0; // ambiguous acknowledgements since the last round-trip sample
+	double _prior_loss = INITIAL_PRIOR_LOSS; // decays as chunks arrive
+	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
 	uint64_t _repeated = 0;
 };
 

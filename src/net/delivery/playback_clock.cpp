@@ -7,7 +7,7 @@ namespace net {
 namespace {
 
 /// Time constant with which playback approaches its target, in seconds.
-constexpr double SETTLING = 0.4;
+constexpr double TIME_CONSTANT = 0.4;
 /// Maximum change of speed, as a share, to catch up and to fall back.
 constexpr double MAX_SPEEDUP = 0.15;
 constexpr double MAX_SLOWDOWN = 0.4;
@@ -41,7 +41,7 @@ void PlaybackClock::start(double end, double delay, double now) {
 	_position = end - delay;
 	_last = now;
 	observe(end, now);
-	_need.add(delay, now);
+	_required_delay.add(delay, now);
 }
 
 void PlaybackClock::observe(double end, double now) {
@@ -50,13 +50,13 @@ void PlaybackClock::observe(double end, double now) {
 }
 
 double PlaybackClock::target_delay() const {
-	return std::clamp(_need.value(), std::min(_min_delay, _max_delay), _max_delay);
+	return std::clamp(_required_delay.value(), std::min(_min_delay, _max_delay), _max_delay);
 }
 
 double PlaybackClock::rate(double now, double step) const {
 	const double behind = now - _offset.value() - target_delay() - (_position + step);
 	// In a step longer than the time constant, correct no more than the deviation.
-	return 1.0 + std::clamp(behind / std::max(SETTLING, step), -MAX_SLOWDOWN, MAX_SPEEDUP);
+	return 1.0 + std::clamp(behind / std::max(TIME_CONSTANT, step), -MAX_SLOWDOWN, MAX_SPEEDUP);
 }
 
 double PlaybackClock::media_time_at(double now) const {

@@ -31,8 +31,8 @@ public:
 	void start(double end, double delay, double now);
 	/// A window arrived at `now` that ends at media time `end`.
 	void observe(double end, double now);
-	/// Its motion begins at `begin`: playback should not have passed that yet.
-	void observe_motion(double begin, double now) { _need.add(now - begin - _offset.value(), now); }
+	/// The window's motion begins at `begin`, which playback should not have reached yet.
+	void observe_motion(double begin, double now) { _required_delay.add(now - begin - _offset.value(), now); }
 	/// Advances playback to `now`.
 	void advance(double now);
 
@@ -61,7 +61,7 @@ private:
 	double _min_delay = 0.0;
 	double _max_delay = 0.2;
 	RecentExtreme _offset{ -1.0, 4.0 }; // local minus media time at arrival
-	RecentExtreme _need{ 1.0, 6.0 }; // from the beginning of motion to its arrival, in local time
+	RecentExtreme _required_delay{ 1.0, 6.0 }; // from the beginning of motion to its arrival, in local time
 	RecentExtreme _lateness{ 1.0, 2.0 };
 };
 

@@ -146,7 +146,7 @@ void Receiver::show_snapshot(bool continues) {
 		BodyMotion motion;
 		motion.id = _decoder->id(i);
 		motion.segment.begin = _window_end;
-		motion.segment.from = _decoder->pose(i);
+		motion.segment.start = _decoder->pose(i);
 		const auto track = _tracks.find(motion.id);
 		// At the first snapshot all bodies have existed before. Later, an unknown one has appeared.
 		motion.appears = continues && (track == _tracks.end() || track->second.is_empty());

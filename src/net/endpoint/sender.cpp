@@ -21,7 +21,7 @@ constexpr double MAX_STEP = 4.0;
 /// Times that differ by less, in ticks, are the same tick.
 constexpr double SAME_TICK = 1e-5;
 
-/// A number that is random but for the same time.
+/// A pseudorandom number, the same for the same time.
 uint8_t number_from(double time) {
 	uint64_t bits = 0;
 	std::memcpy(&bits, &time, sizeof(bits));
@@ -30,15 +30,15 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::can_hold(const cga::Pose<double> &pose) const {
-	return BodyState::can_hold(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)));
+bool Sender::is_in_range(const cga::Pose<double> &pose) const {
+	return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)));
 }
 
 bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
 	if (_encoder) {
 		return _encoder->add_body(id, ticks(_time), pose);
 	}
-	return id < ID_LIMIT && can_hold(pose) && _idle_bodies.emplace(id, pose).second;
+	return id < ID_LIMIT && is_in_range(pose) && _idle_bodies.emplace(id, pose).second;
 }
 
 bool Sender::remove_body(uint32_t id) {
@@ -62,7 +62,7 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return _encoder->observe(id, ticks(time), pose);
 	}
 	const auto found = _idle_bodies.find(id);
-	if (found == _idle_bodies.end() || !can_hold(pose)) {
+	if (found == _idle_bodies.end() || !is_in_range(pose)) {
 		return false;
 	}
 	found->second = pose;
@@ -127,7 +127,7 @@ void Sender::stop_encoder() {
 }
 
 double Sender::max_window() const {
-	// What a chunk may need after its window has ended, at the receiver that needs most.
+	// Maximum time over all receivers that a chunk may take to arrive after its window has ended.
 	double network = FRAME;
 	for (const auto &peer : _peers) {
 		const Delivery &delivery = peer.second.delivery;

@@ -82,7 +82,7 @@ private:
 	};
 
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
-	[[nodiscard]] bool can_hold(const cga::Pose<double> &pose) const;
+	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const;
 	void begin_at(double first_time);
 	void start_encoder();
 	void stop_encoder();

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int64_t MAX_SPEED = int64_t(1) << 30;
 constexpr int64_t MAX_CURVATURE = int64_t(1) << 28;
-constexpr int32_t MAX_SCORE = 4000;
+constexpr int32_t MAX_RUNNING_ERROR = 4000;
+constexpr double MAX_ANGLE = 16.0; // of a segment, in radians, as the sum of three components
 
 double scale_of(int32_t level) {
 	return level == 0 ? 1.0 : std::exp2(double(level) / BodyState::SCALE_LEVELS);
@@ -19,21 +20,21 @@ double scale_of(int32_t level) {
 
 } // namespace
 
-bool BodyState::can_hold(const cga::Pose<double> &pose, const StreamGrid &grid) {
+bool BodyState::is_in_range(const cga::Pose<double> &pose, const StreamGrid &grid) {
 	const double norm = glm::dot(pose.rotation, pose.rotation);
-	const double reach = double(MAX_STEPS) * grid.position;
-	const cga::Vector3<double> &at = pose.translation;
-	// A comparison with what is not a number fails.
-	return std::fabs(at.x) < reach && std::fabs(at.y) < reach && std::fabs(at.z) < reach && norm > 1e-12 && norm < 1e12 && pose.scale >= MIN_SCALE && pose.scale <= 1.0 / MIN_SCALE;
+	const double max_distance = double(MAX_STEPS) * grid.position_step;
+	const cga::Vector3<double> &position = pose.translation;
+	// Comparisons with NaN fail.
+	return std::fabs(position.x) < max_distance && std::fabs(position.y) < max_distance && std::fabs(position.z) < max_distance && norm > 1e-12 && norm < 1e12 && pose.scale >= MIN_SCALE && pose.scale <= 1.0 / MIN_SCALE;
 }
 
 bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) {
-	if (!can_hold(pose, grid)) {
+	if (!is_in_range(pose, grid)) {
 		return false;
 	}
 	*this = BodyState();
 	for (int i = 0; i < 3; ++i) {
-		_position[i] = int64_t(std::floor(pose.translation[i] / grid.position + 0.5));
+		_position[i] = int64_t(std::floor(pose.translation[i] / grid.position_step + 0.5));
 	}
 	_rotation = LatticeRotation::nearest(glm::normalize(pose.rotation));
 	_scale = pose.scale == 1.0 ? 0 : int32_t(std::round(std::log2(pose.scale) * SCALE_LEVELS));
@@ -41,17 +42,17 @@ bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) 
 }
 
 cga::Pose<double> BodyState::pose(const StreamGrid &grid) const {
-	return { cga::Vector3<double>(double(_position[0]), double(_position[1]), double(_position[2])) * grid.position, _rotation.value(), scale_of(_scale) };
+	return { cga::Vector3<double>(double(_position[0]), double(_position[1]), double(_position[2])) * grid.position_step, _rotation.value(), scale_of(_scale) };
 }
 
-void BodyState::rest() {
+void BodyState::reset_motion() {
 	std::fill(_velocity, _velocity + 6, 0);
 	std::fill(_curvature, _curvature + 6, 0);
 	_ticks = 1;
 	for (int group = 0; group < 2; ++group) {
-		std::fill(_score[group], _score[group] + PREDICTORS, 0);
+		std::fill(_running_error[group], _running_error[group] + PREDICTOR_COUNT, 0);
 		_curved[group] = false;
-		_end_mean[group] = MeanMagnitude(512);
+		_residual_mean[group] = MeanMagnitude(512);
 		_curvature_mean[group] = MeanMagnitude(256);
 	}
 	_scaled = false;
@@ -59,23 +60,24 @@ void BodyState::rest() {
 }
 
 int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const {
-	const int64_t steady = (int64_t(_velocity[coordinate]) * ticks + 128) >> 8;
+	const int64_t linear = (int64_t(_velocity[coordinate]) * ticks + 128) >> 8;
 	switch (predictor) {
 		case HOLD:
 			return 0;
-		case ACCELERATED:
-			return steady - int64_t(_curvature[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
+		case CONSTANT_ACCELERATION:
+			// Most curvatures are zero, and the division is slow.
+			return _curvature[coordinate] == 0 ? linear : linear - int64_t(_curvature[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
 		case DAMPED:
-			return steady / 2;
+			return linear / 2;
 		default:
-			return steady;
+			return linear;
 	}
 }
 
 int BodyState::best_predictor(int group) const {
-	int best = STEADY;
-	for (const int other : { HOLD, ACCELERATED, DAMPED }) {
-		if (_score[group][other] < _score[group][best]) {
+	int best = CONSTANT_VELOCITY;
+	for (const int other : { HOLD, CONSTANT_ACCELERATION, DAMPED }) {
+		if (_running_error[group][other] < _running_error[group][best]) {
 			best = other;
 		}
 	}
@@ -98,84 +100,84 @@ MotionSegment BodyState::segment(const SegmentCode &code, const SegmentSteps &st
 	MotionSegment segment;
 	segment.begin = begin;
 	segment.length = code.ticks;
-	segment.from = pose(grid);
+	segment.start = pose(grid);
 	segment.mode = mode;
 	for (int i = 0; i < 3; ++i) {
-		segment.displacement[i] = double(steps.displacement[i]) * grid.position;
-		segment.translation_curvature[i] = double(steps.curvature[i]) * grid.position;
-		segment.turn[i] = double(steps.displacement[3 + i]) * grid.rotation;
-		segment.rotation_curvature[i] = double(steps.curvature[3 + i]) * grid.rotation;
+		segment.displacement[i] = double(steps.end[i]) * grid.position_step;
+		segment.translation_curvature[i] = double(steps.curvature[i]) * grid.position_step;
+		segment.rotation[i] = double(steps.end[3 + i]) * grid.rotation_step;
+		segment.rotation_curvature[i] = double(steps.curvature[3 + i]) * grid.rotation_step;
 	}
 	if (code.scaled) {
-		segment.scale_ratio = scale_of(_scale + code.scale) / segment.from.scale;
+		segment.scale_ratio = scale_of(_scale + code.scale_change) / segment.start.scale;
 	}
 	return segment;
 }
 
 bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid) {
-	const int32_t scale = _scale + (code.scaled ? code.scale : 0);
+	const int32_t scale = _scale + (code.scaled ? code.scale_change : 0);
 	if (scale < -MAX_SCALE || scale > MAX_SCALE) {
 		return false;
 	}
-	double turn = 0.0;
+	double angle = 0.0;
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(_position[i] + steps.displacement[i]) > MAX_STEPS) {
+		if (std::abs(_position[i] + steps.end[i]) > MAX_STEPS) {
 			return false;
 		}
-		turn += std::fabs(double(steps.displacement[3 + i]) * grid.rotation);
+		angle += std::fabs(double(steps.end[3 + i]) * grid.rotation_step);
 	}
-	if (!(turn < 16.0)) {
+	if (!(angle < MAX_ANGLE)) {
 		return false;
 	}
 	for (int group = 0; group < 2; ++group) {
-		int64_t error[PREDICTORS] = { 0, 0, 0, 0 };
+		int64_t error[PREDICTOR_COUNT] = { 0, 0, 0, 0 };
 		for (int i = 3 * group; i < 3 * group + 3; ++i) {
-			const int64_t steady = predicted_by(STEADY, i, code.ticks);
-			error[HOLD] += std::abs(steps.displacement[i]);
-			error[STEADY] += std::abs(steps.displacement[i] - steady);
-			error[DAMPED] += std::abs(steps.displacement[i] - steady / 2);
-			error[ACCELERATED] += std::abs(steps.displacement[i] - predicted_by(ACCELERATED, i, code.ticks));
+			const int64_t linear = predicted_by(CONSTANT_VELOCITY, i, code.ticks);
+			error[HOLD] += std::abs(steps.end[i]);
+			error[CONSTANT_VELOCITY] += std::abs(steps.end[i] - linear);
+			error[DAMPED] += std::abs(steps.end[i] - linear / 2);
+			error[CONSTANT_ACCELERATION] += std::abs(steps.end[i] - predicted_by(CONSTANT_ACCELERATION, i, code.ticks));
 		}
-		for (int predictor = 0; predictor < PREDICTORS; ++predictor) {
-			_score[group][predictor] += (int32_t(std::min<int64_t>(error[predictor], MAX_SCORE)) * 16 - _score[group][predictor]) / 4;
+		for (int predictor = 0; predictor < PREDICTOR_COUNT; ++predictor) {
+			_running_error[group][predictor] += (int32_t(std::min<int64_t>(error[predictor], MAX_RUNNING_ERROR)) * 16 - _running_error[group][predictor]) / 4;
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
 		const int group = i / 3;
-		_end_mean[group].add(code.fine ? code.end[i] / 2 : code.end[i]);
+		_residual_mean[group].add(code.fine ? code.residual[i] / 2 : code.residual[i]);
 		if (code.curved[group]) {
 			_curvature_mean[group].add(code.curvature[i]);
 		}
 		_curved[group] = code.curved[group];
-		// Half of the bend's turn of the direction at the end: what it says of the next segment is half noise.
-		_velocity[i] = int32_t(std::clamp((256 * steps.displacement[i] - 128 * steps.curvature[i]) / code.ticks, -MAX_SPEED, MAX_SPEED));
+		// The velocity at the end is (end - curvature) / ticks. Half of the curvature predicts better, as the rest is noise.
+		_velocity[i] = int32_t(std::clamp((256 * steps.end[i] - 128 * steps.curvature[i]) / code.ticks, -MAX_SPEED, MAX_SPEED));
 		_curvature[i] = int32_t(std::clamp(steps.curvature[i], -MAX_CURVATURE, MAX_CURVATURE));
 	}
 	for (int i = 0; i < 3; ++i) {
-		_position[i] += steps.displacement[i];
+		_position[i] += steps.end[i];
 	}
-	const cga::Vector3<double> vector(double(steps.displacement[3]), double(steps.displacement[4]), double(steps.displacement[5]));
-	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation));
+	const cga::Vector3<double> vector(double(steps.end[3]), double(steps.end[4]), double(steps.end[5]));
+	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation_step));
 	_ticks = code.ticks;
 	_scale = scale;
 	_scaled = code.scaled;
 	active = true;
-	settled = false;
+	rest_corrected = false;
 	return true;
 }
 
-bool BodyState::settle(const int32_t offset[6], const StreamGrid &grid) {
+bool BodyState::correct_rest(const int32_t correction[6], const StreamGrid &grid) {
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(_position[i] + offset[i]) > MAX_STEPS || std::abs(offset[3 + i]) > MeanMagnitude::MAX) {
+		if (std::abs(_position[i] + correction[i]) > MAX_STEPS || std::abs(correction[3 + i]) > MeanMagnitude::MAX) {
 			return false;
 		}
 	}
 	for (int i = 0; i < 3; ++i) {
-		_position[i] += offset[i];
+		_position[i] += correction[i];
 	}
-	const cga::Vector3<double> vector(offset[3], offset[4], offset[5]);
-	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation));
-	settled = true;
+	const cga::Vector3<double> vector(correction[3], correction[4], correction[5]);
+	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation_step));
+	rest_corrected = true;
 	return true;
 }
 
@@ -191,7 +193,7 @@ bool BodyState::is_valid() const {
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
-		for (const MeanMagnitude &mean : { _end_mean[group], _curvature_mean[group] }) {
+		for (const MeanMagnitude &mean : { _residual_mean[group], _curvature_mean[group] }) {
 			if (mean.value() < 0 || mean.value() > MeanMagnitude::MAX * 256) {
 				return false;
 			}

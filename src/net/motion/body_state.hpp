@@ -10,53 +10,53 @@
 
 namespace net {
 
-/// What is sent of one segment of a body's motion. Coordinates 0..2 are the translation in the world's axes, 3..5 the
-/// rotation vector in the body's; all in steps of the grid.
+/// The coded form of one segment. Coordinates 0 to 2 are the translation in world axes, 3 to 5 the rotation vector in the
+/// body's axes at the start of the segment; they form the groups 0 and 1.
 struct SegmentCode {
 	int ticks = 1;
-	bool fine = false; ///< `end` counts half steps
-	int32_t end[6] = { 0, 0, 0, 0, 0, 0 }; ///< what the prediction of the end is off by
-	bool curved[2] = { false, false }; ///< whether `bend` has anything for translation, rotation
-	int32_t curvature[6] = { 0, 0, 0, 0, 0, 0 };
-	bool scaled = false;
-	int32_t scale = 0; ///< change of the scale's level
+	bool fine = false; ///< the residuals of the end count fine steps instead of coarse ones
+	int32_t residual[6] = { 0, 0, 0, 0, 0, 0 }; ///< of the end: actual minus predicted
+	bool curved[2] = { false, false }; ///< by group: the curvature is not zero
+	int32_t curvature[6] = { 0, 0, 0, 0, 0, 0 }; ///< in units of StreamGrid::CURVATURE
+	bool scaled = false; ///< the scale changes
+	int32_t scale_change = 0; ///< in levels
 };
 
-/// A segment in steps: where it ends from where it begins, and how it bends.
+/// The coefficients of a segment, in grid steps: its end relative to its start, and its curvature.
 struct SegmentSteps {
-	int64_t displacement[6] = { 0, 0, 0, 0, 0, 0 };
+	int64_t end[6] = { 0, 0, 0, 0, 0, 0 };
 	int64_t curvature[6] = { 0, 0, 0, 0, 0, 0 };
 
 	SegmentSteps() = default;
-	/// What a code stands for where these ends are predicted.
+	/// Decodes a code, given the predicted end.
 	SegmentSteps(const int64_t predicted[6], const SegmentCode &code) {
 		for (int i = 0; i < 6; ++i) {
-			displacement[i] = predicted[i] + int64_t(code.end[i]) * (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
+			end[i] = predicted[i] + int64_t(code.residual[i]) * (code.fine ? StreamGrid::FINE : StreamGrid::COARSE);
 			curvature[i] = code.curved[i / 3] ? int64_t(code.curvature[i]) * StreamGrid::CURVATURE : 0;
 		}
 	}
 };
 
-/// The probabilities of everything in a stream of motion.
+/// The adaptive models of a stream of motion.
 struct MotionModels {
-	static constexpr int MAX_BITS = 1024; ///< that `visit` visits
+	static constexpr int MAX_BITS = 1024; ///< upper bound of the adaptive bits that `visit` visits
 
-	ResidualModel end[2];
+	ResidualModel residual[2];
 	ResidualModel curvature[2];
 	ResidualModel scale;
 	AdaptiveBit active[2][2];
-	AdaptiveBit split[3];
+	AdaptiveBit split[3]; // another segment follows
 	AdaptiveBit fine{ 60000 };
 	AdaptiveBit curved[2][2];
 	AdaptiveBit scaled[2] = { AdaptiveBit(65000), AdaptiveBit(10000) };
-	AdaptiveBit settled{ 50000 };
+	AdaptiveBit rest_correction{ 50000 };
 	AdaptiveBit same_length{ 10000 };
 	AdaptiveBit has_events{ 60000 };
 
 	template <class Visit>
 	void visit(Visit &&visit) {
 		for (int group = 0; group < 2; ++group) {
-			end[group].visit(visit);
+			residual[group].visit(visit);
 			curvature[group].visit(visit);
 			for (int i = 0; i < 2; ++i) {
 				visit(active[group][i]);
@@ -69,58 +69,60 @@ struct MotionModels {
 			visit(bit);
 		}
 		visit(fine);
-		visit(settled);
+		visit(rest_correction);
 		visit(same_length);
 		visit(has_events);
 	}
 };
 
-/// What sender and receiver both know of a body at the end of a window, in integers, so that both predict the same.
+/// The state of a body between two windows, from which sender and receiver predict the next segment. All integers, so that
+/// both predict the same.
 class BodyState {
 public:
-	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< of a position on an axis
+	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< of a coordinate of the position
 	static constexpr int32_t MAX_SCALE = MAX_SCALE_LEVEL + 1;
 	static constexpr double MIN_SCALE = 1.0 / 65536.0;
 	static constexpr double SCALE_LEVELS = SCALE_LEVELS_PER_OCTAVE;
 
-	/// True for finite poses within 2^46 steps of the origin, of a rotation that is not zero and a scale of 2^-16 to 2^16.
-	[[nodiscard]] static bool can_hold(const cga::Pose<double> &pose, const StreamGrid &grid);
-	/// The nearest state to a pose, at rest. False if the pose is out of range.
+	/// True if a pose is finite and at most 2^46 steps from the origin, with a non-zero rotation and a scale from 2^-16 to 2^16.
+	[[nodiscard]] static bool is_in_range(const cga::Pose<double> &pose, const StreamGrid &grid);
+	/// Sets the state nearest to a pose, at rest. False, with nothing changed, if the pose is out of range.
 	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
 	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;
-	/// Forgets the motion: the body rests.
-	void rest();
+	/// Resets velocity, curvature and the predictors' statistics: the body is at rest.
+	void reset_motion();
 
-	/// Where the end of a segment is expected, in steps from its start.
+	/// The predicted end of a segment of `ticks`, in steps from its start.
 	[[nodiscard]] int64_t predicted(int coordinate, int ticks) const;
 	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
-	/// The motion of a segment that begins here; the state is not changed.
+	/// The segment that starts in this state.
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
-	/// Moves on to the end of a segment. False if that is out of range.
+	/// Advances to the end of a segment. False, with nothing changed, if that is out of range.
 	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
-	/// Goes to a nearby pose without any motion, `offset` in steps: what is left of an error when a body has come to rest.
-	[[nodiscard]] bool settle(const int32_t offset[6], const StreamGrid &grid);
+	/// Adds `correction`, in steps, to the pose of a body that has come to rest: the error that the tolerance left. False, with
+	/// nothing changed, if the result is out of range.
+	[[nodiscard]] bool correct_rest(const int32_t correction[6], const StreamGrid &grid);
 
-	/// Codes a segment that begins here.
+	/// Codes a segment that starts in this state.
 	template <class Coder>
 	void code(Coder &coder, MotionModels &models, SegmentCode &code) const;
 
-	/// All numbers of the state, for sending it; `visit(number, bits)` with signed numbers of so many bits.
+	/// Calls visit(number, bits) for each number of the state; `number` is signed and fits in `bits`.
 	template <class Visit>
 	void visit(Visit &&visit);
 	[[nodiscard]] bool is_valid() const;
 	[[nodiscard]] uint32_t hash() const;
 
 	bool active = false; ///< moved in the last window
-	bool settled = true; ///< rests where it was last seen, as near as the grid allows
+	bool rest_corrected = true; ///< at rest, to within a step of its last sample
 
 private:
 	enum Predictor {
 		HOLD,
-		STEADY,
-		ACCELERATED,
+		CONSTANT_VELOCITY,
+		CONSTANT_ACCELERATION,
 		DAMPED,
-		PREDICTORS
+		PREDICTOR_COUNT
 	};
 
 	[[nodiscard]] int64_t predicted_by(int predictor, int coordinate, int ticks) const;
@@ -129,26 +131,26 @@ private:
 	int64_t _position[3] = { 0, 0, 0 };
 	LatticeRotation _rotation;
 	int32_t _scale = 0; // log2 in 1 / SCALE_LEVELS
-	int32_t _velocity[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step a tick
-	int32_t _curvature[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, steps
+	int32_t _velocity[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step per tick
+	int32_t _curvature[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, in steps
 	int32_t _ticks = 1; // of the last segment
-	int32_t _score[2][PREDICTORS] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // recent error, 1/16 steps
-	MeanMagnitude _end_mean[2] = { MeanMagnitude(512), MeanMagnitude(512) };
+	int32_t _running_error[2][PREDICTOR_COUNT] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // of predictors, in 1/16 step
+	MeanMagnitude _residual_mean[2] = { MeanMagnitude(512), MeanMagnitude(512) };
 	MeanMagnitude _curvature_mean[2] = { MeanMagnitude(256), MeanMagnitude(256) };
-	bool _curved[2] = { false, false };
-	bool _scaled = false;
+	bool _curved[2] = { false, false }; // the last segment was
+	bool _scaled = false; // the last segment was
 };
 
 template <class Coder>
 void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) const {
 	coder.bit(models.fine, code.fine);
 	for (int group = 0; group < 2; ++group) {
-		const int32_t mean = _end_mean[group].value() * (code.fine ? 2 : 1);
-		int32_t before = 0;
+		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
+		int32_t magnitudes = 0; // of the preceding coordinates
 		for (int i = 0; i < 3; ++i) {
-			int32_t &value = code.end[3 * group + i];
-			models.end[group].code(coder, value, i == 0 ? mean : (3 * mean + before * 256 / i) / 4);
-			before += std::abs(value) < MeanMagnitude::MAX ? std::abs(value) : MeanMagnitude::MAX;
+			int32_t &value = code.residual[3 * group + i];
+			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);
+			magnitudes += std::abs(value) < MeanMagnitude::MAX ? std::abs(value) : MeanMagnitude::MAX;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
@@ -159,7 +161,7 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 	}
 	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
 	if (code.scaled) {
-		models.scale.code(coder, code.scale, 4096);
+		models.scale.code(coder, code.scale_change, 4096);
 	}
 }
 
@@ -174,7 +176,7 @@ void BodyState::visit(Visit &&visit) {
 	}
 	visit(_scale, 20);
 	visit(active, 2);
-	visit(settled, 2);
+	visit(rest_corrected, 2);
 	if (!active) {
 		return;
 	}
@@ -185,12 +187,12 @@ void BodyState::visit(Visit &&visit) {
 	visit(_ticks, 8);
 	visit(_scaled, 2);
 	for (int group = 0; group < 2; ++group) {
-		for (int32_t &value : _score[group]) {
+		for (int32_t &value : _running_error[group]) {
 			visit(value, 20);
 		}
-		int32_t mean = _end_mean[group].value();
+		int32_t mean = _residual_mean[group].value();
 		visit(mean, 20);
-		_end_mean[group].set_value(mean);
+		_residual_mean[group].set_value(mean);
 		mean = _curvature_mean[group].value();
 		visit(mean, 20);
 		_curvature_mean[group].set_value(mean);

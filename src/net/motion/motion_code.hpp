@@ -8,44 +8,44 @@
 
 namespace net {
 
-/// The longest window, in ticks.
+/// Maximum length of a window, in ticks.
 inline constexpr int MAX_TICKS = 64;
 
-/// What is sent of one body's motion over some ticks.
+/// The coded form of one body's motion over some ticks.
 struct MotionCode {
 	bool active = false;
-	bool settles = false; ///< only where not active
-	int32_t offset[6] = { 0, 0, 0, 0, 0, 0 }; ///< of settling, from -16 to 15
-	int count = 0; ///< of segments
+	bool has_rest_correction = false; ///< only if not active
+	int32_t rest_correction[6] = { 0, 0, 0, 0, 0, 0 }; ///< in steps, from -16 to 15
+	int count = 0; ///< number of segments if active
 	std::array<SegmentCode, MAX_TICKS> segments;
 };
 
-/// Codes a body's motion over `ticks` from tick `begin`, and moves its state on. `Coder` is a RangeEncoder or a
-/// RangeDecoder, which fills `motion`. `sink` gets the state, code, steps and begin of each
-/// segment before the state moves on. False for what no encoder writes.
-template <class Coder, class Sink>
-bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const StreamGrid &grid, double begin, int ticks, bool neighbour_active, MotionCode &motion, Sink &&sink) {
-	coder.bit(models.active[state.active ? 1 : 0][neighbour_active ? 1 : 0], motion.active);
+/// Codes a body's motion over `ticks` from tick `begin`, and advances its state. `Coder` is a RangeEncoder, or a RangeDecoder,
+/// which fills `motion`. Calls on_segment(state, code, steps, begin) for each segment before the state advances. False if the
+/// input is malformed.
+template <class Coder, class OnSegment>
+bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const StreamGrid &grid, double begin, int ticks, bool previous_active, MotionCode &motion, OnSegment &&on_segment) {
+	coder.bit(models.active[state.active ? 1 : 0][previous_active ? 1 : 0], motion.active);
 	if (!motion.active) {
-		if (state.active || state.settled) {
-			state.rest();
+		if (state.active || state.rest_corrected) {
+			state.reset_motion();
 			return true;
 		}
-		coder.bit(models.settled, motion.settles);
-		if (!motion.settles) {
+		coder.bit(models.rest_correction, motion.has_rest_correction);
+		if (!motion.has_rest_correction) {
 			return true;
 		}
 		SegmentSteps steps;
 		for (int i = 0; i < 6; ++i) {
-			uint32_t value = uint32_t(motion.offset[i] + 16);
+			uint32_t value = uint32_t(motion.rest_correction[i] + 16);
 			coder.bits(value, 5);
-			motion.offset[i] = int32_t(value) - 16;
-			steps.displacement[i] = motion.offset[i];
+			motion.rest_correction[i] = int32_t(value) - 16;
+			steps.end[i] = motion.rest_correction[i];
 		}
 		SegmentCode code;
 		code.ticks = ticks;
-		sink(state, code, steps, begin);
-		return state.settle(motion.offset, grid);
+		on_segment(state, code, steps, begin);
+		return state.correct_rest(motion.rest_correction, grid);
 	}
 	int index = 0;
 	for (int left = ticks; left > 0; ++index) {
@@ -57,9 +57,9 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 			split = false;
 		}
 		if (split) {
-			uint32_t less_one = uint32_t(code.ticks - 1);
-			coder.bits(less_one, bit_width(uint64_t(left - 2)));
-			code.ticks = int(less_one) + 1;
+			uint32_t ticks_minus_one = uint32_t(code.ticks - 1);
+			coder.bits(ticks_minus_one, bit_width(uint64_t(left - 2)));
+			code.ticks = int(ticks_minus_one) + 1;
 			if (code.ticks >= left) {
 				return false;
 			}
@@ -68,7 +68,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		}
 		state.code(coder, models, code);
 		const SegmentSteps steps = state.steps(code);
-		sink(state, code, steps, begin);
+		on_segment(state, code, steps, begin);
 		if (!state.apply(code, steps, grid)) {
 			return false;
 		}

@@ -9,15 +9,15 @@ namespace net {
 
 namespace {
 
-/// Shares of the tolerance within which a body that moved comes to rest, and one that rests stays so.
+/// Shares of the tolerance within which a moving body comes to rest, and a resting body stays at rest.
 constexpr double COMES_TO_REST = 0.6;
 constexpr double STAYS_AT_REST = 0.9;
-/// A body whose samples are nearer together than this does not move: it rests wherever the tolerance let it end (with a
-/// per cent for rounding), and settles.
-constexpr double STILL = 0.1;
+/// A body whose samples differ by no more than this share of the tolerance has stopped. It rests as soon as it is within the
+/// tolerance (and 1 % for rounding), and a rest correction follows.
+constexpr double MAX_STOPPED_MOTION = 0.1;
 constexpr double STOPPED = 1.01;
 
-/// Ticks within which times are the same.
+/// Times that differ by less, in ticks, are the same.
 constexpr double SAME_TIME = 1e-6;
 
 size_t count_until(const MotionSample *samples, size_t count, double end) {
@@ -32,15 +32,15 @@ size_t count_until(const MotionSample *samples, size_t count, double end) {
 
 bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	motion.active = false;
-	motion.settles = false;
+	motion.has_rest_correction = false;
 	motion.count = 0;
 	if (count == 0) {
 		return true;
 	}
-	const double most = StreamGrid::TOLERANCE * _grid.position;
+	const double full_tolerance = StreamGrid::TOLERANCE * _grid.position_step;
 	const cga::Pose<double> &last = samples[count - 1].pose;
-	const bool has_stopped = !(state.settled && !state.active) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever_arm) <= STILL * most; });
-	const double tolerance = most * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
+	const bool has_stopped = (state.active || !state.rest_corrected) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever_arm) <= MAX_STOPPED_MOTION * full_tolerance; });
+	const double tolerance = full_tolerance * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
 	const cga::Pose<double> held = state.pose(_grid);
 	for (size_t i = count; i > 0; --i) {
 		if (pose_distance(held, samples[i - 1].pose, _grid.lever_arm) > tolerance) {
@@ -53,33 +53,33 @@ bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 }
 
 void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &last, MotionCode &motion) const {
-	if (state.active || state.settled) {
+	if (state.active || state.rest_corrected) {
 		return;
 	}
 	const cga::Pose<double> held = state.pose(_grid);
-	const cga::Vector3<double> displacement = (last.pose.translation - held.translation) / _grid.position;
-	const cga::Vector3<double> turn = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / _grid.rotation;
+	const cga::Vector3<double> translation = (last.pose.translation - held.translation) / _grid.position_step;
+	const cga::Vector3<double> rotation = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / _grid.rotation_step;
 	for (int i = 0; i < 3; ++i) {
-		motion.offset[i] = int32_t(std::clamp(std::nearbyint(displacement[i]), -16.0, 15.0));
-		motion.offset[3 + i] = int32_t(std::clamp(std::nearbyint(turn[i]), -16.0, 15.0));
+		motion.rest_correction[i] = int32_t(std::clamp(std::nearbyint(translation[i]), -16.0, 15.0));
+		motion.rest_correction[3 + i] = int32_t(std::clamp(std::nearbyint(rotation[i]), -16.0, 15.0));
 	}
-	motion.settles = true;
+	motion.has_rest_correction = true;
 }
 
 bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	BodyState moving = state;
 	while (ticks > 0) {
-		SegmentFit::Result result;
 		_fit.begin(moving, begin, samples, count, available);
-		if (!_fit.fit(moving, ticks, count, true, models, result) && !longest_segment(moving, begin, ticks, samples, count, models, result)) {
+		std::optional<SegmentCode> code = _fit.fit(moving, ticks, count, true, models);
+		if (!code) {
+			code = longest_segment(moving, begin, ticks, samples, count, models);
+		}
+		if (!code || !moving.apply(*code, moving.steps(*code), _grid)) {
 			return false;
 		}
-		if (!moving.apply(result.code, moving.steps(result.code), _grid)) {
-			return false;
-		}
-		motion.segments[size_t(motion.count++)] = result.code;
-		begin += result.code.ticks;
-		ticks -= result.code.ticks;
+		motion.segments[size_t(motion.count++)] = *code;
+		begin += code->ticks;
+		ticks -= code->ticks;
 		const size_t passed = count_until(samples, count, begin);
 		samples += passed;
 		count -= passed;
@@ -88,29 +88,26 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	return true;
 }
 
-bool MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models, SegmentFit::Result &result) {
-	// At least up to the first sample; then halving: what fits over some ticks mostly fits over fewer.
-	const int least = std::max(1, int(std::ceil(samples[0].time - begin - SAME_TIME)));
-	int fits = least - 1;
-	for (int most = ticks; most - fits > 1;) {
-		const int length = (fits + most) / 2;
-		SegmentFit::Result other;
-		if (_fit.fit(state, length, count_until(samples, count, begin + length), false, models, other)) {
-			fits = length;
-			result = other;
+std::optional<SegmentCode> MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models) {
+	// Bisection between the first sample and the end: a curve that fits over some ticks mostly fits over fewer.
+	const int min_ticks = std::max(1, int(std::ceil(samples[0].time - begin - SAME_TIME)));
+	std::optional<SegmentCode> longest;
+	int fitting = min_ticks - 1;
+	for (int too_long = ticks; too_long - fitting > 1;) {
+		const int length = (fitting + too_long) / 2;
+		if (const auto code = _fit.fit(state, length, count_until(samples, count, begin + length), false, models)) {
+			fitting = length;
+			longest = code;
 		} else {
-			most = length;
+			too_long = length;
 		}
 	}
-	if (fits >= least) {
-		SegmentFit::Result better;
-		if (_fit.fit(state, fits, count_until(samples, count, begin + fits), true, models, better)) {
-			result = better;
-		}
-		return true;
+	if (longest) {
+		const auto cheaper = _fit.fit(state, fitting, count_until(samples, count, begin + fitting), true, models);
+		return cheaper ? cheaper : longest;
 	}
-	const size_t first = count_until(samples, count, begin + least);
-	return _fit.reach(state, least, first - 1, result);
+	const size_t first = count_until(samples, count, begin + min_ticks);
+	return _fit.reach(state, min_ticks, first - 1);
 }
 
 } // namespace net

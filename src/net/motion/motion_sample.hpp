@@ -4,14 +4,14 @@
 
 namespace net {
 
-/// Where a body was at a time, in ticks.
+/// The pose of a body at a time in ticks.
 struct MotionSample {
 	double time = 0.0;
 	cga::Pose<double> pose;
 };
 
-/// The largest distance between two poses of a body at its centre and at the points `lever` out on its axes, as if its
-/// scale were 1, and what the difference of scales adds at the lever; in metres.
+/// The distance between two poses of a body, in meters: the maximum over its center and the points on its axes at the lever
+/// arm, computed with scale 1, plus the lever arm times the difference of the scales.
 [[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm);
 
 } // namespace net

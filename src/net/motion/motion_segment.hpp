@@ -6,27 +6,26 @@
 
 namespace net {
 
-/// The motion of one body over some ticks. With u from 0 to 1 and w = u (1 - u):
+/// One segment of a body's motion. With u from 0 to 1 and w = u (1 - u), the pose is the motor T(u) R(u) D(u) of
 ///
-///   translation  from + way u + way_bend w
-///   rotation     from exp(turn u + turn_bend w)        (rotation vectors in the frame of the start)
-///   scale        geometric
+///   translation  start + displacement u + translation_curvature w
+///   rotation     start exp(rotation u + rotation_curvature w)       (rotation vectors in the body's axes at the start)
+///   scale        start scale_ratio^u
 ///
-/// which is the motor T(u) R(u) D(u). In the modes LINEAR and SCREW the part without the bends is cga::interpolate's
-/// path from start to end instead, and the bends are applied to it.
+/// In the modes LINEAR and SCREW, the path from start to end is that of cga::interpolate, and the curvature terms are added.
 struct MotionSegment {
 	double begin = 0.0; ///< ticks
 	double length = 1.0; ///< ticks
-	cga::Pose<double> from;
-	double scale_ratio = 1.0; ///< of the end's scale to the start's
+	cga::Pose<double> start;
+	double scale_ratio = 1.0; ///< scale at the end divided by scale at the start
 	cga::Vector3<double> displacement{ 0.0 };
 	cga::Vector3<double> translation_curvature{ 0.0 };
-	cga::Vector3<double> turn{ 0.0 };
+	cga::Vector3<double> rotation{ 0.0 };
 	cga::Vector3<double> rotation_curvature{ 0.0 };
 	cga::Mode mode = cga::Mode::SEPARATE;
 
 	[[nodiscard]] double end() const { return begin + length; }
-	/// The pose at a time in ticks; before the begin that of the begin, after the end that of the end.
+	/// The pose at a time in ticks, which is clamped to the segment.
 	[[nodiscard]] cga::Pose<double> pose_at(double time) const;
 };
 

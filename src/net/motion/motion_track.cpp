@@ -6,7 +6,7 @@ namespace net {
 
 namespace {
 
-/// Usual number of segments: two windows with some breaks.
+/// Usual number of segments: two windows of a few segments.
 constexpr size_t INITIAL_CAPACITY = 8;
 
 } // namespace
@@ -22,7 +22,7 @@ void MotionTrack::add(const BodyMotion &motion) {
 		_motions.reserve(INITIAL_CAPACITY);
 	}
 	if (_motions.size() == _motions.capacity() && _first > 0) {
-		// Reuse the space of dropped ones.
+		// Reuse the memory of dropped segments.
 		_motions.erase(_motions.begin(), _motions.begin() + ptrdiff_t(_first));
 		_first = 0;
 	}
@@ -41,7 +41,7 @@ std::optional<cga::Pose<double>> MotionTrack::pose_at(double tick) const {
 		--at;
 	}
 	if (at == _first) {
-		// Before all that is known: unless it appears later, the body existed.
+		// `tick` is before all known motion. The body existed then, unless it appears later.
 		if (is_empty() || _motions[_first].appears || _motions[_first].vanishes) {
 			return std::nullopt;
 		}

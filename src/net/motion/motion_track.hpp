@@ -3,22 +3,21 @@
 #include "net/motion/body_motion.hpp"
 #include "net/motion/motion_code.hpp"
 
-#include <optional>
-
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace net {
 
-/// The jitter buffer of one body: its motion from the segment being shown on, in order of time.
+/// The jitter buffer of one body: its segments in order of time, from the one being shown on.
 class MotionTrack {
 public:
 	/// Maximum number of segments. If more arrive, the oldest is dropped.
 	static constexpr size_t MAX_SEGMENTS = 4 * MAX_TICKS;
 
-	/// Appends a motion and replaces what was known from its beginning on.
+	/// Appends a motion, which replaces all motion known from its beginning on.
 	void add(const BodyMotion &motion);
-	/// Drops what lies before the segment shown at `tick`.
+	/// Drops the segments before the one shown at `tick`.
 	void forget_before(double tick);
 	/// The pose at a time, in ticks. Nothing if the body does not exist then.
 	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(double tick) const;
@@ -27,7 +26,7 @@ public:
 	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
 
 private:
-	std::vector<BodyMotion> _motions; // those before _first are dropped
+	std::vector<BodyMotion> _motions; // from _first on; those before are dropped
 	size_t _first = 0;
 };
 

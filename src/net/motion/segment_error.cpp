@@ -12,7 +12,7 @@ float segment_error(const SegmentErrorInput &input, float limit) noexcept {
 		return segment_error_avx2(input, limit);
 	}
 #endif
-	return largest_error(input, limit);
+	return max_error(input, limit);
 }
 
 } // namespace net

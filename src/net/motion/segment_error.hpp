@@ -4,23 +4,23 @@
 
 namespace net {
 
-/// What the error of a segment's code is computed from: rows with one entry for each sample, in steps of the grid.
+/// Input of segment_error(): samples as rows with one entry per sample, and a segment's coefficients, in grid steps.
 struct SegmentErrorInput {
 	static constexpr size_t MAX_SAMPLES = 256;
 	using Row = float[MAX_SAMPLES];
 
-	const Row *target; ///< 6 rows: translation and rotation vector from the start
-	const Row *to_body; ///< 9 rows: the world's axes to the body's
-	const Row *jacobian; ///< 9 rows: a change of the rotation vector to the body's rotation
-	const float *u; ///< the sample's fraction of the segment; 0 beyond the last sample
+	const Row *target; ///< 6 rows: translation and rotation vector from the start of the segment
+	const Row *to_body; ///< 9 rows: the rotation matrix from world axes to the body's axes at the sample
+	const Row *jacobian; ///< 9 rows: right Jacobian at the sample's rotation vector
+	const float *u; ///< fraction of the segment at the sample; 0 in the padding
 	const float *w; ///< u (1 - u)
-	size_t padded_count; ///< a multiple of 8
-	float displacement[6];
+	size_t padded_count; ///< number of samples, rounded up to a multiple of 8
+	float end[6];
 	float curvature[6];
 };
 
-/// The largest error of a sample, in steps: of the center, and of points at the lever arm. Stops early above `limit`.
-/// The same bits on every machine.
+/// The maximum error over all samples, in steps: of the body's center and of the points at the lever arm. Above `limit` it may
+/// stop early and return less, but more than `limit`. All machines compute the same bits.
 [[nodiscard]] float segment_error(const SegmentErrorInput &input, float limit) noexcept;
 
 /// segment_error() compiled for AVX2, on x86-64 only.

@@ -1,5 +1,5 @@
-// The source of segment_error(), compiled for the baseline and for AVX2 (cga/batch/kernels.hpp says why no external inline
-// function may be called here).
+// The source of segment_error(), compiled for the baseline and for AVX2. It must not call external inline functions, for the
+// reason in cga/batch/kernels.hpp.
 
 #include "net/motion/segment_error.hpp"
 
@@ -9,35 +9,35 @@ namespace net {
 
 namespace {
 
-inline float largest_error(const SegmentErrorInput &input, float limit) noexcept {
-	float displacement[6];
+inline float max_error(const SegmentErrorInput &input, float limit) noexcept {
+	float end[6];
 	float curvature[6];
 	for (int i = 0; i < 6; ++i) {
-		displacement[i] = input.displacement[i];
+		end[i] = input.end[i];
 		curvature[i] = input.curvature[i];
 	}
 	const SegmentErrorInput::Row *const target = input.target;
 	const SegmentErrorInput::Row *const to_body = input.to_body;
 	const SegmentErrorInput::Row *const jacobian = input.jacobian;
-	float worst[8] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+	float lane_max[8] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
 	for (size_t block = 0; block < input.padded_count; block += 8) {
 		for (size_t lane = 0; lane < 8; ++lane) {
 			const size_t k = block + lane;
 			const float u = input.u[k];
 			const float w = input.w[k];
-			const float x = target[0][k] - displacement[0] * u - curvature[0] * w;
-			const float y = target[1][k] - displacement[1] * u - curvature[1] * w;
-			const float z = target[2][k] - displacement[2] * u - curvature[2] * w;
-			const float a = target[3][k] - displacement[3] * u - curvature[3] * w;
-			const float b = target[4][k] - displacement[4] * u - curvature[4] * w;
-			const float c = target[5][k] - displacement[5] * u - curvature[5] * w;
+			const float x = target[0][k] - end[0] * u - curvature[0] * w;
+			const float y = target[1][k] - end[1] * u - curvature[1] * w;
+			const float z = target[2][k] - end[2] * u - curvature[2] * w;
+			const float a = target[3][k] - end[3] * u - curvature[3] * w;
+			const float b = target[4][k] - end[4] * u - curvature[4] * w;
+			const float c = target[5][k] - end[5] * u - curvature[5] * w;
 			const float bx = to_body[0][k] * x + to_body[1][k] * y + to_body[2][k] * z;
 			const float by = to_body[3][k] * x + to_body[4][k] * y + to_body[5][k] * z;
 			const float bz = to_body[6][k] * x + to_body[7][k] * y + to_body[8][k] * z;
 			const float ra = jacobian[0][k] * a + jacobian[1][k] * b + jacobian[2][k] * c;
 			const float rb = jacobian[3][k] * a + jacobian[4][k] * b + jacobian[5][k] * c;
 			const float rc = jacobian[6][k] * a + jacobian[7][k] * b + jacobian[8][k] * c;
-			// The center, and the center plus r x e_i: the lever arm turns a step of rotation into one of position.
+			// The center, and the center plus r x e_i: at the lever arm, a step of rotation is a step of position.
 			const float xx = bx * bx;
 			const float yy = by * by;
 			const float zz = bz * bz;
@@ -48,15 +48,15 @@ inline float largest_error(const SegmentErrorInput &input, float limit) noexcept
 			const float m1 = e0 > e1 ? e0 : e1;
 			const float m2 = e2 > e3 ? e2 : e3;
 			const float m = m1 > m2 ? m1 : m2;
-			const float counted = u > 0.0f ? m : 0.0f; // beyond the segment u is 0
-			worst[lane] = worst[lane] > counted ? worst[lane] : counted;
+			const float squared = u > 0.0f ? m : 0.0f; // u is 0 in the padding
+			lane_max[lane] = lane_max[lane] > squared ? lane_max[lane] : squared;
 		}
-		float largest = worst[0];
+		float max_squared = lane_max[0];
 		for (size_t lane = 1; lane < 8; ++lane) {
-			largest = largest > worst[lane] ? largest : worst[lane];
+			max_squared = max_squared > lane_max[lane] ? max_squared : lane_max[lane];
 		}
-		if (largest > limit * limit || block + 8 >= input.padded_count) {
-			return sqrtf(largest);
+		if (max_squared > limit * limit || block + 8 >= input.padded_count) {
+			return sqrtf(max_squared);
 		}
 	}
 	return 0.0f;

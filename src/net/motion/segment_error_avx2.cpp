@@ -7,7 +7,7 @@
 namespace net {
 
 float segment_error_avx2(const SegmentErrorInput &input, float limit) noexcept {
-	return largest_error(input, limit);
+	return max_error(input, limit);
 }
 
 } // namespace net

@@ -10,15 +10,20 @@ namespace net {
 
 namespace {
 
-/// A segment that ends more ticks than this after its last sample is drawn to where the body will be then: by the next
-/// sample, or, more weakly, to where it was last.
-constexpr double PINNED_BEYOND = 0.25;
-constexpr double LAST_SEEN_WEIGHT = 0.2;
-constexpr double MAX_TURN = 6.0; // radians in a segment
-/// Codes whose error is at most so many times the tolerance are worth single steps towards it.
-constexpr float NEARLY = 1.15f;
+/// A segment that ends more ticks than this after its last sample gets a target for its end: interpolated towards the
+/// look-ahead, or without one, with a lower weight, the last sample.
+constexpr double MAX_UNOBSERVED_END = 0.25;
+constexpr double LAST_SAMPLE_WEIGHT = 0.2;
+constexpr double MAX_ROTATION = 6.0; // of a segment, in radians
+/// Codes whose error exceeds the tolerance by no more than this factor are improved by single steps.
+constexpr float MAX_IMPROVABLE_ERROR = 1.15f;
 constexpr float NO_LIMIT = 1e18f;
-constexpr int32_t MAX_END = ResidualModel::LIMIT / 2;
+constexpr int32_t MAX_CODE = ResidualModel::MAX_MAGNITUDE / 2;
+constexpr int COEFFICIENTS = 12;
+
+int32_t &coefficient(SegmentCode &code, int index) {
+	return index < 6 ? code.residual[index] : code.curvature[index - 6];
+}
 
 /// Rows of the rotation matrix of the inverse of q.
 void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
@@ -32,39 +37,62 @@ void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
 
 } // namespace
 
+/// The sums over the samples (u, w, y) from which the least-squares solution of y = end u + curvature w follows.
+struct SegmentFit::LeastSquares {
+	double uu = 0.0;
+	double uw = 0.0;
+	double ww = 0.0;
+	double uy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+	double wy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+	LeastSquares(const Row *target, const float *u_row, const float *w_row, size_t count) {
+		for (size_t k = 0; k < count; ++k) {
+			const double u = u_row[k];
+			const double w = w_row[k];
+			uu += u * u;
+			uw += u * w;
+			ww += w * w;
+			for (int i = 0; i < 6; ++i) {
+				uy[i] += u * double(target[i][k]);
+				wy[i] += w * double(target[i][k]);
+			}
+		}
+	}
+};
+
 void SegmentFit::begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available) {
 	_samples = samples;
 	_loaded = std::min(count, MAX_SAMPLES);
-	_known = available;
+	_available = available;
 	_begin = begin;
 	_start = state.pose(_grid);
-	const cga::Quaternion<double> back = glm::conjugate(_start.rotation);
-	cga::Vector3<double> before(0.0);
+	const cga::Quaternion<double> inverse_start = glm::conjugate(_start.rotation);
+	cga::Vector3<double> previous(0.0);
 	if (_loaded > 0) {
 		const int ticks = std::max(1, int(std::ceil(samples[0].time - begin)));
 		for (int i = 0; i < 3; ++i) {
-			before[i] = double(state.predicted(3 + i, ticks)) * _grid.rotation;
+			previous[i] = double(state.predicted(3 + i, ticks)) * _grid.rotation_step;
 		}
 	}
 	for (size_t k = 0; k < _loaded; ++k) {
 		const cga::Pose<double> &pose = samples[k].pose;
-		const cga::Vector3<double> displacement = (pose.translation - _start.translation) / _grid.position;
-		const cga::Vector3<double> turn = unwrapped(log_rotation(back * pose.rotation), before);
-		before = turn;
+		const cga::Vector3<double> translation = (pose.translation - _start.translation) / _grid.position_step;
+		const cga::Vector3<double> rotation = unwrapped(log_rotation(inverse_start * pose.rotation), previous);
+		previous = rotation;
 		double jacobian[9];
 		double to_body[9];
-		right_jacobian(turn, jacobian);
+		right_jacobian(rotation, jacobian);
 		inverse_matrix(pose.rotation, to_body);
 		for (size_t i = 0; i < 3; ++i) {
-			_target[i][k] = float(displacement[int(i)]);
-			_target[3 + i][k] = float(turn[int(i)] / _grid.rotation);
+			_target[i][k] = float(translation[int(i)]);
+			_target[3 + i][k] = float(rotation[int(i)] / _grid.rotation_step);
 		}
 		for (size_t i = 0; i < 9; ++i) {
 			_to_body[i][k] = float(to_body[i]);
 			_jacobian[i][k] = float(jacobian[i]);
 		}
 	}
-	// Blocks of 8 are computed whole: what is behind the last sample must be a number.
+	// segment_error() computes whole blocks of 8: the padding must be finite.
 	for (size_t k = _loaded; k < (_loaded + 7) / 8 * 8; ++k) {
 		for (Row &row : _target) {
 			row[k] = 0.0f;
@@ -76,25 +104,25 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 	}
 }
 
-void SegmentFit::pin_end(int ticks) {
+void SegmentFit::set_end_target(int ticks) {
 	const double end = _begin + ticks;
 	const size_t k = size_t(_count - 1);
 	const MotionSample &last = _samples[k];
 	for (size_t i = 0; i < 6; ++i) {
-		_pin[i] = double(_target[i][k]);
+		_end_target[i] = double(_target[i][k]);
 	}
-	_pin_weight = end - last.time > PINNED_BEYOND ? LAST_SEEN_WEIGHT : 0.0;
-	if (_pin_weight > 0.0 && k + 1 < _known) {
+	_end_weight = end - last.time > MAX_UNOBSERVED_END ? LAST_SAMPLE_WEIGHT : 0.0;
+	if (_end_weight > 0.0 && k + 1 < _available) {
 		const MotionSample &next = _samples[k + 1];
-		const double share = (end - last.time) / (next.time - last.time);
-		const cga::Vector3<double> displacement = (next.pose.translation - _start.translation) / _grid.position;
-		const cga::Vector3<double> before = cga::Vector3<double>(_pin[3], _pin[4], _pin[5]) * _grid.rotation;
-		const cga::Vector3<double> turn = unwrapped(log_rotation(glm::conjugate(_start.rotation) * next.pose.rotation), before) / _grid.rotation;
+		const double fraction = (end - last.time) / (next.time - last.time);
+		const cga::Vector3<double> translation = (next.pose.translation - _start.translation) / _grid.position_step;
+		const cga::Vector3<double> previous = cga::Vector3<double>(_end_target[3], _end_target[4], _end_target[5]) * _grid.rotation_step;
+		const cga::Vector3<double> rotation = unwrapped(log_rotation(glm::conjugate(_start.rotation) * next.pose.rotation), previous) / _grid.rotation_step;
 		for (int i = 0; i < 3; ++i) {
-			_pin[i] += share * (displacement[i] - _pin[i]);
-			_pin[3 + i] += share * (turn[i] - _pin[3 + i]);
+			_end_target[i] += fraction * (translation[i] - _end_target[i]);
+			_end_target[3 + i] += fraction * (rotation[i] - _end_target[3 + i]);
 		}
-		_pin_weight = 1.0;
+		_end_weight = 1.0;
 	}
 }
 
@@ -117,54 +145,56 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 	for (int i = 0; i < 6; ++i) {
 		_predicted[i] = state.predicted(i, ticks);
 	}
-	pin_end(ticks);
-	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever_arm / _grid.position);
+	set_end_target(ticks);
+	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever_arm / _grid.position_step);
 	const size_t last = size_t(_count - 1);
-	const double turn = double(std::max({ std::fabs(_target[3][last]), std::fabs(_target[4][last]), std::fabs(_target[5][last]) })) * _grid.rotation;
-	return turn < MAX_TURN;
+	const double max_component = double(std::max({ std::fabs(_target[3][last]), std::fabs(_target[4][last]), std::fabs(_target[5][last]) })) * _grid.rotation_step;
+	return max_component < MAX_ROTATION;
 }
 
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
-	// What the mode's path does besides u times its end; an estimate, as it is taken at an estimated end.
+	// What the mode's path adds to u times its end: an estimate, as `steps` is an estimate of the end.
 	SegmentCode code;
 	code.ticks = ticks;
 	const MotionSegment path = state.segment(code, steps, _grid, 0.0, _mode);
 	for (size_t k = 0; k < size_t(_count); ++k) {
-		const cga::Pose<double> pose = path.pose_at(double(_u[k]) * ticks);
-		const cga::Vector3<double> displacement = (pose.translation - path.from.translation - path.displacement * double(_u[k])) / _grid.position;
-		const cga::Vector3<double> turn = log_rotation(glm::conjugate(path.from.rotation * exp_rotation(path.turn * double(_u[k]))) * pose.rotation) / _grid.rotation;
+		const double u = double(_u[k]);
+		const cga::Pose<double> pose = path.pose_at(u * ticks);
+		const cga::Vector3<double> translation = (pose.translation - path.start.translation - path.displacement * u) / _grid.position_step;
+		const cga::Vector3<double> rotation = log_rotation(glm::conjugate(path.start.rotation * exp_rotation(path.rotation * u)) * pose.rotation) / _grid.rotation_step;
 		for (size_t i = 0; i < 3; ++i) {
-			_target[i][k] -= float(displacement[int(i)]);
-			_target[3 + i][k] -= float(turn[int(i)]);
+			_target[i][k] -= float(translation[int(i)]);
+			_target[3 + i][k] -= float(rotation[int(i)]);
 		}
 	}
 }
 
-float SegmentFit::error_of(const SegmentSteps &steps, float limit) const {
-	SegmentErrorInput input = { _target, _to_body, _jacobian, _u, _w, size_t(_padded), {}, {} };
+void SegmentFit::round_end(const double end[6], SegmentCode &code) const {
+	const double step = code.fine ? StreamGrid::FINE : StreamGrid::COARSE;
 	for (int i = 0; i < 6; ++i) {
-		input.displacement[i] = float(steps.displacement[i]);
-		input.curvature[i] = float(steps.curvature[i]);
-	}
-	return segment_error(input, limit);
-}
-
-void SegmentFit::round_end(const double displacement[6], SegmentCode &code) const {
-	const double step = code.fine ? StreamGrid::HALF : StreamGrid::COARSE;
-	for (int i = 0; i < 6; ++i) {
-		const double value = (displacement[i] - double(_predicted[i])) / step;
-		code.end[i] = int32_t(std::clamp(std::nearbyint(value), double(-MAX_END - 1), double(MAX_END + 1)));
+		const double value = (end[i] - double(_predicted[i])) / step;
+		code.residual[i] = int32_t(std::clamp(std::nearbyint(value), double(-MAX_CODE - 1), double(MAX_CODE + 1)));
 	}
 }
 
-bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
-	result.code = code;
+SegmentFit::Candidate SegmentFit::evaluate(const SegmentCode &code, float limit) const {
+	Candidate candidate{ code, 0.0f };
 	for (int group = 0; group < 2; ++group) {
 		const int32_t *curvature = code.curvature + ptrdiff_t(3) * group;
-		result.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
+		candidate.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
 	}
-	result.error = error_of(SegmentSteps(_predicted, result.code), limit);
-	return result.error <= _tolerance;
+	const SegmentSteps steps(_predicted, candidate.code);
+	SegmentErrorInput input = { _target, _to_body, _jacobian, _u, _w, size_t(_padded), {}, {} };
+	for (int i = 0; i < 6; ++i) {
+		input.end[i] = float(steps.end[i]);
+		input.curvature[i] = float(steps.curvature[i]);
+	}
+	candidate.error = segment_error(input, limit);
+	return candidate;
+}
+
+bool SegmentFit::is_nearly_within(const Candidate &candidate) const {
+	return !is_within(candidate) && candidate.error < MAX_IMPROVABLE_ERROR * _tolerance;
 }
 
 uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code) {
@@ -174,175 +204,173 @@ uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const
 	return meter.cost();
 }
 
-bool SegmentFit::improve_error(Result &result) const {
-	for (int i = 0; i < 12; ++i) {
-		if (i >= 6 && !result.code.curved[(i - 6) / 3]) {
+void SegmentFit::improve_error(Candidate &best) const {
+	for (int i = 0; i < COEFFICIENTS; ++i) {
+		if (i >= 6 && !best.code.curved[(i - 6) / 3]) {
 			continue;
 		}
 		for (const int32_t step : { -1, 1 }) {
-			SegmentCode code = result.code;
-			(i < 6 ? code.end[i] : code.curvature[i - 6]) += step;
-			Result other;
-			if (try_code(code, result.error, other)) {
-				result = other;
-				return true;
-			}
-			if (other.error < result.error) {
-				result = other;
+			SegmentCode code = best.code;
+			coefficient(code, i) += step;
+			const Candidate candidate = evaluate(code, best.error);
+			if (candidate.error < best.error) {
+				best = candidate;
 				break;
 			}
 		}
+		if (is_within(best)) {
+			return;
+		}
 	}
-	return false;
 }
 
-void SegmentFit::improve_cost(Result &result) const {
-	// A number nearer to zero is cheaper: what the models say would not change the choice often enough to ask them.
-	for (int i = 0; i < 12; ++i) {
-		const int32_t value = i < 6 ? result.code.end[i] : result.code.curvature[i - 6];
+void SegmentFit::improve_cost(Candidate &best) const {
+	// A coefficient nearer to zero is cheaper. Computing the cost would rarely change the choice.
+	for (int i = 0; i < COEFFICIENTS; ++i) {
+		const int32_t value = coefficient(best.code, i);
 		if (value == 0) {
 			continue;
 		}
-		SegmentCode code = result.code;
-		(i < 6 ? code.end[i] : code.curvature[i - 6]) += value > 0 ? -1 : 1;
-		Result other;
-		if (try_code(code, _tolerance, other)) {
-			result = other;
+		SegmentCode code = best.code;
+		coefficient(code, i) += value > 0 ? -1 : 1;
+		const Candidate candidate = evaluate(code, _tolerance);
+		if (is_within(candidate)) {
+			best = candidate;
 		}
 	}
 }
 
-bool SegmentFit::search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result) {
+std::optional<SegmentCode> SegmentFit::search(const BodyState &state, int ticks, bool thorough, MotionModels &models) const {
+	LeastSquares sums(_target, _u, _w, size_t(_count));
+	sums.uu += _end_weight;
+	double end[6];
+	for (int i = 0; i < 6; ++i) {
+		sums.uy[i] += _end_weight * _end_target[i];
+		end[i] = sums.uy[i] / sums.uu;
+	}
 	SegmentCode straight;
 	straight.ticks = ticks;
 	straight.scaled = _scale_change != 0;
-	straight.scale = _scale_change;
-	double uu = 0.0;
-	double uw = 0.0;
-	double ww = 0.0;
-	double uy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	double wy[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	for (size_t k = 0; k < size_t(_count); ++k) {
-		const double u = _u[k];
-		const double w = _w[k];
-		uu += u * u;
-		uw += u * w;
-		ww += w * w;
-		for (int i = 0; i < 6; ++i) {
-			uy[i] += u * double(_target[i][k]);
-			wy[i] += w * double(_target[i][k]);
-		}
+	straight.scale_change = _scale_change;
+	round_end(end, straight);
+	Candidate best = evaluate(straight, NO_LIMIT);
+	if (thorough && is_nearly_within(best)) {
+		improve_error(best);
 	}
-	uu += _pin_weight;
-	for (int i = 0; i < 6; ++i) {
-		uy[i] += _pin_weight * _pin[i];
-	}
-	double straight_way[6];
-	for (int i = 0; i < 6; ++i) {
-		straight_way[i] = uy[i] / uu;
-	}
-	round_end(straight_way, straight);
-	bool found = try_code(straight, NO_LIMIT, result);
-	if (!found && thoroughly && result.error < NEARLY * _tolerance) {
-		found = improve_error(result);
-	}
-	// With bends: of the translation, the rotation, both.
-	const double determinant = uu * ww - uw * uw;
-	if (!found && _count >= 3 && determinant > 1e-3 * uu * ww) {
-		SegmentCode curved = straight;
-		double displacement[6];
-		for (int i = 0; i < 6; ++i) {
-			displacement[i] = (uy[i] * ww - wy[i] * uw) / determinant;
-		}
-		round_end(displacement, curved);
-		const SegmentSteps steps(_predicted, curved);
-		for (int i = 0; i < 6; ++i) {
-			const double curvature = (wy[i] - double(steps.displacement[i]) * uw) / ww;
-			curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / StreamGrid::CURVATURE), double(-MAX_END), double(MAX_END)));
-		}
-		uint32_t least_cost = 0;
-		for (int groups = thoroughly ? 1 : 3; groups <= 3; ++groups) {
-			SegmentCode code = straight;
-			for (int i = 0; i < 6; ++i) {
-				if (((groups >> (i / 3)) & 1) != 0) {
-					code.end[i] = curved.end[i];
-					code.curvature[i] = curved.curvature[i];
-				}
-			}
-			Result other;
-			bool within = try_code(code, NO_LIMIT, other);
-			if (!within && thoroughly && groups == 3 && !found && other.error < NEARLY * _tolerance) {
-				within = improve_error(other);
-			}
-			if (within) {
-				const uint32_t cost = cost_of(state, models, other.code);
-				if (!found || cost < least_cost) {
-					result = other;
-					least_cost = cost;
-					found = true;
-				}
-			}
-		}
-	}
-	if (!found && _count <= 2) {
+	if (!is_within(best) && _count <= 2) {
 		SegmentCode fine = straight;
 		fine.fine = true;
-		round_end(straight_way, fine);
-		found = try_code(fine, NO_LIMIT, result) || improve_error(result);
+		round_end(end, fine);
+		best = evaluate(fine, NO_LIMIT);
+		if (!is_within(best)) {
+			improve_error(best);
+		}
+	} else if (!is_within(best)) {
+		search_curved(state, straight, sums, thorough, models, best);
 	}
-	if (found && thoroughly) {
-		improve_cost(result);
+	if (!is_within(best)) {
+		return std::nullopt;
 	}
-	return found;
+	if (thorough) {
+		improve_cost(best);
+	}
+	return best.code;
 }
 
-bool SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thoroughly, MotionModels &models, Result &result) {
+void SegmentFit::search_curved(const BodyState &state, const SegmentCode &straight, const LeastSquares &sums, bool thorough, MotionModels &models, Candidate &best) const {
+	const double determinant = sums.uu * sums.ww - sums.uw * sums.uw;
+	if (!(determinant > 1e-3 * sums.uu * sums.ww)) {
+		return;
+	}
+	SegmentCode curved = straight;
+	double end[6];
+	for (int i = 0; i < 6; ++i) {
+		end[i] = (sums.uy[i] * sums.ww - sums.wy[i] * sums.uw) / determinant;
+	}
+	round_end(end, curved);
+	const SegmentSteps steps(_predicted, curved);
+	for (int i = 0; i < 6; ++i) {
+		const double curvature = (sums.wy[i] - double(steps.end[i]) * sums.uw) / sums.ww;
+		curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / StreamGrid::CURVATURE), double(-MAX_CODE), double(MAX_CODE)));
+	}
+	uint32_t min_cost = 0;
+	// The bits of `groups`: curvature of the translation, of the rotation.
+	for (int groups = thorough ? 1 : 3; groups <= 3; ++groups) {
+		SegmentCode code = straight;
+		for (int i = 0; i < 6; ++i) {
+			if (((groups >> (i / 3)) & 1) != 0) {
+				code.residual[i] = curved.residual[i];
+				code.curvature[i] = curved.curvature[i];
+			}
+		}
+		Candidate candidate = evaluate(code, NO_LIMIT);
+		if (thorough && groups == 3 && !is_within(best) && is_nearly_within(candidate)) {
+			improve_error(candidate);
+		}
+		if (!is_within(candidate)) {
+			continue;
+		}
+		// The cost matters only if there is a choice.
+		const bool is_only = groups == 3 && !is_within(best);
+		const uint32_t cost = is_only ? 0 : cost_of(state, models, candidate.code);
+		if (!is_within(best) || cost < min_cost) {
+			best = candidate;
+			min_cost = cost;
+		}
+	}
+}
+
+std::optional<SegmentCode> SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models) {
 	if (count == 0) {
-		// Nothing was seen: the motion goes on as predicted.
-		result = Result();
-		result.code.ticks = ticks;
-		return true;
+		// Without samples, the predicted motion continues.
+		SegmentCode predicted;
+		predicted.ticks = ticks;
+		return predicted;
 	}
 	if (count > _loaded || !set_length(state, ticks, count) || !(_tolerance > 0.0f)) {
-		return false;
+		return std::nullopt;
 	}
 	if (_mode == cga::Mode::SEPARATE) {
-		return search(state, ticks, thoroughly, models, result);
+		return search(state, ticks, thorough, models);
 	}
-	// The path depends on its end: take what the mode adds at the end of the separate path, then look at the result.
+	// The path depends on its end: subtract what the mode adds for an estimated end, then verify the result.
 	SegmentSteps straight;
 	for (size_t i = 0; i < 6; ++i) {
-		straight.displacement[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
+		straight.end[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
 	}
-	std::memcpy(_base_target, _target, sizeof(_target));
+	std::memcpy(_saved_target, _target, sizeof(_target));
 	subtract_base_path(state, ticks, straight);
-	const bool found = search(state, ticks, thoroughly, models, result);
-	std::memcpy(_target, _base_target, sizeof(_target));
-	if (!found) {
-		return false;
+	std::optional<SegmentCode> code = search(state, ticks, thorough, models);
+	std::memcpy(_target, _saved_target, sizeof(_target));
+	if (code) {
+		const MotionSegment segment = state.segment(*code, state.steps(*code), _grid, _begin, _mode);
+		const double max_error = StreamGrid::TOLERANCE * _grid.position_step * 1.02;
+		if (!std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= max_error; })) {
+			return std::nullopt;
+		}
 	}
-	const MotionSegment segment = state.segment(result.code, state.steps(result.code), _grid, _begin, _mode);
-	const double most = StreamGrid::TOLERANCE * _grid.position * 1.02;
-	return std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= most; });
+	return code;
 }
 
-bool SegmentFit::reach(const BodyState &state, int ticks, size_t index, Result &result) {
+std::optional<SegmentCode> SegmentFit::reach(const BodyState &state, int ticks, size_t index) {
 	if (index >= _loaded || !set_length(state, ticks, index + 1)) {
-		return false;
+		return std::nullopt;
 	}
-	result = Result();
-	SegmentCode &code = result.code;
+	SegmentCode code;
 	code.ticks = ticks;
 	code.fine = true;
 	code.scaled = _scale_change != 0;
-	code.scale = _scale_change;
-	double displacement[6];
+	code.scale_change = _scale_change;
+	double end[6];
 	for (size_t i = 0; i < 6; ++i) {
-		// Where the next sample is known, the end lies on the way to it.
-		displacement[i] = _pin_weight == 1.0 ? _pin[i] : double(_target[i][index]);
+		// With look-ahead, the end is interpolated.
+		end[i] = _end_weight == 1.0 ? _end_target[i] : double(_target[i][index]);
 	}
-	round_end(displacement, code);
-	return std::all_of(code.end, code.end + 6, [](int32_t value) { return std::abs(value) <= MAX_END; });
+	round_end(end, code);
+	if (!std::all_of(code.residual, code.residual + 6, [](int32_t value) { return std::abs(value) <= MAX_CODE; })) {
+		return std::nullopt;
+	}
+	return code;
 }
 
 } // namespace net

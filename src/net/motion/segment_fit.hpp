@@ -6,72 +6,80 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace net {
 
 /// Searches for the cheapest code of a segment that passes all samples within the tolerance.
 ///
-/// The path is linear in its coefficients but for the curvature of rotations, which the right Jacobian of each sample
-/// takes out: least squares give coefficients, rounding them gives a code, and single steps then make it feasible and
-/// cheap. Errors of all samples are computed side by side.
+/// The right Jacobian at each sample makes the path linear in its coefficients. Least squares give the coefficients, rounding
+/// them gives a code, and single quantization steps then bring it within the tolerance and make it cheaper.
 class SegmentFit {
 public:
 	static constexpr size_t MAX_SAMPLES = SegmentErrorInput::MAX_SAMPLES;
 
-	struct Result {
-		SegmentCode code;
-		float error = 0.0f; ///< in steps
-	};
-
 	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
 			_grid(grid), _mode(mode) {}
 
-	/// The samples of the segments to come, which begin at `begin` in `state`: `count` that may be passed, `available` known.
+	/// Loads the samples for segments that start in `state` at `begin`: `count` to pass; those up to `available` are
+	/// look-ahead.
 	void begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available);
-	/// Of the samples the first `count` have times in (begin, begin + ticks]. True if `result` passes them within the
-	/// tolerance; `thoroughly`: and is as cheap as can be found.
-	bool fit(const BodyState &state, int ticks, size_t count, bool thoroughly, MotionModels &models, Result &result);
-	/// A code that ends where sample `index` is as nearly as possible, whatever is between. False if none reaches it.
-	bool reach(const BodyState &state, int ticks, size_t index, Result &result);
+	/// A code that passes the first `count` samples, whose times are in (begin, begin + ticks], within the tolerance; nothing if
+	/// none was found. A search that is not `thorough` is faster, finds fewer codes, and does not look for the cheapest.
+	std::optional<SegmentCode> fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models);
+	/// A code that ends as near to sample `index` as possible, whatever the error at other samples; nothing if that is out of
+	/// range.
+	std::optional<SegmentCode> reach(const BodyState &state, int ticks, size_t index);
 
 private:
-	void pin_end(int ticks);
+	struct Candidate {
+		SegmentCode code;
+		float error; // in steps
+	};
+	struct LeastSquares;
+
+	void set_end_target(int ticks);
+	/// False if the segment rotates too far.
 	bool set_length(const BodyState &state, int ticks, size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
-	void round_end(const double displacement[6], SegmentCode &code) const;
-	bool try_code(const SegmentCode &code, float limit, Result &result) const;
+	void round_end(const double end[6], SegmentCode &code) const;
+	[[nodiscard]] Candidate evaluate(const SegmentCode &code, float limit) const;
+	[[nodiscard]] bool is_within(const Candidate &candidate) const { return candidate.error <= _tolerance; }
+	/// Close enough to the tolerance that single steps may bring it within.
+	[[nodiscard]] bool is_nearly_within(const Candidate &candidate) const;
 	/// In 1/256 bit.
 	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
-	bool improve_error(Result &result) const;
-	void improve_cost(Result &result) const;
-	[[nodiscard]] float error_of(const SegmentSteps &steps, float limit) const;
-	bool search(const BodyState &state, int ticks, bool thoroughly, MotionModels &models, Result &result);
+	void improve_error(Candidate &best) const;
+	void improve_cost(Candidate &best) const;
+	std::optional<SegmentCode> search(const BodyState &state, int ticks, bool thorough, MotionModels &models) const;
+	/// Replaces `best`, which is not within the tolerance, with the cheapest code with curvature that is, if there is one.
+	void search_curved(const BodyState &state, const SegmentCode &straight, const LeastSquares &sums, bool thorough, MotionModels &models, Candidate &best) const;
 
 	using Row = SegmentErrorInput::Row;
 
 	StreamGrid _grid;
 	cga::Mode _mode;
 
-	// Of all samples that were loaded.
+	// All loaded samples.
 	const MotionSample *_samples = nullptr;
 	size_t _loaded = 0;
-	size_t _known = 0;
+	size_t _available = 0;
 	double _begin = 0.0;
 	cga::Pose<double> _start;
-	Row _target[6]; // steps from the start
-	Row _to_body[9]; // world's axes to the body's at the sample
-	Row _jacobian[9]; // change of the rotation vector to the body's rotation at the sample
-	Row _base_target[6]; // _target before the mode's path was subtracted
+	Row _target[6]; // the rows of SegmentErrorInput
+	Row _to_body[9];
+	Row _jacobian[9];
+	Row _saved_target[6]; // _target before the base path was subtracted
 
-	// Of a segment of some length.
+	// The segment to be fitted.
 	int _count = 0;
 	int _padded = 0;
 	Row _u;
 	Row _w;
 	int64_t _predicted[6];
-	double _pin_weight = 0.0; // of a guess of where the end is, for segments that end after their last sample
-	double _pin[6];
-	float _tolerance = 0.0f; // in steps, less what the scale takes of it
+	double _end_weight = 0.0; // weight of _end_target in the least squares, relative to a sample
+	double _end_target[6]; // estimated end, in steps, for a segment that ends after its last sample
+	float _tolerance = 0.0f; // in steps, reduced by the error of the scale
 	int32_t _scale_change = 0;
 };
 

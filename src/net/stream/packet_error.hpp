@@ -6,15 +6,15 @@
 
 namespace net {
 
-/// Why a packet was rejected. A rejected packet has changed nothing.
+/// Why a packet was rejected. A rejected packet changes nothing.
 enum class PacketError : uint8_t {
-	// What any end can see.
+	// Detected by senders and receivers.
 	EMPTY,
 	TOO_LONG,
 	TRUNCATED,
 	UNKNOWN_ITEM,
 	BAD_ACK,
-	// What a receiver can see.
+	// Detected by receivers.
 	BAD_FRAGMENT,
 	TOO_MANY_BODIES,
 	TRUNCATED_SNAPSHOT,
@@ -22,9 +22,9 @@ enum class PacketError : uint8_t {
 	OTHER_STREAM_VERSION,
 	UNKNOWN_MODE,
 	SETTINGS_OUT_OF_RANGE,
-	// What a sender can see.
+	// Detected by senders.
 	UNKNOWN_RECEIVER,
-	// What a session can see.
+	// Detected by sessions.
 	OTHER_SESSION_VERSION,
 	MALFORMED_CLOSE,
 	STREAM_NOT_REQUESTED,

@@ -17,7 +17,7 @@ void put_number(std::vector<uint8_t> &bytes, Number number) {
 }
 
 template <class Number>
-Number take_number(const uint8_t *&bytes) {
+Number read_number(const uint8_t *&bytes) {
 	uint64_t bits = 0;
 	for (size_t i = 0; i < sizeof(Number); ++i) {
 		bits |= uint64_t(*bytes++) << (8 * i);
@@ -45,7 +45,7 @@ void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &head
 }
 
 PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header) {
-	static_assert(sizeof(uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "Numbers as on the wire.");
+	static_assert(sizeof(uint32_t) == 4 && sizeof(float) == 4 && sizeof(double) == 8, "The wire format has these sizes.");
 	if (size < SnapshotHeader::BYTES) {
 		return PacketError::TRUNCATED_SNAPSHOT;
 	}
@@ -57,12 +57,12 @@ PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHea
 	}
 	header.settings.mode = cga::Mode(bytes[1]);
 	bytes += 2;
-	header.settings.position_tolerance = double(take_number<float>(bytes));
-	header.settings.rotation_tolerance = double(take_number<float>(bytes));
-	header.settings.max_latency = double(take_number<float>(bytes));
-	header.window = take_number<float>(bytes);
-	header.settings.tick = take_number<double>(bytes);
-	header.tick = take_number<uint32_t>(bytes);
+	header.settings.position_tolerance = double(read_number<float>(bytes));
+	header.settings.rotation_tolerance = double(read_number<float>(bytes));
+	header.settings.max_latency = double(read_number<float>(bytes));
+	header.window = read_number<float>(bytes);
+	header.settings.tick = read_number<double>(bytes);
+	header.tick = read_number<uint32_t>(bytes);
 	const bool is_valid = is_between(header.settings.position_tolerance, 1e-6, 1e6) && is_between(header.settings.rotation_tolerance, 1e-4, 180.0) &&
 			is_between(header.settings.max_latency, 0.0, 60.0) && is_between(double(header.window), 0.0, 60.0) && is_between(header.settings.tick, 1e-4, 10.0);
 	if (!is_valid) {

@@ -22,7 +22,7 @@ struct SnapshotHeader {
 };
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);
-/// Parses a header into `header`. Fails with the reason.
+/// Parses `header`.
 PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
 
 } // namespace net

@@ -4,12 +4,6 @@
 
 namespace net {
 
-namespace {
-
-constexpr int NEVER = MAX_TICKS + 1;
-
-} // namespace
-
 StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies) :
 		_grid(position_tolerance, rotation_tolerance), _max_bodies(max_bodies) {}
 
@@ -36,7 +30,6 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 		Body body;
 		coder.bits(body.id, 31);
 		body.state.visit(state_coder);
-		body.until = NEVER;
 		if (!body.state.is_valid()) {
 			return PacketError::UNREADABLE_SNAPSHOT;
 		}
@@ -58,18 +51,18 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	coder.bit(_new_models.same_length, same_length);
 	int ticks = _last_ticks;
 	if (!same_length) {
-		uint32_t less_one = 0;
-		coder.bits(less_one, 6);
-		ticks = int(less_one) + 1;
+		uint32_t ticks_minus_one = 0;
+		coder.bits(ticks_minus_one, 6);
+		ticks = int(ticks_minus_one) + 1;
 	}
-	if (ticks < 1 || ticks > MAX_TICKS || !decode_changes(coder, ticks)) {
+	if (ticks < 1 || ticks > MAX_TICKS || !decode_events(coder, ticks)) {
 		motions.clear();
 		return std::nullopt;
 	}
-	bool neighbour_active = false;
+	_previous_active = false;
 	uint32_t new_check = _check;
 	for (Body &body : _new_bodies) {
-		if (!decode_motion(coder, body, begin, ticks, mode, neighbour_active, motions)) {
+		if (!decode_motion(coder, body, begin, ticks, mode, motions)) {
 			motions.clear();
 			return std::nullopt;
 		}
@@ -79,7 +72,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 		motions.clear();
 		return std::nullopt;
 	}
-	_new_bodies.erase(std::remove_if(_new_bodies.begin(), _new_bodies.end(), [](const Body &body) { return body.until != NEVER; }), _new_bodies.end());
+	_new_bodies.erase(std::remove_if(_new_bodies.begin(), _new_bodies.end(), [](const Body &body) { return body.removal_tick != NEVER; }), _new_bodies.end());
 	std::swap(_models, _new_models);
 	_bodies.swap(_new_bodies);
 	_check = new_check;
@@ -87,7 +80,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	return ticks;
 }
 
-bool StreamDecoder::decode_changes(RangeDecoder &coder, int ticks) {
+bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 	bool has_events = false;
 	coder.bit(_new_models.has_events, has_events);
 	if (!has_events) {
@@ -100,69 +93,68 @@ bool StreamDecoder::decode_changes(RangeDecoder &coder, int ticks) {
 		if (more == 0) {
 			return true;
 		}
-		uint32_t change = 0;
+		uint32_t event = 0;
 		uint32_t tick = 0;
-		coder.bits(change, 2);
+		coder.bits(event, 2);
 		coder.bits(tick, 7);
 		if (int(tick) > ticks) {
 			return false;
 		}
-		if (change == uint32_t(BodyChange::ADDED)) {
+		if (event == uint32_t(WindowEvent::ADDED)) {
 			Body body;
 			coder.bits(body.id, 31);
-			body.reached.visit(state_coder);
-			body.state = body.reached;
-			body.from = int(tick);
-			body.until = NEVER;
+			body.target.visit(state_coder);
+			body.state = body.target;
+			body.event_tick = int(tick);
 			if (!body.state.is_valid() || body.state.active || _new_bodies.size() >= _max_bodies) {
 				return false;
 			}
-			body.change = Change::APPEARS;
+			body.event = Event::APPEARS;
 			_new_bodies.push_back(body);
 			continue;
 		}
 		int32_t index = 0;
 		state_coder(index, INDEX_BITS);
-		if (index < 0 || size_t(index) >= _new_bodies.size() || _new_bodies[size_t(index)].until != NEVER) {
+		if (index < 0 || size_t(index) >= _new_bodies.size() || _new_bodies[size_t(index)].removal_tick != NEVER) {
 			return false;
 		}
 		Body &body = _new_bodies[size_t(index)];
-		if (change == uint32_t(BodyChange::REMOVED)) {
-			body.until = int(tick);
+		if (event == uint32_t(WindowEvent::REMOVED)) {
+			body.removal_tick = int(tick);
 			continue;
 		}
-		body.reached.visit(state_coder);
-		body.from = int(tick);
-		body.change = Change::JUMPS;
-		if (change != uint32_t(BodyChange::JUMPED) || !body.reached.is_valid() || body.reached.active) {
+		body.target.visit(state_coder);
+		body.event_tick = int(tick);
+		body.event = Event::JUMPS;
+		if (event != uint32_t(WindowEvent::JUMPED) || !body.target.is_valid() || body.target.active) {
 			return false;
 		}
 	}
 }
 
-bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, bool &neighbour_active, std::vector<BodyMotion> &motions) {
-	const int last = std::min(body.until, ticks);
-	const int at = std::min(body.from, last);
-	if (body.change == Change::JUMPS) {
-		if (!decode_span(coder, body, begin, at, mode, neighbour_active, motions)) {
+bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions) {
+	const int last = std::min(body.removal_tick, ticks);
+	const int at = std::min(body.event_tick, last);
+	if (body.event == Event::JUMPS) {
+		if (!decode_span(coder, body, begin, at, mode, motions)) {
 			return false;
 		}
-		body.state = body.reached;
+		body.state = body.target;
 	}
-	if (body.change != Change::NONE) {
+	if (body.event != Event::NONE) {
 		BodyMotion motion;
 		motion.id = body.id;
 		motion.appears = true;
 		motion.segment.begin = begin + at;
-		motion.segment.from = body.state.pose(_grid);
+		motion.segment.start = body.state.pose(_grid);
 		motions.push_back(motion);
-		body.change = Change::NONE;
-		body.from = 0;
+		body.event = Event::NONE;
+		body.event_tick = 0;
 	}
-	if (!decode_span(coder, body, begin + at, last - at, mode, neighbour_active, motions)) {
+	if (!decode_span(coder, body, begin + at, last - at, mode, motions)) {
 		return false;
 	}
-	if (body.until != NEVER) {
+	if (body.removal_tick != NEVER) {
 		BodyMotion motion;
 		motion.id = body.id;
 		motion.vanishes = true;
@@ -172,20 +164,20 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 	return true;
 }
 
-bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, bool &neighbour_active, std::vector<BodyMotion> &motions) {
+bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions) {
 	if (ticks <= 0) {
 		return true;
 	}
 	_motion.active = false;
 	_motion.count = 0;
-	const bool read = code_motion(coder, _new_models, body.state, _grid, begin, ticks, neighbour_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double from) {
+	const bool is_valid = code_motion(coder, _new_models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
 		BodyMotion motion;
 		motion.id = body.id;
-		motion.segment = state.segment(code, steps, _grid, from, mode);
+		motion.segment = state.segment(code, steps, _grid, segment_begin, mode);
 		motions.push_back(motion);
 	});
-	neighbour_active = _motion.active;
-	return read;
+	_previous_active = _motion.active;
+	return is_valid;
 }
 
 } // namespace net

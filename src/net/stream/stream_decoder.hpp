@@ -12,43 +12,45 @@
 
 namespace net {
 
-/// The inverse of StreamEncoder: decodes a snapshot, then the windows after it, one by one. Any bytes are safe input; what
-/// cannot be decoded changes nothing. Times in ticks.
+/// The inverse of StreamEncoder: decodes a snapshot, then the windows after it in order. Any bytes are safe input. If decoding
+/// fails, nothing changes. Times in ticks.
 class StreamDecoder {
 public:
 	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies);
 
 	/// Reads the output of StreamEncoder::encode_snapshot.
 	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
-	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its motion, for each body in order of
+	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its segments, of each body in order of
 	/// time. Returns the window's length in ticks; nothing if it cannot be decoded or its checksum differs.
 	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);
 
-	/// The pose and id of each body at the end of the last window.
+	/// The bodies at the end of the last window.
 	[[nodiscard]] size_t body_count() const { return _bodies.size(); }
 	[[nodiscard]] uint32_t id(size_t index) const { return _bodies[index].id; }
 	[[nodiscard]] cga::Pose<double> pose(size_t index) const { return _bodies[index].state.pose(_grid); }
 	[[nodiscard]] const StreamGrid &grid() const { return _grid; }
 
 private:
-	enum class Change : uint8_t {
+	enum class Event : uint8_t {
 		NONE,
 		APPEARS,
 		JUMPS
 	};
 
+	static constexpr int NEVER = MAX_TICKS + 1;
+
 	struct Body {
 		uint32_t id = 0;
 		BodyState state;
-		int from = 0; // ticks at which it appears or jumps in this window, 0 if it was there
-		int until = 0; // ticks at which it is removed, MAX_TICKS + 1 if it is not
-		Change change = Change::NONE;
-		BodyState reached;
+		Event event = Event::NONE; // in this window
+		int event_tick = 0; // from the window's begin
+		int removal_tick = NEVER; // from the window's begin
+		BodyState target; // state after the event
 	};
 
-	bool decode_changes(RangeDecoder &coder, int ticks);
-	bool decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, bool &neighbour_active, std::vector<BodyMotion> &motions);
-	bool decode_span(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, bool &neighbour_active, std::vector<BodyMotion> &motions);
+	bool decode_events(RangeDecoder &coder, int ticks);
+	bool decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions);
+	bool decode_span(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions);
 
 	StreamGrid _grid;
 	size_t _max_bodies;
@@ -57,6 +59,7 @@ private:
 	std::vector<Body> _bodies;
 	std::vector<Body> _new_bodies; // of the window being read
 	MotionCode _motion;
+	bool _previous_active = false; // the previous body in the list moves in this window
 	int _last_ticks = 0;
 	uint32_t _check = 0;
 };

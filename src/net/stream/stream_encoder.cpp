@@ -7,15 +7,14 @@ namespace net {
 
 namespace {
 
-/// A body that was not observed for longer than both is not assumed to have moved steadily in between: it stays, then
-/// jumps.
+/// A gap in the samples that is longer than both is not interpolated: the body rests, then jumps.
 constexpr double MAX_GAP_WINDOWS = 1.5;
 constexpr double MAX_GAP_TICKS = 6.0;
-/// Share of the tolerance that a resting body may deviate without counting as changed.
+/// Share of the tolerance within which a body stays at rest.
 constexpr double MAX_REST_DEVIATION = 0.9;
 /// Samples closer together than this, in ticks, are dropped.
 constexpr double MIN_STEP = 0.12;
-/// Times this near to a whole tick are rounded to it.
+/// Times that differ from a whole tick by less, in ticks, are rounded to it.
 constexpr double SAME_TICK = 0.01;
 
 double max_gap(int ticks) {
@@ -40,8 +39,8 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 	body.latest = pose;
 	body.latest.rotation = glm::normalize(pose.rotation);
 	body.added = true;
-	body.change_time = time;
-	body.seen_time = time;
+	body.event_time = time;
+	body.encoded_until = time;
 	_index[id] = _bodies.size();
 	_bodies.push_back(std::move(body));
 	_changed = true;
@@ -72,7 +71,7 @@ bool StreamEncoder::jump(uint32_t id) {
 
 bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 	const auto found = _index.find(id);
-	if (found == _index.end() || !BodyState::can_hold(pose, _grid)) {
+	if (found == _index.end() || !BodyState::is_in_range(pose, _grid)) {
 		return false;
 	}
 	Body &body = _bodies[found->second];
@@ -91,11 +90,11 @@ bool StreamEncoder::observe(Body &body, double time) {
 	if (std::fabs(time - whole) < SAME_TICK) {
 		time = whole;
 	}
-	if (body.added && (body.jump_next || time <= body.change_time + 1e-6)) {
-		// No window contains the body yet: it simply begins here.
+	if (body.added && (body.jump_next || time <= body.event_time + 1e-6)) {
+		// No window contains the body yet: it is added at this pose.
 		body.jump_next = false;
 		body.samples.clear();
-		if (time > body.change_time + MIN_STEP) {
+		if (time > body.event_time + MIN_STEP) {
 			body.samples.push_back({ time, body.latest });
 		}
 		return body.state.set_pose(body.latest, _grid);
@@ -104,8 +103,8 @@ bool StreamEncoder::observe(Body &body, double time) {
 		body.jump_next = false;
 		_changed = true;
 		if (body.jumped) {
-			// Several jumps in a window become one, at the time of the first, to where the last one led.
-			const double first = body.change_time;
+			// Merge the jumps of a window: at the time of the first, to the pose of the last.
+			const double first = body.event_time;
 			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
 			body.samples.push_back({ first, body.latest });
 			if (time > first + MIN_STEP) {
@@ -114,14 +113,14 @@ bool StreamEncoder::observe(Body &body, double time) {
 			return true;
 		}
 		body.jumped = true;
-		body.change_time = time;
+		body.event_time = time;
 		while (!body.samples.empty() && body.samples.back().time >= time) {
 			body.samples.pop_back();
 		}
 		body.samples.push_back({ time, body.latest });
 		return true;
 	}
-	_changed = _changed || is_change(body, body.latest);
+	_changed = _changed || is_changed(body, body.latest);
 	if (!body.samples.empty() && time - body.samples.back().time < MIN_STEP) {
 		return true;
 	}
@@ -129,8 +128,8 @@ bool StreamEncoder::observe(Body &body, double time) {
 	return true;
 }
 
-bool StreamEncoder::is_change(const Body &body, const cga::Pose<double> &pose) const {
-	return body.state.active || !body.state.settled || pose_distance(body.state.pose(_grid), pose, _grid.lever_arm) > MAX_REST_DEVIATION * StreamGrid::TOLERANCE * _grid.position;
+bool StreamEncoder::is_changed(const Body &body, const cga::Pose<double> &pose) const {
+	return body.state.active || !body.state.rest_corrected || pose_distance(body.state.pose(_grid), pose, _grid.lever_arm) > MAX_REST_DEVIATION * StreamGrid::TOLERANCE * _grid.position_step;
 }
 
 void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> &bytes) {
@@ -138,58 +137,57 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 	bool same_length = ticks == _last_ticks;
 	coder.bit(_models.same_length, same_length);
 	if (!same_length) {
-		uint32_t less_one = uint32_t(ticks - 1);
-		coder.bits(less_one, 6);
+		uint32_t ticks_minus_one = uint32_t(ticks - 1);
+		coder.bits(ticks_minus_one, 6);
 	}
 	_last_ticks = ticks;
 	find_gaps(begin, ticks);
-	encode_changes(coder, begin, ticks);
-	bool neighbour_active = false;
+	encode_events(coder, begin, ticks);
+	_previous_active = false;
 	_moving = 0;
 	for (Body &body : _bodies) {
-		encode_motion(coder, body, begin, ticks, neighbour_active);
+		encode_motion(coder, body, begin, ticks);
 		if (!body.added) {
 			_moving += body.state.active ? 1 : 0;
 			_check = (_check ^ body.state.hash()) * 0x01000193u;
 		}
 	}
 	coder.finish();
-	const auto gone = [](const Body &body) { return body.removed; };
-	const auto kept = std::remove_if(_bodies.begin(), _bodies.end(), gone);
-	if (kept != _bodies.end()) {
-		_bodies.erase(kept, _bodies.end());
+	const auto end = std::remove_if(_bodies.begin(), _bodies.end(), [](const Body &body) { return body.removed; });
+	if (end != _bodies.end()) {
+		_bodies.erase(end, _bodies.end());
 		for (size_t i = 0; i < _bodies.size(); ++i) {
 			_index[_bodies[i].id] = i;
 		}
 	}
 	_changed = false;
 	for (const Body &body : _bodies) {
-		_changed = _changed || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.settled : is_change(body, body.samples.back().pose));
+		_changed = _changed || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
 	}
 }
 
 void StreamEncoder::find_gaps(double begin, int ticks) {
-	const double most = max_gap(ticks);
+	const double gap = max_gap(ticks);
 	for (Body &body : _bodies) {
-		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.seen_time <= most) {
+		if (body.samples.empty() || body.added || body.jumped || body.samples.front().time > begin + ticks || body.samples.front().time - body.encoded_until <= gap) {
 			continue;
 		}
-		if (is_change(body, body.samples.front().pose)) {
+		if (is_changed(body, body.samples.front().pose)) {
 			body.jumped = true;
-			body.change_time = body.samples.front().time;
+			body.event_time = body.samples.front().time;
 		}
 	}
 }
 
-void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks) {
-	// Changes after the window's end belong to the next one.
+void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) {
+	// Events after the window's end belong to the next one.
 	const double end = begin + ticks + 1e-6;
-	const auto is_added = [end](const Body &body) { return body.added && body.change_time <= end; };
-	const auto is_jumped = [end](const Body &body) { return body.jumped && body.change_time <= end; };
-	// A body that was added after the end and has been removed again never existed for receivers.
-	const auto is_included = [end](const Body &body) { return !body.added || body.change_time <= end; };
-	const auto has_change = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
-	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_change);
+	const auto is_added = [end](const Body &body) { return body.added && body.event_time <= end; };
+	const auto is_jumped = [end](const Body &body) { return body.jumped && body.event_time <= end; };
+	// Receivers never learn of a body that was added after the end and has been removed again.
+	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
+	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
+	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
 		return;
@@ -204,26 +202,26 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 		++index;
 		if (is_added(body)) {
 			put(1, 1);
-			put(uint32_t(BodyChange::ADDED), 2);
-			put(uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(uint32_t(WindowEvent::ADDED), 2);
+			put(uint32_t(tick_in_window(body.event_time, begin, ticks)), 7);
 			put(body.id, 31);
 			body.state.visit(state_coder);
 		} else if (is_jumped(body)) {
 			put(1, 1);
-			put(uint32_t(BodyChange::JUMPED), 2);
-			put(uint32_t(tick_in_window(body.change_time, begin, ticks)), 7);
+			put(uint32_t(WindowEvent::JUMPED), 2);
+			put(uint32_t(tick_in_window(body.event_time, begin, ticks)), 7);
 			state_coder(index, INDEX_BITS);
-			BodyState reached;
-			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.change_time; });
-			if (first == body.samples.end() || !reached.set_pose(first->pose, _grid)) {
-				reached = body.state;
-				reached.rest();
+			BodyState target;
+			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.event_time; });
+			if (first == body.samples.end() || !target.set_pose(first->pose, _grid)) {
+				target = body.state;
+				target.reset_motion();
 			}
-			reached.visit(state_coder);
+			target.visit(state_coder);
 		}
 		if (body.removed) {
 			put(1, 1);
-			put(uint32_t(BodyChange::REMOVED), 2);
+			put(uint32_t(WindowEvent::REMOVED), 2);
 			put(uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
 			state_coder(index, INDEX_BITS);
 		}
@@ -231,27 +229,27 @@ void StreamEncoder::encode_changes(RangeEncoder &coder, double begin, int ticks)
 	put(0, 1);
 }
 
-void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active) {
+void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks) {
 	const double end = begin + ticks + 1e-6;
 	const size_t count = size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
 	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
 	size_t first = 0;
 	if (body.added || body.jumped) {
-		if (body.change_time > end) {
+		if (body.event_time > end) {
 			if (body.added) {
-				return; // does not exist yet
+				return; // a later window adds it
 			}
 		} else {
-			const int at = std::min(tick_in_window(body.change_time, begin, ticks), last);
-			while (first < count && body.samples[first].time < body.change_time) {
+			const int at = std::min(tick_in_window(body.event_time, begin, ticks), last);
+			while (first < count && body.samples[first].time < body.event_time) {
 				++first;
 			}
 			if (body.jumped) {
-				encode_span(coder, body, begin, at, 0, first, first, neighbour_active);
+				encode_span(coder, body, begin, at, 0, first, first);
 				const bool is_observed = first < count && body.state.set_pose(body.samples[first].pose, _grid);
 				if (!is_observed) {
-					body.state.rest();
+					body.state.reset_motion();
 				}
 			}
 			from = at;
@@ -259,11 +257,11 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 			body.jumped = false;
 		}
 	}
-	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first, neighbour_active);
+	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first);
 	body.samples.erase(body.samples.begin(), body.samples.begin() + ptrdiff_t(count));
 }
 
-void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available, bool &neighbour_active) {
+void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available) {
 	if (ticks <= 0) {
 		return;
 	}
@@ -273,26 +271,26 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 		--count;
 		--available;
 	}
-	// Samples between the tick of a jump or removal and its actual time.
+	// Ignore samples between the tick of a jump or removal and its actual time.
 	while (count > 0 && samples[count - 1].time > begin + ticks + 1e-6) {
 		--count;
 	}
-	if (count == 0 && body.state.active && begin + ticks - body.seen_time <= max_gap(ticks)) {
+	if (count == 0 && body.state.active && begin + ticks - body.encoded_until <= max_gap(ticks)) {
 		_motion.active = true;
 		_motion.count = 1;
 		_motion.segments[0] = SegmentCode();
 		_motion.segments[0].ticks = ticks;
 	} else {
-		body.seen_time = count == 0 ? body.seen_time : samples[count - 1].time;
+		body.encoded_until = count == 0 ? body.encoded_until : samples[count - 1].time;
 		if (!_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion)) {
-			// No segment reaches it: the body stays and jumps at its next pose.
+			// The motion is out of range: the body rests, and jumps to its next pose.
 			_motion.active = false;
-			_motion.settles = false;
+			_motion.has_rest_correction = false;
 			body.jump_next = true;
 		}
 	}
-	(void)code_motion(coder, _models, body.state, _grid, begin, ticks, neighbour_active, _motion, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
-	neighbour_active = _motion.active;
+	(void)code_motion(coder, _models, body.state, _grid, begin, ticks, _previous_active, _motion, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
+	_previous_active = _motion.active;
 }
 
 void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {

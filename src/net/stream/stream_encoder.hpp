@@ -10,7 +10,7 @@
 
 namespace net {
 
-/// Encodes the poses of many bodies into windows of motion, each against the window before it. Times in ticks.
+/// Encodes the poses of many bodies into windows, each against the previous one. Times in ticks.
 class StreamEncoder {
 public:
 	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode);
@@ -30,14 +30,14 @@ public:
 	template <class Visit>
 	void visit_bodies(Visit &&visit) const;
 
-	/// True if a body has moved on or left its predicted motion since the last window, or bodies came, went or jumped.
+	/// True if, since the last window, a body moved or was added, removed or jumped.
 	[[nodiscard]] bool has_changes() const { return _changed; }
 	/// Number of bodies that moved in the last window.
 	[[nodiscard]] size_t moving_count() const { return _moving; }
 
-	/// Appends the window (begin, begin + ticks] to `bytes`. `begin` is the end of the window before.
+	/// Appends the window (begin, begin + ticks] to `bytes`. `begin` is the end of the previous window.
 	void encode_window(double begin, int ticks, std::vector<uint8_t> &bytes);
-	/// Eight-bit checksum of the whole state.
+	/// Eight-bit checksum of the state of all bodies after the last window.
 	[[nodiscard]] uint8_t check() const { return check_bits(_check); }
 	/// Appends what a receiver needs to decode the next window: the models and all bodies.
 	void encode_snapshot(std::vector<uint8_t> &bytes);
@@ -49,27 +49,28 @@ private:
 		uint32_t id = 0;
 		BodyState state;
 		cga::Pose<double> latest; // the last pose observed
-		std::vector<MotionSample> samples; // since the last window
-		bool added = false; // in this window, at `change_time`
+		std::vector<MotionSample> samples; // that no window contains yet
+		bool added = false; // in this window, at `event_time`
 		bool jump_next = false;
-		bool jumped = false; // in this window, at `change_time`
+		bool jumped = false; // in this window, at `event_time`
 		bool removed = false;
-		double change_time = 0.0;
+		double event_time = 0.0;
 		double removal_time = 0.0;
-		double seen_time = 0.0; // of the last sample that a window contains
+		double encoded_until = 0.0; // time of the last sample that a window contains
 	};
 
 	bool observe(Body &body, double time);
 	void find_gaps(double begin, int ticks);
-	void encode_changes(RangeEncoder &coder, double begin, int ticks);
-	void encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks, bool &neighbour_active);
-	void encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available, bool &neighbour_active);
-	[[nodiscard]] bool is_change(const Body &body, const cga::Pose<double> &pose) const;
+	void encode_events(RangeEncoder &coder, double begin, int ticks);
+	void encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks);
+	void encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available);
+	[[nodiscard]] bool is_changed(const Body &body, const cga::Pose<double> &pose) const;
 
 	StreamGrid _grid;
 	MotionPlanner _planner;
 	MotionModels _models;
 	MotionCode _motion;
+	bool _previous_active = false; // the previous body in the list moves in this window
 	std::vector<Body> _bodies;
 	std::unordered_map<uint32_t, size_t> _index; // into _bodies
 	int _last_ticks = 0;

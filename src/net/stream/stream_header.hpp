@@ -9,28 +9,28 @@
 
 namespace net {
 
-/// Of the number of a body in the stream's list, as a signed number.
+/// Bits of a body's index in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
 
-/// Checksum that the sender sends with a window: those bits of `value` that `mask` has.
+/// The checksum received with a window. Only the bits in `mask` were sent.
 struct WindowCheck {
 	uint8_t value = 0;
 	uint8_t mask = 255;
 };
 
-/// The checksum of a stream's state, from its hash.
+/// Folds the hash of a stream's state to a checksum.
 [[nodiscard]] inline uint8_t check_bits(uint32_t hash) {
 	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
 }
 
-/// What happens to a body in a window besides motion. Ticks count from the window's begin.
-enum class BodyChange : uint8_t {
-	ADDED, ///< is there from the tick on
-	REMOVED, ///< is gone from the tick on
-	JUMPED, ///< is elsewhere from the tick on
+/// An event of a body in a window, besides its motion.
+enum class WindowEvent : uint8_t {
+	ADDED,
+	REMOVED,
+	JUMPED,
 };
 
-/// Writes and reads numbers of a BodyState with a RangeEncoder or a RangeDecoder: the width in bits, then the bits.
+/// Codes the numbers of a BodyState with a RangeEncoder or a RangeDecoder: the width of the zigzag code, then its bits.
 template <class Coder>
 class StateCoder {
 public:
@@ -56,18 +56,18 @@ private:
 	Coder &_coder;
 };
 
-/// Writes or reads the models: those that are not as they began, each with a flag.
+/// Codes the models: for each adaptive bit a flag and, if it differs from its initial state, its state.
 template <class Coder>
 void code_models(Coder &coder, MotionModels &models) {
-	MotionModels fresh;
-	AdaptiveBit *others[MotionModels::MAX_BITS];
+	MotionModels initial;
+	AdaptiveBit *initial_bits[MotionModels::MAX_BITS];
 	int count = 0;
-	fresh.visit([&](AdaptiveBit &bit) { others[count++] = &bit; });
+	initial.visit([&](AdaptiveBit &bit) { initial_bits[count++] = &bit; });
 	AdaptiveBit is_changed;
 	count = 0;
 	models.visit([&](AdaptiveBit &bit) {
 		uint32_t state = bit.state();
-		bool changed = state != others[count++]->state();
+		bool changed = state != initial_bits[count++]->state();
 		coder.bit(is_changed, changed);
 		if (changed) {
 			coder.bits(state, 32);

@@ -8,12 +8,12 @@ namespace net {
 
 /// Settings of a stream of poses. The sender chooses them; receivers learn them from snapshots.
 struct StreamSettings {
-	/// Maximum distance between a body as shown and as it was, in meters: at its center, and at points on its axes as far
-	/// out as the lever arm (StreamGrid) that belongs to `rotation_tolerance`.
+	/// Maximum distance between a body as shown and as it was, in meters: at its center, and on its axes at the lever arm,
+	/// which StreamGrid derives from the two tolerances.
 	double position_tolerance = 0.005;
-	/// Maximum angle between the rotation shown and the true one, in degrees.
+	/// Maximum angle between the rotation shown and the actual one, in degrees.
 	double rotation_tolerance = 1.4;
-	/// How far receivers show the motion behind the sender, in seconds, plus the network's own delay.
+	/// Playback delay of receivers, in seconds, without the delay of the network.
 	double max_latency = 0.2;
 	/// Maximum number of windows a second. Longer windows cost fewer bytes.
 	double send_rate = 20.0;
@@ -22,7 +22,7 @@ struct StreamSettings {
 	/// Length of a tick, in seconds. Windows and segments begin and end at whole ticks.
 	double tick = 1.0 / 60.0;
 
-	/// True if a stream can continue when its settings change to `other`. (The rate does not concern receivers.)
+	/// True if a stream can continue when its settings change to `other`. Only send_rate may differ.
 	[[nodiscard]] bool is_same_stream(const StreamSettings &other) const {
 		return position_tolerance == other.position_tolerance && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
 	}

@@ -179,21 +179,21 @@ TEST_CASE("range coder: fields of every width and bits of many models round-trip
 
 TEST_CASE("range coder: probabilities never reach 0 or 1, and a model's state is complete") {
 	AdaptiveBit model;
-	CHECK(model.zero() == 2048);
+	CHECK(model.probability() == 2048);
 	for (int i = 0; i < 5000; ++i) {
 		model.update(false);
 	}
-	CHECK(model.zero() <= 4080);
-	CHECK(model.zero() > 4060);
+	CHECK(model.probability() <= 4080);
+	CHECK(model.probability() > 4060);
 	for (int i = 0; i < 5000; ++i) {
 		model.update(true);
 	}
-	CHECK(model.zero() >= 16);
-	CHECK(model.zero() < 40);
+	CHECK(model.probability() >= 16);
+	CHECK(model.probability() < 40);
 	model.update(false);
 	AdaptiveBit other;
 	other.set_state(model.state());
-	CHECK(other.zero() == model.zero());
+	CHECK(other.probability() == model.probability());
 	other.update(true);
 	model.update(true);
 	CHECK(other.state() == model.state());

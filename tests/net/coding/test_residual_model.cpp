@@ -20,8 +20,8 @@ TEST_CASE("residual model: every magnitude round-trips, whatever was expected") 
 	}
 	for (int bit = 11; bit <= 21; ++bit) {
 		for (int off = -2; off <= 2; ++off) {
-			values.push_back(std::min((1 << bit) + off, ResidualModel::LIMIT));
-			values.push_back(std::min((1 << bit) + off + ResidualModel::UNARY, ResidualModel::LIMIT));
+			values.push_back(std::min((1 << bit) + off, ResidualModel::MAX_MAGNITUDE));
+			values.push_back(std::min((1 << bit) + off + ResidualModel::MAX_UNARY, ResidualModel::MAX_MAGNITUDE));
 		}
 	}
 	for (const int32_t expected : { 0, 1, 256, 5000, 1 << 18, 1 << 20 }) {
@@ -68,9 +68,9 @@ TEST_CASE("residual model: arbitrary bytes decode to numbers within the limit") 
 			max = std::max(max, std::abs(value));
 		}
 	}
-	CHECK(max <= ResidualModel::LIMIT);
+	CHECK(max <= ResidualModel::MAX_MAGNITUDE);
 	// What an encoder of another mind writes, beyond the limit.
-	for (const int32_t beyond : { ResidualModel::LIMIT + 1, 2 * ResidualModel::LIMIT, -2 * ResidualModel::LIMIT }) {
+	for (const int32_t beyond : { ResidualModel::MAX_MAGNITUDE + 1, 2 * ResidualModel::MAX_MAGNITUDE, -2 * ResidualModel::MAX_MAGNITUDE }) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
 		ResidualModel model;
@@ -80,7 +80,7 @@ TEST_CASE("residual model: arbitrary bytes decode to numbers within the limit") 
 		RangeDecoder decoder(bytes.data(), bytes.size());
 		ResidualModel read_model;
 		read_model.code(decoder, value, 256);
-		CHECK(value == (beyond > 0 ? ResidualModel::LIMIT : -ResidualModel::LIMIT));
+		CHECK(value == (beyond > 0 ? ResidualModel::MAX_MAGNITUDE : -ResidualModel::MAX_MAGNITUDE));
 	}
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("mean magnitude: a bounded average of about the last 8") {
 	}
 	CHECK(mean.value() == doctest::Approx(2560 * std::pow(7.0 / 8.0, 8)).epsilon(0.02));
 	for (int i = 0; i < 100; ++i) {
-		mean.add(ResidualModel::LIMIT);
+		mean.add(ResidualModel::MAX_MAGNITUDE);
 	}
 	CHECK(mean.value() <= MeanMagnitude::MAX * 256);
 	mean.set_value(77);

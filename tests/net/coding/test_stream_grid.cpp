@@ -13,8 +13,8 @@ TEST_CASE("stream grid: an error of one tolerance at the lever arm bounds both t
 			const StreamGrid grid{ float(position), float(rotation) };
 			CAPTURE(position);
 			CAPTURE(rotation);
-			CHECK(grid.position * StreamGrid::TOLERANCE == doctest::Approx(StreamGrid::USED * position).epsilon(1e-6));
-			CHECK(grid.rotation * grid.lever_arm == doctest::Approx(grid.position).epsilon(1e-12));
+			CHECK(grid.position_step * StreamGrid::TOLERANCE == doctest::Approx(StreamGrid::USABLE_SHARE * position).epsilon(1e-6));
+			CHECK(grid.rotation_step * grid.lever_arm == doctest::Approx(grid.position_step).epsilon(1e-12));
 			// About any axis, one of the three points at the lever arm moves at least by the position tolerance.
 			const double radians = glm::radians(rotation);
 			cga_test::Random random(5);
@@ -22,7 +22,7 @@ TEST_CASE("stream grid: an error of one tolerance at the lever arm bounds both t
 				const Vector3D axis = i < 100 ? glm::normalize(random.vector(1.0)) : glm::normalize(Vector3D(1.0) + random.vector(0.01));
 				PoseD turned;
 				turned.rotation = cga_test::axis_angle(axis, radians);
-				CHECK(error_share(turned, PoseD(), grid) * StreamGrid::USED >= 0.99);
+				CHECK(error_share(turned, PoseD(), grid) * StreamGrid::USABLE_SHARE >= 0.99);
 			}
 		}
 	}

@@ -24,8 +24,8 @@ void follow(BodyState &state, int ticks, int count, const Path &at) {
 		code.ticks = ticks;
 		SegmentSteps steps{};
 		for (int c = 0; c < 3; ++c) {
-			steps.displacement[c] = at(i * ticks) - at((i - 1) * ticks);
-			code.end[c] = int32_t((steps.displacement[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
+			steps.end[c] = at(i * ticks) - at((i - 1) * ticks);
+			code.residual[c] = int32_t((steps.end[c] - state.predicted(c, ticks)) / StreamGrid::COARSE);
 		}
 		REQUIRE(state.apply(code, steps, GRID));
 	}
@@ -58,13 +58,13 @@ TEST_CASE("body state: the nearest pose, near and at 10 km") {
 			REQUIRE(state.set_pose(pose, GRID));
 			const PoseD near = state.pose(GRID);
 			for (int axis = 0; axis < 3; ++axis) {
-				CHECK(std::abs(near.translation[axis] - pose.translation[axis]) <= GRID.position * 0.5 + 1e-9);
+				CHECK(std::abs(near.translation[axis] - pose.translation[axis]) <= GRID.position_step * 0.5 + 1e-9);
 			}
 			CHECK(cga_test::angle_between(near.rotation, glm::normalize(pose.rotation)) < 3e-5);
 			CHECK(std::abs(std::log2(near.scale / pose.scale)) <= 0.5 / BodyState::SCALE_LEVELS + 1e-9);
 			CHECK(state.is_valid());
 			CHECK_FALSE(state.active);
-			CHECK(state.settled);
+			CHECK(state.rest_corrected);
 		}
 	}
 }
@@ -76,7 +76,7 @@ TEST_CASE("body state: poses that are not finite or out of range are rejected wi
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	const double infinity = std::numeric_limits<double>::infinity();
 	std::vector<PoseD> rejected;
-	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MAX_STEPS) }) {
+	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position_step * double(BodyState::MAX_STEPS) }) {
 		rejected.push_back(pose_of(bad));
 		PoseD pose;
 		pose.translation.z = -std::abs(bad);
@@ -96,7 +96,7 @@ TEST_CASE("body state: poses that are not finite or out of range are rejected wi
 		CHECK_FALSE(state.set_pose(pose, GRID));
 		CHECK(numbers(state) == before);
 	}
-	PoseD farthest = pose_of(GRID.position * double(BodyState::MAX_STEPS - 1));
+	PoseD farthest = pose_of(GRID.position_step * double(BodyState::MAX_STEPS - 1));
 	farthest.scale = 65536.0;
 	CHECK(state.set_pose(farthest, GRID));
 	CHECK(state.is_valid());
@@ -124,7 +124,7 @@ TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with their curvature: the next window's displacement is predicted to a few percent.
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
-	const double g = -0.5 * 9.81 / 3600.0 / GRID.position; // steps a tick^2
+	const double g = -0.5 * 9.81 / 3600.0 / GRID.position_step; // steps a tick^2
 	int64_t displacement = 0;
 	for (int i = 0; i < 10; ++i) {
 		SegmentCode code;
@@ -132,7 +132,7 @@ TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 		SegmentSteps steps{};
 		const auto at = [g](int tick) { return int64_t(std::llround(g * tick * tick)); };
 		displacement = at(12 * (i + 1)) - at(12 * i);
-		steps.displacement[1] = displacement;
+		steps.end[1] = displacement;
 		steps.curvature[1] = int64_t(std::llround(-g * 144.0));
 		code.curved[0] = true;
 		code.curvature[1] = int32_t(steps.curvature[1] / StreamGrid::CURVATURE);
@@ -148,45 +148,45 @@ TEST_CASE("body state: after rest no motion is predicted") {
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	follow(state, 5, 5, [](int64_t tick) { return 30 * tick; });
 	CHECK(state.active);
-	CHECK_FALSE(state.settled);
+	CHECK_FALSE(state.rest_corrected);
 	const PoseD before = state.pose(GRID);
-	state.rest();
+	state.reset_motion();
 	CHECK_FALSE(state.active);
 	CHECK(cga_test::difference(state.pose(GRID), before) == 0.0);
 	for (int c = 0; c < 6; ++c) {
 		CHECK(state.predicted(c, 20) == 0);
 	}
 	const int32_t offset[6] = { 3, -4, 5, 6, 0, -7 };
-	REQUIRE(state.settle(offset, GRID));
-	CHECK(state.settled);
+	REQUIRE(state.correct_rest(offset, GRID));
+	CHECK(state.rest_corrected);
 	const PoseD after = state.pose(GRID);
-	CHECK(glm::length(after.translation - before.translation - Vector3D(3, -4, 5) * GRID.position) < 1e-12);
-	CHECK(cga_test::angle_between(before.rotation, after.rotation) == doctest::Approx(std::sqrt(85.0) * GRID.rotation).epsilon(0.01));
+	CHECK(glm::length(after.translation - before.translation - Vector3D(3, -4, 5) * GRID.position_step) < 1e-12);
+	CHECK(cga_test::angle_between(before.rotation, after.rotation) == doctest::Approx(std::sqrt(85.0) * GRID.rotation_step).epsilon(0.01));
 }
 
 TEST_CASE("body state: motions out of range are rejected without a change") {
 	BodyState state;
-	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MAX_STEPS - 10)), GRID));
+	REQUIRE(state.set_pose(pose_of(GRID.position_step * double(BodyState::MAX_STEPS - 10)), GRID));
 	const std::vector<int64_t> before = numbers(state);
 	SegmentCode code;
 	SegmentSteps steps{};
-	steps.displacement[0] = 11;
+	steps.end[0] = 11;
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	steps.displacement[0] = 0;
-	steps.displacement[4] = int64_t(20.0 / GRID.rotation); // radians
+	steps.end[0] = 0;
+	steps.end[4] = int64_t(20.0 / GRID.rotation_step); // radians
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	steps.displacement[4] = 0;
+	steps.end[4] = 0;
 	code.scaled = true;
-	code.scale = BodyState::MAX_SCALE + 1;
+	code.scale_change = BodyState::MAX_SCALE + 1;
 	CHECK_FALSE(state.apply(code, steps, GRID));
-	code.scale = -ResidualModel::LIMIT;
+	code.scale_change = -ResidualModel::MAX_MAGNITUDE;
 	CHECK_FALSE(state.apply(code, steps, GRID));
 	const int32_t far[6] = { 11, 0, 0, 0, 0, 0 };
-	CHECK_FALSE(state.settle(far, GRID));
+	CHECK_FALSE(state.correct_rest(far, GRID));
 	const int32_t turned[6] = { 0, 0, 0, 2000, 0, 0 };
-	CHECK_FALSE(state.settle(turned, GRID));
+	CHECK_FALSE(state.correct_rest(turned, GRID));
 	CHECK(numbers(state) == before);
-	code.scale = BodyState::MAX_SCALE;
+	code.scale_change = BodyState::MAX_SCALE;
 	CHECK(state.apply(code, steps, GRID));
 	CHECK(state.is_valid());
 }
@@ -200,12 +200,12 @@ TEST_CASE("body state: visit covers the whole state, and the hash depends on pos
 			SegmentCode code;
 			code.ticks = 1 + int(random.uniform(0.0, 63.9));
 			for (int c = 0; c < 6; ++c) {
-				code.end[c] = int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
+				code.residual[c] = int32_t(random.uniform(-2000.0, 2000.0) / (c < 3 ? 1.0 : 10.0) - double(state.predicted(c, code.ticks)) / StreamGrid::COARSE);
 				code.curvature[c] = int32_t(random.uniform(-200.0, 200.0));
 			}
 			code.curved[k % 2] = true;
 			code.scaled = k % 3 == 0;
-			code.scale = 17;
+			code.scale_change = 17;
 			REQUIRE(state.apply(code, state.steps(code), GRID));
 		}
 		std::vector<uint8_t> bytes;
@@ -229,7 +229,7 @@ TEST_CASE("body state: visit covers the whole state, and the hash depends on pos
 	BodyState a;
 	BodyState b;
 	REQUIRE(a.set_pose(pose_of(1.0), GRID));
-	REQUIRE(b.set_pose(pose_of(1.0 + GRID.position), GRID));
+	REQUIRE(b.set_pose(pose_of(1.0 + GRID.position_step), GRID));
 	CHECK(a.hash() != b.hash());
 	PoseD scaled = pose_of(1.0);
 	scaled.scale = 1.001;

@@ -52,7 +52,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 		if (!planner.plan(outcome.state, begin, plan.ticks, samples.data() + first, count, samples.size() - first, models, motion)) {
 			++outcome.failed;
 			motion.active = false;
-			motion.settles = false;
+			motion.has_rest_correction = false;
 		}
 		const PoseD held = outcome.state.pose(plan.grid);
 		std::vector<MotionSegment> segments;
@@ -153,11 +153,11 @@ TEST_CASE("motion plan: the tolerance also holds in other modes, for other windo
 			CAPTURE(motion.name);
 			CAPTURE(int(row.mode));
 			CAPTURE(row.ticks);
-			CAPTURE(row.grid.position);
+			CAPTURE(row.grid.position_step);
 			CAPTURE(outcome.worst_time);
 			CHECK(outcome.failed == 0);
 			// Errors of rotations of many degrees are not quite linear.
-			CHECK(outcome.worst <= (row.grid.position > 0.01 ? 1.05 : most_share(row.mode)));
+			CHECK(outcome.worst <= (row.grid.position_step > 0.01 ? 1.05 : most_share(row.mode)));
 		}
 	}
 }
@@ -216,12 +216,12 @@ TEST_CASE("motion plan: a body that stops comes to rest and settles to within a 
 		const Plan plan;
 		const Outcome outcome = planned(path, regular_times(60.0, 2.0), plan);
 		CHECK_FALSE(outcome.state.active);
-		CHECK(outcome.state.settled);
+		CHECK(outcome.state.rest_corrected);
 		const PoseD shown = outcome.state.pose(plan.grid);
 		for (int axis = 0; axis < 3; ++axis) {
-			CHECK(std::abs(shown.translation[axis] - last.translation[axis]) <= plan.grid.position);
+			CHECK(std::abs(shown.translation[axis] - last.translation[axis]) <= plan.grid.position_step);
 		}
-		CHECK(cga_test::angle_between(shown.rotation, last.rotation) <= plan.grid.rotation * std::sqrt(3.0));
+		CHECK(cga_test::angle_between(shown.rotation, last.rotation) <= plan.grid.rotation_step * std::sqrt(3.0));
 	}
 }
 

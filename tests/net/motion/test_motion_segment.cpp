@@ -20,11 +20,11 @@ MotionSegment random_segment(cga_test::Random &random, cga::Mode mode) {
 	MotionSegment segment;
 	segment.begin = random.uniform(-100.0, 100.0);
 	segment.length = std::floor(random.uniform(1.0, 64.0));
-	segment.from = random.pose(20.0);
+	segment.start = random.pose(20.0);
 	segment.scale_ratio = random.uniform(0.3, 3.0);
 	segment.displacement = random.vector(2.0);
 	segment.translation_curvature = random.vector(1.0);
-	segment.turn = random.vector(0.6);
+	segment.rotation = random.vector(0.6);
 	segment.rotation_curvature = random.vector(0.4);
 	segment.mode = mode;
 	return segment;
@@ -34,14 +34,14 @@ MotionSegment random_segment(cga_test::Random &random, cga::Mode mode) {
 PoseD by_formula(const MotionSegment &s, double u) {
 	const double w = u * (1.0 - u);
 	PoseD pose;
-	pose.scale = s.from.scale * std::pow(s.scale_ratio, u);
+	pose.scale = s.start.scale * std::pow(s.scale_ratio, u);
 	if (s.mode == cga::Mode::SEPARATE) {
-		pose.translation = s.from.translation + s.displacement * u + s.translation_curvature * w;
-		pose.rotation = s.from.rotation * turned(s.turn * u + s.rotation_curvature * w);
+		pose.translation = s.start.translation + s.displacement * u + s.translation_curvature * w;
+		pose.rotation = s.start.rotation * turned(s.rotation * u + s.rotation_curvature * w);
 		return pose;
 	}
-	const PoseD end{ s.from.translation + s.displacement, s.from.rotation * turned(s.turn), s.from.scale * s.scale_ratio };
-	const PoseD path = cga::interpolate(s.from, end, u, s.mode);
+	const PoseD end{ s.start.translation + s.displacement, s.start.rotation * turned(s.rotation), s.start.scale * s.scale_ratio };
+	const PoseD path = cga::interpolate(s.start, end, u, s.mode);
 	pose.translation = path.translation + s.translation_curvature * w;
 	pose.rotation = path.rotation * turned(s.rotation_curvature * w);
 	return pose;
@@ -79,14 +79,14 @@ TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw ab
 
 	MotionSegment turn;
 	turn.length = 8.0;
-	turn.turn = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: a third of it turns in the same direction
+	turn.rotation = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: a third of it turns in the same direction
 	CHECK(cga_test::angle_between(turn.pose_at(4.0).rotation, turned(Vector3D(0.0, 0.0, 3.0))) < 1e-12);
 
 	MotionSegment screw;
 	screw.mode = cga::Mode::SCREW;
-	screw.from.translation = Vector3D(1.0, 0.0, 0.0);
+	screw.start.translation = Vector3D(1.0, 0.0, 0.0);
 	screw.displacement = Vector3D(-1.0, 1.0, 0.0); // a quarter about the origin
-	screw.turn = Vector3D(0.0, 0.0, cga_test::PI / 2.0);
+	screw.rotation = Vector3D(0.0, 0.0, cga_test::PI / 2.0);
 	const double eighth = std::sqrt(0.5);
 	CHECK(glm::length(screw.pose_at(0.5).translation - Vector3D(eighth, eighth, 0.0)) < 1e-12);
 	screw.mode = cga::Mode::SEPARATE;
@@ -97,8 +97,8 @@ TEST_CASE("motion segment: outside its time it stays at its ends") {
 	cga_test::Random random(42);
 	for (const cga::Mode mode : MODES) {
 		const MotionSegment segment = random_segment(random, mode);
-		CHECK(cga_test::difference(segment.pose_at(segment.begin - 5.0), segment.from) < 1e-14);
-		CHECK(cga_test::difference(segment.pose_at(-1e300), segment.from) < 1e-14);
+		CHECK(cga_test::difference(segment.pose_at(segment.begin - 5.0), segment.start) < 1e-14);
+		CHECK(cga_test::difference(segment.pose_at(-1e300), segment.start) < 1e-14);
 		const PoseD end = segment.pose_at(segment.end());
 		CHECK(cga_test::difference(segment.pose_at(segment.end() + 5.0), end) == 0.0);
 		CHECK(cga_test::difference(segment.pose_at(1e300), end) == 0.0);
@@ -120,14 +120,14 @@ TEST_CASE("motion segment: the next segment begins where the last one ends, to w
 			code.fine = i % 3 == 0;
 			for (int c = 0; c < 6; ++c) {
 				// Anywhere near where it is: what is predicted is taken back, or it would run away.
-				const int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::HALF : StreamGrid::COARSE);
-				code.end[c] = int32_t(back + int64_t(random.uniform(-9.0, 9.0)));
+				const int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::FINE : StreamGrid::COARSE);
+				code.residual[c] = int32_t(back + int64_t(random.uniform(-9.0, 9.0)));
 				code.curvature[c] = int32_t(random.uniform(-5.0, 5.0));
 			}
 			code.curved[0] = i % 2 == 0;
 			code.curved[1] = i % 5 < 3;
 			code.scaled = i % 7 == 0;
-			code.scale = i % 14 == 0 ? 300 : -300;
+			code.scale_change = i % 14 == 0 ? 300 : -300;
 			const SegmentSteps steps = state.steps(code);
 			const MotionSegment segment = state.segment(code, steps, grid, time, mode);
 			CHECK(cga_test::difference(segment.pose_at(time), state.pose(grid)) < 1e-14);

@@ -11,7 +11,7 @@ BodyMotion moving(double begin, double end, double from, double displacement) {
 	BodyMotion motion;
 	motion.segment.begin = begin;
 	motion.segment.length = end - begin;
-	motion.segment.from.translation.x = from;
+	motion.segment.start.translation.x = from;
 	motion.segment.displacement.x = displacement;
 	return motion;
 }
