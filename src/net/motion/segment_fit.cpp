@@ -159,7 +159,7 @@ void SegmentFit::round_end(const double end[6], SegmentCode &code) const {
 SegmentFit::Candidate SegmentFit::evaluate(const SegmentCode &code, float limit) const {
 	Candidate candidate{ code, 0.0f };
 	for (int group = 0; group < 2; ++group) {
-		const int32_t *curvature = code.curvature + 3 * group;
+		const int32_t *curvature = code.curvature + ptrdiff_t(3) * group;
 		candidate.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
 	}
 	const SegmentSteps steps(_predicted, candidate.code);
