@@ -117,7 +117,7 @@ std::optional<CodecFault> read_header(BitReader &reader, Grid &grid, size_t &cou
 	const uint32_t step_bits = uint32_t(reader.read(32));
 	std::memcpy(&grid.step, &step_bits, sizeof(grid.step));
 	grid.rotor_bits = int(reader.read(8));
-	size_t record_bits = size_t(1 + 2 + 3 * grid.rotor_bits + 1);
+	size_t record_bits = 1 + 2 + 3 * size_t(grid.rotor_bits) + 1;
 	for (int axis = 0; axis < 3; ++axis) {
 		grid.origin[axis] = unzigzag(reader.read_varint());
 		grid.bits[axis] = int(reader.read(8));

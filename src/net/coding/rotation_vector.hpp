@@ -41,8 +41,8 @@ namespace net {
 }
 
 /// The rows of the right Jacobian of the exponential map at a rotation vector: I - a [v]x + b [v]x^2 with
-/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). Machines may differ
-/// in the last bits.
+/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). Machines may
+/// differ in the last bits.
 inline void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
 	const double t2 = glm::dot(v, v);
 	double a = 0.5 - t2 / 24.0 + t2 * t2 / 720.0;

@@ -66,7 +66,7 @@ int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const 
 			return 0;
 		case CONSTANT_ACCELERATION:
 			// Most curvatures are zero, and the division is slow.
-			return _curvature[coordinate] == 0 ? linear : linear - int64_t(_curvature[coordinate]) * (ticks * ticks) / (_ticks * _ticks);
+			return _curvature[coordinate] == 0 ? linear : linear - int64_t(_curvature[coordinate]) * ticks * ticks / (int64_t(_ticks) * _ticks);
 		case DAMPED:
 			return linear / 2;
 		default:

@@ -13,7 +13,7 @@ namespace net {
 class MotionTrack {
 public:
 	/// Maximum number of segments. If more arrive, the oldest is dropped.
-	static constexpr size_t MAX_SEGMENTS = 4 * MAX_TICKS;
+	static constexpr size_t MAX_SEGMENTS = size_t(4) * MAX_TICKS;
 
 	/// Appends a motion, which replaces all motion known from its beginning on.
 	void add(const BodyMotion &motion);

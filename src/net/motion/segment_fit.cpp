@@ -25,16 +25,6 @@ int32_t &coefficient(SegmentCode &code, int index) {
 	return index < 6 ? code.residual[index] : code.curvature[index - 6];
 }
 
-/// Rows of the rotation matrix of the inverse of q.
-void inverse_matrix(const cga::Quaternion<double> &q, double m[9]) {
-	const glm::dmat3 columns = glm::mat3_cast(q);
-	for (int row = 0; row < 3; ++row) {
-		for (int column = 0; column < 3; ++column) {
-			m[3 * row + column] = columns[row][column];
-		}
-	}
-}
-
 } // namespace
 
 /// The sums over the samples (u, w, y) from which the least-squares solution of y = end u + curvature w follows.
@@ -79,27 +69,16 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 		const cga::Vector3<double> translation = (pose.translation - _start.translation) / _grid.position_step;
 		const cga::Vector3<double> rotation = unwrapped(log_rotation(inverse_start * pose.rotation), previous);
 		previous = rotation;
+		const glm::dmat3 body_axes = glm::mat3_cast(pose.rotation); // as columns, the rows of the inverse
 		double jacobian[9];
-		double to_body[9];
 		right_jacobian(rotation, jacobian);
-		inverse_matrix(pose.rotation, to_body);
 		for (size_t i = 0; i < 3; ++i) {
 			_target[i][k] = float(translation[int(i)]);
 			_target[3 + i][k] = float(rotation[int(i)] / _grid.rotation_step);
 		}
-		for (size_t i = 0; i < 9; ++i) {
-			_to_body[i][k] = float(to_body[i]);
+		for (int i = 0; i < 9; ++i) {
+			_to_body[i][k] = float(body_axes[i / 3][i % 3]);
 			_jacobian[i][k] = float(jacobian[i]);
-		}
-	}
-	// segment_error() computes whole blocks of 8: the padding must be finite.
-	for (size_t k = _loaded; k < (_loaded + 7) / 8 * 8; ++k) {
-		for (Row &row : _target) {
-			row[k] = 0.0f;
-		}
-		for (size_t i = 0; i < 9; ++i) {
-			_to_body[i][k] = 0.0f;
-			_jacobian[i][k] = 0.0f;
 		}
 	}
 }

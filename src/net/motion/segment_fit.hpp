@@ -66,9 +66,9 @@ private:
 	size_t _available = 0;
 	double _begin = 0.0;
 	cga::Pose<double> _start;
-	Row _target[6]; // the rows of SegmentErrorInput
-	Row _to_body[9];
-	Row _jacobian[9];
+	Row _target[6] = {}; // the rows of SegmentErrorInput; in the padding any numbers
+	Row _to_body[9] = {};
+	Row _jacobian[9] = {};
 	Row _saved_target[6]; // _target before the base path was subtracted
 
 	// The segment to be fitted.

@@ -43,6 +43,10 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 }
 
 std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions) {
+	const auto fail = [&motions] {
+		motions.clear();
+		return std::nullopt;
+	};
 	motions.clear();
 	_new_models = _models;
 	_new_bodies = _bodies;
@@ -56,21 +60,18 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 		ticks = int(ticks_minus_one) + 1;
 	}
 	if (ticks < 1 || ticks > MAX_TICKS || !decode_events(coder, ticks)) {
-		motions.clear();
-		return std::nullopt;
+		return fail();
 	}
 	_previous_active = false;
 	uint32_t new_check = _check;
 	for (Body &body : _new_bodies) {
 		if (!decode_motion(coder, body, begin, ticks, mode, motions)) {
-			motions.clear();
-			return std::nullopt;
+			return fail();
 		}
 		new_check = (new_check ^ body.state.hash()) * 0x01000193u;
 	}
 	if (((check_bits(new_check) ^ check.value) & check.mask) != 0) {
-		motions.clear();
-		return std::nullopt;
+		return fail();
 	}
 	_new_bodies.erase(std::remove_if(_new_bodies.begin(), _new_bodies.end(), [](const Body &body) { return body.removal_tick != NEVER; }), _new_bodies.end());
 	std::swap(_models, _new_models);

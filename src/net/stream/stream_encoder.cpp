@@ -102,22 +102,17 @@ bool StreamEncoder::observe(Body &body, double time) {
 	if (body.jump_next) {
 		body.jump_next = false;
 		_changed = true;
-		if (body.jumped) {
-			// Merge the jumps of a window: at the time of the first, to the pose of the last.
-			const double first = body.event_time;
-			body.samples.erase(std::find_if(body.samples.begin(), body.samples.end(), [first](const MotionSample &sample) { return sample.time >= first; }), body.samples.end());
-			body.samples.push_back({ first, body.latest });
-			if (time > first + MIN_STEP) {
-				body.samples.push_back({ time, body.latest });
-			}
-			return true;
-		}
+		// Merge the jumps of a window: at the time of the first, to the pose of the last.
+		const double first = body.jumped ? body.event_time : time;
 		body.jumped = true;
-		body.event_time = time;
-		while (!body.samples.empty() && body.samples.back().time >= time) {
+		body.event_time = first;
+		while (!body.samples.empty() && body.samples.back().time >= first) {
 			body.samples.pop_back();
 		}
-		body.samples.push_back({ time, body.latest });
+		body.samples.push_back({ first, body.latest });
+		if (time > first + MIN_STEP) {
+			body.samples.push_back({ time, body.latest });
+		}
 		return true;
 	}
 	_changed = _changed || is_changed(body, body.latest);
@@ -235,27 +230,23 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
 	size_t first = 0;
-	if (body.added || body.jumped) {
-		if (body.event_time > end) {
-			if (body.added) {
-				return; // a later window adds it
-			}
-		} else {
-			const int at = std::min(tick_in_window(body.event_time, begin, ticks), last);
-			while (first < count && body.samples[first].time < body.event_time) {
-				++first;
-			}
-			if (body.jumped) {
-				encode_span(coder, body, begin, at, 0, first, first);
-				const bool is_observed = first < count && body.state.set_pose(body.samples[first].pose, _grid);
-				if (!is_observed) {
-					body.state.reset_motion();
-				}
-			}
-			from = at;
-			body.added = false;
-			body.jumped = false;
+	if (body.added && body.event_time > end) {
+		return; // a later window adds it
+	}
+	if ((body.added || body.jumped) && body.event_time <= end) {
+		from = std::min(tick_in_window(body.event_time, begin, ticks), last);
+		while (first < count && body.samples[first].time < body.event_time) {
+			++first;
 		}
+		if (body.jumped) {
+			encode_span(coder, body, begin, from, 0, first, first);
+			const bool is_observed = first < count && body.state.set_pose(body.samples[first].pose, _grid);
+			if (!is_observed) {
+				body.state.reset_motion();
+			}
+		}
+		body.added = false;
+		body.jumped = false;
 	}
 	encode_span(coder, body, begin + from, last - from, first, count - first, body.samples.size() - first);
 	body.samples.erase(body.samples.begin(), body.samples.begin() + ptrdiff_t(count));
