@@ -1,4 +1,4 @@
-"""The addon's folder as users get it: copied into a project, or packed."""
+"""The targets install and package: copy the addon into a project, or pack it into a zip."""
 
 import configparser
 import os
@@ -12,7 +12,7 @@ FOLDER = "godot_project/addons/ga_godot"
 
 
 def files():
-    """Every file of the addon, relative to its folder; what the editor writes beside them is left out."""
+    """Every file of the addon, relative to its folder; without the files that the editor writes beside them."""
     found = []
     for folder, _, names in os.walk(FOLDER):
         for name in names:
@@ -22,14 +22,14 @@ def files():
 
 
 def install_destination(project):
-    """DIR/addons/ga_godot of project=DIR; fails before anything is built if DIR is no project."""
+    """DIR/addons/ga_godot of project=DIR; fails before the build if DIR is not a Godot project."""
     if not project:
-        requirements.fail("say where to: scons install project=DIR, DIR being the folder of a project.godot")
+        requirements.fail("project=DIR is missing: run scons install project=DIR, where DIR contains a project.godot")
     if not os.path.isfile(os.path.join(project, "project.godot")):
-        requirements.fail("{} holds no project.godot, so it is no Godot project".format(project))
+        requirements.fail("{} is not a Godot project: it contains no project.godot".format(project))
     destination = os.path.join(project, "addons", "ga_godot")
     if os.path.realpath(destination) == os.path.realpath(FOLDER):
-        requirements.fail("{} is this checkout's own project; the addon is there already".format(project))
+        requirements.fail("{} is this checkout's own project, which contains the addon already".format(project))
     return destination
 
 

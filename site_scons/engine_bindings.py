@@ -1,4 +1,4 @@
-"""Where the engine's classes come from: bindings/ and the engine's own dump, or a built godot-cpp."""
+"""Provides the engine's classes to C++: bindings/ and the engine's API dump, or a built godot-cpp."""
 
 import glob
 import hashlib
@@ -16,14 +16,14 @@ DESCRIPTION = "bindings/engine_api.py"
 
 
 def use_godot_cpp(env):
-    """Sets env up for the godot-cpp in godot_cpp=DIR and returns its archive."""
+    """Configures env for the godot-cpp in godot_cpp=DIR and returns its archive."""
     root = os.path.abspath(os.path.expanduser(env["godot_cpp"]))
     if not os.path.isfile(os.path.join(root, "include/godot_cpp/godot.hpp")):
-        requirements.fail("godot_cpp={} holds no include/godot_cpp/godot.hpp".format(env["godot_cpp"]))
+        requirements.fail("godot_cpp={} is not a godot-cpp folder: it contains no include/godot_cpp/godot.hpp".format(env["godot_cpp"]))
     name = "libgodot-cpp.{}.{}.{}.a".format(env["platform"], env["target"], env["arch"])
     found = [path for path in (os.path.join(root, place, name) for place in ("bin", "lib", "lib64")) if os.path.isfile(path)]
     if not found:
-        requirements.fail("godot_cpp={} holds no {}; build it there: scons target={}".format(root, name, env["target"]))
+        requirements.fail("godot_cpp={} contains no {}: build it there with scons target={}".format(root, name, env["target"]))
     for place in ("include", "gen/include"):
         path = os.path.join(root, place)
         if os.path.isdir(path):
@@ -40,7 +40,7 @@ def use_godot_cpp(env):
 
 
 def generate(env, output):
-    """Generates the bindings into output if anything they depend on changed; returns all sources to compile."""
+    """Generates the bindings into `output` if their inputs changed; returns all sources to compile."""
     dump = engine_dump.dump(env["godot"], os.path.join(output, "api"))
     inputs = [os.path.join(dump, name) for name in ("extension_api.json", "gdextension_interface.h")]
     digest = hashlib.sha256(os.path.basename(dump).encode())
@@ -64,7 +64,7 @@ def generate(env, output):
 
 
 def read(path):
-    """A file's text; empty if there is none."""
+    """The text of a file; empty if it does not exist."""
     try:
         with open(path, encoding="utf-8") as file:
             return file.read()

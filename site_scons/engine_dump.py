@@ -1,4 +1,4 @@
-"""Finds the engine and lets it dump its API, once for each engine version."""
+"""Finds the engine and runs it to dump its API, once for each engine version."""
 
 import json
 import os
@@ -12,7 +12,7 @@ OLDEST_ENGINE = (4, 6)
 
 
 def dump(option, output):
-    """Folder below output with extension_api.json and gdextension_interface.h of the engine that is found."""
+    """Folder below output with extension_api.json and gdextension_interface.h of the engine that find() returns."""
     versions = Versions(os.path.join(output, "engines.json"))
     engine = find(option, versions)
     version = versions.of(engine)
@@ -39,7 +39,7 @@ def find(option, versions):
         if value:
             path = shutil.which(os.path.expanduser(value))
             if not path:
-                requirements.fail("{}{} is no program".format(origin, value))
+                requirements.fail("{}{} is not an executable: give the path of Godot 4.6 or newer".format(origin, value))
             return os.path.abspath(path)
     for name in ("godot", "godot4"):
         path = shutil.which(name)
@@ -53,7 +53,7 @@ def find(option, versions):
 
 
 class Versions:
-    """What engines call themselves, like 4.6.3.stable.official; kept in a file, because asking takes a while."""
+    """The versions of engines, such as 4.6.3.stable.official; kept in a file, because starting an engine is slow."""
 
     def __init__(self, path):
         self.path = path
@@ -89,6 +89,6 @@ def ask(engine):
 
 
 def numbers(version):
-    """(major, minor) of a version text; (0, 0) if it is none."""
+    """(major, minor) of a version text; (0, 0) if it has none."""
     parts = version.split(".")
     return (int(parts[0]), int(parts[1])) if len(parts) > 1 and parts[0].isdigit() and parts[1].isdigit() else (0, 0)

@@ -1,4 +1,4 @@
-"""The Rust rivals of the kernel benchmark, as a static library, where cargo is there and its registry answers."""
+"""Builds the Rust baselines of the kernel benchmark as a static library, if cargo and its registry are available."""
 
 import os
 import subprocess
@@ -7,10 +7,10 @@ MANIFEST = "tests/bench/rust_peers/Cargo.toml"
 
 
 def build(env, folder):
-    """The library below `folder`; None, and one line that says why, where it cannot be made."""
+    """The library below `folder`; prints the reason and returns None if it cannot be built."""
     cargo = env.WhereIs("cargo")
     if not cargo:
-        print("scons: no cargo: the kernel benchmark leaves out glam and ultraviolet")
+        print("scons: cargo not found: the kernel benchmark omits glam and ultraviolet")
         return None
     # Rust's wide types are wide only where the processor is known when compiling.
     flags = "-C target-cpu=" + ("x86-64-v3" if env["arch"] == "x86_64" and _has_avx2() else "generic")
@@ -18,7 +18,7 @@ def build(env, folder):
     done = subprocess.run(command, env=dict(os.environ, RUSTFLAGS=flags), stderr=subprocess.PIPE, universal_newlines=True)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or ["no reason given"]
-        print("scons: the kernel benchmark leaves out glam and ultraviolet, cargo failed: " + lines[0])
+        print("scons: the kernel benchmark omits glam and ultraviolet, because cargo failed: " + lines[0])
         return None
     return env.File(os.path.join(folder, "release", "librust_peers.a"))
 

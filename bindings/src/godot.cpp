@@ -58,7 +58,7 @@ void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(Mo
 
 GDExtensionBool GDExtensionBinding::InitObject::init() const {
 	if (const char *missing = gdextension_interface::load(_get_proc_address)) {
-		// The function that prints errors may be among those that were not loaded.
+		// The engine's print_error may not have been loaded.
 		fprintf(stderr, "ERROR: this extension needs a newer Godot: the engine has no function %s.\n", missing);
 		return false;
 	}

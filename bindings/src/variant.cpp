@@ -34,7 +34,7 @@ Variant::operator double() const {
 	return convert<double>(FLOAT);
 }
 
-// By id, because the address of a freed object says nothing.
+// By id, because the address of a freed object is not valid.
 Object *Variant::get_validated_object() const {
 	if (get_type() != OBJECT) {
 		return nullptr;

@@ -28,7 +28,7 @@ Construction::Construction(const StringName *p_extension_class) :
 const StringName *Construction::take() {
 	const Construction *construction = innermost_construction;
 	if (construction == nullptr) {
-		ERR_FAIL_V_MSG(nullptr, "An object was built without memnew().");
+		ERR_FAIL_V_MSG(nullptr, "An object was constructed without memnew().");
 	}
 	innermost_construction = construction->_outer;
 	return construction->_extension_class;
@@ -47,7 +47,7 @@ void WrapperFactory::destroy(Wrapped *p_wrapped) {
 	release(p_wrapped);
 }
 
-// An extension object is its own binding: the engine frees it by the class's free_instance.
+// An extension object is its own binding: the engine frees it with the class's free_instance.
 static void *create_no_binding(void *, void *) {
 	return nullptr;
 }

@@ -44,23 +44,23 @@ void replicate_body() {
 	net::Receiver receiver;
 	sender.add_body(BODY, {});
 	sender.add_receiver(PEER, 0.0);
-	std::vector<uint8_t> reply;
+	std::vector<uint8_t> ack;
 	for (int tick = 1; tick <= 120; ++tick) {
 		const double now = tick * settings.tick;
 		sender.observe(BODY, now, { { now, 0.0, 0.0 } });
 		sender.flush(now);
 		for (const net::OutgoingPacket &packet : sender.packets()) {
-			receiver.accept(sender.bytes() + packet.begin, packet.size, now);
+			(void)receiver.accept(sender.bytes() + packet.begin, packet.size, now);
 		}
-		if (receiver.take_answer(reply, now)) {
-			sender.accept(PEER, reply.data(), reply.size(), now);
+		receiver.take_ack(ack, now);
+		if (!ack.empty()) {
+			(void)sender.accept(PEER, ack.data(), ack.size(), now);
 		}
 		receiver.advance(now);
 	}
-	cga::Pose<double> shown;
-	const bool is_shown = receiver.pose(BODY, shown);
-	const double error = std::abs(sender.media_time(shown.translation.x) - receiver.media_time());
-	std::printf("body: %s, %s\n", is_shown ? "shown" : "not shown", error <= settings.position_tolerance ? "within tolerance" : "out of tolerance");
+	const auto shown = receiver.pose(BODY);
+	const double error = shown ? std::abs(sender.media_time(shown->translation.x) - receiver.media_time()) : INFINITY;
+	std::printf("body: %s, %s\n", shown ? "shown" : "not shown", error <= settings.position_tolerance ? "within tolerance" : "out of tolerance");
 }
 
 } // namespace

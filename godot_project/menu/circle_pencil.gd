@@ -7,8 +7,8 @@ const LINE_WIDTH := 1.5
 const CIRCLE_POINTS := 192
 const THROUGH_COLOR := Color(0.24, 0.84, 0.77)
 const ORTHOGONAL_COLOR := Color(1.0, 0.65, 0.32)
-## Offsets of the centers of the circles through both points. The unit is half the distance of the
-## points.
+## Offsets of the centers of the circles through both points. The unit is half the distance
+## between the points.
 const THROUGH_OFFSETS: Array[float] = [0.0, 0.55, 1.2, 2.1]
 ## Centers of the orthogonal circles in the same unit, outside the segment between the points.
 const ORTHOGONAL_CENTERS: Array[float] = [1.06, 1.25, 1.65, 2.6]

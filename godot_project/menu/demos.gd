@@ -41,8 +41,8 @@ static func list() -> Array[Demos]:
 
 
 ## Returns the demo of that name, or null.
-static func find(wanted: StringName) -> Demos:
+static func find(demo_name: StringName) -> Demos:
 	for demo in list():
-		if demo.name == wanted:
+		if demo.name == demo_name:
 			return demo
 	return null

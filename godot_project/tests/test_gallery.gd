@@ -22,7 +22,7 @@ const SLIDER_STEPS := 16
 const DEPENDS := "has an error"
 ## Errors that are expected after a drag, by example: constructions that may have no solution.
 const EXPECTED_ERRORS: Dictionary[String, String] = {
-	"apollonius": "sqrt: expected a number of at least 0"
+	"apollonius": "sqrt: expected a number of at least 0, not -"
 }
 
 

@@ -143,7 +143,7 @@ func test_invalid_pictures() -> void:
 	var dialog := _open_dialog()
 	var message := await dialog.export_picture()
 	expect_equal(message, "No picture was drawn: drawing requires a display.", "error")
-	var problem: Label = dialog.find_child("Problem", true, false)
+	var problem: Label = dialog.find_child("Error", true, false)
 	expect_equal(problem.text, message, "message in the dialog")
 	expect_true(problem.visible and dialog.visible, "the dialog stays open")
 

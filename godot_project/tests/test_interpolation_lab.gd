@@ -67,7 +67,9 @@ func test_a_drag_of_the_slider_is_one_action() -> void:
 	)
 	expect_true(_lab.t > 0.8, "t near the end, being %s" % _lab.t)
 	expect_equal(_setting("t"), _lab.t, "attribute t")
-	var words: Label = _lab_panel.find_child("Screw", true, false).find_child("Words", true, false)
+	var words: Label = _lab_panel.find_child("Screw", true, false).find_child(
+		"Message", true, false
+	)
 	var pose := MultivectorLerp.interpolate(
 		_scene().get_value("A"), _scene().get_value("B"), _lab.t, MultivectorLerp.SCREW
 	)
@@ -87,7 +89,7 @@ func test_a_drag_of_the_slider_is_one_action() -> void:
 
 func test_deviations_are_those_of_the_paths() -> void:
 	_open({"A": A, "B": B})
-	_lab.set_setting(&"lever", 1.5)
+	_lab.set_setting(&"lever_arm", 1.5)
 	var from := _scene().get_value("A")
 	var to := _scene().get_value("B")
 	for mode: MultivectorLerp.Mode in [MultivectorLerp.LINEAR, MultivectorLerp.SEPARATE]:
@@ -113,7 +115,7 @@ func test_deviations_are_those_of_the_paths() -> void:
 		var row: Node = _lab_panel.find_child(
 			"Linear" if mode == MultivectorLerp.LINEAR else "Separate", true, false
 		)
-		var words: Label = row.find_child("Words", true, false)
+		var words: Label = row.find_child("Message", true, false)
 		expect_true(
 			words.text.ends_with("\n" + LabText.deviation(found)),
 			"deviation in words: %s" % words.text

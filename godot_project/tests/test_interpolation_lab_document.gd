@@ -160,7 +160,7 @@ func test_settings_are_stored_unless_they_are_defaults() -> void:
 func test_invalid_attributes_are_replaced_by_defaults() -> void:
 	_open({"A": A, "B": B})
 	for attributes: Dictionary in [
-		{"t": "x", "body": "ball", "lever": "long", "from": 3.0},
+		{"t": "x", "body": "ball", "lever_arm": "long", "from": 3.0},
 		{"t": -7.0, "ghost_count": 1e9, "duration": 0.0, "t_entry": "A"}
 	]:
 		for key: String in attributes:
@@ -169,6 +169,6 @@ func test_invalid_attributes_are_replaced_by_defaults() -> void:
 	expect_equal(_lab.get_setting(&"ghost_count"), 60.0, "count")
 	expect_equal(_lab.get_setting(&"duration"), 0.1, "duration")
 	expect_equal(_lab.get_setting(&"body"), "frame", "body")
-	expect_equal(_lab.get_setting(&"lever"), 1.0, "lever")
+	expect_equal(_lab.get_setting(&"lever_arm"), 1.0, "lever arm")
 	expect_equal(_lab.get_t_entry(), "", "entry of t")
 	expect_equal(_lab.poses.from_name, "A", "from")

@@ -82,11 +82,13 @@ func test_decoded_array_is_typed() -> void:
 
 
 func test_invalid_tolerances_change_nothing() -> void:
-	expect_error("MotorCodec: position_tolerance is in metres and positive, not %f." % 0.0)
+	expect_error(
+		"MotorCodec: position_tolerance is %f, but must be a positive number of meters." % 0.0
+	)
 	_codec.position_tolerance = 0.0
 	expect_near(_codec.position_tolerance, 0.002, 1e-9)
 	expect_error(
-		"MotorCodec: rotation_tolerance is in degrees and at least %f, not %f." % [1.7e-5, -1.0]
+		"MotorCodec: rotation_tolerance is %f, but must be at least %f degrees." % [-1.0, 1.7e-5]
 	)
 	_codec.rotation_tolerance = -1.0
 	expect_near(_codec.rotation_tolerance, 0.25, 1e-9)

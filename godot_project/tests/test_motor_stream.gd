@@ -15,15 +15,17 @@ func test_properties() -> void:
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 	expect_near(_sender.ticks_per_second, 60.0, 1e-9, "ticks_per_second")
 	expect_equal(_sender.mode, MultivectorLerp.SEPARATE, "mode")
-	expect_equal(_receiver.most_bodies, 65536, "most_bodies")
-	expect_near(_receiver.least_delay, 0.0, 1e-9, "least_delay")
+	expect_equal(_receiver.max_bodies, 65536, "max_bodies")
+	expect_near(_receiver.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(_receiver.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
-	expect_error("MotorSender: ticks_per_second is positive, not %f." % 0.0)
+	expect_error("MotorSender: ticks_per_second is %f, but must be positive." % 0.0)
 	_sender.ticks_per_second = 0.0
-	expect_error("MotorSender: send_rate is in packets a second and positive, not %f." % -2.0)
+	expect_error(
+		"MotorSender: send_rate is %f, but must be a positive number of packets per second." % -2.0
+	)
 	_sender.send_rate = -2.0
-	expect_error("MotorReceiver: most_bodies is at least 1, not 0.")
-	_receiver.most_bodies = 0
+	expect_error("MotorReceiver: max_bodies is 0, but must be at least 1.")
+	_receiver.max_bodies = 0
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 
 
@@ -108,18 +110,18 @@ func test_invalid_packets_and_arguments_are_rejected() -> void:
 	expect_true(_receiver.accept(PackedByteArray(), 0.0) != "", "a reason for an empty packet")
 	expect_equal(
 		_sender.accept(99, PackedByteArray([1]), 0.0),
-		"comes from no receiver of this sender",
+		"the acknowledgement comes from a peer that is not a receiver",
 		"reason"
 	)
 	expect_true(
 		_sender.accept(7, PackedByteArray([255, 255, 255]), 0.0) != "",
 		"a reason for an invalid acknowledgement"
 	)
-	expect_error("MotorSender.add_body: there is a body with id 0.")
+	expect_error("MotorSender.add_body: body 0 exists already.")
 	expect_true(not _sender.add_body(0, Transform3D.IDENTITY), "a body cannot be added twice")
-	expect_error("MotorSender.add_body: id -1 is not in 0 to 2147483647.")
+	expect_error("MotorSender.add_body: id is -1, but must be 0 to 2147483647.")
 	_sender.add_body(-1, Transform3D.IDENTITY)
-	expect_error("MotorSender.observe: there is no body with id 5; add it first.")
+	expect_error("MotorSender.observe: body 5 does not exist; call add_body() first.")
 	_sender.observe(5, 0.0, Transform3D.IDENTITY)
 	expect_error(
 		(
@@ -130,16 +132,16 @@ func test_invalid_packets_and_arguments_are_rejected() -> void:
 	_sender.observe(
 		0, 0.0, Transform3D(Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3.ZERO)
 	)
-	expect_error("MotorSender.teleport: there is no body with id 5.")
+	expect_error("MotorSender.teleport: body 5 does not exist.")
 	_sender.teleport(5)
 	expect_error("MotorSender.flush: the time is not finite.")
 	_sender.flush(NAN)
-	expect_error("MotorSender.get_statistics: there is no receiver 8.")
+	expect_error("MotorSender.get_statistics: receiver 8 does not exist.")
 	_sender.get_statistics(8)
 	expect_error(
 		(
-			"MotorReceiver.get_transform: there is no body with id 6; has_body() and the "
-			+ "signals tell which there are."
+			"MotorReceiver.get_transform: body 6 does not exist at the media time shown. Check "
+			+ "has_body() first, or follow the signals."
 		)
 	)
 	_receiver.get_transform(6)
@@ -149,10 +151,10 @@ func test_receiver_restarts_after_clear() -> void:
 	_start(2)
 	for i in 40:
 		_step()
-	expect_error("MotorReceiver: set most_bodies before the first packet, or call clear() first.")
-	_receiver.most_bodies = 10
+	expect_error("MotorReceiver: set max_bodies before the first packet, or call clear() first.")
+	_receiver.max_bodies = 10
 	_receiver.clear()
-	_receiver.most_bodies = 10
+	_receiver.max_bodies = 10
 	expect_true(
 		not _receiver.is_ready() and _receiver.get_bodies().is_empty(),
 		"the receiver is empty after clear()"
@@ -181,7 +183,7 @@ func _step(offset := Vector3.ZERO) -> void:
 		var bytes: PackedByteArray = packet["bytes"]
 		expect_equal(_receiver.accept(bytes, now), "", "rejection of a packet")
 	_receiver.advance(now)
-	var ack := _receiver.take_answer(now)
+	var ack := _receiver.take_ack(now)
 	if not ack.is_empty():
 		expect_equal(_sender.accept(7, ack, now), "", "rejection of an acknowledgement")
 

@@ -22,7 +22,7 @@ func test_motion_from_a_peer_without_authority() -> void:
 	_expect_rejections(
 		branches[0],
 		branches[1],
-		"Packet refused: its sender is the authority of no target here (",
+		"Packet rejected: its sender is not the authority of any target here (",
 		300 + _captured.size()
 	)
 	# The other client is not affected.
@@ -71,8 +71,8 @@ func test_acks_and_close_packets_from_an_unsubscribed_peer() -> void:
 		reasons += reason
 	expect_true(
 		(
-			reasons.contains("it answers a stream that its sender does not get")
-			and reasons.contains("it is malformed")
+			reasons.contains("it acknowledges a stream that its sender does not receive")
+			and reasons.contains("the close packet is malformed")
 		),
 		"reasons: %s" % reasons
 	)
@@ -113,8 +113,8 @@ func test_another_version_is_reported() -> void:
 				[
 					branches[1].api.get_unique_id(),
 					(
-						"Packet refused: it is of another version of GA-Godot; use the same on "
-						+ "all peers (1 since the last report)."
+						"Packet rejected: the packet is of another version of the addon; use the "
+						+ "same version on all peers (1 since the last report)."
 					)
 				]
 			]
@@ -154,7 +154,9 @@ func test_unauthorized_bodies_of_a_stream_are_ignored() -> void:
 	await move(branches[1], SETTLE)
 	expect_true(distance_from_path(branches[0].get_body(1)) < 0.008, "the client's body is shown")
 	expect_equal(branches[0].get_body(0).position, Vector3.ZERO, "position of the server's body")
-	expect_equal(branches[0].synchronizer.get_statistics()["foreign"], 1, "unauthorized bodies")
+	expect_equal(
+		branches[0].synchronizer.get_statistics()["unauthorized"], 1, "unauthorized bodies"
+	)
 
 
 ## 10,000 invalid packets must take less than 50 ms.

@@ -13,28 +13,40 @@ func test_defaults() -> void:
 	expect_equal(node.target_group, &"", "target_group")
 	expect_equal(node.targets, [] as Array[NodePath], "targets")
 	expect_equal(node.channel, 0, "channel")
-	expect_near(node.least_delay, 0.0, 1e-9, "least_delay")
+	expect_near(node.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(node.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
 
 
 func test_invalid_values_change_nothing() -> void:
 	var node := MotorSynchronizer.new()
 	add_node(node)
-	expect_error("MotorSynchronizer: position_tolerance is in metres and positive, not %f." % 0.0)
+	expect_error(
+		(
+			"MotorSynchronizer: position_tolerance is %f, but must be a positive number of meters."
+			% 0.0
+		)
+	)
 	node.position_tolerance = 0.0
-	expect_error("MotorSynchronizer: rotation_tolerance is in degrees and positive, not %f." % -1.0)
+	expect_error(
+		(
+			"MotorSynchronizer: rotation_tolerance is %f, but must be a positive number of degrees."
+			% -1.0
+		)
+	)
 	node.rotation_tolerance = -1.0
-	expect_error("MotorSynchronizer: max_latency is in seconds and positive, not inf.")
+	expect_error("MotorSynchronizer: max_latency is inf, but must be a positive number of seconds.")
 	node.max_latency = INF
-	expect_error("MotorSynchronizer: send_rate is in packets a second and positive, not nan.")
+	expect_error(
+		"MotorSynchronizer: send_rate is nan, but must be a positive number of packets per second."
+	)
 	node.send_rate = NAN
-	expect_error("MotorSynchronizer: mode 3 is none of LINEAR (0), SCREW (1), SEPARATE (2).")
+	expect_error("MotorSynchronizer: mode is 3, but must be LINEAR (0), SCREW (1) or SEPARATE (2).")
 	node.set(&"mode", 3)
-	expect_error("MotorSynchronizer: channel is 0 to 255, not 256.")
+	expect_error("MotorSynchronizer: channel is 256, but must be 0 to 255.")
 	node.channel = 256
-	expect_error("MotorSynchronizer: least_delay is in seconds and not negative, not %f." % -0.5)
-	node.least_delay = -0.5
-	expect_error("MotorSynchronizer: jitter_allowance is in seconds and not negative, not nan.")
+	expect_error("MotorSynchronizer: min_delay is %f, but must be at least 0 seconds." % -0.5)
+	node.min_delay = -0.5
+	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be at least 0 seconds.")
 	node.jitter_allowance = NAN
 	expect_near(node.position_tolerance, 0.005, 1e-9)
 	expect_near(node.max_latency, 0.2, 1e-9)
@@ -54,7 +66,7 @@ func test_settings_apply_immediately() -> void:
 		branch.synchronizer.max_latency = 0.15
 		branch.synchronizer.jitter_allowance = 0.3
 	await expect_motion(0.3, [branches[1]])
-	branches[1].synchronizer.least_delay = 0.35
+	branches[1].synchronizer.min_delay = 0.35
 	await move(branches[0], 0.8)
 	var delay: float = branches[1].synchronizer.get_statistics()["playback_delay"]
 	expect_true(delay >= 0.25, "the playback delay of %.2f s is at least 0.25 s" % delay)
@@ -78,21 +90,21 @@ func test_warnings() -> void:
 		node,
 		[
 			(
-				'Nothing is replicated: assign "targets", name a "target_group", or call '
+				'Nothing is replicated. Assign "targets", set "target_group", or call '
 				+ "add_target() from a script."
 			)
 		]
 	)
-	node.targets = [^"../Nobody", ^".."]
-	_expect_warnings(node, ['targets[0] ("../Nobody") does not lead to a Node3D.'])
+	node.targets = [^"../Missing", ^".."]
+	_expect_warnings(node, ['targets[0] ("../Missing") is not the path of a Node3D.'])
 	node.targets = []
 	node.target_group = &"empty"
 	_expect_warnings(
 		node,
 		[
 			(
-				'No Node3D of this scene is in the group "empty". That is right only if all of '
-				+ "them are spawned later."
+				'No Node3D of this scene is in the group "empty". This is correct only if '
+				+ "all of its members are spawned later."
 			)
 		]
 	)
@@ -105,7 +117,8 @@ func test_warnings() -> void:
 		[
 			(
 				"Crate is a RigidBody3D that every peer would simulate. Set freeze, with "
-				+ "freeze_mode Kinematic, and unfreeze it where is_multiplayer_authority() holds."
+				+ "freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is "
+				+ "true."
 			)
 		]
 	)
@@ -115,7 +128,7 @@ func test_warnings() -> void:
 	other.name = "Other"
 	other.targets = [^"../Crate"]
 	scene.add_child(other)
-	_expect_warnings(node, ["Crate is a target of Other too; one of the two is enough."])
+	_expect_warnings(node, ["Crate is also a target of Other. Remove it from one of the two."])
 	other.free()
 	var synchronizer := MultiplayerSynchronizer.new()
 	synchronizer.name = "Sync"
@@ -128,8 +141,8 @@ func test_warnings() -> void:
 		node,
 		[
 			(
-				"position of Crate is replicated by the MultiplayerSynchronizer Sync too; "
-				+ "remove it there."
+				"The MultiplayerSynchronizer Sync also replicates position of Crate. Remove the "
+				+ "property there."
 			)
 		]
 	)
@@ -167,8 +180,7 @@ func test_transforms_that_are_not_poses() -> void:
 		(
 			(
 				"MotorSynchronizer %s: the transform of %s has a value that is not finite (NaN "
-				+ "or infinity); check where it was computed. What others see of it stays as it "
-				+ "was."
+				+ "or infinity); check where it was computed. Other peers keep seeing its last pose."
 			)
 			% [node, path]
 		)
@@ -184,8 +196,8 @@ func test_transforms_that_are_not_poses() -> void:
 		(
 			(
 				"MotorSynchronizer %s: the transform of %s is mirrored (negative scale), which "
-				+ "a motor cannot represent; mirror a child node instead. What others see of it "
-				+ "stays as it was."
+				+ "a motor cannot represent; mirror a child node instead. Other peers keep seeing "
+				+ "its last pose."
 			)
 			% [node, path]
 		)
@@ -197,9 +209,9 @@ func test_transforms_that_are_not_poses() -> void:
 	expect_error(
 		(
 			(
-				"MotorSynchronizer %s: the transform of %s is farther out, or its scale is "
-				+ "larger or smaller, than a stream can say. What others see of it stays as it "
-				+ "was."
+				"MotorSynchronizer %s: the transform of %s is out of range: too far from the "
+				+ "origin, or its scale is too small or too large. Other peers keep seeing its "
+				+ "last pose."
 			)
 			% [node, path]
 		)
@@ -214,8 +226,8 @@ func test_transforms_that_are_not_poses() -> void:
 	expect_warning(
 		(
 			(
-				"MotorSynchronizer %s: %s is scaled differently along its axes, or sheared; "
-				+ "others see the nearest uniform scale. Scale a child node instead."
+				"MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see "
+				+ "the nearest uniform scale. Scale a child node instead."
 			)
 			% [node, path]
 		)
@@ -223,6 +235,28 @@ func test_transforms_that_are_not_poses() -> void:
 	body.scale = Vector3(1, 2, 3)
 	await tree.create_timer(SETTLE).timeout
 	expect_vector_near(branches[1].get_body(0).scale, Vector3.ONE * 2.0, 0.01, "scale")
+
+
+func test_a_pose_out_of_range_is_reported_once() -> void:
+	await connect_peers(1, 1)
+	var body := branches[0].get_body(0)
+	expect_error(
+		(
+			(
+				"MotorSynchronizer %s: the transform of %s is out of range: too far from the "
+				+ "origin, or its scale is too small or too large. Other peers keep seeing its "
+				+ "last pose."
+			)
+			% [branches[0].synchronizer.get_path(), body.get_path()]
+		)
+	)
+	# Before the stream has a pose of the body, and while it moves.
+	body.position = Vector3(1e30, 0, 0)
+	await tree.create_timer(SETTLE).timeout
+	for i in 10:
+		body.position.x *= 1.1
+		await tree.physics_frame
+	await expect_motion(0.2, [branches[1]])
 
 
 func test_transform_is_relative_to_the_parent() -> void:

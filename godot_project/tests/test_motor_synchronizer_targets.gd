@@ -156,6 +156,31 @@ func test_target_is_reparented() -> void:
 	expect_true(renamed.position.distance_to(place) > 0.02, "the body of the renamed parent moves")
 
 
+## The paths of the two names have the same hash.
+func test_rename_to_a_path_with_the_same_hash() -> void:
+	await connect_peers(1, 0)
+	for branch in branches:
+		for title: String in ["Body1", "Bodymyzauyp"]:
+			branch.add_body(title)
+	await expect_motion(0.2, [branches[1]])
+	for branch in branches:
+		var world := branch.world.get_path()
+		expect_error(
+			(
+				(
+					"MotorSynchronizer %s: the paths of %s/Bodyayxxpyx and %s/Bodymyzauyp have the "
+					+ "same hash, so peers cannot tell them apart. The first is not replicated; "
+					+ "rename one of them on all peers."
+				)
+				% [branch.synchronizer.get_path(), world, world]
+			)
+		)
+		branch.world.get_node("Body1").name = "Bodyayxxpyx"
+	await expect_motion(0.2, [branches[1]])
+	for branch in branches:
+		expect_equal(branch.synchronizer.get_active_targets().size(), 1, "number of targets")
+
+
 func test_each_peer_moves_its_own_body() -> void:
 	await connect_peers(2, 3)
 	await wait_until(
@@ -215,10 +240,10 @@ func test_only_the_authority_teleports() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.1)
 	expect_error(
-		"MotorSynchronizer.teleport: Body0 belongs to peer 1; only its authority can teleport it."
+		"MotorSynchronizer.teleport: only the authority of Body0, peer 1, can teleport it."
 	)
 	branches[1].synchronizer.teleport(branches[1].get_body(0))
-	expect_error("MotorSynchronizer.teleport: World is no target of Motors.")
+	expect_error("MotorSynchronizer.teleport: World is not a target of Motors.")
 	branches[0].synchronizer.teleport(branches[0].world)
 	expect_error("MotorSynchronizer.teleport: the node is null.")
 	branches[0].synchronizer.teleport(null)

@@ -103,8 +103,8 @@ func test_gauge_measures_the_error_at_the_shown_time() -> void:
 		link.show_tick(20.0 + frame * 0.7)
 		gauge.update(link)
 	expect_true(gauge.has_errors(), "errors")
-	expect_near(gauge.get_figures().x, 0.003, 1e-5, "median")
-	expect_near(gauge.get_figures().y, 0.003, 1e-5, "maximum")
+	expect_near(gauge.get_statistics().x, 0.003, 1e-5, "median")
+	expect_near(gauge.get_statistics().y, 0.003, 1e-5, "maximum")
 
 
 func test_gauge_removes_the_constant_delay_of_an_untimed_link() -> void:
@@ -115,7 +115,9 @@ func test_gauge_removes_the_constant_delay_of_an_untimed_link() -> void:
 		var truth := _probe_truth(tick)
 		link.show_tick(tick + 1.0)
 		gauge.take(truth, link)
-	expect_near(gauge.get_figures().y, 0.0, 1e-5, "maximum error of a link that is one tick behind")
+	expect_near(
+		gauge.get_statistics().y, 0.0, 1e-5, "maximum error of a link that is one tick behind"
+	)
 
 
 func test_gauge_holds_a_bounded_number_of_truths() -> void:
@@ -143,8 +145,8 @@ func _make_link() -> FakeLink:
 func _probe_truth(tick: int) -> Truth:
 	var probe := TruthProbe.new()
 	probe.watchers.append(2)
-	for i: int in TruthProbe.PAUSE + Truth.TICKS:
-		var now := tick - TruthProbe.PAUSE + 1 + i
+	for i: int in TruthProbe.INTERVAL + Truth.TICKS:
+		var now := tick - TruthProbe.INTERVAL + 1 + i
 		var truth := probe.observe(now, _poses(now))
 		if truth != null:
 			return truth

@@ -139,7 +139,7 @@ func test_conditions_change_immediately() -> void:
 func test_packets_in_transit_are_bounded() -> void:
 	var line := ImpairedLine.new(1)
 	line.conditions.delay = 1000.0
-	for i: int in ImpairedLine.MAX_HELD + 10:
+	for i: int in ImpairedLine.MAX_IN_TRANSIT + 10:
 		line.put(PackedByteArray([1]), 0.0)
 	expect_equal(line.overflowed, 10, "dropped packets")
 

@@ -17,10 +17,10 @@ func test_buttons_add_objects_and_undo_takes_them_back() -> void:
 	expect_equal(_names(), ["A"], "after undo")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 	expect_equal(_names(), ["A", "B"], "after redo")
-	Hands.click(_demo.panel.head.get_node(^"Undo") as Control)
-	Hands.click(_demo.panel.head.get_node(^"Undo") as Control)
+	Hands.click(_demo.panel.toolbar.get_node(^"Undo") as Control)
+	Hands.click(_demo.panel.toolbar.get_node(^"Undo") as Control)
 	expect_equal(_names(), [], "after two undos by the button")
-	expect_true((_demo.panel.head.get_node(^"Undo") as Button).disabled, "nothing more to undo")
+	expect_true((_demo.panel.toolbar.get_node(^"Undo") as Button).disabled, "nothing more to undo")
 	Hands.press_key(_window(), KEY_Z, KEY_MASK_CTRL)
 	expect_equal(_names(), [], "after an undo too many")
 
@@ -106,8 +106,8 @@ func test_a_kind_is_chosen_and_added_by_clicks() -> void:
 
 func test_an_example_is_opened_from_its_menu() -> void:
 	await _open_empty()
-	Hands.click(_demo.panel.head.get_node(^"ExamplesButton") as Control)
-	var examples := _demo.panel.head.find_child("Examples", true, false) as PopupMenu
+	Hands.click(_demo.panel.toolbar.get_node(^"ExamplesButton") as Control)
+	var examples := _demo.panel.toolbar.find_child("Examples", true, false) as PopupMenu
 	expect_true(examples.visible, "the menu being open")
 	examples.hide()
 	examples.id_pressed.emit(0)

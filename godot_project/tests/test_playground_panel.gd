@@ -15,7 +15,7 @@ func test_an_expression_is_typed() -> void:
 	Hands.type(_window(), "s = sphere(e1, 2")
 	await wait_frames(1)
 	expect_equal(
-		(_part("Typing/Words") as Label).text,
+		(_part("Typing/Message") as Label).text,
 		"column 17: expected ')', ',' or an operator, found the end; the '(' at column 11 is not closed",
 		"error while typing"
 	)
@@ -29,7 +29,7 @@ func test_an_expression_is_typed() -> void:
 
 func test_keys_rename_move_and_delete_the_selection() -> void:
 	await _open_with({"a": "1", "b": "a + 1", "c": "3"})
-	Hands.click(_row("c").find_child("Words", true, false) as Control)
+	Hands.click(_row("c").find_child("Message", true, false) as Control)
 	expect_equal(_demo.panel.list.selection, PackedStringArray(["c"]), "selection")
 	Hands.press_key(_window(), KEY_UP, KEY_MASK_ALT)
 	expect_equal(_names(), ["a", "c", "b"], "order after Alt and Up")
@@ -95,12 +95,12 @@ func test_coefficients_scroll_to_the_grade_of_the_entry() -> void:
 
 func test_a_row_is_dragged_to_another_place() -> void:
 	await _open_with({"a": "1", "b": "2", "c": "3", "d": "4"})
-	var last := _row("d").find_child("Words", true, false) as Control
+	var last := _row("d").find_child("Message", true, false) as Control
 	var first := _row("a").find_child("Name", true, false) as Control
 	Hands.drag(last, Vector2(0.3, 0.5), first, Vector2(0.5, 0.2))
 	expect_equal(_names(), ["d", "a", "b", "c"], "order after dragging the last to the top")
 	Hands.drag(
-		_row("d").find_child("Words", true, false) as Control,
+		_row("d").find_child("Message", true, false) as Control,
 		Vector2(0.3, 0.5),
 		_row("b"),
 		Vector2(0.6, 0.95)
@@ -111,7 +111,7 @@ func test_a_row_is_dragged_to_another_place() -> void:
 	await wait_frames(3)
 	for row in _demo.panel.list.get_rows():
 		expect_true(
-			(row.find_child("Words", true, false) as Control).size.y < 30.0,
+			(row.find_child("Message", true, false) as Control).size.y < 30.0,
 			"words of %s within their row" % row.entry
 		)
 
@@ -119,7 +119,7 @@ func test_a_row_is_dragged_to_another_place() -> void:
 func test_a_line_shows_where_a_dragged_row_goes() -> void:
 	await _open_with({"a": "1", "b": "2"})
 	var from := Hands.place_in(
-		_row("b").find_child("Words", true, false) as Control, Vector2(0.3, 0.5)
+		_row("b").find_child("Message", true, false) as Control, Vector2(0.3, 0.5)
 	)
 	var to := Hands.place_in(_row("a"), Vector2(0.4, 0.1))
 	Hands.press(_window(), from, true)

@@ -84,13 +84,13 @@ func test_handles_away_from_the_object() -> void:
 	_show({"c": "circle(0, e2, 1)", "A": "point(0, 0, 0)"})
 	_list.select(["c"])
 	var normal := _handle("c", "normal")
-	expect_near(normal.place.distance_to(normal.stem), 60.0, 15.0, "length of the arm in pixels")
+	expect_near(normal.position.distance_to(normal.stem), 60.0, 15.0, "length of the arm in pixels")
 	var tip: Vector3 = normal.handle["position"]
-	_drag(normal.place, _at(Vector3(0, 0, tip.length())), true)
+	_drag(normal.position, _at(Vector3(0, 0, tip.length())), true)
 	expect_equal(
 		_document.scene.get_expression("c"), "circle(0, e3, 1)", "circle with another normal"
 	)
-	_drag(_handle("c", "radius").place, _at(Vector3(2.02, 0, 0)), true)
+	_drag(_handle("c", "radius").position, _at(Vector3(2.02, 0, 0)), true)
 	expect_equal(
 		_document.scene.get_expression("c"), "circle(0, e3, 2)", "circle with another radius"
 	)

@@ -4,8 +4,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-// GLM's vectors and quaternions are the currency at the border of src/cga; quaternions are Hamilton's, constructed
-// (w, x, y, z), acting as q v q*.
+// src/cga takes and returns GLM's vectors and quaternions. Quaternions are Hamilton's, constructed (w, x, y, z), acting as
+// q v q*.
 
 namespace cga {
 

@@ -1,5 +1,5 @@
-// Blends of n pose pairs: ours beside what a C++ programmer would write with GLM or Eigen. n pairs of poses and one weight in,
-// n rows of 12 floats (a MultiMesh's transforms) out.
+// Blends of n pose pairs: ours and typical code with GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
+// floats (a MultiMesh's transforms).
 
 #include "kernel_input.hpp"
 #include "load_and_store_avx2.hpp"
@@ -23,7 +23,7 @@ namespace kernels_bench {
 
 namespace {
 
-/// What an engine does: position and scale mixed, rotation by slerp.
+/// The method of engines: lerp of position and scale, slerp of rotation.
 struct GlmSlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -33,7 +33,7 @@ struct GlmSlerp {
 	}
 };
 
-/// The cheapest correct blend of separate parts: normalized lerp the short way round.
+/// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
 struct GlmNlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -54,7 +54,7 @@ void write_row(const glm::dualquat &pose, float scale, float *row) {
 	}
 }
 
-/// GLM's own coupled path: dual quaternions, made when the poses are set, blended linearly; scale by itself.
+/// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
 struct GlmDualQuaternion {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -70,7 +70,7 @@ struct GlmDualQuaternion {
 };
 
 /// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
-/// half angle and pitch, axis and moment of the screw) is taken when the poses are set, as ours is; scale by itself, geometric.
+/// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in ours; the scale separately, geometric.
 struct GlmDualQuaternionScrew {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -181,7 +181,7 @@ void loads_and_stores(benchmark::State &state) {
 }
 #endif
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	for (const char *const name : { "interpolate_linear", "interpolate_screw" }) {
 		const std::string mode = name;
 		const cga::Mode blend = mode == "interpolate_linear" ? cga::Mode::LINEAR : cga::Mode::SCREW;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What the kernel benchmarks share: the same input for every subject, and how a subject is measured.
+// Shared by the kernel benchmarks: the input of all subjects, and how a subject is measured.
 //
 // Every subject of a case does the same job on the same input on one core, compiled with the same flags. Names read
 // case/subject/n; tools/bench turns the medians into rows.

@@ -1,4 +1,5 @@
-// Composition, extraction and points of n motors, beside matrices, dual quaternions and quaternions with vectors of GLM.
+// Composition, extraction and point transforms of n motors, compared with GLM's matrices, dual quaternions and quaternions
+// with vectors.
 
 #include "kernel_input.hpp"
 
@@ -37,7 +38,7 @@ std::vector<glm::vec3> random_points(size_t count) {
 	return points;
 }
 
-// What a subject keeps of a pose, and what it makes of two.
+// Form is a subject's representation of a pose.
 struct GlmMatrix {
 	using Form = glm::mat4;
 	static Form make(const Posef &pose) {
@@ -50,7 +51,7 @@ struct GlmMatrix {
 	static void extract(const Form &form, float *row) { write_row(glm::mat3(form), 1.0f, glm::vec3(form[3]), row); }
 };
 
-// Rigid: without scale, so it has less to do.
+// Rigid, without scale: less work.
 struct GlmDualQuaternion {
 	using Form = glm::dualquat;
 	static Form make(const Posef &pose) { return Form(pose.rotation, pose.translation); }
@@ -87,6 +88,7 @@ struct OneMotor {
 template <class Subject>
 std::vector<typename Subject::Form> forms(const std::vector<Posef> &poses) {
 	std::vector<typename Subject::Form> made;
+	made.reserve(poses.size());
 	for (const Posef &pose : poses) {
 		made.push_back(Subject::make(pose));
 	}
@@ -205,7 +207,7 @@ void transform_all_at_once(benchmark::State &state, InstructionSet set) {
 	measure(state, count, 2 * sizeof(glm::vec3), [&] { cga::transform_points(motor, &points[0].x, count, &images[0].x, set); });
 }
 
-// What memory gives: 48 bytes read and 48 written of each item.
+// Memory bandwidth: reads 48 bytes and writes 48 for each item.
 void copy_memory(benchmark::State &state) {
 	const size_t count = size_t(state.range(0));
 	const std::vector<float> source(count * cga::ROW_FLOATS, 1.0f);
@@ -225,7 +227,7 @@ void triad(benchmark::State &state) {
 	});
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	const InstructionSet best = cga::best_instruction_set();
 	add("compose", "ga_godot", compose_in_blocks, best);
 	add("compose", "ga_godot_baseline", compose_in_blocks, InstructionSet::BASELINE);

@@ -1,4 +1,4 @@
-// The two methods of the GA-Unity paper, with what the other subjects of interpolate_linear give: 12 floats a pose.
+// The two methods of the GA-Unity paper, with the output of interpolate_linear's other subjects: 12 floats a pose.
 
 #include "../cga/random_poses.hpp"
 #include "engine/paper_method.hpp"
@@ -34,7 +34,7 @@ void paper_method(benchmark::State &state) {
 	}
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	for (const int count : { 1, 10, 100, 1000, 10000 }) {
 		benchmark::RegisterBenchmark("interpolate_linear/paper_pooled", paper_method<paper::Pool>)->Arg(count);
 		benchmark::RegisterBenchmark("interpolate_linear/paper_allocating", paper_method<paper::Allocating>)->Arg(count);

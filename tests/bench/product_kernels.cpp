@@ -1,5 +1,5 @@
-// n products of multivectors with 32 coefficients, beside the loops that one would write first, and of motors, whose type tells
-// what is zero.
+// n products of multivectors with 32 coefficients, compared with straightforward loops, and of motors and typed elements, whose
+// zero coefficients are known at compile time.
 
 #include "kernel_input.hpp"
 
@@ -38,7 +38,7 @@ struct DenseLoop {
 		for (int left = 0; left < BLADE_COUNT; ++left) {
 			for (int right = 0; right < BLADE_COUNT; ++right) {
 				const unsigned bitmap = unsigned(cga::BLADE_BITMAPS[size_t(left)] ^ cga::BLADE_BITMAPS[size_t(right)]);
-				signs[size_t((cga::BLADE_INDICES[bitmap] * BLADE_COUNT + left) * BLADE_COUNT + right)] = cga::product_sign(cga::BLADE_BITMAPS[size_t(left)], cga::BLADE_BITMAPS[size_t(right)]);
+				signs[(size_t(cga::BLADE_INDICES[bitmap]) * BLADE_COUNT + size_t(left)) * BLADE_COUNT + size_t(right)] = cga::product_sign(cga::BLADE_BITMAPS[size_t(left)], cga::BLADE_BITMAPS[size_t(right)]);
 			}
 		}
 	}
@@ -48,7 +48,7 @@ struct DenseLoop {
 		for (int result = 0; result < BLADE_COUNT; ++result) {
 			for (int left = 0; left < BLADE_COUNT; ++left) {
 				for (int right = 0; right < BLADE_COUNT; ++right) {
-					product[result] += signs[size_t((result * BLADE_COUNT + left) * BLADE_COUNT + right)] * a[left] * b[right];
+					product[result] += signs[(size_t(result) * BLADE_COUNT + size_t(left)) * BLADE_COUNT + size_t(right)] * a[left] * b[right];
 				}
 			}
 		}
@@ -85,7 +85,7 @@ struct Ours {
 	Multivector operator()(const Multivector &a, const Multivector &b) const { return a.geometric_product(b); }
 };
 
-// Through 4 x 4 complex matrices, as which the algebra can be written.
+// As 4 x 4 complex matrices, to which the algebra is isomorphic.
 struct ComplexMatrices {
 	Multivector operator()(const Multivector &a, const Multivector &b) const {
 		const cga::ComplexMatrix left = cga::to_matrix(a), right = cga::to_matrix(b);
@@ -93,7 +93,7 @@ struct ComplexMatrices {
 		for (size_t row = 0; row < 4; ++row) {
 			for (size_t middle = 0; middle < 4; ++middle) {
 				for (size_t column = 0; column < 4; ++column) {
-					// By hand, without std::complex's care for infinities.
+					// Written out: std::complex would check for infinities.
 					const std::complex<double> l = left[row][middle], r = right[middle][column];
 					product[row][column] += std::complex<double>(l.real() * r.real() - l.imag() * r.imag(), l.real() * r.imag() + l.imag() * r.real());
 				}
@@ -120,6 +120,7 @@ void multiply_motors(benchmark::State &state) {
 	const size_t count = size_t(state.range(0));
 	PoseSource source;
 	std::vector<cga::Motor<double>> motors;
+	motors.reserve(DISTINCT);
 	for (size_t i = 0; i < DISTINCT; ++i) {
 		motors.push_back(cga::Motor<double>::from_pose(cga::pose_cast<double>(source.pose())));
 	}
@@ -161,7 +162,7 @@ void add_two(const std::string &subject, Function function) {
 	benchmark::RegisterBenchmark(("geometric_product/" + subject).c_str(), function)->Arg(1)->Arg(1000);
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	add_two("ga_godot", multiply_each<Ours>);
 	add_two("dense_loop", multiply_each<DenseLoop>);
 	add_two("table_loop", multiply_each<TableLoop>);

@@ -1,5 +1,5 @@
-// The linear blend beside Rust's glam, one pair at a time, and ultraviolet, 8 pairs at a time (rust_peers/). These are compiled
-// for the processor at hand, which GLM and Eigen are not.
+// The linear blend compared with Rust's glam, one pair at a time, and ultraviolet, 8 pairs at a time (rust_peers/). These are
+// compiled for this machine's processor, unlike GLM and Eigen.
 
 #if defined(HAS_RUST_PEERS)
 
@@ -41,7 +41,7 @@ struct Library {
 	size_t bytes_read;
 };
 
-// Whether it does the same job: bases as ours.
+// Whether the library computes the same bases as ours.
 bool is_right(const Library &library, const std::vector<PosePair> &pairs, const void *made, float *rows) {
 	library.blend(made, 0.3f, rows);
 	for (size_t i = 0; i < pairs.size(); ++i) {
@@ -77,7 +77,7 @@ void rust(benchmark::State &state, Library library) {
 	library.free(made);
 }
 
-const bool registered = [] {
+const bool REGISTERED = [] {
 	// glam's pose is 48 bytes with its padding, a pose of ultraviolet's 8 floats.
 	const Library slerp = { glam_pairs, glam_free, glam_slerp, cga::Mode::SEPARATE, 96 };
 	const Library nlerp = { glam_pairs, glam_free, glam_nlerp, cga::Mode::LINEAR, 96 };

@@ -50,13 +50,13 @@ inline QuaternionD axis_angle(const Vector3D &axis, double angle) {
 	return { std::cos(angle / 2.0), sines.x, sines.y, sines.z };
 }
 
-// The angle between two rotations, whatever their signs.
+// The angle between two rotations, ignoring their signs.
 inline double angle_between(const QuaternionD &left, const QuaternionD &right) {
 	const QuaternionD turn = left * glm::conjugate(right);
 	return 2.0 * std::atan2(glm::length(cga::vector_part(turn)), std::abs(turn.w));
 }
 
-// The largest of: angle, relative difference of scale, distance relative to the size of what is compared.
+// The maximum of the angle, the relative difference of scale and the distance relative to the positions.
 inline double difference(const PoseD &left, const PoseD &right) {
 	const double size = std::max({ 1.0, glm::length(left.translation), glm::length(right.translation) });
 	return std::max({ angle_between(left.rotation, right.rotation), std::abs(left.scale / right.scale - 1.0),

@@ -1,8 +1,9 @@
 // Fuzzes everything in src/net that parses bytes from a peer. As a program it mutates recorded traffic from a fixed seed,
-// as many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is a libFuzzer target. A failure ends it:
-// a sanitizer's report or a violated condition.
+// as many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is a libFuzzer target (linked with
+// tests/harness). A failure ends it: a sanitizer's report or a violated condition.
 
-#include "mutation.hpp"
+#include "input.hpp"
+#include "session_target.hpp"
 
 #include "net/endpoint/receiver.hpp"
 #include "net/endpoint/sender.hpp"
@@ -11,7 +12,6 @@
 #include "net/stream/stream_decoder.hpp"
 #include "net/stream/stream_encoder.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,28 +21,13 @@
 namespace {
 
 using fuzz::Bytes;
+using fuzz::Pieces;
+using fuzz::pose_at;
+using fuzz::require;
+using fuzz::require_finite;
+using fuzz::TICK;
 
 constexpr size_t MAX_BODIES = 64;
-constexpr double TICK = 1.0 / 60.0;
-
-void require(bool condition, const char *failure) {
-	if (!condition) {
-		std::fprintf(stderr, "net_fuzz: %s\n", failure);
-		std::abort();
-	}
-}
-
-void require_finite(const cga::Pose<double> &pose) {
-	const double sum = pose.translation.x + pose.translation.y + pose.translation.z + pose.rotation.w + pose.rotation.x + pose.rotation.y + pose.rotation.z + pose.scale;
-	require(std::isfinite(sum) && pose.scale > 0.0, "a pose is not finite");
-}
-
-cga::Pose<double> pose_at(uint32_t id, double time) {
-	cga::Pose<double> pose;
-	pose.translation = cga::Vector3<double>(double(id) + std::sin(time * (1.0 + id)), std::fabs(std::sin(3.0 * time)), 0.1 * time);
-	pose.rotation = glm::angleAxis(2.0 * time * id, cga::Vector3<double>(0.6, 0.0, 0.8));
-	return pose;
-}
 
 /// Traffic between a sender and a receiver, and output of the codecs.
 struct Recording {
@@ -105,23 +90,6 @@ const Recording &recording() {
 	static const Recording RECORDING;
 	return RECORDING;
 }
-
-/// Splits an input into pieces: a length of two bytes, little-endian, then as many bytes, or what is left.
-struct Pieces {
-	const uint8_t *bytes;
-	size_t size;
-
-	bool next(Bytes &piece) {
-		if (size < 2) {
-			return false;
-		}
-		const size_t count = std::min<size_t>(bytes[0] | size_t(bytes[1]) << 8, size - 2);
-		piece.assign(bytes + 2, bytes + 2 + count);
-		bytes += 2 + count;
-		size -= 2 + count;
-		return true;
-	}
-};
 
 void fuzz_receiver(Pieces pieces) {
 	net::Receiver receiver(MAX_BODIES);
@@ -216,6 +184,8 @@ const Target TARGETS[] = {
 	 } },
 	{ "pose codec", fuzz_pose_codec, [] { return std::vector<Bytes>(4, recording().poses); } },
 	{ "envelope", fuzz_envelope, [] { return recording().packets; } },
+	{ "session, peer with authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, true); }, fuzz::record_session },
+	{ "session, peer without authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, false); }, fuzz::record_session },
 };
 constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 

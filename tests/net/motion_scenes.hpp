@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Motions that bodies make, as functions of time, and what tests ask of how they are shown.
+// Motions of bodies as functions of time, and the error of shown poses.
 
 namespace net_test {
 
@@ -28,7 +28,7 @@ inline PoseD turned_at(const Vector3D &place, const Vector3D &axis, double angle
 	return { place, cga_test::axis_angle(axis, angle), scale };
 }
 
-/// Bounces on y = 0 from a height, with a kink each time.
+/// The height of a body that falls and bounces on y = 0, with a kink at each bounce.
 inline double bounce(double time, double height) {
 	double fall = std::sqrt(2.0 * height / 9.81);
 	if (time < fall) {
@@ -45,7 +45,7 @@ inline double bounce(double time, double height) {
 	return 0.0;
 }
 
-/// A number of either sign up to 1 that depends on nothing but its arguments.
+/// A pseudorandom number from -1 to 1 that depends only on its arguments.
 inline double noise(int64_t index, int axis) {
 	uint64_t x = uint64_t(index) * 0x9e3779b97f4a7c15u + uint64_t(axis) * 0xd1b54a32d192ed03u;
 	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
@@ -94,8 +94,8 @@ inline std::vector<double> irregular_times(unsigned seed, double seconds) {
 	return times;
 }
 
-/// The error that a stream bounds, in shares of the tolerance: how far the centre and the points at the lever on the
-/// axes are off, and what the scale's error adds there.
+/// The error that a stream bounds, relative to the tolerance: the largest deviation of the center and of the points at the
+/// lever arm on the axes, and what the scale's error adds there.
 inline double error_share(const PoseD &shown, const PoseD &truth, const net::StreamGrid &grid) {
 	const Vector3D offset = shown.translation - truth.translation;
 	double worst = glm::length(offset);

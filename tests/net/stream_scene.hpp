@@ -9,7 +9,7 @@
 
 namespace net_test {
 
-/// A scene in which bodies come, go, jump and move in all ways, told to a StreamEncoder tick by tick.
+/// A scene in which bodies are added, removed, jump and move, observed by a StreamEncoder tick by tick.
 class StreamScene {
 public:
 	struct Body {
@@ -18,14 +18,15 @@ public:
 		bool is_new = true; // in the current window
 		Vector3D offset{ 0.0 }; // of the last jump
 		double jumped = -1e9; // time of the first jump in the current window
-		double settled_from = -1e9; // time of the last one: between the two it is elsewhere than shown
+		double settled_from = -1e9; // time of the last one: between the two, it is not shown where it is
 		PoseD last;
 	};
 
 	StreamScene(net::StreamEncoder &encoder, unsigned seed) :
 			_encoder(encoder), _random(seed), _motions(motions(Vector3D(0.0))) {}
 
-	/// Everything that happens at a tick; `turmoil` is the chance that a body comes, one goes, one jumps.
+	/// All changes and poses of a tick. A body is added and one jumps with probability `turmoil`, and one is removed with half
+	/// of it.
 	void step(double tick, double turmoil) {
 		if (_random.uniform(0.0, 1.0) < turmoil) {
 			add(uint32_t(_random.uniform(0.0, 40.0)), tick);

@@ -97,7 +97,7 @@ TEST_CASE("pose codec: ids in any order, with gaps, at the limit") {
 	}
 }
 
-TEST_CASE("pose codec: scale travels, and costs one bit where it is 1") {
+TEST_CASE("pose codec: scale round-trips, and a scale of 1 costs one bit") {
 	std::vector<BodyPose> bodies = random_bodies(64, 5, 9);
 	Packet plain;
 	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, plain));
@@ -114,7 +114,7 @@ TEST_CASE("pose codec: scale travels, and costs one bit where it is 1") {
 	}
 }
 
-TEST_CASE("pose codec: 10 km away only float32 itself limits the position") {
+TEST_CASE("pose codec: 10 km from the origin the error exceeds the tolerance only by float32 rounding") {
 	std::vector<BodyPose> bodies = random_bodies(50, 1, 13);
 	for (BodyPose &body : bodies) {
 		body.pose.translation += glm::vec3(10000, -10000, 10000);
@@ -129,7 +129,7 @@ TEST_CASE("pose codec: 10 km away only float32 itself limits the position") {
 	}
 }
 
-TEST_CASE("pose codec: an empty packet is a packet") {
+TEST_CASE("pose codec: a packet without bodies is valid") {
 	Packet packet;
 	REQUIRE(encode(nullptr, 0, Tolerance{}, packet));
 	std::vector<BodyPose> received(4);
@@ -137,7 +137,7 @@ TEST_CASE("pose codec: an empty packet is a packet") {
 	CHECK(received.empty());
 }
 
-TEST_CASE("pose codec: no memory is taken once buffers have grown") {
+TEST_CASE("pose codec: buffers are reused") {
 	const std::vector<BodyPose> bodies = random_bodies(200, 10, 17);
 	Packet packet;
 	std::vector<BodyPose> received;

@@ -24,7 +24,7 @@ def moving_cubes_match_the_server(run):
 
 
 def late_joiner_gets_the_snapshot_and_a_killed_client_affects_no_other(run):
-    run.start_server("--cubes=80", "--seconds=6", "--clients=2", "--life=off")
+    run.start_server("--cubes=80", "--seconds=6", "--clients=2", "--scripted-motion=off")
     first = run.start_client()
     killed = run.start_client("--record=")
     run.server.wait_for_line("The scene begins", START_SECONDS)
@@ -43,7 +43,7 @@ def late_joiner_gets_the_snapshot_and_a_killed_client_affects_no_other(run):
 
 
 def kick_by_one_client_moves_the_cube_on_all_peers(run):
-    run.start_server("--cubes=20", "--seconds=5", "--clients=2", "--life=off")
+    run.start_server("--cubes=20", "--seconds=5", "--clients=2", "--scripted-motion=off")
     kicker = run.start_client("--autopilot=kick")
     other = run.start_client()
     run.wait(30)
@@ -64,7 +64,7 @@ def kick_by_one_client_moves_the_cube_on_all_peers(run):
 
 def method_tolerance_and_interpolation_change_during_the_scene(run):
     run.start_server("--cubes=80", "--seconds=9", "--clients=2", "--calm=2")
-    changer = run.start_client("--autopilot=fiddle")
+    changer = run.start_client("--autopilot=settings")
     other = run.start_client()
     run.wait(30)
     run.check_logs()
@@ -115,7 +115,7 @@ def invalid_arguments_and_used_ports_are_reported(run):
 
 
 def synchronizer_shows_the_same_scene(run):
-    run.start_server("--cubes=40", "--seconds=3", "--clients=1", "--life=off", "--method=synchronizer")
+    run.start_server("--cubes=40", "--seconds=3", "--clients=1", "--scripted-motion=off", "--method=synchronizer")
     client = run.start_client()
     run.wait(30)
     run.check_logs()

@@ -101,7 +101,7 @@ def plane_through(a, b, c):
 
 
 def circle_through(a, b, c):
-    """The centre is in the plane of the points, and as far from one as from another."""
+    """The center is in the plane of the points, and as far from one as from another."""
     normal = cross(minus(b, a), minus(c, a))
     rows = [minus(b, a), minus(c, a), normal]
     center = solve(rows, [(dot(b, b) - dot(a, a)) / 2, (dot(c, c) - dot(a, a)) / 2, dot(normal, a)])

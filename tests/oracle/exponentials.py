@@ -80,7 +80,7 @@ def exponential(log):
 
 
 def logarithm(pose):
-    """w, v, sigma of a pose of doubles (the quaternion normalised exactly), turning the short way."""
+    """w, v, sigma of a pose of doubles (the quaternion normalized exactly), turning the short way."""
     t1, t2, t3, w, x, y, z, scale = to_mpf(pose)
     if w < 0:
         w, x, y, z = -w, -x, -y, -z

@@ -351,7 +351,7 @@ def line_in_mirror(s):
 
 
 def plane_in_sphere(s):
-    """A plane beside the centre becomes a sphere through it."""
+    """A plane beside the center becomes a sphere through it."""
     c, r, n = s.position(), s.radius(), s.direction()
     first, second = plane(n, c + n * r * s.random.uniform(0.5, 1.5)), sphere(c, r)
     foot = euclid.inverted(euclid.foot_on_plane(second[1][0], first[1]), second[1])

@@ -42,7 +42,7 @@ def check(library, report, seed):
 
 
 def check_far(library, report, random):
-    """Poses some metres apart, 10 km from the origin, where the float next to a number is a millimetre away."""
+    """Poses some meters apart, 10 km from the origin, where the float next to a number is a millimeter away."""
     place = random.standard_normal((PAIRS, 3))
     place *= DISTANCE / np.linalg.norm(place, axis=1, keepdims=True)
     begin, end = random_poses(random, PAIRS, 3.0), random_poses(random, PAIRS, 3.0)
@@ -55,8 +55,8 @@ def check_far(library, report, random):
         single = matrices_of(library.interpolate(mode, begin, end, weights, np.float32))
         blocks = library.interpolate_blocks(mode, begin, end, weights).reshape(-1, 3, 4)
         for name, ours in (("float", single), ("blocks", blocks)):
-            metres = np.abs(ours[:, :, 3] - wanted[:, :, 3]).max(axis=1)
-            report.check("numpy, metres", f"{mode} in {name}, 10 km away", metres, 1e-3)
+            meters = np.abs(ours[:, :, 3] - wanted[:, :, 3]).max(axis=1)
+            report.check("numpy, meters", f"{mode} in {name}, 10 km away", meters, 1e-3)
 
 
 def check_screw(library, report, begin, end, weights):

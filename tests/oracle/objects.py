@@ -9,7 +9,7 @@ from scenes import SCENES, Scene, error
 ORACLE = "Euclid, 50 digits"
 CASES = 100
 # Flats keep all digits. Points and rounds hold half the square of their distance beside a weight of 1, so that lengths
-# far below a metre lose digits to the 1 and those far above to the square: these are what doubles can hold.
+# far below a meter lose digits to the 1 and those far above to the square: these are what doubles can hold.
 FLAT_BOUND = 2e-15
 ROUND_BOUNDS = {"1 mm": 1e-9, "1 m": 1e-13, "1 km": 3e-9, "100 km": 3e-5, "1 m, 1 km away": 1e-6, "1 km, 30 km away": 1e-4}
 FLATS = ("flat_point", "line", "line_through", "plane", "plane_through")

@@ -26,7 +26,7 @@ def cross_matrices(vectors):
 
 
 def matrices_of(poses):
-    """n x 3 x 4: scale times rotation, and the translation. In double, rotations normalised first."""
+    """n x 3 x 4: scale times rotation, and the translation. In double, rotations normalized first."""
     poses = np.asarray(poses, float)
     quaternions = poses[:, 3:7]
     lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)

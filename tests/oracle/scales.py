@@ -45,7 +45,7 @@ def error_of(library, operation, left, right, wanted, random):
 
 
 def held(blade, extent):
-    """How many roundings of the result its coefficients of e4 and e5 cost, which hold Q + R / 2 and Q - R / 2, in metres."""
+    """How many roundings of the result its coefficients of e4 and e5 cost, which hold Q + R / 2 and Q - R / 2, in meters."""
     _, q, r, _ = parts(blade)
     square, weight = (float(max(abs(part(x)) for x in EUCLIDEAN)) for part in (q, r))
     return (1.0 + square / weight) * (1.0 + extent ** -2) if weight > 0.0 else 1.0
@@ -105,14 +105,14 @@ def read_point(blade):
 
 
 def read_sphere(blade):
-    """(centre, radius), of real ones: D = -(c . E), h = Q / R, r^2 = 2 h + c^2."""
+    """(center, radius), of real ones: D = -(c . E), h = Q / R, r^2 = 2 h + c^2."""
     _, q, r, d = parts(blade)
     center = [x / r("123") for x in axis(d)]
     return center, mpmath.sqrt(2 * q("123") / r("123") + dot(center, center))
 
 
 def read_circle(blade):
-    """(centre, normal, radius), of real ones."""
+    """(center, normal, radius), of real ones."""
     a, q, r, d = parts(blade)
     n = axis(r)
     square = dot(n, n)
@@ -267,7 +267,7 @@ def small_in_large(s):
 
 
 def large_in_small(s):
-    """The large one passes beside the small one's centre."""
+    """The large one passes beside the small one's center."""
     c, r, n = s.position(), s.radius(), s.direction()
     second = s.made("sphere", c, r)
     first = s.large_sphere(c + n * r * s.random.uniform(0.3, 1.5), n)

@@ -4,7 +4,7 @@ import numpy as np
 
 import euclid
 
-# Size of the objects and distance of their places from the origin, in metres.
+# Size of the objects and distance of their places from the origin, in meters.
 SCENES = {
     "1 mm": (1e-3, 1e-3),
     "1 m": (1.0, 1.0),

@@ -1,4 +1,4 @@
-"""exp, log, sqrt, powers, inverse and normalisation of multivectors against matrices at 50 digits (gamma.py).
+"""exp, log, sqrt, powers, inverse and normalization of multivectors against matrices at 50 digits (gamma.py).
 
 A logarithm is judged by the exponential of its matrix, a root by its powers; those of motors also by the exact
 logarithm of exponentials.py, part by part.

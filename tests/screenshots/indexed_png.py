@@ -1,4 +1,4 @@
-"""Makes a picture small enough for the repository: a PNG of 256 colours instead of one of 24 bits a pixel."""
+"""Makes a picture small enough for the repository: a PNG of 256 colors instead of one of 24 bits a pixel."""
 
 import collections
 import struct
@@ -6,7 +6,7 @@ import zlib
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 COLORS = 256
-# Channels of the two kinds that the engine writes, by the PNG's colour type.
+# Channels of the two kinds that the engine writes, by the PNG's color type.
 CHANNELS = {2: 3, 6: 4}
 
 
@@ -45,14 +45,14 @@ def read(path):
             packed += body
         place += 12 + length
     if depth != 8 or interlaced or color_type not in CHANNELS:
-        raise ValueError(f"{path} is not one of the engine's PNGs: depth {depth}, colour type {color_type}")
+        raise ValueError(f"{path} is not one of the engine's PNGs: depth {depth}, color type {color_type}")
     channels = CHANNELS[color_type]
     lines = unfilter(zlib.decompress(packed), width * channels, height, channels)
     return width, height, [list(zip(line[0::channels], line[1::channels], line[2::channels])) for line in lines]
 
 
 def unfilter(data, length, height, step):
-    """The bytes of each row, given how each differs from its neighbours."""
+    """The bytes of each row, given how each differs from its neighbors."""
     lines = []
     above = bytearray(length)
     for y in range(height):
@@ -82,7 +82,7 @@ def predicted(kind, left, above, corner):
 
 
 def choose_palette(counts):
-    """At most 256 colours, and which of them stands for each of the counted ones: median cut."""
+    """At most 256 colors, and which of them stands for each of the counted ones: median cut."""
     boxes = [(*spread(list(counts), counts), list(counts))]
     while len(boxes) < COLORS:
         box = max(boxes, key=lambda measured: measured[0])

@@ -1,7 +1,7 @@
 """A made-up machine for the tests of setup: its own PATH, cache, system and package source.
 
 Only the programs that are put there exist. apt-get, apt-cache and dpkg are
-small stand-ins that take their behaviour from environment variables:
+small stand-ins that take their behavior from environment variables:
 
   FAKE_NETWORK=down      every update fails; gone: updates only warn, as apt does, and installing fails
   FAKE_SIGNATURE=bad     every update fails for its signature; expired: for its age

@@ -22,7 +22,7 @@ class ComparisonTest(unittest.TestCase):
     def test_cheapest_that_is_no_worse(self):
         rivals = {"5hz": method(200, 5.1), "10hz": method(400, 5.0), "20hz": method(800, 2.0)}
         self.assertEqual(self.said(method(40, 5.0), **rivals),
-                         "ga_godot: 1/10.0 of the cheapest baseline with p99 no worse (pqs_float32_10hz)")
+                         "ga_godot: 1/10.0 of the cheapest baseline whose p99 error is not larger (pqs_float32_10hz)")
 
     def test_none_is_as_good(self):
         self.assertEqual(self.said(method(40, 1.0), **{"30hz": method(1200, 3.0), "60hz": method(2400, 2.0)}),

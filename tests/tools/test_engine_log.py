@@ -10,7 +10,7 @@ CASES = {
     "engine error": ("ERROR: no such file\n   at: open (core/io/file.cpp:1)\n", ["error line: no such file"]),
     "push_error": ("USER ERROR: mine\n", ["error line: mine"]),
     "script error": ("SCRIPT ERROR: Invalid call\n", ["error line: Invalid call"]),
-    "coloured": ("\x1b[1;31mERROR:\x1b[0;91m no such file\x1b[0m\n", ["error line: no such file"]),
+    "colored": ("\x1b[1;31mERROR:\x1b[0;91m no such file\x1b[0m\n", ["error line: no such file"]),
     "after other text": ("no line end beforeERROR: late\nfine ERROR: x\n", ["error line: x"]),
     "leaked object": ("WARNING: 1 ObjectDB instance leaked at exit.\n", ["WARNING: 1 ObjectDB instance leaked at exit."]),
     "resource in use": ("ERROR: 2 resources still in use at exit.\n", ["error line: 2 resources still in use at exit."]),

@@ -1,4 +1,4 @@
-"""Pictures for the documentation keep their colours when they are made small."""
+"""Pictures for the documentation keep their colors when they are made small."""
 
 import os
 import struct
@@ -45,7 +45,7 @@ def write(path, color_of, channels):
 
 
 def read_indexed(path):
-    """Rows of colours of what shrink() wrote."""
+    """Rows of colors of what shrink() wrote."""
     with open(path, "rb") as file:
         data = file.read()
     place, parts = len(indexed_png.SIGNATURE), {}
@@ -71,12 +71,12 @@ class IndexedPngTest(unittest.TestCase):
             self.assertEqual((width, height), (WIDTH, HEIGHT))
             self.assertEqual(rows, [[gradient(x, y) for x in range(WIDTH)] for y in range(HEIGHT)])
 
-    def test_few_colours_stay_exact(self):
+    def test_few_colors_stay_exact(self):
         write(self.path, few_colors, 3)
         indexed_png.shrink(self.path)
         self.assertEqual(read_indexed(self.path), [[few_colors(x, y) for x in range(WIDTH)] for y in range(HEIGHT)])
 
-    def test_many_colours_stay_near(self):
+    def test_many_colors_stay_near(self):
         write(self.path, gradient, 4)
         indexed_png.shrink(self.path)
         rows = read_indexed(self.path)

@@ -88,7 +88,7 @@ class SetupEngineTest(unittest.TestCase):
 
     def test_no_network(self):
         machine = self.machine()
-        self.fails(machine, machine.run("setup", "engine", FAKE_NETWORK="down"), "does not answer", "network", "GODOT=")
+        self.fails(machine, machine.run("setup", "engine", FAKE_NETWORK="down"), "does not respond", "network", "GODOT=")
 
     def test_bad_signature(self):
         machine = self.machine()

@@ -93,12 +93,23 @@ class SetupPackagesTest(unittest.TestCase):
         os.unlink(machine.environment["FAKE_PROGRAM"])
         self.fails(machine.run("setup", "build"), "not usable: scons")
 
+    def test_clang_tools(self):
+        for version, is_installed in (("18.1.3", True), ("20.1.0", False)):
+            machine = self.machine(present=("python3",))
+            for name in ("clang-format", "clang-tidy"):
+                machine.program(name, f'#!/bin/sh\necho "Ubuntu {name} version {version} (1ubuntu1)"\n')
+            machine.run("setup", "style", FAKE_PACKAGE="absent")
+            self.assertEqual(machine.apt_calls("clang-tidy-19") > 0, is_installed, version)
+        machine = self.machine(present=("python3", "clang-format-19", "clang-tidy-19"))
+        machine.run("setup", "style", FAKE_PACKAGE="absent")
+        self.assertEqual(machine.apt_calls("clang-tidy-19"), 0)
+
     def test_unknown_part(self):
         self.fails(self.machine().run("setup", "everything"), "unknown part 'everything'", "--help")
 
     def test_help_needs_nothing(self):
         machine = self.machine(FEDORA)
-        for tool in ("setup", "test", "demo", "bench"):
+        for tool in ("setup", "test", "format", "demo", "bench"):
             done = machine.run(tool, "--help")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn(f"tools/{tool}", done.stdout)

@@ -34,10 +34,10 @@ class SuiteProcessTest(unittest.TestCase):
         self.check(outcome("print('[x] 0 passed, 0 failed')"), 0, 0, "ran no test")
 
     def test_no_result(self):
-        self.check(outcome("print('all well')"), 0, 0, "told no result (exit code 0)")
+        self.check(outcome("print('all well')"), 0, 0, "printed no result (exit code 0)")
 
     def test_crash(self):
-        self.check(outcome("import os; os.kill(os.getpid(), 11)"), 0, 0, "told no result (exit code -11)")
+        self.check(outcome("import os; os.kill(os.getpid(), 11)"), 0, 0, "printed no result (exit code -11)")
 
     def test_missing_program(self):
         self.check(run(Program(["/nowhere/tests"], seconds=5)), 0, 0,

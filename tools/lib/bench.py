@@ -1,4 +1,4 @@
-"""tools/bench: timings and costs beside named rivals on the same input, in one run.
+"""tools/bench: measures time and bandwidth beside named baselines, on the same input in one run.
 
 tools/bench kernels   blend of pose pairs, n from 1 to 1,000,000: C++ against GLM,
                       and MotorPool against Transform3D.interpolate_with in the engine
@@ -52,7 +52,7 @@ def parse_arguments(arguments):
 
 
 def main(arguments):
-    """Measures what was asked for."""
+    """Measures the chosen suite."""
     options = parse_arguments(arguments)
     suites = [suite for name, suite in SUITES.items() if options.suite in (name, "all")]
     checkout.setup(*sorted({part for suite in suites for part in suite.PARTS}))

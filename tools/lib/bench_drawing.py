@@ -1,4 +1,4 @@
-"""What 1,000 drawn objects cost each frame, beside the engine's primitives: a part of the suite playground."""
+"""Frame time of 1,000 drawn objects, beside the engine's primitives: a part of the suite playground."""
 
 import json
 import os
@@ -11,8 +11,8 @@ import display
 
 SCRIPT = "res://tests/bench/drawing.gd"
 SECONDS = 300
-# Where, what Mesa is told, sizes, frames. Without driver work, which Mesa can leave out, what is left is the engine's own
-# work for each object. With it and without a graphics card, pixels and vertices are the processor's work too.
+# Where, Mesa's settings, sizes, frames. Mesa can skip the driver's work: the engine's own work for each object is left.
+# With it and without a graphics card, the processor also computes vertices and pixels.
 RUNS = (
     ("no driver work", {"GALLIUM_NOOP": "1"}, "64x36", 60),
     ("drawn", {}, "64x36,1152x648", 12),
@@ -32,7 +32,7 @@ def measure():
 
 
 def row_of(found, where):
-    """A row of tools/bench from one of the script's."""
+    """Converts a row of the script to a row of tools/bench."""
     return {"suite": "playground", "case": found["case"], "subject": found["subject"], "n": 1000, "where": where, "size": found["size"],
             "value": found["frame"], "unit": "ms/frame", "render": found["render"], "draws": int(found["draws"])}
 

@@ -1,5 +1,5 @@
-"""The suite engine of tools/bench: the GA-Unity paper's benchmark. Cubes go between two poses, by the paper's methods, the
-engine's, and the project's, one after the other in one run of the engine."""
+"""The suite engine of tools/bench: the GA-Unity paper's benchmark. Cubes move between two poses, by the methods of the
+paper, the engine and this project, in turn in one run of the engine."""
 
 import json
 import os
@@ -19,10 +19,10 @@ RIVALS = os.path.join("bench", "ga_godot_bench.gdextension")
 SECONDS = 900
 SIZES = (50, 100, 150, 200, 250, 1000, 10000)
 MEASURES = ("work", "work_p95", "frame", "frame_p95", "cost")
-# With a display and without a graphics card, drawing would be the processor's work too; Mesa can leave that out.
+# Without a graphics card the processor would also draw; Mesa can skip that.
 DRAWN = {"GALLIUM_NOOP": "1"}
 DRAWN_SIZES = (250, 1000)
-# Where, n, what, of what, measure, and how small a part it should be.
+# Where, n, subject, baseline, measure, and the goal: at most 1/N of the baseline.
 GOALS = (
     ("headless", 250, "motor_pool_multimesh", "paper_pooled", "cost", 15),
     ("headless", 250, "motor_pool_nodes", "paper_pooled", "cost", 15),
@@ -32,8 +32,8 @@ GOALS = (
 
 
 def add_options(parser):
-    """The options that only this suite takes."""
-    parser.add_argument("--rounds", type=int, default=9, help="turns of each arm at each size (default 9)")
+    """The options of this suite."""
+    parser.add_argument("--rounds", type=int, default=9, help="rounds of each method at each size (default 9)")
 
 
 def measure(options):
@@ -51,13 +51,13 @@ def measure(options):
 
 
 def row_of(found, name):
-    """A row of tools/bench: one measure of one of the script's rows."""
+    """A row of tools/bench: one measure in a row of the script."""
     return {"suite": "engine", "case": name, "subject": found["subject"], "n": found["n"], "where": found["where"],
             "value": found[name], "unit": "us/frame"}
 
 
 def run(where, arguments, settings, sizes, rounds):
-    """The rows of one run of the arms."""
+    """The rows of one run of all methods."""
     rivals = os.path.abspath(os.path.join(checkout.variant(), RIVALS))
     options = [f"--rivals={rivals}", f"--sizes={','.join(map(str, sizes))}", f"--rounds={rounds}"]
     rows = run_script(arguments, settings, SCRIPT, options, f"{', '.join(map(str, sizes))} cubes, {where}")
@@ -67,7 +67,7 @@ def run(where, arguments, settings, sizes, rounds):
 
 
 def run_script(arguments, settings, script, options, what):
-    """The rows that a script gives in one run of the engine."""
+    """The rows that a script prints in one run of the engine."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "rows.json")
         command = [checkout.ENGINE, *arguments, "--path", checkout.PROJECT, "--script", script, "--", *options, f"--json={path}"]
@@ -84,20 +84,20 @@ def run_script(arguments, settings, script, options, what):
 
 
 def print_sharing(rows):
-    """One line a case and size: alone, shared, and how many times faster."""
-    print(f"\n{'case':<20} {'n':>9} {'one thread':>11} {'shared':>9} {'faster':>7}   (ns a body)")
+    """One line for each case and size: one thread, all threads, and the speedup."""
+    print(f"\n{'case':<20} {'n':>9} {'one thread':>11} {'shared':>9} {'speedup':>7}   (ns/body)")
     for shared, alone in zip(rows[::2], rows[1::2]):
         print(f"{shared['case']:<20} {shared['n']:>9} {alone['value']:>11.2f} {shared['value']:>9.2f} {alone['value'] / shared['value']:>7.2f}")
 
 
 def print_table(rows):
-    """One line a subject and size, in microseconds, and how the ratios that count came out."""
-    print(f"{'where':<9} {'n':>6} {'subject':<30}" + "".join(f" {name:>10}" for name in MEASURES) + "   (us a frame)")
+    """One line for each subject and size, in microseconds per frame, and the ratios that have a goal."""
+    print(f"{'where':<9} {'n':>6} {'subject':<30}" + "".join(f" {name:>10}" for name in MEASURES) + "   (us/frame)")
     for row in rows:
         print(f"{row['where']:<9} {row['n']:>6} {row['subject']:<30}" + "".join(f" {row[name]:>10.0f}" for name in MEASURES))
     print()
     values = {(row["where"], row["n"], row["subject"]): row for row in rows}
     for where, size, ours, theirs, name, least in GOALS:
         part, whole = values[where, size, ours][name], values[where, size, theirs][name]
-        ratio = f"1/{whole / part:.1f}" if part > 0 else "nothing that can be measured"
+        ratio = f"1/{whole / part:.1f}" if part > 0 else "too small to measure"
         print(f"{where}, {size}: the {name} of {ours} is {ratio} of {theirs}'s (goal 1/{least})")

@@ -1,4 +1,4 @@
-"""The suite kernels of tools/bench: blends, motors and products beside GLM's, Eigen's and the engine's, and beside what memory gives."""
+"""The suite kernels of tools/bench: blends, motors and products beside those of GLM, Eigen and the engine, and beside the memory bandwidth."""
 
 import json
 import os
@@ -10,13 +10,13 @@ import project
 from build import LIBRARY, build
 
 PARTS = ("build", "bench", "engine")
-# Of these the table gives the ratio to ga_godot at the same place.
+# The table gives the ratio of these to ga_godot at the same place.
 OURS = "ga_godot"
 
 
 def add_options(parser):
-    """The options that only this suite takes."""
-    parser.add_argument("--repetitions", type=int, default=5, help="repeats behind each median of the C++ rows (default 5)")
+    """The options of this suite."""
+    parser.add_argument("--repetitions", type=int, default=5, help="repetitions for each median of the C++ rows (default 5)")
 
 
 def measure(options):
@@ -35,14 +35,14 @@ def native_rows(repetitions):
     for case, subject, n, run in runs:
         rows.append({"suite": "kernels", "case": case, "subject": subject, "n": n, "value": run["cpu_time"] / n,
                      "unit": "ns/pose", "where": "C++"})
-        # The paper's methods go through multivectors elsewhere in memory, and do not count them.
+        # The paper's methods do not count the multivectors that they read elsewhere in memory.
         if "bytes_per_second" in run:
             rows[-1]["bytes_per_second"] = run["bytes_per_second"]
     return rows
 
 
 def engine_rows():
-    """Rows of the same blends called from GDScript."""
+    """Rows of the same blends, called from GDScript."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "engine.json")
         bench_native.run_quietly([checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--script",
@@ -56,7 +56,7 @@ def engine_rows():
 
 
 def print_table(rows):
-    """One line a row: value, and the ratio to ga_godot on the same input at the same place."""
+    """One line for each row: the value, and the ratio to ga_godot on the same input at the same place."""
     ours = {(row["where"], row["case"], row["n"]): row["value"] for row in rows if row["subject"] == OURS}
     print(f"{'case':<24} {'where':<22} {'subject':<30} {'n':>9} {'ns/pose':>10} {'GB/s':>7} {'ga_godot takes':>16}")
     for row in sorted(rows, key=lambda row: (row["case"], row["where"], row["n"], row["value"])):

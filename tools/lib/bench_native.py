@@ -1,4 +1,4 @@
-"""Runs the benchmark programs of the C++ side, which are Google Benchmark's."""
+"""Runs the C++ benchmark programs, which use Google Benchmark."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import checkout
 
 
 def run_quietly(command, what):
-    """Runs a command; on failure shows what it printed and ends the program."""
+    """Runs a command; on failure exits with its output."""
     print(f"{what} ...", file=sys.stderr, flush=True)
     done = subprocess.run(command, cwd=checkout.ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
@@ -23,7 +23,7 @@ def medians(program, repetitions, what):
 
 
 def median_runs(program, repetitions, what):
-    """Case, subject, n and all that Google Benchmark says of the median of each CASE/SUBJECT/N in build/VARIANT/bench/PROGRAM."""
+    """Case, subject, n and Google Benchmark's whole record of the median of each CASE/SUBJECT/N in build/VARIANT/bench/PROGRAM."""
     binary = os.path.join(checkout.variant(), "bench", program)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "report.json")
@@ -34,7 +34,7 @@ def median_runs(program, repetitions, what):
             report = json.load(file)
     found = []
     for run in report["benchmarks"]:
-        # One repetition has no median of its own.
+        # A single repetition has no median row.
         if run.get("aggregate_name") == "median" or repetitions == 1:
             case, subject, n = run["run_name"].split("/")[:3]
             found.append((case, subject, int(n), run))

@@ -46,7 +46,7 @@ def comparison(methods, prefix, name):
     equals = [subject for subject, values in rivals.items() if values["error_p99"] <= ours["error_p99"]]
     if equals:
         best = min(equals, key=lambda subject: rivals[subject]["bytes_per_second_per_body"])
-        meaning = f"{name} with p99 no worse ({best})"
+        meaning = f"{name} whose p99 error is not larger ({best})"
     else:
         best = min(rivals, key=lambda subject: rivals[subject]["error_p99"])
         meaning = f"{best}, whose p99 is the best of {prefix}* but worse than that of {OURS}"

@@ -11,14 +11,14 @@ REPETITIONS = 9
 
 
 def add_options(_parser):
-    """It has none of its own."""
+    """This suite has no options."""
 
 
 def measure(_options):
     """Builds, runs, prints the table; returns the rows."""
     build(LIBRARY, "bench")
     project.prepare(checkout.PROJECT)
-    medians = bench_native.medians("playground_bench", REPETITIONS, "A drag of what 200 objects depend on, in a chain of 50")
+    medians = bench_native.medians("playground_bench", REPETITIONS, "Dragging a point that 200 objects depend on, in a chain of 50")
     rows = [{"suite": "playground", "case": case, "subject": subject, "n": n, "value": value, "unit": "us"}
             for case, subject, n, value in medians]
     print(f"{'case':<24} {'subject':<18} {'n':>5} {'us':>10}")

@@ -1,6 +1,6 @@
-"""Builds the library and makes the project ready to run: python3 tools/lib/build.py [TARGET...]
+"""Builds the library and prepares the Godot project: python3 tools/lib/build.py [TARGET...]
 
-What is up to date costs a second. Output goes to stderr.
+An up-to-date build takes a second. Output goes to stderr.
 """
 
 import subprocess
@@ -13,7 +13,7 @@ LIBRARY = "godot_project/addons"
 
 
 def build(*targets, sanitizer=""):
-    """Runs SCons for the targets; ends the program if it fails, SCons has said why."""
+    """Runs SCons for the targets; exits if the build fails; SCons has printed the reason."""
     command = ["scons", "-Q", *targets]
     if sanitizer:
         command.append(f"sanitize={sanitizer}")
@@ -24,7 +24,7 @@ def build(*targets, sanitizer=""):
 
 
 def main():
-    """Builds what the arguments name, or the library, and prepares the project."""
+    """Builds the targets in the arguments (default: the library) and prepares the project."""
     build(*(sys.argv[1:] or [LIBRARY]))
     project.prepare(checkout.PROJECT)
 

@@ -1,4 +1,4 @@
-"""Places in this checkout, and what setup keeps outside it."""
+"""Paths in this checkout, and of what tools/setup installs outside it."""
 
 import os
 import platform
@@ -21,13 +21,13 @@ def variant(sanitizer=""):
 
 
 def setup(*parts):
-    """Gets what the parts need; where it cannot, ends the program: setup has said why."""
+    """Installs missing dependencies of the parts; exits if that fails: setup has printed the reason."""
     if subprocess.run([os.path.join(TOOLS, "setup"), *parts], check=False).returncode != 0:
         sys.exit(1)
 
 
 def setup_path(what):
-    """Path of something that setup provides: engine, oracle, plots, cache."""
+    """Path of something that setup provides: engine, oracle, style, plots, cache."""
     done = subprocess.run([os.path.join(TOOLS, "setup"), "--print", what],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:

@@ -123,7 +123,7 @@ def take_screenshot(engine, folder, options):
         run = stack.enter_context(DemoRun(engine, folder))
         run.start_server(f"--scene={options.scene}", f"--cubes={options.cubes}", "--clients=2", "--record=")
         run.start_client("--name=Bea", "--autopilot=circle", "--record=")
-        first = run.start_client("--name=Ada", f"--picture={path}", f"--picture-after={options.seconds}",
+        first = run.start_client("--name=Ada", f"--screenshot={path}", f"--screenshot-after={options.seconds}",
                                  "--record=", window=0)
         first.process.wait(timeout=options.seconds + SPARE_SECONDS)
         first.check_log()

@@ -1,4 +1,4 @@
-"""The options of the demo that make the network between a client and the server bad, in each direction."""
+"""The options of the demo that impair the network between clients and the server, in each direction."""
 
 from dataclasses import dataclass
 

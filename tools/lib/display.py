@@ -1,4 +1,4 @@
-"""A display of its own for whatever draws: Xvfb on a number that is free."""
+"""A private X display for programs that draw: Xvfb on a free display number."""
 
 import os
 import subprocess
@@ -10,9 +10,9 @@ START_SECONDS = 20
 
 @contextmanager
 def display():
-    """Yields the environment variables by which a program draws on a fresh Xvfb, ended afterwards."""
+    """Yields the environment variables that make a program draw on a new Xvfb, which ends afterwards."""
     read_end, write_end = os.pipe()
-    # The server itself picks a free number and writes it once it takes connections.
+    # The server picks a free number and writes it when it accepts connections.
     server = subprocess.Popen(
         ["Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp"],
         pass_fds=[write_end], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -23,7 +23,7 @@ def display():
             number = number_pipe.readline().strip()
         if not number:
             raise RuntimeError("Xvfb did not start: is another X server holding all displays, or /tmp full?")
-        # A Wayland session of the user's would be preferred by some programs.
+        # Some programs would prefer the user's Wayland session.
         yield {"DISPLAY": ":" + number, "WAYLAND_DISPLAY": ""}
     finally:
         server.terminate()

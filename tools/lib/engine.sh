@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Which Godot is used: GODOT, then one on PATH, then the cache's own.
-# engine_path is the answer. The cache's engine is fetched by engine_fetch.sh.
+# Chooses the Godot to use: GODOT, then one on PATH, then the one in the cache,
+# which engine_fetch.sh downloads. Sets engine_path.
 
 engine_minimum=4.6
 engine_folder=$cache/engine-$(uname -m)
@@ -26,7 +26,7 @@ is_good_version() {
     esac
 }
 
-# Sets engine_path to an engine that is already there, or fails quietly.
+# Sets engine_path to an installed engine; returns 1 if there is none.
 find_engine() {
     if [ -n "${GODOT:-}" ]; then
         find_given_engine
@@ -34,7 +34,7 @@ find_engine() {
     fi
     for engine_name in godot godot4; do
         engine_path=$(command -v "$engine_name") || continue
-        # tools/ itself may be on PATH: its `godot` asks this very function.
+        # tools/ itself may be on PATH, and its `godot` calls this function.
         if [ "$(readlink -f "$engine_path")" != "$tools/godot" ] &&
             is_good_version "$(engine_version "$engine_path")"; then
             return
@@ -44,7 +44,7 @@ find_engine() {
     [ -x "$engine_path" ] && is_good_version "$(engine_version "$engine_path")"
 }
 
-# GODOT is an order: where it does not fit there is no second choice.
+# If GODOT is set but unusable, setup fails instead of choosing another engine.
 find_given_engine() {
     engine_path=$(command -v "$GODOT") ||
         fail "GODOT=$GODOT is not an executable: give the path of Godot $engine_minimum or newer, or unset GODOT"
@@ -56,8 +56,8 @@ find_given_engine() {
         fail "GODOT=$GODOT reports '${engine_found:-no version}': Godot $engine_minimum or newer (4.x) is needed; give its path, or unset GODOT"
 }
 
-# Settings that the cache's engine needs to find its own graphics drivers. What
-# the user has set stays; an engine of the user's own gets nothing.
+# Environment variables with which the cache's engine finds its own graphics
+# drivers. Values that the user has set stay; other engines need none.
 set_engine_environment() {
     if [ "$engine_path" != "$engine_cached" ]; then
         return
@@ -65,7 +65,7 @@ set_engine_environment() {
     for engine_drivers in "$engine_folder"/usr/lib/*/dri; do
         export LIBGL_DRIVERS_PATH="${LIBGL_DRIVERS_PATH:-$engine_drivers}"
     done
-    # A machine without fontconfig's settings (containers) takes those that came along.
+    # A machine without fontconfig's settings (containers) uses those of the engine.
     if [ ! -e /etc/fonts/fonts.conf ]; then
         export FONTCONFIG_PATH="${FONTCONFIG_PATH:-$engine_folder/etc/fonts}"
     fi

@@ -1,7 +1,8 @@
 # shellcheck shell=sh
-# Fetches Godot into the cache from the distribution's newer suites: downloaded
-# and verified by apt, unpacked beside the system with the libraries it needs
-# and its own loader, so nothing of the system is touched and no root is needed.
+# Downloads Godot into the cache from the distribution's newer suites. apt
+# downloads and verifies the packages; they are unpacked into the cache with all
+# libraries and their own loader, so the system stays unchanged and no root is
+# needed.
 
 # What is unpacked with the engine: GL and Vulkan drivers, and the tool that
 # points the executable at its own loader and libraries.
@@ -9,7 +10,7 @@ engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 
 
 engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
 
-# The file from which Debian's engine reads the authorities it trusts, at every start.
+# The file from which Debian's engine reads the trusted certificates at each start.
 certificates=${GA_GODOT_CERTIFICATES:-/etc/ssl/certs/ca-certificates.crt}
 
 ensure_engine() {
@@ -38,7 +39,7 @@ ensure_engine() {
     explain_no_engine
 }
 
-# What kept the suites from being read or from having the engine, as apt put it.
+# Fails with the reason in apt's output why no suite provided the engine.
 explain_no_engine() {
     if grep -q 'signatures\? \(were invalid\|couldn.t be verified\)\|NO_PUBKEY' "$work/log"; then
         fail_step "the signatures of the package suites ($suites) cannot be verified" "update this system's archive keyring, or $engine_by_hand"
@@ -47,12 +48,12 @@ explain_no_engine() {
         fail_step "the package lists of $suites are out of date by this machine's clock" "set the clock (it says $(date +%F)) or use a current mirror, or $engine_by_hand"
     fi
     if [ -z "$suite_answered" ]; then
-        fail_step "Godot $engine_minimum is missing and the package site does not answer" "connect to the network and run the same command again, or $engine_by_hand"
+        fail_step "Godot $engine_minimum is missing and the package site does not respond" "connect to the network and run the same command again, or $engine_by_hand"
     fi
-    fail_step "no Godot $engine_minimum or newer can be had from this system's package site (looked in: $suites)" "$engine_by_hand"
+    fail_step "this system's package site has no Godot $engine_minimum or newer (suites: $suites)" "$engine_by_hand"
 }
 
-# The suites that may carry the engine, and who signs them.
+# Sets the suites that may contain the engine, and their keyring.
 choose_suites() {
     case " $(os_field ID) $(os_field ID_LIKE) " in
         *' ubuntu '*)
@@ -76,9 +77,8 @@ choose_suites() {
     done
 }
 
-# Sets site to where this system gets its packages from. apt knows it only once
-# it has read the lists; on a machine where it never has, it reads them into a
-# folder of ours.
+# Sets site to the server of this system's packages. apt knows it only after it
+# has read the package lists; if it never has, it reads them into our folder.
 find_site() {
     site=$(list_sites | head -n 1)
     if [ -n "$site" ]; then
@@ -102,9 +102,9 @@ apt_folder() {
     apt-config shell folder "Dir::$1/d" | sed "s/^folder='\(.*\)'\$/\1/"
 }
 
-# write_apt_settings LIST PARTS: settings by which apt-get works in $work alone,
-# with these sources, and knows of no installed package. The system's hooks are
-# cleared: they look after the system's own lists.
+# write_apt_settings LIST PARTS: settings with which apt-get works in $work only,
+# uses these sources, and sees no installed package. The system's hooks are
+# cleared: they serve the system's own lists.
 write_apt_settings() {
     mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
     : >"$work/apt/status"
@@ -143,7 +143,7 @@ describe_source() {
     fi
 }
 
-# True if the suite has an engine that is new enough and all it depends on.
+# True if the suite has an engine that is new enough, and all its dependencies.
 # Sets download_megabytes.
 resolve_engine() {
     is_good_version "$(apt-cache -c "$work/apt.conf" policy godot | sed -n 's/^ *Candidate: *\([0-9]*:\)\?//p')" || return 1
@@ -158,7 +158,7 @@ fetch_engine() {
     # shellcheck disable=SC2086
     step "downloading Godot and its libraries from $suite ($download_megabytes MB)" \
         own_apt_get install -y --download-only $engine_packages ||
-        fail_step "the download of Godot broke off" "check the network and run the same command again"
+        fail_step "the download of Godot failed" "check the network and run the same command again"
     percent_of_step=show_unpacked
     step "unpacking Godot" unpack_engine ||
         fail_step "Godot could not be unpacked" "run the same command again"
@@ -188,8 +188,8 @@ unpack_engine() {
 }
 
 # Makes the executable use its own loader and libraries, which will be in
-# engine_folder; a few libraries name folders of their own and would look past
-# them. The unpacked patchelf runs by the unpacked loader, for the same reason.
+# engine_folder. A few libraries contain other search paths, which are removed.
+# The unpacked patchelf runs with the unpacked loader for the same reason.
 relocate_engine() {
     for loader in "$work"/engine/usr/lib/*/ld-linux*.so.*; do
         libraries=$(dirname "$loader")
@@ -211,7 +211,7 @@ patch_elf() {
     "$loader" --library-path "$libraries" "$work/engine/usr/bin/patchelf" "$@"
 }
 
-# Puts the finished folder in its place by renaming; an old one stays until then.
+# Replaces the engine's folder by renaming; an old one stays usable until then.
 install_engine() {
     if [ -e "$engine_folder" ]; then
         mv "$engine_folder" "$work/replaced" || fail "cannot replace $engine_folder: remove it and run the same command again"
@@ -222,7 +222,7 @@ install_engine() {
     if ! is_good_version "$engine_found"; then
         "$engine_path" --version >>"$work/log" 2>&1
         rm -rf "$engine_folder"
-        fail_step "the fetched Godot does not start on this machine" "$engine_by_hand"
+        fail_step "the downloaded Godot does not start on this machine" "$engine_by_hand"
     fi
     say "Godot $engine_found is in $engine_folder"
 }

@@ -1,4 +1,4 @@
-"""Finds in an engine's output what its exit code does not tell.
+"""Finds problems in an engine's output that its exit code does not report.
 
 Godot exits with 0 after script errors, failed asserts and leaks. Every line of
 these is a problem, except an error that a test announced beforehand by a line
@@ -24,11 +24,11 @@ LEAK = re.compile(
 )
 # What the engine prints below an error.
 ORIGIN = re.compile(r"^\s+(at: |GDScript backtrace|C\+\+ backtrace|\[\d+\] )")
-COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class EngineLog:
-    """Takes the lines of one engine run and tells its problems."""
+    """Reads the lines of one engine run and reports its problems."""
 
     def __init__(self):
         self._announced = Counter()
@@ -37,9 +37,9 @@ class EngineLog:
         self._below_announced = False
 
     def feed(self, line):
-        """Takes one line, with or without its end. True if it tells a reader something:
-        announcements and the errors that they announced do not."""
-        line = COLOUR.sub("", line).rstrip()
+        """Reads one line, with or without its line ending. Returns whether to show it: announcements and the
+        errors that they announce are hidden."""
+        line = COLOR.sub("", line).rstrip()
         if self._below_announced and ORIGIN.match(line):
             return False
         self._below_announced = False
@@ -58,14 +58,14 @@ class EngineLog:
 
     def problems(self):
         """One line for each error that no test announced, announced error that did not come, and leak."""
-        found = [told("error line: " + message, count) for message, count in (self._errors - self._announced).items()]
-        found += [told("announced error did not come: " + message, count)
+        found = [counted("error line: " + message, count) for message, count in (self._errors - self._announced).items()]
+        found += [counted("announced error did not come: " + message, count)
                   for message, count in (self._announced - self._errors).items()]
         return found + [told(line, count) for line, count in self._leaks.items()]
 
 
-def told(message, count):
-    """The message, with how often it came if more than once."""
+def counted(message, count):
+    """The message, with the number of times it occurred if more than once."""
     return f"{message} ({count} times)" if count > 1 else message
 
 

@@ -1,8 +1,8 @@
 # shellcheck shell=sh
-# --help works before anything is installed: a Python program's own help where
-# there is Python, else the text at its top, which says the same in short.
+# --help works before anything is installed: it shows the Python program's help
+# or, without Python, the program's docstring.
 
-# help_if_asked PROGRAM ARGUMENTS...: shows the help and ends, if asked for.
+# help_if_asked PROGRAM ARGUMENTS...: shows the help and exits if the arguments contain --help.
 help_if_asked() {
     help_program=$1
     shift

@@ -1,4 +1,4 @@
-"""Makes a Godot project ready to run headless: its extensions listed, its files imported."""
+"""Prepares a Godot project for headless runs: lists its extensions and imports its files."""
 
 import fcntl
 import hashlib
@@ -11,12 +11,12 @@ import engine_log
 
 STAMP = "ga_godot_imported"
 IMPORT_SECONDS = 180
-# Written by the engine or by the build; none of them changes what there is to import.
+# Written by the engine or by the build; a change does not require an import.
 GENERATED = (".import", ".uid", ".so", ".tmp")
 
 
 def prepare(folder):
-    """Lists the project's extensions and imports it, unless that was done with these files and this engine."""
+    """Lists the project's extensions and imports its files, unless done before with the same files and engine."""
     state = os.path.join(folder, ".godot")
     os.makedirs(state, exist_ok=True)
     with open(os.path.join(state, "ga_godot_lock"), "w", encoding="utf-8") as lock:
@@ -32,7 +32,7 @@ def prepare(folder):
 
 
 def list_extensions(folder):
-    """Writes the list from which the engine loads extensions; a first import without it aborts."""
+    """Writes the list of extensions that the engine loads; without it, a first import aborts."""
     found = []
     for place, _, names in walk(folder):
         found += [os.path.relpath(os.path.join(place, name), folder) for name in names if name.endswith(".gdextension")]
@@ -44,21 +44,21 @@ def list_extensions(folder):
 
 
 def import_files(folder):
-    """Lets the engine import; ends the program with the engine's words if it reports a problem."""
+    """Runs the engine's import; exits with the engine's output if it reports a problem."""
     print(f"project: importing {os.path.relpath(folder, checkout.ROOT)} ...", file=sys.stderr, flush=True)
     command = [checkout.ENGINE, "--headless", "--path", folder, "--import"]
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=IMPORT_SECONDS, text=True, errors="replace", check=False)
     except subprocess.TimeoutExpired:
-        sys.exit(f"project: the import did not end within {IMPORT_SECONDS} s")
+        sys.exit(f"project: the import did not finish within {IMPORT_SECONDS} s")
     problems = engine_log.problems_of(done.stdout)
     if done.returncode != 0 or problems:
         sys.exit(f"{done.stdout}\nproject: the import failed (exit code {done.returncode}), see above")
 
 
 def fingerprint(folder):
-    """Changes when the engine or a file that it imports or scans for classes changes."""
+    """A digest of the engine and of all files that it imports or scans for classes."""
     digest = hashlib.sha256()
     engine = os.stat(checkout.setup_path("engine"))
     digest.update(f"{folder} {engine.st_size} {engine.st_mtime_ns}\n".encode())
@@ -80,7 +80,7 @@ def walk(folder):
 
 
 def read(path):
-    """A file's text; empty if there is none."""
+    """The text of a file; empty if it does not exist."""
     try:
         with open(path, encoding="utf-8") as file:
             return file.read()

@@ -1,9 +1,9 @@
 # shellcheck shell=sh
-# How setup speaks: one line for what it does, one line for why it cannot, all
-# on stderr, because stdout belongs to the answers of `setup --print`.
+# Setup's output: one line for each step and one line for a failure, on stderr,
+# because stdout is for the result of `setup --print`.
 #
-# The caller sets `cache` (see cache.sh). `work` is the folder of this run; it
-# is removed whatever happens, so an interrupted run leaves nothing behind.
+# The caller sets `cache` (see cache.sh). `work` is the folder of this run; it is
+# always removed, so an interrupted run leaves nothing behind.
 
 work=
 child=
@@ -35,9 +35,8 @@ trap 'exit 130' INT
 trap 'exit 143' TERM
 
 # step MESSAGE COMMAND...: runs the command with its output in $work/log and
-# shows that it is going on: a moving sign and the seconds in a terminal, a line
-# now and then elsewhere. Where `percent_of_step` names a function, what it
-# prints is shown too.
+# shows progress: a spinner and the seconds in a terminal, a line every 10 s
+# elsewhere. If `percent_of_step` names a function, shows its output too.
 step() {
     step_message=$1
     shift
@@ -45,7 +44,7 @@ step() {
     step_reported=0
     # shellcheck disable=SC1003
     step_signs='|/-\'
-    # 9 is the lock of the cache: a child that outlives us must not hold it.
+    # 9 is the lock of the cache: a child that outlives this process must not hold it.
     "$@" >>"$work/log" 2>&1 </dev/null 9>&- &
     child=$!
     if [ ! -t 2 ]; then
@@ -79,9 +78,9 @@ show_step() {
     fi
 }
 
-# fail_step WHAT HOW: the one line for a step that failed. A full disk and a
-# missing network are named as such whatever the step was; the whole output stays
-# in the cache's log.
+# fail_step WHAT HOW: fails with one line for a failed step. A full disk and a
+# missing network are reported as the cause whatever the step was; the whole
+# output stays in setup.log in the cache.
 fail_step() {
     if grep -qi 'no space left on device\|enough free space' "$work/log" 2>/dev/null; then
         fail "$1: the disk is full; free some space and run the same command again"

@@ -1,4 +1,4 @@
-"""The suites of tools/test --sanitize: C++ tests and the engine's, built with one sanitizer after the other."""
+"""The suites of tools/test --sanitize: the C++ and engine tests, built with each sanitizer in turn."""
 
 import glob
 import os
@@ -14,7 +14,7 @@ from suites import Suite, unit_programs
 SANITIZERS = ("address", "undefined")
 SECONDS = 900
 ADDON_LIBRARIES = "addons/ga_godot/bin"
-# A finding ends the program, so it cannot be overlooked. The engine's own leaks are not ours to report.
+# A finding ends the program, so that it fails the suite. Leaks of the engine itself are not reported.
 UNIT_ENV = {"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1"}
 ENGINE_ENV = {**UNIT_ENV, "ASAN_OPTIONS": "detect_leaks=0:verify_asan_link_order=0"}
 
@@ -36,7 +36,7 @@ def engine_suite(sanitizer):
 
     def programs():
         folder = copy_project(sanitizer)
-        # The engine itself, not the wrapper: what is preloaded would be loaded into the shell too.
+        # The engine itself, not the wrapper: the shell would load LD_PRELOAD too.
         argv = [checkout.setup_path("engine"), "--headless", "--path", folder, "--", "--test"]
         env = dict(ENGINE_ENV)
         if sanitizer == "address":
@@ -50,7 +50,7 @@ SUITES = tuple(unit_suite(name) for name in SANITIZERS) + tuple(engine_suite(nam
 
 
 def make_ready():
-    """Gets what is needed, builds both sanitized variants, and prepares the project with the plain library."""
+    """Installs missing dependencies, builds both sanitized variants, and prepares the project with the plain library."""
     checkout.setup("build", "unit", "engine")
     os.environ["GODOT"] = checkout.setup_path("engine")
     build(LIBRARY)
@@ -60,12 +60,12 @@ def make_ready():
 
 
 def copy_project(sanitizer):
-    """Folder of a copy of the project that holds the sanitized library; the import's results come along."""
+    """Folder of a copy of the project with the sanitized library, including the imported files."""
     place = os.path.join(checkout.variant(sanitizer), "engine")
     shutil.rmtree(place, ignore_errors=True)
     folder = os.path.join(place, "project")
     shutil.copytree(checkout.PROJECT, folder)
-    # Tests read the guides, the class reference and what these name, beside the project.
+    # Tests read the guides and the class reference, and the files that these name.
     for name in ("README.md", "docs", "src", "tests"):
         os.symlink(os.path.join(checkout.ROOT, name), os.path.join(place, name))
     libraries = os.path.join(folder, ADDON_LIBRARIES)

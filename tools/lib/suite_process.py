@@ -1,4 +1,4 @@
-"""Runs one program of a suite: output shown as it comes, time limited, results counted, nothing taken on trust."""
+"""Runs one program of a suite: shows its output at once, limits its time, and counts its results."""
 
 import os
 import re
@@ -11,29 +11,29 @@ from dataclasses import dataclass, field
 import checkout
 from engine_log import EngineLog
 
-# The last line of this project's runners, and doctest's summary.
+# The last line of this project's runners, and the summary of doctest.
 COUNTS = (
     re.compile(r"^\[[\w.-]+\] (?P<passed>\d+) passed, (?P<failed>\d+) failed$"),
     re.compile(r"^\[doctest\] test cases: +\d+ \| +(?P<passed>\d+) passed \| +(?P<failed>\d+) failed"),
 )
-COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+COLOR = re.compile(r"\x1b\[[0-9;]*m")
 SILENCE_SECONDS = 10
 
 
 @dataclass
 class Program:
-    """A program of a suite and how it is judged."""
+    """A program of a suite and its limits."""
 
     argv: list
     seconds: float
     env: dict = field(default_factory=dict)
-    # Whether its output is, or contains, an engine's.
+    # Whether the output contains an engine's log, which is checked for errors and leaks.
     engine: bool = True
 
 
 @dataclass
 class Outcome:
-    """What a program came to; each problem counts as a failed test."""
+    """The result of a program; each problem counts as a failed test."""
 
     passed: int = 0
     failed: int = 0
@@ -65,7 +65,7 @@ def run(program):
     if watch.timed_out:
         outcome.problems.append(f"did not end within {program.seconds:g} s")
     elif counts is None:
-        outcome.problems.append(f"told no result (exit code {process.returncode})")
+        outcome.problems.append(f"printed no result (exit code {process.returncode})")
     elif process.returncode != 0 and outcome.failed == 0:
         outcome.problems.append(f"exit code {process.returncode}")
     elif counts == (0, 0):
@@ -77,7 +77,7 @@ def run(program):
 
 def read_counts(line):
     """(passed, failed) if the line is a result, else None."""
-    text = COLOUR.sub("", line).strip()
+    text = COLOR.sub("", line).strip()
     for pattern in COUNTS:
         match = pattern.match(text)
         if match:
@@ -86,7 +86,7 @@ def read_counts(line):
 
 
 class Watch:
-    """Ends a process group that takes too long, and says now and then that a silent one still runs."""
+    """Ends a process group that exceeds its time limit, and prints a line regularly while it is silent."""
 
     def __init__(self, process, seconds):
         self.timed_out = False
@@ -102,7 +102,7 @@ class Watch:
         self._last_heard = time.monotonic()
 
     def end(self):
-        """The run is over; whatever the process left running is ended."""
+        """Ends the run and all processes that it started."""
         self._done.set()
         self._thread.join()
         self._kill()

@@ -25,7 +25,7 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs: one for each folder of src/ that tests/ mirrors in C++, and what the benchmarks measure with;
+    """The doctest programs, one for each folder of src/ that tests/ mirrors in C++ and two for the benchmarks' own code;
     and the fuzz programs."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
@@ -48,7 +48,7 @@ def runner(folder, *arguments, seconds, python=PYTHON, engine=True):
 
 
 def algebra_programs():
-    """The oracles, in the environment that has the packages to compare with."""
+    """The oracle tests, in the environment with the packages that they compare with."""
     return runner("oracle", seconds=400, python=checkout.setup_path("oracle"))
 
 

@@ -1,8 +1,8 @@
 """tools/test [--only SUITE]... [--sanitize]
 
-Gets what is missing, builds what the suites need, runs them one after the other
-and ends with one line `N passed, N failed`. A suite that fails does not stop
-the next.
+Installs missing dependencies, builds what the suites need, runs them one after
+another and ends with one line `N passed, N failed`. A failing suite does not
+stop the next.
 """
 
 import argparse
@@ -28,21 +28,21 @@ def parse_arguments(argv):
     parser = argparse.ArgumentParser(prog="tools/test", usage=argparse.SUPPRESS, description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", choices=names, metavar="SUITE",
-                        help="run this suite alone (repeatable): " + ", ".join(names))
+                        help="run only this suite (repeatable): " + ", ".join(names))
     parser.add_argument("--sanitize", action="store_true",
-                        help="run the C++ and engine suites built with address and undefined-behaviour sanitizers instead")
+                        help="run only the C++ and engine suites, built with the address and undefined-behavior sanitizers")
     arguments = parser.parse_args(argv)
     if arguments.sanitize and arguments.only:
-        parser.error("--sanitize has its own suites; leave out --only")
+        parser.error("--sanitize runs its own suites; remove --only")
     return arguments
 
 
 def make_ready(suites):
-    """Gets, builds and prepares what the suites need."""
+    """Installs, builds and prepares what the suites need."""
     parts = sorted({part for suite in suites for part in suite.parts})
     checkout.setup(*parts)
     if "engine" in parts:
-        # One engine for the whole run, whatever PATH a program has.
+        # All programs use the same engine, whatever their PATH.
         os.environ["GODOT"] = checkout.setup_path("engine")
     targets = sorted({target for suite in suites for target in suite.targets})
     if targets:
@@ -67,7 +67,7 @@ def run_suite(suite):
                 failed += outcome.failed
                 problems += [f"{os.path.basename(program.argv[0])}: {problem}" for problem in outcome.problems]
     except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
-        problems.append(f"could not be run: {error}")
+        problems.append(f"could not run: {error}")
     if passed + failed + len(problems) == 0:
         problems.append("the suite has no test")
     failed += len(problems)
@@ -79,7 +79,7 @@ def run_suite(suite):
 def main():
     """Runs the chosen suites and sums up."""
     arguments = parse_arguments(sys.argv[1:])
-    # An orderly exit, which ends the suite's programs and displays too.
+    # An orderly exit also ends the suite's programs and displays.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
     signal.signal(signal.SIGINT, lambda number, frame: sys.exit(128 + number))
     if arguments.sanitize:

@@ -7,7 +7,7 @@ namespace godot {
 
 namespace gdextension_interface {
 
-// What the engine gave this library when it loaded it.
+// Handles that the engine passed when it loaded this library.
 extern GDExtensionClassLibraryPtr library;
 extern void *token;
 
@@ -25,7 +25,7 @@ class GDExtensionBinding {
 public:
 	using Callback = void (*)(ModuleInitializationLevel p_level);
 
-	// Used once, in the library's entry function, which returns what init() returns.
+	// Used once, in the library's entry function, which returns the result of init().
 	class InitObject {
 		GDExtensionInterfaceGetProcAddress _get_proc_address;
 		GDExtensionInitialization *_initialization;
@@ -37,7 +37,7 @@ public:
 		void register_terminator(Callback p_terminate) const;
 		void set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const;
 
-		// False, after an error, if the engine lacks a function that the bindings were made with.
+		// Prints an error and returns false if the engine lacks a function that the bindings use.
 		GDExtensionBool init() const;
 	};
 

@@ -1,6 +1,6 @@
 @tool
 extends EditorPlugin
-## Adds the dock "GA Playground", and reports if the library is missing. The classes of GA-Godot
+## Adds the dock "GA Playground", and reports a missing library. The classes of GA-Godot
 ## come from the extension, which the engine loads with or without this plugin.
 ##
 ## This script must not name a class of the extension, as the library may be missing when a project
@@ -96,17 +96,17 @@ func _report_missing_library() -> void:
 		if _dock == null:
 			_open_dock()
 		return
-	var message := "GA-Godot: %s" % _describe_fault()
+	var message := "GA-Godot: %s" % _describe_error()
 	push_warning(message)
 	EditorInterface.get_editor_toaster().push_toast(message, EditorToaster.SEVERITY_WARNING)
 
 
-## Why the library is not loaded, and what to do.
-func _describe_fault() -> String:
+## Returns why the library is not loaded, and what to do.
+func _describe_error() -> String:
 	var description := ConfigFile.new()
 	if description.load(EXTENSION_PATH) != OK:
 		return (
-			"%s is missing. Copy the whole folder addons/ga_godot into the project."
+			"%s is missing. Copy the complete folder addons/ga_godot into the project."
 			% EXTENSION_PATH
 		)
 	var system := "%s %s" % [OS.get_name(), Engine.get_architecture_name()]
@@ -138,10 +138,10 @@ func _find_library(description: ConfigFile) -> String:
 	if not description.has_section("libraries"):
 		return ""
 	for key in description.get_section_keys("libraries"):
-		var fits := true
+		var matches := true
 		for feature in key.split("."):
-			fits = fits and OS.has_feature(feature)
-		if fits:
+			matches = matches and OS.has_feature(feature)
+		if matches:
 			var path: String = description.get_value("libraries", key)
 			return (
 				path

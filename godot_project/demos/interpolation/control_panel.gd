@@ -2,7 +2,8 @@ extends PanelContainer
 ## The left panel: preset, mode and the two poses.
 
 signal mode_chosen(mode: MultivectorLerp.Mode)
-## A preset was chosen or a slider moved; read the poses with get_start_pose() and get_end_pose().
+## Emitted when the user chooses a preset or moves a slider. get_start_pose() and get_end_pose()
+## return the new poses.
 signal poses_changed
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")

@@ -1,9 +1,9 @@
 extends RefCounted
-## A pose as the sliders edit it.
+## A pose as position, Euler angles and scale, which the sliders edit.
 
 const DemoPose := preload("res://demos/interpolation/demo_pose.gd")
 
-## Meters.
+## Position in meters.
 var position: Vector3
 ## Euler angles in degrees, in YXZ order.
 var rotation_degrees: Vector3

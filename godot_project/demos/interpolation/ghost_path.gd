@@ -1,5 +1,5 @@
 extends Node3D
-## The path of the cube in one mode: ghost cubes at equal steps of the factor and a band through
+## The path of the cube in one mode: ghost cubes at equal steps of the factor and a ribbon through
 ## their centers. The ghosts are a MotorPool whose bodies share the two poses and differ in weight.
 
 const CubeMesh := preload("res://addons/ga_godot/playground/lab/cube_mesh.gd")
@@ -8,9 +8,10 @@ const PathRibbon := preload("res://addons/ga_godot/playground/lab/path_ribbon.gd
 
 const GHOSTS := 9
 const LINE_POINTS := 97
-## A row of the pool's buffer: three rows of a 3x4 matrix, the origin in the last column.
+## Size of a body in the pool's buffer: the rows of a 3x4 matrix, with the origin in the last
+## column.
 const FLOATS_PER_BODY := 12
-const FRAME_THICKNESS := 0.016
+const EDGE_THICKNESS := 0.016
 ## Opacities in the chosen mode and in the others.
 const CHOSEN_GHOST_ALPHA := 0.6
 const OTHER_GHOST_ALPHA := 0.22
@@ -39,24 +40,23 @@ func _ready() -> void:
 	set_chosen(false)
 
 	_ghosts.transform_format = MultiMesh.TRANSFORM_3D
-	_ghosts.mesh = CubeMesh.frame(FRAME_THICKNESS)
+	_ghosts.mesh = CubeMesh.edges(EDGE_THICKNESS)
 	_ghosts.instance_count = GHOSTS
 	var instance := MultiMeshInstance3D.new()
 	instance.name = "Ghosts"
 	instance.multimesh = _ghosts
 	instance.material_override = _ghost_material
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	# The engine updates the bounds of a MultiMesh too late; a box around the whole scene is good
-	# enough.
+	# The engine updates the bounds of a MultiMesh too late, so use a box around the whole scene.
 	instance.custom_aabb = AABB(Vector3.ONE * -50.0, Vector3.ONE * 100.0)
 	add_child(instance)
 
-	var band := MeshInstance3D.new()
-	band.name = "Line"
-	band.mesh = _line
-	band.material_override = _line_material
-	band.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	add_child(band)
+	var ribbon := MeshInstance3D.new()
+	ribbon.name = "Line"
+	ribbon.mesh = _line
+	ribbon.material_override = _line_material
+	ribbon.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	add_child(ribbon)
 
 
 ## Draws the path between two poses.

@@ -12,7 +12,7 @@ const PlayBar := preload("res://demos/interpolation/play_bar.gd")
 const ReadoutPanel := preload("res://demos/interpolation/readout_panel.gd")
 
 const FIRST_FACTOR := 0.4
-const FRAME_THICKNESS := 0.022
+const EDGE_THICKNESS := 0.022
 ## Opacity of the start and end cubes.
 const POSE_ALPHA := 0.55
 const KEY_MODES: Dictionary[Key, int] = {KEY_1: 0, KEY_2: 1, KEY_3: 2}
@@ -115,18 +115,18 @@ func _build_cubes() -> void:
 	var faint := faces.duplicate() as StandardMaterial3D
 	faint.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
 	faint.albedo_color.a = POSE_ALPHA
-	_dress(_cube, faces, _cube_edges)
-	_dress(_start, faint, pose_edges)
-	_dress(_end, faint, pose_edges)
+	_set_up_cube(_cube, faces, _cube_edges)
+	_set_up_cube(_start, faint, pose_edges)
+	_set_up_cube(_end, faint, pose_edges)
 	_add_caption(_start, "Start")
 	_add_caption(_end, "End")
 
 
-func _dress(cube: MeshInstance3D, faces: Material, edges: Material) -> void:
+func _set_up_cube(cube: MeshInstance3D, faces: Material, edges: Material) -> void:
 	cube.mesh = CubeMesh.solid()
 	cube.material_override = faces
 	var frame := MeshInstance3D.new()
-	frame.mesh = CubeMesh.frame(FRAME_THICKNESS)
+	frame.mesh = CubeMesh.edges(EDGE_THICKNESS)
 	frame.material_override = edges
 	frame.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	cube.add_child(frame)

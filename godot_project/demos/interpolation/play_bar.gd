@@ -1,5 +1,5 @@
 extends PanelContainer
-## The bottom bar: a slider for the factor, and playback back and forth.
+## The bottom bar: a slider for the factor, and ping-pong playback.
 
 signal factor_changed(factor: float)
 

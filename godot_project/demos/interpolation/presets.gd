@@ -21,7 +21,7 @@ func _init(p_title: String, p_hint: String, p_start: DemoPose, p_end: DemoPose) 
 static func list() -> Array[Preset]:
 	return [
 		Preset.new(
-			"Rotate, Move and Grow",
+			"Rotate, Translate and Scale",
 			"Scale 0.5 to 2.5: the screw path is a spiral that widens as the cube grows.",
 			DemoPose.new(Vector3(-1.9, 0.45, 1.1), Vector3(0, -20, 0), 0.5),
 			DemoPose.new(Vector3(1.9, 1.25, -0.6), Vector3(20, 115, 0), 2.5)
@@ -47,8 +47,8 @@ static func list() -> Array[Preset]:
 		(
 			Preset
 			. new(
-				"Growth Without Rotation",
-				"No rotation: all paths are straight, but the steps of the screw path grow with the cube.",
+				"Scaling Without Rotation",
+				"No rotation: all paths are straight, but the steps of the screw path grow with the scale.",
 				DemoPose.new(Vector3(-1.6, 0.4, 0), Vector3(0, 30, 0), 0.5),
 				DemoPose.new(Vector3(1.8, 0.9, 0), Vector3(0, 30, 0), 2.5)
 			)

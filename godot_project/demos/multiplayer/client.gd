@@ -7,7 +7,7 @@ signal closed(reason: String)
 signal opened(scene: String, cubes: int)
 ## Emitted when the replication method changes.
 signal method_changed
-## Emitted when tolerance or mode change.
+## Emitted when the tolerance or the mode changes.
 signal tuned
 
 const Connection := preload("connection.gd")
@@ -27,7 +27,7 @@ const UdpProxy := preload("network/udp_proxy.gd")
 ## Seconds to wait for the server's reply.
 const CONNECT_SECONDS := 8.0
 const LOST := "The connection to the server was lost."
-## No multiple of the server's tick rate, so that frames sample all phases between two ticks.
+## Not a multiple of the server's tick rate, so that frames sample all phases between two ticks.
 const HEADLESS_FRAMES_PER_SECOND := 75
 ## Overhead of a ground truth packet in bytes.
 const TRUTH_HEADER := 13
@@ -36,7 +36,7 @@ var meter: TrafficMeter
 var gauge := ErrorGauge.new()
 ## The link of the current method; null before the server has described the scene.
 var link: PoseLink
-## All players, as [slot, peer, name] each.
+## All players, each as [slot, peer, name].
 var roster: Array = []
 var cube_count := 0
 var method := ""
@@ -115,13 +115,13 @@ func get_own_slot() -> int:
 	return -1
 
 
-## The input, to which the view passes the direction of the camera.
+## The player's input. The view sets its yaw to that of the camera.
 func get_input() -> PlayerInput:
 	return _input
 
 
-## Impairs the network at once. Without a window it works only if the network was impaired from the
-## start.
+## Changes the network impairments. Without a window, this has an effect only if the network was
+## impaired from the start.
 func set_conditions(p_conditions: LineConditions) -> void:
 	conditions = p_conditions
 	if _proxy != null:
@@ -129,18 +129,18 @@ func set_conditions(p_conditions: LineConditions) -> void:
 
 
 ## Requests another replication method.
-func request_method(wanted: String) -> void:
-	_session.request_method.rpc_id(1, wanted)
+func request_method(requested: String) -> void:
+	_session.request_method.rpc_id(1, requested)
 
 
 ## Requests another tolerance, in meters, and another mode, for all players.
-func request_tuning(wanted_tolerance: float, wanted_mode: MultivectorLerp.Mode) -> void:
-	_session.request_tuning.rpc_id(1, wanted_tolerance, wanted_mode)
+func request_tuning(requested_tolerance: float, requested_mode: MultivectorLerp.Mode) -> void:
+	_session.request_tuning.rpc_id(1, requested_tolerance, requested_mode)
 
 
-## Starts or stops the ground truth that [member gauge] needs.
-func request_truth(wanted: bool) -> void:
-	_session.request_truth.rpc_id(1, wanted)
+## Requests that the server starts or stops sending the ground truth that [member gauge] needs.
+func request_truth(requested: bool) -> void:
+	_session.request_truth.rpc_id(1, requested)
 
 
 func _exit_tree() -> void:
@@ -223,8 +223,8 @@ func _on_method_chosen(chosen: String) -> void:
 
 func _on_roster_changed(p_roster: Array) -> void:
 	if roster.is_empty():
-		# Not before: ENet's handshake doubles its timeout after each loss, up to half a minute at
-		# 33% loss.
+		# Not earlier, because ENet's handshake doubles its timeout after each loss, up to half a
+		# minute at 33% loss.
 		set_conditions(conditions)
 	roster = p_roster
 

@@ -3,14 +3,14 @@ extends RefCounted
 ##
 ## ENet disconnects a peer after a few retransmissions of one reliable packet without an
 ## acknowledgement. At 33% packet loss, this disconnects live peers within seconds. Therefore ENet
-## gets long timeouts, and server and clients measure how long the other has been silent.
+## gets long timeouts, and server and clients measure the silence of their peers themselves.
 
 ## Seconds of silence after which a peer counts as disconnected.
 const MAX_SILENCE := 8.0
 ## ENet's timeouts in milliseconds.
 const MIN_TIMEOUT := 20000
 const MAX_TIMEOUT := 60000
-## ENet compares it with two to the power of the number of retransmissions.
+## ENet's limit for 2 to the power of the number of retransmissions of a packet.
 const TIMEOUT_LIMIT := 4096
 
 
@@ -23,5 +23,5 @@ static func prepare(peer: ENetPacketPeer) -> void:
 
 
 ## Makes ENet disconnect a silent peer soon.
-static func give_up(peer: ENetPacketPeer) -> void:
+static func expire(peer: ENetPacketPeer) -> void:
 	peer.set_timeout(1, 200, 500)

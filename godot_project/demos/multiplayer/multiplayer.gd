@@ -19,8 +19,8 @@ var _lobby: Lobby
 
 func _ready() -> void:
 	_options = Options.parse(OS.get_cmdline_user_args())
-	if not _options.problem.is_empty():
-		printerr("multiplayer demo: ", _options.problem)
+	if not _options.error.is_empty():
+		printerr("multiplayer demo: ", _options.error)
 		get_tree().quit(2)
 		return
 	var api := SceneMultiplayer.new()
@@ -44,9 +44,9 @@ func _start_server() -> void:
 	_add_session()
 	var server := Server.new(_options, _session, _make_links())
 	add_child(server)
-	var problem := server.open()
-	if not problem.is_empty():
-		printerr(problem)
+	var error := server.open()
+	if not error.is_empty():
+		printerr(error)
 		get_tree().quit(1)
 	elif _has_window():
 		_show_text("Server on port %d. Close this window to stop it." % _options.port)
@@ -59,13 +59,13 @@ func _start_client() -> void:
 	add_child(client)
 	if _has_window():
 		add_child(ClientView.new(client, _options))
-	var problem := client.open()
-	if not problem.is_empty():
-		_on_client_closed(problem)
+	var error := client.open()
+	if not error.is_empty():
+		_on_client_closed(error)
 
 
 func _on_client_closed(reason: String) -> void:
-	if _has_window() and _options.picture.is_empty() and _options.seconds <= 0.0:
+	if _has_window() and _options.screenshot.is_empty() and _options.seconds <= 0.0:
 		_open_lobby.call_deferred(reason)
 	else:
 		get_tree().quit()

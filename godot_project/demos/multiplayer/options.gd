@@ -1,6 +1,6 @@
 extends RefCounted
-## The options of the multiplayer demo, parsed from the arguments after `--`. [member problem]
-## describes an invalid one.
+## The options of the multiplayer demo, parsed from the arguments after `--`. [member error]
+## describes an invalid argument.
 
 const LineConditions := preload("res://demos/multiplayer/network/line_conditions.gd")
 const Options := preload("res://demos/multiplayer/options.gd")
@@ -26,8 +26,8 @@ var method := "motors"
 var seconds := 0.0
 ## Number of clients that the server waits for before the scene begins.
 var clients := 0
-## Whether there are a scripted ball and lifts. Without them the cubes fall and come to rest.
-var life := true
+## Whether a scripted ball and lifts move the cubes. Without them the cubes fall and come to rest.
+var scripted_motion := true
 ## Seconds before the end at which players, ball and lifts stop, so that all bodies come to rest.
 var calm := 0.0
 ## Seconds after which a client leaves; 0 to stay.
@@ -43,100 +43,100 @@ var seed_value := 1
 ## Name shown above the player's ball.
 var player_name := "Player"
 ## Scripted player: "none", "circle" (drives in a circle), "kick" (kicks cube 0 every second) or
-## "fiddle" (changes method, tolerance and mode in turn, one per second, and ends with the initial
+## "settings" (changes method, tolerance and mode in turn, one per second, and ends with the initial
 ## ones).
 var autopilot := "none"
 ## File for a screenshot, and the seconds after which a client takes it and quits; empty for none.
-var picture := ""
-var picture_after := 6.0
-## Describes the invalid argument, or empty.
-var problem := ""
+var screenshot := ""
+var screenshot_after := 6.0
+## Describes the invalid argument; otherwise empty.
+var error := ""
 
 
 static func parse(arguments: PackedStringArray) -> Options:
 	var options := Options.new()
 	for argument: String in arguments:
-		options._take(argument)
+		options._parse_argument(argument)
 	if options.cubes == 0:
 		options.cubes = CUBES[options.scene]
 	return options
 
 
-func _take(argument: String) -> void:
+func _parse_argument(argument: String) -> void:
 	var parts := argument.trim_prefix("--").split("=", true, 1)
 	var value := parts[1] if parts.size() > 1 else ""
 	match parts[0]:
 		"demo":
 			pass
 		"role":
-			role = _choice(argument, value, ROLES)
+			role = _parse_choice(argument, value, ROLES)
 		"scene":
-			scene = _choice(argument, value, SCENES)
+			scene = _parse_choice(argument, value, SCENES)
 		"method":
-			method = _choice(argument, value, METHODS)
+			method = _parse_choice(argument, value, METHODS)
 		"autopilot":
-			autopilot = _choice(argument, value, ["none", "circle", "kick", "fiddle"])
-		"life":
-			life = _choice(argument, value, ["on", "off"]) == "on"
+			autopilot = _parse_choice(argument, value, ["none", "circle", "kick", "settings"])
+		"scripted-motion":
+			scripted_motion = _parse_choice(argument, value, ["on", "off"]) == "on"
 		"quit-when-empty":
-			quit_when_empty = _choice(argument, value, ["on", "off"]) == "on"
+			quit_when_empty = _parse_choice(argument, value, ["on", "off"]) == "on"
 		"address":
 			address = value
 		"name":
 			player_name = value.left(24)
 		"record":
 			record = value
-		"picture":
-			picture = value
-		"picture-after":
-			picture_after = _number(argument, value, 0.0, 3600.0)
+		"screenshot":
+			screenshot = value
+		"screenshot-after":
+			screenshot_after = _parse_number(argument, value, 0.0, 3600.0)
 		"port":
-			port = int(_number(argument, value, 1.0, 65535.0))
+			port = int(_parse_number(argument, value, 1.0, 65535.0))
 		"cubes":
-			cubes = int(_number(argument, value, 1.0, 2000.0))
+			cubes = int(_parse_number(argument, value, 1.0, 2000.0))
 		"clients":
-			clients = int(_number(argument, value, 0.0, 6.0))
+			clients = int(_parse_number(argument, value, 0.0, 6.0))
 		"seconds":
-			seconds = _number(argument, value, 0.0, 86400.0)
+			seconds = _parse_number(argument, value, 0.0, 86400.0)
 		"calm":
-			calm = _number(argument, value, 0.0, 3600.0)
+			calm = _parse_number(argument, value, 0.0, 3600.0)
 		"leave-after":
-			leave_after = _number(argument, value, 0.0, 3600.0)
+			leave_after = _parse_number(argument, value, 0.0, 3600.0)
 		"seed":
-			seed_value = int(_number(argument, value, 0.0, 2147483647.0))
+			seed_value = int(_parse_number(argument, value, 0.0, 2147483647.0))
 		_:
-			_take_condition(parts[0], argument, value)
+			_parse_condition(parts[0], argument, value)
 
 
-func _take_condition(key: String, argument: String, value: String) -> void:
+func _parse_condition(key: String, argument: String, value: String) -> void:
 	match key:
 		"loss":
-			conditions.loss = _number(argument, value, 0.0, 100.0) / 100.0
+			conditions.loss = _parse_number(argument, value, 0.0, 100.0) / 100.0
 		"burst":
-			conditions.burst = _number(argument, value, 1.0, 100.0)
+			conditions.burst = _parse_number(argument, value, 1.0, 100.0)
 		"delay":
-			conditions.delay = _number(argument, value, 0.0, 2000.0) / 1000.0
+			conditions.delay = _parse_number(argument, value, 0.0, 2000.0) / 1000.0
 		"jitter":
-			conditions.jitter = _number(argument, value, 0.0, 2000.0) / 1000.0
+			conditions.jitter = _parse_number(argument, value, 0.0, 2000.0) / 1000.0
 		"reorder":
-			conditions.reorder = _number(argument, value, 0.0, 100.0) / 100.0
+			conditions.reorder = _parse_number(argument, value, 0.0, 100.0) / 100.0
 		"duplicate":
-			conditions.duplicate = _number(argument, value, 0.0, 100.0) / 100.0
+			conditions.duplicate = _parse_number(argument, value, 0.0, 100.0) / 100.0
 		"rate":
-			conditions.rate = _number(argument, value, 0.0, 1e9)
+			conditions.rate = _parse_number(argument, value, 0.0, 1e9)
 		_:
-			problem = "unknown argument %s; options.gd lists the valid ones" % argument
+			error = "unknown argument %s; options.gd lists the valid ones" % argument
 
 
-func _choice(argument: String, value: String, choices: PackedStringArray) -> String:
+func _parse_choice(argument: String, value: String, choices: PackedStringArray) -> String:
 	if not choices.has(value):
-		problem = "%s is invalid: use one of %s" % [argument, ", ".join(choices)]
+		error = "%s is invalid: use one of %s" % [argument, ", ".join(choices)]
 		return choices[0]
 	return value
 
 
-func _number(argument: String, value: String, min_value: float, max_value: float) -> float:
+func _parse_number(argument: String, value: String, min_value: float, max_value: float) -> float:
 	if not value.is_valid_float() or value.to_float() < min_value or value.to_float() > max_value:
-		problem = "%s is invalid: use a number from %d to %d" % [argument, min_value, max_value]
+		error = "%s is invalid: use a number from %d to %d" % [argument, min_value, max_value]
 		return min_value
 	return value.to_float()

@@ -1,15 +1,16 @@
 extends Node
-## Input of the player, by keyboard and mouse or scripted, sent to the server.
+## Sends the input of the player to the server, from keyboard and mouse or from a script.
 
 const Session := preload("session.gd")
 
 ## Seconds between two steering messages while a key is held.
 const SEND_PAUSE := 0.05
-## The same while no key is held, as a heartbeat.
+## Seconds between two steering messages while no key is held, which serve as a heartbeat.
 const IDLE_PAUSE := 0.5
 ## Seconds of frequent messages after the keys are released.
 const SEND_AFTER := 0.3
-const CIRCLE_TURN := 0.9
+## Rate of the circle in radians per second.
+const CIRCLE_RATE := 0.9
 ## Seconds between two actions of a scripted player.
 const ACTION_INTERVAL := 1.0
 
@@ -58,7 +59,7 @@ func kick(cube: int, direction: Vector3) -> void:
 	_session.kick.rpc_id(1, cube, direction)
 
 
-## True if a script plays.
+## Whether a script controls the player.
 func is_scripted() -> bool:
 	return _autopilot != "none"
 
@@ -67,7 +68,7 @@ func _run_action() -> void:
 	_action_count += 1
 	if _autopilot == "kick":
 		kick(0, Vector3(1.0, 0.0, 0.4))
-	if _autopilot != "fiddle":
+	if _autopilot != "settings":
 		return
 	match _action_count:
 		1:
@@ -84,7 +85,7 @@ func _run_action() -> void:
 
 func _get_drive() -> Vector2:
 	if _autopilot == "circle":
-		return Vector2.from_angle(_seconds * CIRCLE_TURN)
+		return Vector2.from_angle(_seconds * CIRCLE_RATE)
 	var direction := Vector2(
 		_held(KEY_D, KEY_RIGHT) - _held(KEY_A, KEY_LEFT),
 		_held(KEY_S, KEY_DOWN) - _held(KEY_W, KEY_UP)

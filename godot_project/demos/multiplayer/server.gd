@@ -13,17 +13,17 @@ const TruthProbe := preload("measure/truth_probe.gd")
 const MAX_CLIENTS := 6
 ## Seconds between two checks for silent players.
 const CHECK_INTERVAL := 0.5
-## Frame rate of the main loop: twice the tick rate, for punctual ticks.
+## Frame rate of the main loop: twice the tick rate, so that ticks are on time.
 const FRAMES_PER_SECOND := 120
-## Seconds after the end of the scene at which the server quits even if players remain.
+## The server quits this many seconds after the end of the scene, even if players remain.
 const MAX_SHUTDOWN := 20.0
-## Seconds of silence after the end of the scene after which a player counts as gone: disconnect
-## messages get lost, too.
+## After the end of the scene, the server removes a player after this many seconds of silence,
+## because the disconnect message may be lost.
 const MAX_FINAL_SILENCE := 2.0
 
 var _options: Options
 var _session: Session
-## By method.
+## Links by method.
 var _links: Dictionary[String, PoseLink]
 var _methods: Dictionary[int, String] = {}
 var _tolerance := 0.005
@@ -74,7 +74,7 @@ func open() -> String:
 	_session.method_requested.connect(_on_method_requested)
 	_session.tuning_requested.connect(_on_tuning_requested)
 	_session.truth_requested.connect(_on_truth_requested)
-	_simulation = Simulation.new(_options.scene, _options.cubes, _options.life)
+	_simulation = Simulation.new(_options.scene, _options.cubes, _options.scripted_motion)
 	add_child(_simulation)
 	var body_count := _options.cubes + Simulation.SLOTS
 	for link: PoseLink in _links.values():
@@ -134,7 +134,7 @@ func _check_players() -> void:
 			now - _heard_at[peer]
 			> (Connection.MAX_SILENCE if _last_tick < 0 else MAX_FINAL_SILENCE)
 		):
-			Connection.give_up(_peer.get_peer(peer))
+			Connection.expire(_peer.get_peer(peer))
 
 
 func _get_poses() -> Dictionary[int, Transform3D]:
@@ -254,9 +254,9 @@ func _on_tuning_requested(peer: int, tolerance: float, mode: MultivectorLerp.Mod
 		_session.tune.rpc_id(player, tolerance, mode)
 
 
-func _on_truth_requested(peer: int, wanted: bool) -> void:
+func _on_truth_requested(peer: int, enabled: bool) -> void:
 	_probe.watchers.erase(peer)
-	if wanted and _slots.has(peer):
+	if enabled and _slots.has(peer):
 		_probe.watchers.append(peer)
 
 
@@ -287,7 +287,7 @@ func _on_kicked(peer: int, cube: int, direction: Vector3) -> void:
 
 func _send_roster() -> void:
 	var roster: Array = []
-	if _options.life:
+	if _options.scripted_motion:
 		roster.append([0, 1, "Roller"])
 	for peer: int in _slots:
 		roster.append([_slots[peer], peer, _names[peer]])

@@ -1,5 +1,5 @@
 extends Node
-## The messages between clients and server other than poses: players, input, settings, and the begin
+## The messages between clients and server other than poses: players, input, settings, and the start
 ## and end of the scene. Each message emits a signal on the receiving side. The server validates the
 ## messages of clients.
 
@@ -27,7 +27,7 @@ signal steered(peer: int, drive: Vector2, jump: bool)
 signal method_requested(peer: int, method: String)
 ## On the server: a client requests another tolerance and mode for all players.
 signal tuning_requested(peer: int, tolerance: float, mode: int)
-## On the server: a client starts or stops ground truth.
+## On the server: a client requests or cancels ground truth.
 signal truth_requested(peer: int, enabled: bool)
 ## On the server: a player kicks a cube.
 signal kicked(peer: int, cube: int, direction: Vector3)

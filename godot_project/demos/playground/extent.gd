@@ -2,28 +2,28 @@ extends RefCounted
 ## Bounding boxes of objects, for framing them in the view.
 
 const MOTIONS: Array[StringName] = [&"motor", &"rotor", &"translator", &"dilator"]
-## Objects without bounds count as a point.
-const ENDLESS: Array[StringName] = [&"line", &"plane"]
+## Unbounded objects. The box of one of their points represents them.
+const UNBOUNDED: Array[StringName] = [&"line", &"plane"]
 ## Half the size of the box around a point, in meters.
 const POINT_RADIUS := 0.05
 
 
-## The box around the entries; without volume if none has a position. Endless objects count only if
-## there are no others.
+## The box around the entries; without volume if no entry has a position. Unbounded objects count
+## only if there are no bounded ones.
 static func of(scene: GAScene, entries: PackedStringArray) -> AABB:
 	var bounded := AABB()
-	var endless := AABB()
+	var unbounded := AABB()
 	for entry in entries:
 		var value := scene.get_value(entry)
 		if value == null:
 			continue
 		var facts := value.classify(scene.get_entry_attribute(entry, "ipns") as bool)
 		var box := _box_of(value, facts)
-		if facts["kind"] in ENDLESS:
-			endless = _merge(endless, box)
+		if facts["kind"] in UNBOUNDED:
+			unbounded = _merge(unbounded, box)
 		else:
 			bounded = _merge(bounded, box)
-	return bounded if bounded.has_volume() else endless
+	return bounded if bounded.has_volume() else unbounded
 
 
 static func _box_of(value: Multivector, facts: Dictionary) -> AABB:

@@ -1,9 +1,9 @@
 extends Node3D
-## A grid in the plane y = 0 and the axes, whose spacing and extent follow the view.
+## A grid in the plane y = 0, and the axes. Spacing and extent follow the distance of the camera.
 
 const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 
-## In units of the distance of the camera.
+## Lengths in units of the distance of the camera.
 const REACH := 6.0
 const FADE_BEGIN := 1.5
 const SPACING_SHARE := 0.6

@@ -1,5 +1,5 @@
 extends PanelContainer
-## A message at the edge of the view that disappears after some seconds.
+## A message at the edge of the view that disappears after a few seconds.
 
 const SECONDS := 6.0
 const WIDTH := 380.0

@@ -12,7 +12,7 @@ const ViewPointer := preload("res://addons/ga_godot/playground/view/view_pointer
 const AddingMenu := preload("adding_menu.gd")
 const Extent := preload("extent.gd")
 const Ground := preload("ground.gd")
-const KeptState := preload("kept_state.gd")
+const SavedState := preload("saved_state.gd")
 const Notice := preload("notice.gd")
 const OrbitCamera := preload("res://demos/shared/orbit_camera.gd")
 const ViewOverlay := preload("view_overlay.gd")
@@ -26,7 +26,7 @@ const ADDING_KEYS := "Click: add %s   ·   Ctrl: snap   ·   Esc: stop"
 const PANEL_WIDTH := 340
 const LIGHT := "light"
 const WIDTH := "width"
-## Radius in meters at which an object without a size is framed.
+## Minimum radius of the framed sphere, in meters, for objects without a size.
 const MIN_FRAME := 1.2
 const FRAME_MARGIN := 1.05
 ## The document of the first session.
@@ -40,12 +40,12 @@ const FIRST_ENTRIES: Dictionary[String, String] = {
 	"l": "A ^ B ^ einf",
 }
 
-## File for what persists between sessions; empty for none.
+## The file of the state that persists between sessions; empty for none.
 var state_path := "user://playground.cfg"
 var host := GameHost.new()
 var panel: PlaygroundPanel
 
-var _state: KeptState
+var _state: SavedState
 var _is_light := false
 var _drawing := SceneDrawing.new()
 var _pointer: ViewPointer
@@ -68,7 +68,7 @@ var _light_button := Button.new()
 
 
 func _ready() -> void:
-	_state = KeptState.new(state_path)
+	_state = SavedState.new(state_path)
 	_make_panel()
 	_make_view()
 	_camera.moved.connect(_on_camera_moved)
@@ -77,7 +77,7 @@ func _ready() -> void:
 	_split.split_offsets = [_state.get_setting(WIDTH, PANEL_WIDTH) as int]
 	if _state.has_document():
 		_state.restore(panel.document)
-		_look_at_scene()
+		_frame_scene()
 	else:
 		_show_first_entries()
 
@@ -146,7 +146,7 @@ func _make_view() -> void:
 	_pointer.double_click_adds = &"point"
 	_pointer.adding_changed.connect(_show_keys)
 	_view.first_listener = _pointer.handle_input.bind(_camera.camera)
-	_view.mouse_exited.connect(_pointer.leave)
+	_view.mouse_exited.connect(_pointer.clear_mouse)
 	_overlay.show_pointer(_pointer, _camera.camera)
 	_adding_menu.chosen.connect(func(kind: StringName) -> void: _pointer.adding = kind)
 	host.camera = _camera.camera
@@ -159,8 +159,8 @@ func _make_panel() -> void:
 	panel.document.scene_switched.connect(_on_scene_switched)
 	host.warned.connect(_notice.show_text)
 	host.own_history.changed.connect(_show_history)
-	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z).", undo, panel.add_to_head)
-	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z).", redo, panel.add_to_head)
+	_add_button(_undo_button, "Undo", "Undo (Ctrl+Z).", undo, panel.add_to_toolbar)
+	_add_button(_redo_button, "Redo", "Redo (Ctrl+Shift+Z).", redo, panel.add_to_toolbar)
 	%Tools.add_child(_adding_menu)
 	_add_button(
 		_frame_button, "Frame", "Frame the selection (F).", frame_selection, %Tools.add_child
@@ -168,7 +168,7 @@ func _make_panel() -> void:
 	_add_button(
 		_light_button,
 		"Light",
-		"Switch between light and dark theme.",
+		"Switch between the light and dark themes.",
 		func() -> void: set_light(not _is_light),
 		%Tools.add_child
 	)
@@ -176,17 +176,17 @@ func _make_panel() -> void:
 
 
 func _add_button(
-	button: Button, title: String, hint: String, act: Callable, place: Callable
+	button: Button, title: String, hint: String, action: Callable, add: Callable
 ) -> void:
 	button.name = title
 	button.tooltip_text = hint
 	button.theme_type_variation = &"FlatButton"
 	button.focus_mode = Control.FOCUS_NONE
-	button.pressed.connect(act)
-	place.call(button)
+	button.pressed.connect(action)
+	add.call(button)
 
 
-## An empty text field leaves undo and redo to the document although it has the focus.
+## Undo and redo apply to the document even if an empty text field has the focus.
 func _input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	var line := get_viewport().gui_get_focus_owner() as LineEdit
@@ -237,11 +237,11 @@ func _on_scene_switched() -> void:
 	if _shown_scene != panel.document.scene:
 		_shown_scene = panel.document.scene
 		host.own_history.clear()
-		_look_at_scene()
+		_frame_scene()
 
 
 ## Uses the camera stored in the document, or fits all objects into the view.
-func _look_at_scene() -> void:
+func _frame_scene() -> void:
 	if ViewPoint.is_stored_in(_shown_scene):
 		var view := ViewPoint.of(_shown_scene)
 		_camera.camera.fov = view.fov_in(_view.size)

@@ -1,6 +1,6 @@
 extends Control
 ## Shows its child, a SubViewport, at the resolution of the screen and forwards mouse input to it.
-## The viewport has the coordinates of this control.
+## The viewport uses the coordinates of this control.
 
 ## Called with each event before the viewport; returns true if it handled the event.
 var first_listener := Callable()

@@ -1,7 +1,7 @@
 extends Node3D
 ## Replication over a custom UDP socket: [MotorSender] and [MotorReceiver] do what
 ## [MotorSynchronizer] does, but leave the transport to the game. Both run in one process and use
-## the loopback interface. The orange cube is the sent one, the blue cube the received one.
+## the loopback interface. The orange cube shows the sent poses, the blue cube the received ones.
 
 const BODY := 1
 const RECEIVER := 1
@@ -44,9 +44,9 @@ func _physics_process(_delta: float) -> void:
 func _process(_delta: float) -> void:
 	var now := Time.get_ticks_usec() * 1e-6
 	while _in.get_available_packet_count() > 0:
-		var problem := receiver.accept(_in.get_packet(), now)
-		if not problem.is_empty():
-			push_warning("Rejected a packet: %s." % problem)
+		var error := receiver.accept(_in.get_packet(), now)
+		if not error.is_empty():
+			push_warning("Rejected a packet: %s." % error)
 		_in.set_dest_address(_in.get_packet_ip(), _in.get_packet_port())
 	receiver.advance(now)
 	var ack := receiver.take_ack(now)

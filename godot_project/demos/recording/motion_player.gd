@@ -1,5 +1,5 @@
 extends RefCounted
-## Plays a file of motion_recorder.gd: passes each packet to a receiver at the time it was recorded.
+## Plays a file of motion_recorder.gd: passes each packet to a receiver at its recorded time.
 
 const MotionRecorder := preload("motion_recorder.gd")
 

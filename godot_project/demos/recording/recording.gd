@@ -19,8 +19,9 @@ var _player: MotionPlayer
 func _ready() -> void:
 	_swarm.instance_count = COUNT
 	var recorder := MotionRecorder.new()
-	if recorder.open(PATH, get_poses(0.0)) != OK:
-		_label.text = "Cannot write %s." % PATH
+	var error := recorder.open(PATH, get_poses(0.0))
+	if error != OK:
+		_label.text = "Cannot write %s: %s." % [PATH, error_string(error)]
 		set_process(false)
 		return
 	var rate := Engine.physics_ticks_per_second

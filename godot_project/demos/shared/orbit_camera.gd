@@ -3,9 +3,9 @@ extends Node3D
 
 signal moved
 
-const TURN_SPEED := 0.008
+const ROTATION_SPEED := 0.008
 const ZOOM_STEP := 1.1
-## In radians.
+## Maximum pitch in radians, up and down.
 const MAX_PITCH := 1.5
 ## Mouse pixels per unit of a pan gesture.
 const PAN_GESTURE := 12.0
@@ -16,9 +16,9 @@ const PAN_GESTURE := 12.0
 @export var nearest := 2.5
 @export var farthest := 20.0
 @export_flags("Left:1", "Right:2", "Middle:4")
-var turning_buttons := MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT
-## Buttons that pan parallel to the view plane. If there are any, Shift with a turning button pans
-## too.
+var rotating_buttons := MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_RIGHT
+## Buttons that pan parallel to the view plane. If there are any, dragging with
+## Shift and a rotating button also pans.
 @export_flags("Left:1", "Right:2", "Middle:4") var panning_buttons := 0
 
 var _yaw := 0.0
@@ -65,7 +65,7 @@ func get_distance() -> float:
 
 func _unhandled_input(event: InputEvent) -> void:
 	var motion := event as InputEventMouseMotion
-	if motion != null and motion.button_mask & (turning_buttons | panning_buttons) != 0:
+	if motion != null and motion.button_mask & (rotating_buttons | panning_buttons) != 0:
 		var with_shift := motion.shift_pressed and panning_buttons != 0
 		_drag(motion.relative, with_shift or motion.button_mask & panning_buttons != 0)
 	var button := event as InputEventMouseButton
@@ -88,8 +88,8 @@ func _drag(pixels: Vector2, pans: bool) -> void:
 		var unit := 2.0 * _distance * tan(deg_to_rad(camera.fov) / 2.0) / height
 		position += basis * Vector3(-pixels.x, pixels.y, 0.0) * unit
 	else:
-		_yaw -= pixels.x * TURN_SPEED
-		_pitch = clampf(_pitch + pixels.y * TURN_SPEED, -MAX_PITCH, MAX_PITCH)
+		_yaw -= pixels.x * ROTATION_SPEED
+		_pitch = clampf(_pitch + pixels.y * ROTATION_SPEED, -MAX_PITCH, MAX_PITCH)
 	_apply()
 
 

@@ -71,7 +71,7 @@ func _choose(title: String, entry: String) -> void:
 
 ## The text about the poses.
 func _words() -> String:
-	var label: Label = _lab_panel.find_child("Ends", true, false).find_child("Words", true, false)
+	var label: Label = _lab_panel.find_child("Ends", true, false).find_child("Message", true, false)
 	return label.text if label.visible else ""
 
 

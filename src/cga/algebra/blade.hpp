@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-// The 32 basis blades of Cl(4,1), computed at compile time from two facts: e1, e2, e3, e4 square to +1 and e5 to -1,
-// and blades are ordered by grade, then lexicographically: 1, e1 .. e5, e12, e13 .. e45, e123 .. e12345.
+// The 32 basis blades of Cl(4,1), computed at compile time: e1, e2, e3, e4 square to +1 and e5 to -1; blades are ordered by
+// grade, then lexicographically: 1, e1 .. e5, e12, e13 .. e45, e123 .. e12345.
 //
 // A blade is a bitmap (bit k - 1 stands for e_k) or an index in that order; products are simple on bitmaps.
 
@@ -16,7 +16,7 @@ namespace cga {
 inline constexpr int DIMENSION = 5;
 inline constexpr int BLADE_COUNT = 1 << DIMENSION;
 
-// The bits of e4 and e5, which the null vectors e_inf and e_o are made of.
+// The bits of e4 and e5, which span the null vectors e_inf and e_o.
 inline constexpr unsigned E4_BIT = 0b01000;
 inline constexpr unsigned E5_BIT = 0b10000;
 // The bits of vectors that square to -1.
@@ -32,19 +32,19 @@ inline constexpr unsigned NEGATIVE_VECTORS = E5_BIT;
 
 // The sign of the geometric product of two basis blades; the product's bitmap is left ^ right.
 [[nodiscard]] constexpr int product_sign(unsigned left, unsigned right) {
-	// Each vector of `right` passes every later vector of `left` on its way to its place.
+	// To sort the product, each vector of `right` is swapped with every later vector of `left`.
 	int swaps = 0;
 	for (unsigned passed = left >> 1; passed != 0; passed >>= 1) {
 		swaps += grade_of_bitmap(passed & right);
 	}
-	// Vectors in both square away.
+	// Vectors in both factors square to a sign.
 	swaps += grade_of_bitmap(left & right & NEGATIVE_VECTORS);
 	return (swaps & 1) == 0 ? 1 : -1;
 }
 
 namespace detail {
 
-// e1 as the highest bit: larger numbers come first among blades of one grade.
+// With e1 as the highest bit: larger numbers come first among blades of one grade.
 [[nodiscard]] constexpr unsigned mirrored(unsigned bitmap) {
 	unsigned result = 0;
 	for (int bit = 0; bit < DIMENSION; ++bit) {
@@ -108,7 +108,7 @@ struct BladeName {
 	return name;
 }
 
-// A basis blade with a sign, as a name may give it: e21 is -e12.
+// A basis blade with a sign, as a name can express it: e21 is -e12.
 struct SignedBlade {
 	int index = 0;
 	int sign = 1;
@@ -135,7 +135,7 @@ struct SignedBlade {
 	return SignedBlade{ BLADE_INDICES[bitmap], sign };
 }
 
-// The index of a name that is known when the program is compiled; a wrong one does not compile there.
+// The index of a name; in constant expressions, an unknown name does not compile.
 [[nodiscard]] constexpr int blade_index(std::string_view name) {
 	return parse_blade(name).value().index;
 }

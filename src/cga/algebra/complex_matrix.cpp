@@ -8,7 +8,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// A matrix with one entry in each row r: i^phase[r] in the column r ^ mask. Products of such are such.
+// A matrix with one entry in each row r: i^phase[r] in column r ^ mask. These matrices are closed under multiplication.
 struct Monomial {
 	unsigned mask = 0;
 	std::array<uint8_t, 4> phase{};
@@ -51,7 +51,7 @@ constexpr std::array<Monomial, BLADE_COUNT> blade_matrices() {
 	return blades;
 }
 
-// By the blades' indices.
+// By index of the blade.
 constexpr std::array<Monomial, BLADE_COUNT> BLADE_MATRICES = blade_matrices();
 
 constexpr double REAL_OF_PHASE[4] = { 1.0, 0.0, -1.0, 0.0 };
@@ -139,7 +139,7 @@ std::optional<ComplexMatrix> inverse_matrix(const ComplexMatrix &matrix) {
 			}
 		}
 	}
-	// Exchanged columns are exchanged rows of the inverse.
+	// Swapped columns are swapped rows of the inverse.
 	ComplexMatrix inverse;
 	for (size_t i = 0; i < 4; ++i) {
 		inverse[column_order[i]] = right[i];

@@ -14,13 +14,13 @@ namespace cga {
 
 namespace {
 
-// Below this fraction of the sum of squares, a norm is the rounding of zero.
+// A norm below this fraction of the sum of squares is zero within rounding.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
 // The pseudoscalar I as a bitmap.
 constexpr unsigned PSEUDOSCALAR = BLADE_COUNT - 1;
 
-// I^2, a sign, from the table.
+// I^2, a sign.
 constexpr int PSEUDOSCALAR_SQUARED = product_sign(PSEUDOSCALAR, PSEUDOSCALAR);
 
 // X I times a sign: each blade becomes its complement.
@@ -53,7 +53,7 @@ Multivector signed_by_grade(const Multivector &x, SignOfGrade sign_of_grade) {
 	return result;
 }
 
-// The largest absolute coefficient among grades of one parity.
+// The largest absolute coefficient of the grades of one parity (0 even, 1 odd).
 double max_abs_of_parity(const Multivector &x, int parity) {
 	double largest = 0.0;
 	for (int index = 0; index < BLADE_COUNT; ++index) {

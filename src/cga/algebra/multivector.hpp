@@ -8,7 +8,7 @@
 
 namespace cga {
 
-// An element of Cl(4,1): 32 coefficients, indexed as BLADES (blade.hpp): 1, e1 .. e5, e12 .. e45, e123 .. e12345.
+// An element of Cl(4,1): 32 coefficients, in the order of blade.hpp: 1, e1 .. e5, e12 .. e45, e123 .. e12345.
 class Multivector {
 public:
 	using Coefficients = std::array<double, BLADE_COUNT>;
@@ -39,7 +39,7 @@ public:
 	[[nodiscard]] Multivector left_contraction(const Multivector &right) const;
 	// The part of grade i - j.
 	[[nodiscard]] Multivector right_contraction(const Multivector &right) const;
-	// A & B, dual to the outer product: undual(dual(A) ^ dual(B)). The meet of what spans the whole space together.
+	// A & B, dual to the outer product: undual(dual(A) ^ dual(B)). The meet of blades that together span the whole space.
 	[[nodiscard]] Multivector regressive_product(const Multivector &right) const;
 	// (A B - B A) / 2.
 	[[nodiscard]] Multivector commutator_product(const Multivector &right) const;
@@ -50,7 +50,7 @@ public:
 	[[nodiscard]] Multivector reverse() const;
 	// + - + - + -.
 	[[nodiscard]] Multivector grade_involution() const;
-	// + - - + + -: the two above together.
+	// + - - + + -: the product of the two above.
 	[[nodiscard]] Multivector clifford_conjugate() const;
 	// X I^-1.
 	[[nodiscard]] Multivector dual() const;
@@ -65,20 +65,20 @@ public:
 	[[nodiscard]] double norm() const;
 	// X 2^exponent, without rounding within the range of double.
 	[[nodiscard]] Multivector times_power_of_two(int exponent) const;
-	// The largest coefficient's absolute value: the size to which tolerances relate.
+	// The largest absolute coefficient: tolerances are relative to it.
 	[[nodiscard]] double max_abs() const;
 
-	// X^-1 = X~ / (X X~) where X X~ is a number other than zero, which all versors and blades but null ones meet.
-	// Empty elsewhere; inverse.hpp has the inverse of any element.
+	// X^-1 = X~ / (X X~) if X X~ is a number other than zero, as for all versors and all blades that are not null. Empty
+	// otherwise; versor/inverse.hpp has the inverse of any element.
 	[[nodiscard]] std::optional<Multivector> inverse_of_versor(double tolerance = 1e-10) const;
-	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection
-	// keeps the orientation of what it does not turn. Empty if V is neither or has no inverse.
+	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection keeps the
+	// orientation of elements that it leaves in place. Empty if V is neither or has no inverse.
 	[[nodiscard]] std::optional<Multivector> sandwich(const Multivector &x, double tolerance = 1e-10) const;
 
 	// Every coefficient within `tolerance` of the other's.
 	[[nodiscard]] bool is_equal_approx(const Multivector &other, double tolerance = 1e-9) const;
 	[[nodiscard]] bool is_finite() const;
-	// Whether all coefficients of odd (even) grade are within `tolerance` times max_abs of zero.
+	// Whether all coefficients of odd (for is_odd: even) grade are at most `tolerance` times max_abs.
 	[[nodiscard]] bool is_even(double tolerance = 1e-10) const;
 	[[nodiscard]] bool is_odd(double tolerance = 1e-10) const;
 

@@ -11,7 +11,7 @@ namespace cga {
 [[nodiscard]] Multivector e_infinity();
 // e_o = (e5 - e4) / 2: the origin; e_o . e_inf = -1.
 [[nodiscard]] Multivector e_origin();
-// The Euclidean vector x e1 + y e2 + z e3.
+// x e1 + y e2 + z e3.
 [[nodiscard]] Multivector euclidean(const Vector3<double> &vector);
 
 // The conformal point x + (1/2) x^2 e_inf + e_o.

@@ -4,18 +4,18 @@
 
 // A multivector's coefficients with e_inf in the place of e4 and e_o in the place of e5:
 //   a4 e4 + a5 e5 = (a4 + a5)/2 e_inf + (a5 - a4) e_o,     e4 ^ e5 = e_inf ^ e_o
-// and so with any of e1, e2, e3 before them. Index i stands for the blade at i with that exchange made:
+// and likewise after any of e1, e2, e3. Index i stands for the blade at i with e4 and e5 replaced:
 // e14 is e1 ^ e_inf, e125 is e12 ^ e_o, e1245 is e12 ^ e_inf ^ e_o.
 
 namespace cga {
 
 namespace detail {
 
-// `exchange` of each pair of coefficients whose blades differ in e4 and e5 only; all others stay.
-template <class Exchange>
-constexpr void for_each_null_pair(Multivector::Coefficients &coefficients, Exchange exchange) {
+// Applies `change` to each pair of coefficients whose blades differ only in e4 and e5.
+template <class Change>
+constexpr void for_each_null_pair(Multivector::Coefficients &coefficients, Change change) {
 	for (unsigned euclidean = 0; euclidean < E4_BIT; ++euclidean) {
-		exchange(coefficients[BLADE_INDICES[euclidean | E4_BIT]], coefficients[BLADE_INDICES[euclidean | E5_BIT]]);
+		change(coefficients[BLADE_INDICES[euclidean | E4_BIT]], coefficients[BLADE_INDICES[euclidean | E5_BIT]]);
 	}
 }
 

@@ -2,8 +2,8 @@
 
 #include "cga/algebra/blade.hpp"
 
-// The products of Cl(4,1) as tables made at compile time. Every product is the geometric product with some of the
-// 32 x 32 terms left out, so one sign for each pair of basis blades, in {-1, 0, 1}, tells all of them apart.
+// The products of Cl(4,1) as tables, computed at compile time. Each product is the geometric product without some of its
+// 32 x 32 terms, so that one sign in {-1, 0, 1} for each pair of basis blades defines it.
 
 namespace cga {
 
@@ -17,7 +17,7 @@ enum class Product {
 	SCALAR, // grade 0
 };
 
-// Whether the product of blades of grades i and j keeps their geometric product, which is of grade k.
+// Whether `product` includes the part of grade k of the geometric product of blades of grades i and j.
 [[nodiscard]] constexpr bool keeps_grade(Product product, int i, int j, int k) {
 	switch (product) {
 		case Product::GEOMETRIC:
@@ -40,7 +40,7 @@ enum class Product {
 }
 
 // For each left bitmap and each bitmap of the *result*, the sign of the term; the right bitmap is left ^ result.
-using SignTable = std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>;
+using SignTable = std::array<std::array<int, BLADE_COUNT>, BLADE_COUNT>;
 
 [[nodiscard]] constexpr SignTable make_sign_table(Product product) {
 	SignTable table{};
@@ -48,14 +48,14 @@ using SignTable = std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>;
 		for (unsigned result = 0; result < BLADE_COUNT; ++result) {
 			const unsigned right = left ^ result;
 			if (keeps_grade(product, grade_of_bitmap(left), grade_of_bitmap(right), grade_of_bitmap(result))) {
-				table[left][result] = int8_t(product_sign(left, right));
+				table[left][result] = product_sign(left, right);
 			}
 		}
 	}
 	return table;
 }
 
-template <Product product>
-inline constexpr SignTable SIGN_TABLE = make_sign_table(product);
+template <Product PRODUCT>
+inline constexpr SignTable SIGN_TABLE = make_sign_table(PRODUCT);
 
 } // namespace cga

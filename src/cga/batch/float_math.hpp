@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
-// Elementary functions of one float without branches or calls, so that a loop over lanes becomes vector code.
-// Taylor polynomials on a reduced range, their remainders below float's rounding.
+// Elementary functions of one float without branches or calls, so that loops over lanes vectorize. Taylor polynomials on a
+// reduced range; their remainders are below the rounding of float.
 
 namespace cga::float_math {
 

@@ -5,13 +5,13 @@
 
 #include <math.h>
 
-// The batch kernels of motors, for one lane each (pose_kernel.hpp has those of pairs of poses).
+// The kernels of motors, for one block (pose_kernel.hpp has those of pose pairs).
 
 namespace cga::kernel {
 
 namespace {
 
-// A quaternion of one lane.
+// A quaternion in one lane.
 struct LaneQuaternion {
 	float w, x, y, z;
 };

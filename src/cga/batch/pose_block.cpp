@@ -14,17 +14,17 @@ namespace cga {
 
 namespace {
 
-// A shift that the kernels can still multiply and add within float's range.
-float bounded(double shift) {
+// A displacement that the kernels can multiply and add without leaving the range of float.
+float bounded(double displacement) {
 	constexpr double LIMIT = double(std::numeric_limits<float>::max()) / 16.0;
-	return float(std::clamp(shift, -LIMIT, LIMIT));
+	return float(std::clamp(displacement, -LIMIT, LIMIT));
 }
 
-Vector3<float> bounded(const Vector3<double> &shift) {
-	return { bounded(shift.x), bounded(shift.y), bounded(shift.z) };
+Vector3<float> bounded(const Vector3<double> &displacement) {
+	return { bounded(displacement.x), bounded(displacement.y), bounded(displacement.z) };
 }
 
-// Turns to_rotation to the hemisphere 1 or -1.
+// Moves to_rotation to the hemisphere 1 or -1.
 void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	for (PoseBlock::Row &row : block.to_rotation) {
 		row[lane] *= block.hemisphere[lane] * hemisphere;
@@ -32,7 +32,7 @@ void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	block.hemisphere[lane] = hemisphere;
 }
 
-// 1 / (exp(z) - 1), or the factor of a plain weight where z is too small for float to tell the two apart.
+// 1 / (exp(z) - 1); where z is too small for float to tell the power from a plain weight, the factor of that weight.
 struct PowerFactor {
 	std::complex<double> factor{ 0.0 };
 	double linear = 0.0;
@@ -46,21 +46,21 @@ PowerFactor power_factor(const std::complex<double> &z) {
 	return { 1.0 / (z * phi(z)), 0.0 };
 }
 
-// Everything that depends on both poses.
+// Computes everything that depends on both poses.
 void prepare(PoseBlock &block, int lane) {
 	const Pose<double> from = pose_cast<double>(block.get_from(lane));
 	const Pose<double> to = pose_cast<double>(block.get_to(lane));
 	const PoseMotion motion = motion_between(from, to);
-	const Vector3<double> turn_vector = vector_part(motion.turn);
-	store_lane(block.shift, lane, bounded(motion.shift));
-	block.shrinking[lane] = float(2.0 - 2.0 * motion.turn.w);
-	store_lane(block.bend, lane, bounded(motion.shift * motion.turn.w + glm::cross(motion.shift, turn_vector)));
+	const Vector3<double> rotation_vector_part = vector_part(motion.rotation);
+	store_lane(block.displacement, lane, bounded(motion.displacement));
+	block.shortening[lane] = float(2.0 - 2.0 * motion.rotation.w);
+	store_lane(block.curvature, lane, bounded(motion.displacement * motion.rotation.w + glm::cross(motion.displacement, rotation_vector_part)));
 	set_hemisphere(block, lane, float(motion.hemisphere));
 
-	const double sine = detail::length(turn_vector);
-	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.turn.w) : 0.0;
+	const double sine = detail::length(rotation_vector_part);
+	const double half_angle = sine > 0.0 ? std::atan2(sine, motion.rotation.w) : 0.0;
 	block.half_angle[lane] = float(half_angle);
-	store_lane(block.axis, lane, sine > 0.0 ? Vector3<float>(turn_vector / sine) : Vector3<float>(0.0f));
+	store_lane(block.axis, lane, sine > 0.0 ? Vector3<float>(rotation_vector_part / sine) : Vector3<float>(0.0f));
 
 	const bool positive = from.scale > 0.0 && to.scale > 0.0;
 	const double log_scale = positive ? std::log(to.scale / from.scale) : 0.0;

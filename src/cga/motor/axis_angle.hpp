@@ -29,11 +29,11 @@ namespace detail {
 // A rotation by `angle` about `axis`.
 template <class T>
 struct AxisAngle {
-	Vector3<T> axis{ T(0) }; // unit, or zero where the angle is
+	Vector3<T> axis{ T(0) }; // unit; zero if the angle is zero
 	T angle = T(0); // radians
 };
 
-// The shorter of the two ways that q and -q describe, 0..pi; exact near both ends.
+// The shorter of the two rotations that q and -q describe, angle 0..pi; precise near both ends.
 template <class T>
 [[nodiscard]] AxisAngle<T> short_axis_angle(const Quaternion<T> &rotation) noexcept {
 	const T sign = rotation.w < T(0) ? T(-1) : T(1);

@@ -13,11 +13,11 @@ namespace cga {
 namespace {
 
 constexpr int HALVINGS = 30;
-// Paths have few extremes: this many steps never miss one that a golden section could not climb.
+// Paths have few maxima: with this many samples, the golden-section search starts near the largest.
 constexpr int STEPS = 64;
 constexpr int SECTIONS = 32;
 constexpr double GOLDEN = 0.61803398874989485;
-// Another extreme counts as larger only beyond rounding: paths are often symmetric.
+// Paths are often symmetric: a later maximum replaces an equal one only if it is larger beyond rounding.
 constexpr double LARGER = 1.0 + 1e-9;
 
 // The largest length of (along + flat c, across + round s) with c^2 + s^2 = 1; all above or at 0, flat <= round.
@@ -26,8 +26,8 @@ constexpr double LARGER = 1.0 + 1e-9;
 double farthest(double along, double across, double flat, double round) {
 	double low_c = 1.0, low_s = 0.0; // where the length still grows
 	double high_c = 0.0, high_s = 1.0;
-	const bool is_grown_at_the_end = !(along * flat > 0.0);
-	for (int halving = 0; halving < HALVINGS && !is_grown_at_the_end; ++halving) {
+	const bool grows_to_the_end = !(along * flat > 0.0);
+	for (int halving = 0; halving < HALVINGS && !grows_to_the_end; ++halving) {
 		const double size = std::hypot(low_c + high_c, low_s + high_s);
 		const double c = (low_c + high_c) / size;
 		const double s = (low_s + high_s) / size;
@@ -38,7 +38,7 @@ double farthest(double along, double across, double flat, double round) {
 	return std::hypot(along + flat * high_c, across + round * high_s);
 }
 
-// The largest of a function over 0..1, and where.
+// Raises `largest` to the maximum of a function over 0..1, and sets where it is.
 template <class Function>
 void find_largest(Function function, double &largest, double &largest_at) {
 	for (int step = 1; step < STEPS; ++step) {
@@ -82,15 +82,15 @@ void find_largest(Function function, double &largest, double &largest_at) {
 
 } // namespace
 
-// A point u of the body goes to t1 + s1 R1 u and t2 + s2 R2 u. With R1^-1 R2 a turn by theta about n, s1 R1 - s2 R2 takes
+// A point u of the body goes to t1 + s1 R1 u and t2 + s2 R2 u. With R1^-1 R2 a rotation by theta about n, s1 R1 - s2 R2 takes
 // n to (s1 - s2) R1 n, and every unit vector across n to one of length |s1 - s2 exp(i theta)| across R1 n, in a direction
-// that turns with it: the sphere of levers becomes an ellipsoid of revolution about R1 n.
-Deviation deviation(const Pose<double> &first, const Pose<double> &second, double lever) noexcept {
+// that rotates with it: the sphere of lever arms becomes an ellipsoid of revolution about R1 n.
+Deviation deviation(const Pose<double> &first, const Pose<double> &second, double lever_arm) noexcept {
 	const Quaternion<double> first_rotation = unit_rotation(first.rotation);
 	const AxisAngle<double> turn = short_axis_angle(glm::conjugate(first_rotation) * unit_rotation(second.rotation));
 	const Vector3<double> offset = first.translation - second.translation;
 	const Vector3<double> axis = turn.angle > 0.0 ? first_rotation * turn.axis : Vector3<double>(1.0, 0.0, 0.0);
-	const double reach = std::max(lever, 0.0);
+	const double reach = std::max(lever_arm, 0.0);
 	const double growth = std::abs(first.scale - second.scale);
 	const double half_chord = std::sin(0.5 * turn.angle);
 	const double round = std::sqrt(growth * growth + 4.0 * first.scale * second.scale * half_chord * half_chord);
@@ -102,9 +102,9 @@ Deviation deviation(const Pose<double> &first, const Pose<double> &second, doubl
 	return found;
 }
 
-PathDeviation path_deviation(const Pose<double> &from, const Pose<double> &to, Mode first, Mode second, double lever) noexcept {
+PathDeviation path_deviation(const Pose<double> &from, const Pose<double> &to, Mode first, Mode second, double lever_arm) noexcept {
 	const auto at = [&](double weight) {
-		return deviation(interpolate(from, to, weight, first), interpolate(from, to, weight, second), lever);
+		return deviation(interpolate(from, to, weight, first), interpolate(from, to, weight, second), lever_arm);
 	};
 	PathDeviation found;
 	find_largest([&at](double weight) { return at(weight).distance; }, found.distance, found.distance_weight);

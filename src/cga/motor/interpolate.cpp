@@ -22,30 +22,30 @@ double lerp(double from, double to, double weight) {
 
 // (1 - a) TR_from + a TR_to, extracted by to_pose()'s formulas. With TR_to = M TR_from, M the motion between them,
 // this is ((1 - a) + a M) TR_from, and about the position of `from`:
-//   A = (1 - a) + a turn
-//   t = t_from + a ((a + (1 - a) w) d + (1 - a) (d x turn_v)) / |A|^2     (d the shift, w = turn's scalar part)
+//   A = (1 - a) + a r
+//   t = t_from + a ((a + (1 - a) r_w) d + (1 - a) (d x r_v)) / |A|^2     (d the displacement, r = r_w + r_v the rotation)
 //   q = A q_from / |A|
-// w >= 0 makes |A|^2 >= 1/2. The scale is blended by itself.
+// r_w >= 0 makes |A|^2 >= 1/2. The scale is blended separately.
 Pose<double> interpolate_linear(const Pose<double> &from, const Pose<double> &to, double weight) {
 	const PoseMotion motion = motion_between(from, to);
 	const double rest = 1.0 - weight;
-	Quaternion<double> blend = motion.turn * weight;
+	Quaternion<double> blend = motion.rotation * weight;
 	blend.w += rest;
 	const double squared = glm::dot(blend, blend);
-	const Vector3<double> turned = glm::cross(motion.shift, vector_part(motion.turn));
+	const Vector3<double> turned = glm::cross(motion.displacement, vector_part(motion.rotation));
 
 	Pose<double> pose;
-	pose.translation = from.translation + (motion.shift * (weight + rest * motion.turn.w) + turned * rest) * (weight / squared);
+	pose.translation = from.translation + (motion.displacement * (weight + rest * motion.rotation.w) + turned * rest) * (weight / squared);
 	pose.rotation = blend * unit_rotation(from.rotation) / std::sqrt(squared);
 	pose.scale = lerp(from.scale, to.scale, weight);
 	return pose;
 }
 
-// M^a TR_from D_from, M the motion with the ratio of the scales, about the position of `from`.
+// M^a TR_from D_from, with M the motion, including the ratio of the scales, about the position of `from`.
 Pose<double> interpolate_screw(const Pose<double> &from, const Pose<double> &to, double weight) {
 	const bool positive = to.scale > 0.0 && from.scale > 0.0;
 	const PoseMotion motion = motion_between(from, to);
-	const Pose<double> power = power_of_pose(Pose<double>{ motion.shift, motion.turn, positive ? to.scale / from.scale : 1.0 }, weight);
+	const Pose<double> power = power_of_pose(Pose<double>{ motion.displacement, motion.rotation, positive ? to.scale / from.scale : 1.0 }, weight);
 
 	Pose<double> pose;
 	pose.translation = from.translation + power.translation;
@@ -57,10 +57,10 @@ Pose<double> interpolate_screw(const Pose<double> &from, const Pose<double> &to,
 // slerp is the power of the rotation alone.
 Pose<double> interpolate_separate(const Pose<double> &from, const Pose<double> &to, double weight) {
 	const PoseMotion motion = motion_between(from, to);
-	const Pose<double> power = power_of_pose(Pose<double>{ Vector3<double>(0.0), motion.turn, 1.0 }, weight);
+	const Pose<double> power = power_of_pose(Pose<double>{ Vector3<double>(0.0), motion.rotation, 1.0 }, weight);
 
 	Pose<double> pose;
-	pose.translation = from.translation + motion.shift * weight;
+	pose.translation = from.translation + motion.displacement * weight;
 	pose.rotation = power.rotation * unit_rotation(from.rotation);
 	pose.scale = lerp(from.scale, to.scale, weight);
 	return pose;

@@ -47,7 +47,7 @@ Motor<T> Motor<T>::from_pose(const Pose<T> &pose) noexcept {
 //   t1 = -2 (V_1 A_0 + V_2 A_12 + V_3 A_13 + V_123 A_23) / n2
 //   t2 = -2 (V_2 A_0 - V_1 A_12 + V_3 A_23 - V_123 A_13) / n2
 //   t3 = -2 (V_3 A_0 - V_1 A_13 - V_2 A_23 + V_123 A_12) / n2
-// The scalar part of v conj(a), zero in a motor, is left out: that is what makes the blend of two motors a pose.
+// The scalar part of v conj(a), zero in a motor, is dropped: this turns the blend of two motors into a pose.
 template <class T>
 std::optional<Pose<T>> Motor<T>::to_pose() const noexcept {
 	const T length = std::sqrt(glm::dot(a, a));

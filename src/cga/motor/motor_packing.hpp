@@ -2,12 +2,12 @@
 
 #include "cga/algebra/blade.hpp"
 
-// Which coefficients of a multivector the quaternions of a motor's minimal form (motor.hpp) pack.
+// The multivector coefficients that the quaternions of a motor's minimal form (motor.hpp) pack.
 
 namespace cga {
 
-// The coefficients of a quaternion of the minimal form, in its order (w, x, y, z), of A and B: half their sum is the
-// coefficient of `euclidean`, half their difference that of `with_e45`, each with the sign of the packing.
+// For each component (w, x, y, z) of a and b: half the sum is the coefficient of `euclidean`, half the difference that of
+// `with_e45`, both times `sign`.
 struct PackedPair {
 	int euclidean;
 	int with_e45;
@@ -21,7 +21,7 @@ inline constexpr PackedPair MOTOR_PAIRS[4] = {
 	{ E12, E1245, -1.0 },
 };
 
-// The coefficients of V in its order (w, x, y, z): those with e4 and with e5 are equal in a motor.
+// For each component (w, x, y, z) of v: its two coefficients, equal in a motor.
 struct NullPair {
 	int with_e4;
 	int with_e5;

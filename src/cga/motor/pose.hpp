@@ -2,14 +2,14 @@
 
 #include "cga/vector.hpp"
 
-// A pose is what an engine calls a transform with uniform scale.
+// A pose: what engines call a transform with uniform scale.
 
 namespace cga {
 
 // The similarity x -> translation + scale * (rotation x rotation*): scales, then rotates, then translates.
 template <class T>
 struct Pose {
-	Vector3<T> translation{ T(0) }; // metres
+	Vector3<T> translation{ T(0) }; // meters
 	Quaternion<T> rotation{ T(1), T(0), T(0), T(0) }; // unit; q and -q are the same rotation
 	T scale = T(1); // positive
 };

@@ -8,7 +8,7 @@
 
 namespace cga {
 
-// The rotation as given if it is of unit length within rounding, else normalised; a zero one is the identity.
+// The rotation itself if its length is 1 within rounding, else normalized; the identity if it is zero.
 template <class T>
 [[nodiscard]] Quaternion<T> unit_rotation(const Quaternion<T> &rotation) noexcept {
 	if (std::abs(glm::dot(rotation, rotation) - T(1)) <= T(8) * std::numeric_limits<T>::epsilon()) {
@@ -27,18 +27,18 @@ template <class T>
 	return { pose.translation, unit_rotation(pose.rotation), pose.scale };
 }
 
-// What carries one pose to another, in the axes of the world but seen from the first one's position, so that it is
-// as precise far from the origin as near it. All modes take the hemisphere rule from here.
+// The motion from one pose to another, in the world's axes and relative to the first position: its precision does not depend
+// on the distance from the origin. All modes apply the hemisphere rule through it.
 struct PoseMotion {
-	Quaternion<double> turn; // q_to q_from*, or minus that: w >= 0
-	Vector3<double> shift; // t_to - t_from
-	double hemisphere; // 1, or -1 where minus q_to is the one nearer to q_from
+	Quaternion<double> rotation; // q_to q_from* or its negative, so that w >= 0
+	Vector3<double> displacement; // t_to - t_from
+	double hemisphere; // -1 where -q_to is nearer to q_from than q_to, else 1
 };
 
 [[nodiscard]] inline PoseMotion motion_between(const Pose<double> &from, const Pose<double> &to) noexcept {
-	Quaternion<double> turn = unit_rotation(to.rotation) * glm::conjugate(unit_rotation(from.rotation));
-	const double hemisphere = turn.w < 0.0 ? -1.0 : 1.0;
-	return { turn * hemisphere, to.translation - from.translation, hemisphere };
+	const Quaternion<double> rotation = unit_rotation(to.rotation) * glm::conjugate(unit_rotation(from.rotation));
+	const double hemisphere = rotation.w < 0.0 ? -1.0 : 1.0;
+	return { rotation * hemisphere, to.translation - from.translation, hemisphere };
 }
 
 } // namespace cga

@@ -4,7 +4,7 @@
 #include <complex>
 #include <type_traits>
 
-// phi(z) = (exp(z) - 1) / z, on which exp, log and power of similarities rest, stable for all
+// phi(z) = (exp(z) - 1) / z, the function behind exp, log and power of similarities; stable for all
 // z = sigma + i theta with |theta| < 2 pi.
 
 namespace cga {

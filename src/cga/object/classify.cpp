@@ -15,11 +15,11 @@ namespace cga {
 namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
-// Parts this small, relative to what they were computed from, are zero, rounded.
+// Parts at most this large, relative to the numbers they were computed from, are zero within rounding.
 constexpr double ROUNDING = 64.0 * EPSILON;
-// Smaller parts of a blade of another grade are noise.
+// Parts of other grades below this are noise.
 constexpr double NOISE = 1e-10;
-// A smaller X ^ X is: what far objects come to when they are moved and multiplied.
+// X ^ X below this is noise, which products and motions of distant objects accumulate.
 constexpr double BLADE_NOISE = 1e-8;
 
 using Vector = Vector3<double>;
@@ -96,7 +96,7 @@ Classification flipped(Classification found) {
 	return found;
 }
 
-// Of an OPNS blade of grade 1 to 4.
+// Classifies an OPNS blade of grade 1 to 4.
 Classification blade(const Multivector &x, int grade) {
 	const ConformalParts parts = parts_of(x);
 	const double a = parts.euclidean.max_abs(), q = parts.infinity.max_abs(), d = parts.both.max_abs();

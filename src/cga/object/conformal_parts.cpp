@@ -25,12 +25,12 @@ Multivector inverse_of_euclidean(const Multivector &blade) {
 	return blade.reverse() * (1.0 / blade.norm_squared());
 }
 
-// The part of t in a Euclidean blade: (t . E) E^-1.
+// The projection of t onto a Euclidean blade: (t . E) E^-1.
 Vector3<double> inside(const Vector3<double> &t, const Multivector &attitude) {
 	return vector_of(euclidean(t).left_contraction(attitude).geometric_product(inverse_of_euclidean(attitude)));
 }
 
-// Of a Euclidean blade.
+// The grade of a Euclidean blade.
 int grade_of(const Multivector &blade) {
 	int grade = 0;
 	double largest = 0.0;

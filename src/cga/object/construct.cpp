@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-// Differences of positions this small, relative to the positions, are rounding.
+// Differences of positions below this, relative to the positions, are rounding.
 constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
 double largest(const Vector &v) {
@@ -26,7 +26,7 @@ bool is_finite(const Vector &v) {
 	return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Empty for zero and for what is not finite. Scaled first, so that no square overflows or vanishes.
+// Empty for zero and vectors that are not finite. Scales first, so that no square overflows or underflows.
 std::optional<Vector> unit(const Vector &v) {
 	const double size = largest(v);
 	if (!(size > 0.0) || !std::isfinite(size)) {
@@ -75,7 +75,7 @@ MultivectorResult tangent_of(const Vector &position, const Vector &axis, Attitud
 	return u ? checked(round_blade(position, attitude(*u), 0.0)) : AlgebraError::ZERO_DIRECTION;
 }
 
-// Made at a point that it goes through, and moved: however large it is, it stays near its points.
+// Constructed relative to a point on it and then translated, so that even a very large round passes through its points.
 MultivectorResult round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
 	return checked(from_parts(round_parts(translated(RoundParameters{ to_center, {}, attitude, 0.0 }, a))));
 }
@@ -84,7 +84,7 @@ Multivector along(const Vector &u) {
 	return euclidean(u);
 }
 
-// How much of the cross product of differences of these points is rounding.
+// A bound of the rounding error of u x v, u and v being differences of points near a.
 double area_rounding(const Vector &a, const Vector &u, const Vector &v) {
 	const double size = std::max(largest(u), largest(v));
 	return ROUNDING * size * (largest(a) + size);

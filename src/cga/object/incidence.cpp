@@ -9,15 +9,15 @@
 #include <limits>
 #include <utility>
 
-// meet and join are intersection and sum of the subspaces of R^5 that blades stand for, which no metric changes. In
-// that of Cl(4,1) the products that find them vanish where what is shared is null, as for parallel lines; so vectors
-// are compared in the metric where e5 squares to +1.
+// Meet and join are the intersection and sum of the subspaces of R^5 that blades represent, and do not depend on the metric. In
+// the metric of Cl(4,1), the products that compute them vanish where the intersection is null, as for parallel lines; so
+// vectors are compared in the metric where e5 squares to +1.
 
 namespace cga {
 
 namespace {
 
-// Of one object's image, relative to its largest coefficient in the frame.
+// The rounding error of an image, relative to its largest coefficient in the frame.
 constexpr double IMAGE_ROUNDING = 1e-10;
 
 struct Blades {
@@ -61,7 +61,7 @@ Multivector contraction(const Multivector &left, const Multivector &right) {
 	return mirrored.left_contraction(right);
 }
 
-// The root of the sum of squares: the norm in that metric.
+// The norm in that metric.
 double length(const Multivector &x) {
 	double sum = 0.0;
 	for (double coefficient : x.coefficients()) {
@@ -74,7 +74,7 @@ Multivector unit(const Multivector &x) {
 	return x * (1.0 / length(x));
 }
 
-// The part of a vector in a unit blade.
+// The projection of a vector onto a unit blade.
 Multivector projected(const Multivector &vector, const Multivector &blade) {
 	return contraction(contraction(vector, blade), blade.reverse());
 }
@@ -84,7 +84,7 @@ struct Span {
 	int meet_grade, join_grade;
 };
 
-// x of size 1 with the sign that makes it the same as `wanted`, which it is but for weight and rounding.
+// x normalized, with the sign of `wanted`, to which it is equal up to weight and rounding.
 Multivector with_sign_of(const Multivector &wanted, const Multivector &x) {
 	double product = 0.0;
 	for (int i = 0; i < BLADE_COUNT; ++i) {
@@ -113,7 +113,7 @@ Span at_once(const Blades &blades, Span span) {
 	return span;
 }
 
-// Takes from A, one after the other, the vectors that are farthest from B, until all that is left of it is in B.
+// Removes from A, one after the other, the vectors farthest from B, until the rest of A lies in B.
 Span span(const Blades &blades) {
 	const Multivector b = unit(blades.b);
 	Span span{ unit(blades.a), b, blades.grade_a, blades.grade_b };
@@ -143,8 +143,8 @@ bool touches(const RoundParameters &round, double touching) {
 	return std::abs(round.squared_radius()) <= 2.0 * touching;
 }
 
-// A blade of the frame without the parts that are rounding: a round whose radius is large beyond all digits is a flat,
-// one whose radius is rounding is what tangent objects share, a flat out of sight is a direction.
+// A blade of the frame without the parts that are rounding: a round of a radius beyond all digits becomes a flat, one whose
+// radius is rounding a tangent, an infinitely distant flat a direction.
 ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double rounding, double touching) {
 	if (grade == 0 || grade == DIMENSION) {
 		parts.origin = {};
@@ -170,7 +170,7 @@ ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double 
 	return parts;
 }
 
-// A result of grade k in the null basis, out of the frame.
+// A result of grade k in the null basis, transformed from the frame to the world.
 MultivectorResult left(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double touching) {
 	const Multivector null = x.grade(k);
 	if (!(null.max_abs() > 0.0)) {
@@ -189,7 +189,7 @@ struct Factors {
 	Multivector a, b, inverse;
 };
 
-// What `image` makes of the factors, which has the grade of the first. What a versor makes of a point or tangent is one.
+// The result of `image`, which has the grade of the first factor. A versor maps points and tangents to points and tangents.
 template <class Image>
 MultivectorResult image_of(const Multivector &a, const Multivector &b, bool by_versor, Image image) {
 	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::IMAGE);

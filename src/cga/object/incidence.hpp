@@ -3,32 +3,31 @@
 #include "cga/algebra/algebra_error.hpp"
 #include "cga/algebra/multivector.hpp"
 
-// What two objects share, span together, and do to each other. Both are OPNS blades of any weight and sign, at any
-// distance from the origin; an error says which of them is none. Sizes may differ as much as coefficients can: what a
-// circle of a millimetre shares with a sphere of 100 km is right to some roundings of the circle.
+// Meet, join, projection and reflection of two OPNS blades of any weight and sign, at any distance from the origin; an error
+// says which of the two is not a blade. Sizes may differ by any factor: the meet of a circle of 1 mm with a sphere of 100 km is
+// correct to a few rounding errors of the circle.
 //
-// What counts as nothing: lengths within rounding of the objects' own centres, radii and coefficients, and below 1e-10 of
-// the smaller of two rounds (beside a point, of the other one; of two flats, of their distance from the origin). Overlapping
-// by less, spheres touch, as the circle they share has a radius below 1e-5 of the smaller one's.
+// Lengths count as zero within rounding of the objects' centers, radii and coefficients, and below 1e-10 of the radius of the
+// smaller round (with a point: of the other round; for two flats: of their distance from the origin). Spheres that overlap by
+// less are tangent: the radius of their circle would be below 1e-5 of the smaller one's.
 
 namespace cga {
 
-// The largest blade in both, the intersection: of a line and a sphere the point pair, real or imaginary; of crossing
-// lines the flat point, of parallel ones their direction, of skew ones e_inf, which all lines share; of tangent objects
-// the tangent; of an object and one that holds it, the object; a number where they share nothing. Weight and sign say
-// nothing.
+// The intersection, the largest blade in both: a point pair, real or imaginary, of a line and a sphere; a flat point of crossing
+// lines, their direction if they are parallel, e_inf if they are skew; a tangent of tangent objects; the object itself if the
+// other one contains it; a number if they have nothing in common. Weight and sign have no meaning.
 MultivectorResult meet(const Multivector &a, const Multivector &b);
-// The smallest blade that holds both: of two points the pair, of crossing or parallel lines the plane; the pseudoscalar
-// where they span everything.
+// The smallest blade that contains both: a point pair of two points, a plane of crossing or parallel lines; the pseudoscalar if
+// they span the whole space.
 MultivectorResult join(const Multivector &a, const Multivector &b);
 
-// (X . B) B^-1: what of X is in B. An error for null B (points, tangents, directions), which have no inverse.
+// (X . B) B^-1, the part of X in B. An error if B is null (a point, tangent or direction) and has no inverse.
 MultivectorResult project_onto(const Multivector &x, const Multivector &onto);
-// (X ^ B) B^-1: what of X is across B. The same error.
+// (X ^ B) B^-1, the part of X orthogonal to B. The same error.
 MultivectorResult reject_from(const Multivector &x, const Multivector &from);
-// X seen in a mirror: a plane, a sphere (which inverts), a line (half a turn about it), a circle, a point pair. With
-// the dual M* of the mirror, M* X M*^-1, X with alternating signs where M* is odd, so that a point stays of positive
-// weight. The same error.
+// The reflection of X in a plane, line (a half turn about it), circle or point pair, or its inversion in a sphere. With the
+// dual M* of the mirror, M* X M*^-1, with the grade involution of X if M* is odd, so that points keep a positive weight. The
+// same error.
 MultivectorResult reflect_in(const Multivector &x, const Multivector &mirror);
 
 } // namespace cga

@@ -15,22 +15,22 @@ namespace cga {
 namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
-// What operations before this one may have lost, of objects near by.
+// The error that earlier operations may have left, for objects near the origin.
 constexpr double ALWAYS = 1e-10;
-// Of the coefficients of objects that users and other operations made.
+// The relative error of the coefficients of the input.
 constexpr double ROUNDINGS = 16.0 * EPSILON;
-// Objects differ by more than rounding if it is less than this share of them.
+// A part is known if its rounding error is at most this share of it.
 constexpr double CLEAR = 1.0 / 64.0;
 
-// How large the parts of an object are, or their rounding, at a place.
+// The sizes of the parts of an object, or of their rounding errors, relative to a given origin.
 struct Extent {
 	double euclidean, infinity, origin, both;
 
-	// The largest part, in a frame of that unit.
+	// The largest part in a frame with the given unit.
 	[[nodiscard]] double largest(double unit) const {
 		return std::max({ origin, std::max(euclidean, both) / unit, infinity / (unit * unit) });
 	}
-	// The unit in which Q is not the largest part: that is how far the object is from the place.
+	// The unit in which Q is not the largest part: the distance of the object from the origin.
 	[[nodiscard]] double gap() const {
 		const double flat = euclidean + both + std::sqrt(infinity * origin);
 		return infinity > 0.0 ? infinity / flat : 0.0;
@@ -41,9 +41,8 @@ Extent extent_of(const ConformalParts &parts) {
 	return { parts.euclidean.max_abs(), parts.infinity.max_abs(), parts.origin.max_abs(), parts.both.max_abs() };
 }
 
-// At a distance t from the origin. The coefficients of e4 and e5 hold Q +- R / 2, so both are worth what the larger is;
-// moved by t, R adds to A and D with t, to Q with its square. `squares` are those of centre and radius, which rounds are
-// made of.
+// The rounding errors of `parts` after a translation by t. The coefficients of e4 and e5 hold Q +- R / 2, so that Q and R have
+// the error of the larger; the translation adds R t to A and D, and R t^2 to Q. `squares` is c^2 + |r^2| of a round.
 Extent rounding_of(const Extent &parts, double t, double squares) {
 	const double held = parts.origin > 0.0 ? ROUNDINGS * (parts.infinity + parts.origin) : 0.0;
 	const double flat = ROUNDINGS * (parts.euclidean + parts.both);
@@ -59,8 +58,8 @@ struct LocalFrame::Object {
 	bool is_round;
 	std::optional<Vector3<double>> place;
 	double radius = 0.0; // also of imaginary ones; 0 within rounding
-	double squares = 0.0; // of centre and radius
-	// At the place of the frame.
+	double squares = 0.0; // of center and radius
+	// Relative to the frame's origin.
 	Extent seen{}, rounding{};
 
 	Object(const Multivector &blade, int k) :
@@ -78,7 +77,7 @@ struct LocalFrame::Object {
 		}
 	}
 
-	// Rounds are made anew from what they are made of: moved as they are, rounding would tilt them.
+	// Rounds are recomposed from their parameters: translating their parts would tilt them by rounding.
 	[[nodiscard]] ConformalParts moved(const Vector3<double> &t, double factor) const {
 		return is_round ? round_parts(resized(translated(round_parameters(parts, grade - 1), t), factor)) : resized(translated(parts, t, grade), factor);
 	}
@@ -90,7 +89,7 @@ struct LocalFrame::Object {
 
 	[[nodiscard]] double distance() const { return place ? glm::length(*place) : 0.0; }
 
-	// In a smaller one, Q is little more than rounding beside R, or beside A and D.
+	// In a smaller unit, Q would be little more than rounding compared with R, or with A and D.
 	[[nodiscard]] double least_unit() const {
 		const double round = std::sqrt(rounding.infinity / (CLEAR * seen.origin));
 		const double flat = rounding.infinity / (CLEAR * std::max(seen.euclidean, seen.both));
@@ -121,10 +120,10 @@ LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivec
 		size = glm::length(_place - *other.place);
 	}
 	size = std::max({ size, main.least_unit(), other.least_unit() });
-	// A power of two changes no digit.
+	// A power of two is exact.
 	_unit = std::isfinite(size) && size > 0.0 ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
 	_rounding = ALWAYS + std::max(main.rounding_in(_unit), other.rounding_in(_unit));
-	// A large round beside a small one is nearly flat there.
+	// A large round is nearly flat at the scale of a small one.
 	_flatness = _rounding * std::min(1.0, _unit / std::max(main.radius, other.radius));
 }
 
@@ -136,7 +135,7 @@ Multivector LocalFrame::leave(const ConformalParts &parts, int k) const {
 	if (parts.origin.max_abs() > 0.0) {
 		const RoundParameters found = round_parameters(parts, k - 1), moved = translated(resized(found, _unit), _place);
 		const double squares = glm::dot(found.along, found.along) + glm::dot(found.across, found.across);
-		// A radius of zero is kept, which rounding of the move would not.
+		// Preserves a radius of zero, which the rounding of the translation would not.
 		return from_parts(round_parts(std::abs(found.squared_radius()) <= ROUNDINGS * squares ? with_radius_zero(moved) : moved));
 	}
 	return from_parts(translated(resized(parts, _unit), _place, k));

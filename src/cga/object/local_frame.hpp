@@ -4,20 +4,20 @@
 #include "cga/object/conformal_parts.hpp"
 #include "cga/vector.hpp"
 
-// A place and a length of unit in which two objects are near the origin and the smaller one is about one unit large.
+// An origin and a unit of length in which two objects are near the origin and the smaller one is about one unit large.
 //
-// Coefficients hold squares of distances: two circles of a metre that are a kilometre away look alike to the sixth
-// digit, and all that tells them apart is next to lost in a product. So meet, join and reflections move them here first.
+// Coefficients hold squares of distances: two circles of 1 m at a distance of 1 km agree in the first six digits, and their
+// difference is nearly lost in a product. Meet, join and reflections therefore work in this frame.
 //
-// The place is the centre of the smaller round. The unit is its radius, or how far the other object passes from it if
-// that is more: what is e_o for the one, directions for the other and e_inf for both is then of the same size. In the unit
-// of the larger one, of n times the size, what they share would be right to n^2 roundings only.
+// The origin is the center of the smaller round. The unit is its radius, or its distance from the other object if that is
+// larger: the parts with e_o, the Euclidean parts and those with e_inf then have similar sizes. In the unit of the larger
+// object, n times as large, the error of the result would be n^2 times as large.
 
 namespace cga {
 
 class LocalFrame {
 public:
-	// What the frame is for: to say what objects share, or to compute an image of the first, where nothing is decided.
+	// INCIDENCE decides what the objects share; IMAGE computes an image of the first, without decisions.
 	enum class Purpose {
 		INCIDENCE,
 		IMAGE,
@@ -25,10 +25,10 @@ public:
 
 	LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose);
 
-	// `blade` of grade k in this frame, of size 1; and back.
+	// `blade` of grade k in this frame, of size 1, and back.
 	[[nodiscard]] ConformalParts enter(const Multivector &blade, int k) const;
 	[[nodiscard]] Multivector leave(const ConformalParts &parts, int k) const;
-	// The digits that the two objects have here are worth: what is smaller, relative to 1, is rounding.
+	// The rounding error of the two objects in this frame, relative to 1: anything smaller is rounding.
 	[[nodiscard]] double rounding() const { return _rounding; }
 	// The weight of e_o below which a round of size 1 is flat.
 	[[nodiscard]] double flatness() const { return _flatness; }

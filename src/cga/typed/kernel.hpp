@@ -2,7 +2,7 @@
 
 #include "cga/typed/null_product.hpp"
 
-// Which multiplications a product of elements with few blades takes, found at compile time.
+// The multiplications in a product of sparse elements, determined at compile time.
 
 namespace cga::typed {
 
@@ -17,7 +17,7 @@ using BladeSet = uint32_t;
 	return grade_of_bitmap(set);
 }
 
-// Where the coefficient of a blade of the set stands.
+// The position of the coefficient of a blade of the set.
 [[nodiscard]] constexpr size_t slot_of(BladeSet set, int index) {
 	return size_t(size_of(set & ((BladeSet(1) << index) - 1u)));
 }
@@ -43,7 +43,7 @@ struct Term {
 	int sign = 0;
 };
 
-// What is computed of a product of elements of two sets: the blades of `RESULT`.
+// The terms of a product of elements of two sets whose blades are in RESULT.
 template <Product PRODUCT, BladeSet LEFT, BladeSet RIGHT, BladeSet RESULT>
 struct Kernel {
 	template <class Visit>

@@ -4,11 +4,11 @@
 #include "cga/motor/motor_packing.hpp"
 #include "cga/typed/sparse.hpp"
 
-// Motors moving elements of fixed types: M X M^-1 by the twelve coefficients of M.
+// Motors applied to typed elements: M X M^-1 with the twelve coefficients of M.
 
 namespace cga::typed {
 
-// What turns, moves and scales: e12, e13, e23, those with e_inf, and E.
+// The generators of motors: e12, e13, e23 (rotation), e1, e2, e3 ^ e_inf (translation), E (dilation).
 inline constexpr BladeSet MOTIONS = [] {
 	BladeSet blades = 0;
 	for (const int index : { E12, E13, E23, E14, E24, E34, E45 }) {
@@ -18,12 +18,12 @@ inline constexpr BladeSet MOTIONS = [] {
 }();
 
 inline constexpr BladeSet MOTOR_BLADES = product_blades(Product::GEOMETRIC, MOTIONS | 1u, MOTIONS | 1u);
-static_assert(product_blades(Product::GEOMETRIC, MOTOR_BLADES, MOTOR_BLADES) == MOTOR_BLADES, "motors make a group");
+static_assert(product_blades(Product::GEOMETRIC, MOTOR_BLADES, MOTOR_BLADES) == MOTOR_BLADES, "motors are closed under multiplication");
 
 template <class T = double>
 using Versor = Sparse<MOTOR_BLADES, T>;
 
-// Whether motors carry elements of a set of blades to elements of the same set: motions do, little by little.
+// Whether motors map elements of a set of blades to the same set: true if the commutator with each generator does.
 [[nodiscard]] constexpr bool moves_into_itself(BladeSet set) {
 	return (product_blades(Product::COMMUTATOR, MOTIONS, set) & ~set) == 0;
 }
@@ -49,10 +49,10 @@ template <class T>
 	return detail::unpacked(motor, std::make_index_sequence<4>());
 }
 
-// Where a motor of any weight but zero carries x.
+// M x M^-1 of a motor of any weight but zero.
 template <BladeSet BLADES, class T>
 [[nodiscard]] Sparse<BLADES, T> moved(const Sparse<BLADES, T> &x, const Motor<T> &motor) noexcept {
-	static_assert(moves_into_itself(BLADES), "a motor would carry this out of its type; use a Round or a Flat");
+	static_assert(moves_into_itself(BLADES), "motors do not preserve this type; use a Round or a Flat");
 	const Versor<T> m = versor(motor);
 	return multiply_into<BLADES, Product::GEOMETRIC>(m.geometric_product(x), m.reverse()) * (T(1) / motor.norm_squared());
 }

@@ -8,7 +8,7 @@
 namespace cga::typed {
 
 // Left index, right index, index in the result: the sign there, in {-1, 0, 1}.
-using NullTable = std::array<std::array<std::array<int8_t, BLADE_COUNT>, BLADE_COUNT>, BLADE_COUNT>;
+using NullTable = std::array<std::array<std::array<int, BLADE_COUNT>, BLADE_COUNT>, BLADE_COUNT>;
 
 namespace detail {
 
@@ -17,7 +17,7 @@ inline constexpr int NULL_SHIFT = 3;
 inline constexpr unsigned EUCLIDEAN_BITS = (1u << NULL_SHIFT) - 1u;
 
 // The products of 1, e_inf, e_o, E: left, right, result.
-inline constexpr int8_t NULL_PLANE_PRODUCTS[4][4][4] = {
+inline constexpr int NULL_PLANE_PRODUCTS[4][4][4] = {
 	{ { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } },
 	{ { 0, 1, 0, 0 }, { 0, 0, 0, 0 }, { -1, 0, 0, 1 }, { 0, 1, 0, 0 } },
 	{ { 0, 0, 1, 0 }, { -1, 0, 0, -1 }, { 0, 0, 0, 0 }, { 0, 0, -1, 0 } },
@@ -34,7 +34,7 @@ inline constexpr int8_t NULL_PLANE_PRODUCTS[4][4][4] = {
 			const int sign = product_sign(a, b) * ((grade_of_bitmap(m) * grade_of_bitmap(b)) % 2 == 0 ? 1 : -1);
 			for (unsigned result = 0; result < 4; ++result) {
 				const unsigned bitmap = (a ^ b) | (result << NULL_SHIFT);
-				table[BLADE_INDICES[left]][BLADE_INDICES[right]][BLADE_INDICES[bitmap]] = int8_t(sign * NULL_PLANE_PRODUCTS[m][n][result]);
+				table[BLADE_INDICES[left]][BLADE_INDICES[right]][BLADE_INDICES[bitmap]] = sign * NULL_PLANE_PRODUCTS[m][n][result];
 			}
 		}
 	}
@@ -45,7 +45,7 @@ inline constexpr int8_t NULL_PLANE_PRODUCTS[4][4][4] = {
 
 inline constexpr NullTable NULL_TABLE = detail::make_null_table();
 
-// The sign of the null blade at `result` in a product of those at `left` and `right`; 0 where it has none.
+// The coefficient of the null blade at `result` in the product of those at `left` and `right`: -1, 0 or 1.
 [[nodiscard]] constexpr int null_sign(Product product, int left, int right, int result) {
 	const int sign = NULL_TABLE[size_t(left)][size_t(right)][size_t(result)];
 	return sign != 0 && keeps_grade(product, blade_grade(left), blade_grade(right), blade_grade(result)) ? sign : 0;

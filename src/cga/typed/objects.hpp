@@ -3,17 +3,17 @@
 #include "cga/typed/sparse.hpp"
 #include "cga/vector.hpp"
 
-// Objects as elements that hold only what they can have, in OPNS, with the products of sparse.hpp:
+// Objects (OPNS) as sparse elements, with the products of sparse.hpp:
 //
 //   Point<> a = point(x), b = point(y);            5 coefficients each
 //   a.outer_product(b)                             a PointPair<>
 //   a.outer_product(b).outer_product(infinity())   a Line<>
-//   squared_distance(a, b)                         5 multiplications and the weights
-//   s.regressive_product(t)                        the Circle<> that two spheres share, real or imaginary
+//   squared_distance(a, b)                         5 multiplications, and the weights
+//   s.regressive_product(t)                        the Circle<> in which two spheres meet, real or imaginary
 //   moved(line, motor)                             a Line<> again (motion.hpp)
 //
-// Nothing is checked here: what may be degenerate or broken goes through construct.hpp, incidence.hpp and
-// classify.hpp, as Multivector.
+// Nothing is checked here. For input that may be degenerate or invalid, use Multivector with construct.hpp, incidence.hpp and
+// classify.hpp.
 
 namespace cga::typed {
 
@@ -28,10 +28,10 @@ namespace cga::typed {
 
 inline constexpr BladeSet INFINITY_BLADE = BladeSet(1) << E4;
 
-// Rounds, and everything else of their grade: 5 or 10 coefficients.
+// Rounds, and any other element of their grade: 5 or 10 coefficients.
 template <int GRADE, class T = double>
 using Round = Sparse<blades_of_grade(GRADE), T>;
-// Of a grade, what e_inf is a factor of: 4 or 6 coefficients.
+// Elements of a grade with the factor e_inf: 4 or 6 coefficients.
 template <int GRADE, class T = double>
 using Flat = Sparse<product_blades(Product::OUTER, blades_of_grade(GRADE - 1), INFINITY_BLADE), T>;
 
@@ -56,7 +56,7 @@ template <class T = double>
 	return { { T(1) } };
 }
 
-// e_o + c + (c^2 - r^2)/2 e_inf: minus the dual of a sphere; a point where r = 0.
+// e_o + c + (c^2 - r^2)/2 e_inf: minus the dual of a sphere; a point if r = 0.
 template <class T>
 [[nodiscard]] constexpr Round<1, T> dual_sphere(const Vector3<T> &center, T radius) noexcept {
 	Round<1, T> result;
@@ -90,25 +90,25 @@ template <class T>
 	return dual.dual();
 }
 
-// Of a point of any weight but zero.
+// The position of a point of any weight but zero.
 template <class T>
 [[nodiscard]] constexpr Vector3<T> position_of(const Point<T> &point) noexcept {
 	return Vector3<T>(point.template at<E1>(), point.template at<E2>(), point.template at<E3>()) / point.template at<E5>();
 }
 
-// -2 a . b, of points of any weight but zero. It is a difference of squares of their distances from the origin.
+// -2 a . b, for points of any weight but zero. Far from the origin it loses digits: it is a difference of squares.
 template <class T>
 [[nodiscard]] constexpr T squared_distance(const Point<T> &a, const Point<T> &b) noexcept {
 	return T(-2) * a.scalar_product(b) / (a.template at<E5>() * b.template at<E5>());
 }
 
-// X e_inf X is the centre, up to weight. Not of flats.
+// X e_inf X is the center, up to weight. Not defined for flats.
 template <BladeSet BLADES, class T>
 [[nodiscard]] constexpr Vector3<T> center(const Sparse<BLADES, T> &round) noexcept {
 	return position_of(multiply_into<blades_of_grade(1), Product::GEOMETRIC>(round.geometric_product(infinity<T>()), round));
 }
 
-// X gradeinv(X) / (e_inf . X)^2; negative for imaginary rounds. Not of flats.
+// X gradeinv(X) / (e_inf . X)^2; negative for imaginary rounds. Not defined for flats.
 template <BladeSet BLADES, class T>
 [[nodiscard]] constexpr T squared_radius(const Sparse<BLADES, T> &round) noexcept {
 	const auto carrier = infinity<T>().left_contraction(round);

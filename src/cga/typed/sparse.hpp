@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
-// Multivectors that hold only the coefficients that their type can have: a line 6, a sphere 5, a motor 12 of the 32.
+// Multivectors that store only the coefficients of their type: a line 6, a sphere 5, a motor 12 of the 32.
 //
-// The type of a product follows from the types of its factors, and its code is straight: one multiplication for each
-// pair of coefficients that meets in the result, no branch, no loop, nothing that is always zero. Coefficients are those
-// of e_inf and e_o, not of e4 and e5, so that flats are sparse and what is far away keeps its digits.
+// The type of a product follows from the types of its factors, and its code is straight-line: one multiplication for each term
+// that can be other than zero, no branch, no loop. Coefficients are those of e_inf and e_o, not of e4 and e5: flats are then
+// sparse, and objects far from the origin keep their precision.
 //
-// Methods are named as Multivector's, which every element converts to and from.
+// Methods have the names of Multivector's; every element converts to and from Multivector.
 
 namespace cga::typed {
 
@@ -53,7 +53,7 @@ public:
 		return coefficients[slot_of(SET, INDEX)];
 	}
 
-	// Empty if `x` has other blades, larger than `tolerance` times its largest coefficient in the null basis, or is not
+	// Empty if `x` has a coefficient of another blade above `tolerance` times its largest one (in the null basis), or is not
 	// finite.
 	[[nodiscard]] static std::optional<Sparse> from(const Multivector &x, double tolerance = 1e-10);
 	[[nodiscard]] Multivector to_multivector() const;
@@ -72,7 +72,7 @@ public:
 	[[nodiscard]] constexpr auto commutator_product(const Sparse<RIGHT, T> &right) const noexcept { return multiply<Product::COMMUTATOR>(*this, right); }
 	template <BladeSet RIGHT>
 	[[nodiscard]] constexpr T scalar_product(const Sparse<RIGHT, T> &right) const noexcept { return multiply_into<1u, Product::SCALAR>(*this, right).coefficients[0]; }
-	// undual(dual(A) ^ dual(B)): the meet of what spans the whole space together.
+	// undual(dual(A) ^ dual(B)): the meet of blades that together span the whole space.
 	template <BladeSet RIGHT>
 	[[nodiscard]] constexpr auto regressive_product(const Sparse<RIGHT, T> &right) const noexcept { return dual().outer_product(right.dual()).undual(); }
 

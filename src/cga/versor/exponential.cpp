@@ -13,7 +13,7 @@ namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
 
-// exp of a bivector: `even` + `odd` B.
+// exp(B) = even + odd B of a bivector B.
 struct Parts {
 	StudyNumber even;
 	StudyNumber odd;
@@ -93,9 +93,9 @@ Multivector exp_of_bivector(const Multivector &bivector) {
 	return Multivector::scalar(parts.even.number) + w * parts.even.four + parts.odd.times(bivector, w).grade(2);
 }
 
-// The series of any element, of its 2^-n-th part, squared n times.
+// The series of x / 2^n, squared n times.
 Multivector exp_by_series(const Multivector &x) {
-	double sum_of_sizes = 0.0; // no product can make more of it than this
+	double sum_of_sizes = 0.0; // bounds the growth of a coefficient by one multiplication
 	for (const double coefficient : x.coefficients()) {
 		sum_of_sizes += std::abs(coefficient);
 	}

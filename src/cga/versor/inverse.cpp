@@ -20,7 +20,7 @@ double euclidean_norm(const Multivector &x) {
 	return std::sqrt(sum);
 }
 
-// Of an element whose largest coefficient is about 1. Empty if it is singular.
+// The inverse of an element whose largest coefficient is about 1. Empty if it is singular.
 std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 	const std::optional<ComplexMatrix> matrix = inverse_matrix(to_matrix(x));
 	if (!matrix) {
@@ -30,7 +30,7 @@ std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 	if (!(euclidean_norm(x) * euclidean_norm(inverse) <= MAX_CONDITION)) {
 		return std::nullopt;
 	}
-	// One of Newton's steps, Y (2 - X Y), takes away what the elimination left.
+	// One Newton step, Y (2 - X Y), removes the error of the elimination.
 	return inverse.geometric_product(Multivector::scalar(2.0) - x.geometric_product(inverse));
 }
 
@@ -51,7 +51,7 @@ MultivectorResult inverse(const Multivector &x) {
 		inverse = inverse_by_matrix(scaled);
 	}
 	if (!inverse) {
-		// Motors that carry far have large coefficients that cancel: only their minimal form tells them from null ones.
+		// Motors with a large translation have large coefficients that cancel: only the minimal form tells them from null elements.
 		if (const std::optional<Motor<double>> motor = to_motor(scaled)) {
 			if (const std::optional<Motor<double>> reverse = motor->inverse()) {
 				inverse = to_multivector(*reverse);

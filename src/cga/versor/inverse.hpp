@@ -7,9 +7,9 @@ namespace cga {
 
 // X^-1 of any invertible element, X X^-1 = X^-1 X = 1.
 //
-// Motors of any weight, versors and blades by X~ / (X X~), all others as 4 x 4 complex matrices (complex_matrix.hpp).
-// An error where X is not finite, and where it has no inverse: X is taken for singular if |X| |X^-1| > 1e13, with |X|
-// the root of the sum of the squared coefficients, whatever the size of X. (An inverse beyond would have no digits.)
+// Versors (motors of any weight among them) and blades by X~ / (X X~), all others as 4 x 4 complex matrices
+// (complex_matrix.hpp). An error if X is not finite or has no inverse: X counts as singular if |X| |X^-1| > 1e13, |X| being the
+// Euclidean norm of the coefficients. (An inverse beyond that would have no correct digits.)
 MultivectorResult inverse(const Multivector &x);
 
 } // namespace cga

@@ -6,7 +6,7 @@ namespace cga {
 
 bool is_versor(const Multivector &x, double tolerance) {
 	const bool of_one_parity = x.is_even(tolerance) || x.is_odd(tolerance);
-	// Motors that carry far have large coefficients that cancel: only their minimal form tells them from null ones.
+	// Motors with a large translation have large coefficients that cancel: only the minimal form tells them from null elements.
 	return (of_one_parity && x.inverse_of_versor(tolerance)) || is_motor(x, tolerance);
 }
 

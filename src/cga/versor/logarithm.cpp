@@ -15,10 +15,10 @@ namespace {
 
 constexpr double LN_2 = 0.693147180559945309417;
 
-// A weight this near to 1 is 1, rounded.
+// A weight this close to 1 counts as 1.
 constexpr double WEIGHT_ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
 
-// To be a motor, within rounding; others go the general way, which knows no tolerance.
+// The tolerance within which a versor counts as a motor; all others take the general path, which has no tolerance.
 constexpr double MOTOR_ROUNDING = 1e-13;
 
 // ln(weight 2^exponent)
@@ -27,14 +27,14 @@ double log_of_weight(double weight, int exponent) {
 	return std::abs(whole - 1.0) <= WEIGHT_ROUNDING ? 0.0 : std::log(weight) + exponent * LN_2;
 }
 
-// Three planes of the space of J (of grade 4, J^2 = 1), across each other two by two.
+// Three pairwise orthogonal planes in the space of J (grade 4, J^2 = 1).
 //
-// J's space is what is across the vector J I^-1 = (x, y, z, w, e5's part). The vectors (-y, x, -w, z), (-z, w, x, -y) and
-// (-w, -z, y, x) are across it, across each other, and free of e5: no coefficient is above 1.
+// J's space is orthogonal to the vector J I^-1 = (x, y, z, w, e5's part). The vectors (-y, x, -w, z), (-z, w, x, -y) and
+// (-w, -z, y, x) are orthogonal to it and to each other, and have no part of e5: no coefficient is above 1.
 std::array<Multivector, 3> planes_of(const Multivector &j) {
 	const Multivector normal = j.dual();
 	const bool along_e5 = normal == normal[E5] * Multivector::basis_blade(E5);
-	const double x = along_e5 ? 1.0 : normal[E1]; // any do then
+	const double x = along_e5 ? 1.0 : normal[E1]; // any vectors do then
 	const double y = normal[E2];
 	const double z = normal[E3];
 	const double w = normal[E4];
@@ -51,9 +51,9 @@ std::array<Multivector, 3> planes_of(const Multivector &j) {
 // Of M = J + a little, J = M_4 / |M_4|, where h(M_0 + M_4) is near its pole. M_2 falls apart into its halves
 // K = M_2 (1 +- J) / 2, and with cos(v), cos(u) = M_0 +- |M_4| the logarithm into v K_v / sin(v) + u K_u / sin(u).
 //
-// sin(u) is small, so that K_u is made anew of the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
-// sin(u) = |c|. Rounding in c then turns the planes of rotation, which matters little, but leaves them planes. With
-// c = 0 all planes are as good.
+// sin(u) is small, so that K_u is recomposed from the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
+// sin(u) = |c|. Rounding of c then rotates the planes of rotation, which matters little, but keeps them planes. For c = 0, any
+// plane is valid.
 Multivector log_near_double_half_turn(double number, const Multivector &bivector, const Multivector &four, double length) {
 	const Multivector j = four * (1.0 / length);
 	const Multivector turned = bivector.geometric_product(j).grade(2);
@@ -98,9 +98,9 @@ MultivectorResult log(const Multivector &versor) {
 	// At unit size, squares neither overflow nor vanish.
 	const int exponent = std::ilogb(versor.max_abs());
 	const Multivector scaled = versor.times_power_of_two(-exponent);
-	const bool versor_of_some_kind = is_versor(scaled);
+	const bool is_a_versor = is_versor(scaled);
 	std::optional<WeightedMotorLog> motor = motor_log(scaled, MOTOR_ROUNDING);
-	if (!motor && !versor_of_some_kind) {
+	if (!motor && !is_a_versor) {
 		return AlgebraError::NOT_A_VERSOR;
 	}
 	if (!motor && scaled.is_odd()) {

@@ -5,23 +5,23 @@
 
 namespace cga {
 
-// The principal logarithm of an even versor with M M~ > 0: a bivector, with ln |M| as scalar part beside it where the
-// weight |M| = sqrt(M M~) is not 1 within rounding (1.4e-14). exp(log(M)) = M, or -M.
+// The principal logarithm of an even versor with M M~ > 0: a bivector, plus the scalar ln |M| if the weight
+// |M| = sqrt(M M~) is not 1 within rounding (1.4e-14). exp(log(M)) = M, or -M.
 //
-// - M and -M act the same and have the same logarithm. Of the two, exp(log(M)) is the one whose scalar part is not
-//   negative: all rotations turn the short way round, by 0..pi. Where the scalar part is zero (half a turn) both ways
-//   are equally short, and exp(log(M)) = M.
+// - M and -M act the same and have the same logarithm. exp(log(M)) is the one of the two whose scalar part is not negative:
+//   all rotations take the shorter direction, by 0..pi. If the scalar part is zero (a half turn), both directions are equally
+//   short, and exp(log(M)) = M.
 // - Motors by motor_exp.hpp; transversions, products of reflections and inversions, and all other even versors by
 //   log(M) = M_2 h(M_0 + M_4), h(c) = arccos(c) / sqrt(1 - c^2), M of unit weight with parts M_k of grade k.
-// - The product of two half turns in planes across each other (M_4 alone, M_4^2 = 1) is one about any such pair of
-//   planes: one is chosen.
+// - The product of two half turns in orthogonal planes (M_4 alone, M_4^2 = 1) is the same for any such pair of planes: the
+//   function picks one pair.
 //
-// Motors to 1e-13 relative, wherever they carry. Other versors to about 1e-15 K^2, with K the largest coefficient at unit
-// weight: that is how well K's rounding lets the weight be known. (Spheres of radius 1 around places 3 m from the origin
-// make K about 600.)
+// Relative precision: 1e-13 for motors of any translation; for other versors about 1e-15 K^2, K being the largest coefficient at
+// unit weight, since its rounding limits how well the weight is known. (Inversions in spheres of radius 1 that are 3 m from the
+// origin give K of about 600.)
 //
-// Every such versor has one. An error for odd versors and for even ones with M M~ < 0, which no continuous motion
-// reaches; for what is no versor; for what is not finite.
+// Every such versor has a logarithm. An error for odd versors and even ones with M M~ < 0, which no continuous motion reaches,
+// for elements that are not versors, and for elements that are not finite.
 MultivectorResult log(const Multivector &versor);
 
 } // namespace cga

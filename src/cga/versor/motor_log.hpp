@@ -3,12 +3,12 @@
 #include "cga/motor/motor_exp.hpp"
 #include "cga/motor/motor_multivector.hpp"
 
-// exp and log between the general multivectors of motors and their bivectors. motor_exp.hpp does the work; the
-// dilation does not pass through the scale, nor through Motor's a and b, where one near 0 would lose its digits.
+// exp and log of motors as general multivectors, by motor_exp.hpp. The dilation is not computed from the scale or from a and b
+// of Motor, which would lose the digits of one near 0.
 
 namespace cga {
 
-// exp(L), of unit weight. Not finite where it leaves the range of double.
+// exp(L), of unit weight. Not finite if it leaves the range of double.
 [[nodiscard]] Multivector motor_exp(const MotorLog<double> &log);
 
 struct WeightedMotorLog {
@@ -16,8 +16,8 @@ struct WeightedMotorLog {
 	double weight = 1.0; // sqrt(M M~)
 };
 
-// The parts of log(M) of the shorter way round. Empty if `x` is no motor within `tolerance`, as to_motor()
-// has it and beyond: what is no motor's must be small beside the translation, not only beside the whole.
+// The parts of log(M), along the shorter rotation. Empty if `x` is not a motor within `tolerance`. This is stricter than
+// to_motor(): coefficients that motors lack must be small relative to the translation, not only to the whole.
 [[nodiscard]] std::optional<WeightedMotorLog> motor_log(const Multivector &x, double tolerance);
 
 } // namespace cga

@@ -14,7 +14,7 @@ constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 
 // With X X~ = a + b of grades 0 and 4, a > 0, and n = sqrt(a^2 - b^2):
 //   X' = (n + a - b) X / (n sqrt(2 (a + n)))
-// from the left. Empty where n is no positive number.
+// from the left. Empty unless n is a positive number.
 std::optional<Multivector> nearest_versor(const Multivector &x, double a, const Multivector &b) {
 	const double b_squared = b.scalar_product(b);
 	const double n_squared = a * a - b_squared;
@@ -44,7 +44,7 @@ MultivectorResult normalized(const Multivector &x) {
 	}
 	const double rounding = ROUNDING * sum_of_squares;
 	if (std::abs(weight) <= rounding) {
-		// A motor that carries far has large coefficients that cancel: its minimal form has its weight.
+		// The coefficients of a motor with a large translation cancel: the minimal form gives its weight.
 		const std::optional<Motor<double>> motor = to_motor(unit);
 		const double motor_weight = motor ? motor->norm_squared() : 0.0;
 		if (!(motor_weight > std::numeric_limits<double>::min())) {

@@ -12,7 +12,7 @@ namespace cga {
 
 namespace {
 
-// Whole exponents beyond are all even, and no product of so many factors has digits left.
+// All integers beyond this are even, and a product of so many factors has no correct digits.
 constexpr double MAX_WHOLE_EXPONENT = 1e9;
 
 // V^n by repeated squaring, n >= 0.
@@ -30,7 +30,7 @@ Multivector whole_power(const Multivector &versor, long exponent) {
 	return result;
 }
 
-// Of a versor that has no logarithm, as its unit and its weight.
+// The power of a versor without a logarithm, from its unit versor and weight.
 MultivectorResult power_by_products(const Multivector &versor, double exponent) {
 	if (std::abs(exponent) > MAX_WHOLE_EXPONENT) {
 		return AlgebraError::EXPONENT_TOO_LARGE;

@@ -4,8 +4,8 @@
 
 namespace cga {
 
-// A number k + f W, W an element of grade 4 that the context gives and whose square is a number. These commute, with
-// each other and with the bivectors that they come from: B^2 of a bivector B is one, and so are the even powers of B.
+// A number k + f W, where W is an element of grade 4, given by the context, whose square is a number. Study numbers commute
+// with each other and with the bivectors they come from: the even powers of a bivector B are Study numbers.
 struct StudyNumber {
 	double number = 0.0; // k
 	double four = 0.0; // f

@@ -1,6 +1,7 @@
 #include "godot/net/motor_codec.hpp"
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/net/packed_bytes.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -8,7 +9,6 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
-#include <cstring>
 
 namespace ga_godot {
 
@@ -22,7 +22,7 @@ using godot::TypedArray;
 using godot::vformat;
 
 void MotorCodec::set_position_tolerance(double meters) {
-	ERR_FAIL_COND_MSG(!std::isfinite(meters) || !(meters > 0.0), vformat("MotorCodec: position_tolerance is %f, but has to be a positive number of meters.", meters));
+	ERR_FAIL_COND_MSG(!std::isfinite(meters) || !(meters > 0.0), vformat("MotorCodec: position_tolerance is %f, but must be a positive number of meters.", meters));
 	_tolerance.position = float(meters);
 }
 
@@ -31,7 +31,7 @@ double MotorCodec::get_position_tolerance() const {
 }
 
 void MotorCodec::set_rotation_tolerance(double degrees) {
-	ERR_FAIL_COND_MSG(!std::isfinite(degrees) || !(float(degrees) >= net::MIN_ROTATION_TOLERANCE), vformat("MotorCodec: rotation_tolerance is %f, but has to be at least %f degrees.", degrees, net::MIN_ROTATION_TOLERANCE));
+	ERR_FAIL_COND_MSG(!std::isfinite(degrees) || !(float(degrees) >= net::MIN_ROTATION_TOLERANCE), vformat("MotorCodec: rotation_tolerance is %f, but must be at least %f degrees.", degrees, net::MIN_ROTATION_TOLERANCE));
 	_tolerance.rotation = float(degrees);
 }
 
@@ -52,12 +52,7 @@ PackedByteArray MotorCodec::encode(const PackedInt32Array &ids, const TypedArray
 	}
 	const net::CodecResult encoded = net::encode(_bodies.data(), _bodies.size(), _tolerance, _packet);
 	ERR_FAIL_COND_V_MSG(!encoded, PackedByteArray(), vformat("MotorCodec.encode: %s (index %d).", net::describe(encoded.error().fault), int64_t(encoded.error().index)));
-	PackedByteArray packet;
-	packet.resize(int64_t(_packet.size()));
-	if (!_packet.empty()) {
-		std::memcpy(packet.ptrw(), _packet.data(), _packet.size());
-	}
-	return packet;
+	return to_packed(_packet.data(), _packet.size());
 }
 
 Dictionary MotorCodec::decode(const PackedByteArray &packet) {

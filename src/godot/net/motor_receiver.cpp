@@ -1,6 +1,7 @@
 #include "godot/net/motor_receiver.hpp"
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -8,7 +9,6 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
-#include <cstring>
 
 namespace ga_godot {
 
@@ -29,7 +29,7 @@ void MotorReceiver::clear() {
 }
 
 void MotorReceiver::set_max_bodies(int64_t count) {
-	ERR_FAIL_COND_MSG(count < 1, vformat("MotorReceiver: max_bodies is %d, but has to be at least 1.", count));
+	ERR_FAIL_COND_MSG(count < 1, vformat("MotorReceiver: max_bodies is %d, but must be at least 1.", count));
 	ERR_FAIL_COND_MSG(_receiver.statistics().packets_received > 0, "MotorReceiver: set max_bodies before the first packet, or call clear() first.");
 	_max_bodies = count;
 	clear();
@@ -46,14 +46,9 @@ String MotorReceiver::accept(const PackedByteArray &packet, double now) {
 }
 
 PackedByteArray MotorReceiver::take_ack(double now) {
-	PackedByteArray packet;
-	ERR_FAIL_COND_V_MSG(!std::isfinite(now), packet, "MotorReceiver.take_ack: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!std::isfinite(now), PackedByteArray(), "MotorReceiver.take_ack: the time is not finite.");
 	_receiver.take_ack(_ack, now);
-	if (!_ack.empty()) {
-		packet.resize(int64_t(_ack.size()));
-		std::memcpy(packet.ptrw(), _ack.data(), _ack.size());
-	}
-	return packet;
+	return to_packed(_ack.data(), _ack.size());
 }
 
 bool MotorReceiver::is_ready() const {

@@ -1,8 +1,7 @@
 #include "godot/net/motor_sender.hpp"
 
+#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
-
-#include <cstring>
 
 namespace ga_godot {
 
@@ -24,7 +23,7 @@ static bool is_receiver(int64_t receiver) {
 }
 
 void MotorSender::set_ticks_per_second(double hertz) {
-	ERR_FAIL_COND_MSG(!is_positive(hertz), vformat("MotorSender: ticks_per_second is %f, but has to be positive.", hertz));
+	ERR_FAIL_COND_MSG(!is_positive(hertz), vformat("MotorSender: ticks_per_second is %f, but must be positive.", hertz));
 	_settings.tick = 1.0 / hertz;
 	settings_changed();
 }
@@ -38,7 +37,7 @@ void MotorSender::settings_changed() {
 }
 
 bool MotorSender::add_body(int64_t id, const Transform3D &transform) {
-	ERR_FAIL_COND_V_MSG(!is_body(id), false, vformat("MotorSender.add_body: id is %d, but has to be 0 to 2147483647.", id));
+	ERR_FAIL_COND_V_MSG(!is_body(id), false, vformat("MotorSender.add_body: id is %d, but must be 0 to 2147483647.", id));
 	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(id)), false, vformat("MotorSender.add_body: body %d exists already.", id));
 	const PoseResult pose = pose_from_transform(transform);
 	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.add_body: the transform of body %d %s.", id, cga::describe(pose.error())));
@@ -73,7 +72,7 @@ bool MotorSender::teleport(int64_t id) {
 }
 
 void MotorSender::add_receiver(int64_t receiver, double time) {
-	ERR_FAIL_COND_MSG(!is_receiver(receiver), vformat("MotorSender.add_receiver: the receiver is %d, but has to be 0 to 4294967295.", receiver));
+	ERR_FAIL_COND_MSG(!is_receiver(receiver), vformat("MotorSender.add_receiver: the receiver is %d, but must be 0 to 4294967295.", receiver));
 	ERR_FAIL_COND_MSG(!std::isfinite(time), "MotorSender.add_receiver: the time is not finite.");
 	_sender.add_receiver(uint32_t(receiver), time);
 }
@@ -93,14 +92,9 @@ TypedArray<Dictionary> MotorSender::flush(double time) {
 	ERR_FAIL_COND_V_MSG(!std::isfinite(time), packets, "MotorSender.flush: the time is not finite.");
 	_sender.flush(time);
 	for (const net::OutgoingPacket &outgoing : _sender.packets()) {
-		PackedByteArray bytes;
-		bytes.resize(int64_t(outgoing.size));
-		if (outgoing.size > 0) {
-			std::memcpy(bytes.ptrw(), _sender.bytes() + outgoing.begin, outgoing.size);
-		}
 		Dictionary packet;
 		packet["receiver"] = int64_t(outgoing.receiver);
-		packet["bytes"] = bytes;
+		packet["bytes"] = to_packed(_sender.bytes() + outgoing.begin, outgoing.size);
 		packets.push_back(packet);
 	}
 	return packets;

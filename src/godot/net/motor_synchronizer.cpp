@@ -1,5 +1,6 @@
 #include "godot/net/motor_synchronizer.hpp"
 
+#include "godot/net/packed_bytes.hpp"
 #include "godot/net/setup_warnings.hpp"
 #include "net/session/path_hash.hpp"
 
@@ -12,9 +13,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 
-// The node's life, and its connection to the MultiplayerAPI.
+// The node's lifecycle, and its connection to the MultiplayerAPI.
 
 namespace ga_godot {
 
@@ -34,7 +34,7 @@ using godot::String;
 using godot::TypedArray;
 using godot::vformat;
 
-// After what moves the targets in a tick, before what reads them in a frame.
+// Runs after the scripts that move targets in a tick, and before those that read them in a frame.
 static constexpr int32_t AFTER_OTHERS = 1000;
 static constexpr int32_t BEFORE_OTHERS = -1000;
 static constexpr int64_t FRAMES_BETWEEN_CHECKS = 60;
@@ -72,6 +72,8 @@ void MotorSynchronizer::_notification(int what) {
 			} else {
 				watch_warnings();
 			}
+			break;
+		default:
 			break;
 	}
 }
@@ -228,7 +230,7 @@ void MotorSynchronizer::update_key() {
 	}
 }
 
-/// Tells all peers that this node is removed or renamed.
+/// Notifies all peers that this node is removed or renamed.
 void MotorSynchronizer::close_session() {
 	if (!_session.is_connected() || _api->get_multiplayer_peer().is_null() || _api->get_multiplayer_peer()->get_connection_status() != MultiplayerPeer::CONNECTION_CONNECTED) {
 		return;
@@ -240,10 +242,7 @@ void MotorSynchronizer::close_session() {
 
 void MotorSynchronizer::send_packets() {
 	_session.outbox().drain([this](const net::Outbox::Packet &packet, const uint8_t *bytes) {
-		PackedByteArray message;
-		message.resize(int64_t(packet.size));
-		std::memcpy(message.ptrw(), bytes, packet.size);
-		_api->send_bytes(message, packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, int32_t(_channel));
+		_api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, int32_t(_channel));
 	});
 }
 
@@ -282,7 +281,7 @@ PackedStringArray MotorSynchronizer::_get_configuration_warnings() const {
 	return get_setup_warnings();
 }
 
-/// In the editor, which does not report when groups and other nodes change.
+/// Updates the warnings in the editor, which does not report changes of groups and other nodes.
 void MotorSynchronizer::watch_warnings() {
 	if (--_frames_to_check > 0) {
 		return;

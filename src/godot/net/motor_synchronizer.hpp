@@ -25,8 +25,8 @@ namespace ga_godot {
 
 /// Replicates the poses of nodes between peers; doc_classes/MotorSynchronizer.xml documents it.
 ///
-/// The node maps nodes to bodies and connects a net::Session to the engine: each physics tick it passes the poses of the
-/// nodes it is the authority of to the session, each frame it moves the others.
+/// The synchronizer maps nodes to bodies and connects a net::Session to the engine. In each physics tick it passes the poses
+/// of the nodes that this peer is the authority of to the session; in each frame it moves the other nodes.
 class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer> {
 	GDCLASS(MotorSynchronizer, godot::Node)
 	friend class StreamProperties<MotorSynchronizer>;
@@ -59,7 +59,7 @@ protected:
 	void _notification(int what);
 
 private:
-	// Life of the node
+	// Lifecycle
 	void start();
 	void stop();
 	void physics_tick();
@@ -93,15 +93,15 @@ private:
 	TargetSelection _selection;
 	int64_t _channel = 0;
 	std::vector<Target> _targets;
-	std::vector<uint64_t> _found; // by the last search; empty if _targets has changed since
+	std::vector<uint64_t> _found; // ids found by the last search; empty if _targets has changed since
 	std::unordered_map<uint32_t, uint64_t> _node_of_body;
-	std::vector<uint64_t> _refused; // reported: their paths have the same hash as another target's
+	std::vector<uint64_t> _refused; // nodes reported because their paths have the same hash as another target's
 
 	net::Session _session{ _settings };
 	godot::Ref<godot::SceneMultiplayer> _api;
 	uint64_t _transport = 0; // instance id of the MultiplayerPeer
-	bool _is_api_reported = false; // the MultiplayerAPI is not supported
-	godot::String _root; // path of the MultiplayerAPI's root, with a slash at its end
+	bool _is_api_reported = false; // as not supported
+	godot::String _root; // path of the MultiplayerAPI's root, with a trailing slash
 	bool _are_names_stale = false;
 	bool _is_running = false;
 

@@ -2,7 +2,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
-// What the inspector and scripts see.
+// Properties, methods and signals.
 
 namespace ga_godot {
 
@@ -22,7 +22,7 @@ void MotorSynchronizer::set_target_group(const StringName &group) {
 }
 
 void MotorSynchronizer::set_channel(int64_t channel) {
-	ERR_FAIL_COND_MSG(channel < 0 || channel > 255, vformat("MotorSynchronizer: channel is %d, but has to be 0 to 255.", channel));
+	ERR_FAIL_COND_MSG(channel < 0 || channel > 255, vformat("MotorSynchronizer: channel is %d, but must be 0 to 255.", channel));
 	_channel = channel;
 }
 
@@ -53,7 +53,7 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
 
-	// Called by the engine's signals and its debugger.
+	// Callbacks of the engine's signals and monitors.
 	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
 	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
 	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);

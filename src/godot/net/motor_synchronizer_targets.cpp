@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-// From nodes to bodies and back.
+// Maps nodes to bodies and back.
 
 namespace ga_godot {
 
@@ -63,7 +63,7 @@ void MotorSynchronizer::teleport(Node3D *node) {
 }
 
 void MotorSynchronizer::refresh_targets() {
-	// Before the first tick nodes may still be about to enter, and the multiplayer root is not known.
+	// Before the first tick, nodes may still be entering the tree, and the multiplayer root is unknown.
 	if (_api.is_null() || !_selection.is_refresh_due(*this)) {
 		return;
 	}
@@ -95,7 +95,7 @@ void MotorSynchronizer::refresh_targets() {
 			added.push_back(id);
 		}
 	}
-	// Last, as handlers may change anything.
+	// Last: the handlers may change anything.
 	for (const uint64_t id : removed) {
 		if (Node3D *node = find_node(id)) {
 			emit_signal("target_removed", node);
@@ -108,7 +108,7 @@ void MotorSynchronizer::refresh_targets() {
 	}
 }
 
-/// False if another target has the body, which is reported once.
+/// Returns false, and reports it once, if another target has the same body.
 bool MotorSynchronizer::claim_body(const Target &target) {
 	const auto [holder, is_claimed] = _node_of_body.emplace(target.body, target.node);
 	const auto refused = std::find(_refused.begin(), _refused.end(), target.node);
@@ -128,13 +128,13 @@ bool MotorSynchronizer::claim_body(const Target &target) {
 
 void MotorSynchronizer::end_target(size_t index) {
 	Target &target = _targets[index];
-	_session.remove_body(target.body);
 	target.release();
 	if (Node3D *node = find_node(target.node)) {
 		node->disconnect("tree_exiting", Callable(this, "_on_target_exiting"));
 	}
 	const auto holder = _node_of_body.find(target.body);
 	if (holder != _node_of_body.end() && holder->second == target.node) {
+		_session.remove_body(target.body);
 		_node_of_body.erase(holder);
 	}
 	_targets[index] = _targets.back();
@@ -142,7 +142,7 @@ void MotorSynchronizer::end_target(size_t index) {
 	_found.clear();
 }
 
-/// The name of a target, or of a node above it, has changed, and with it the body.
+/// Updates the bodies after a target, or a node above it, was renamed: a body is the hash of a path.
 void MotorSynchronizer::rename_targets() {
 	_are_names_stale = false;
 	update_key();
@@ -185,7 +185,9 @@ void MotorSynchronizer::sample_targets() {
 		const auto pose = target.read_pose(transform, get_path());
 		if (!pose) {
 			_session.observe(target.body);
-		} else if (!_session.observe(target.body, *pose)) {
+		} else if (_session.observe(target.body, *pose)) {
+			target.clear_fault();
+		} else {
 			target.report_out_of_range(get_path());
 		}
 	}
@@ -215,7 +217,7 @@ void MotorSynchronizer::_on_target_exiting(int64_t id) {
 		return;
 	}
 	end_target(size_t(target - _targets.data()));
-	// It may be moving to another place.
+	// Its parent may be changing.
 	_selection.invalidate();
 	emit_signal("target_removed", find_node(uint64_t(id)));
 }

@@ -14,14 +14,14 @@ template <class Self>
 class PlaybackProperties {
 public:
 	void set_min_delay(double seconds) {
-		ERR_FAIL_COND_MSG(!is_duration(seconds), godot::vformat("%s: min_delay is %f, but has to be at least 0 seconds.", Self::get_class_static(), seconds));
+		ERR_FAIL_COND_MSG(!is_duration(seconds), godot::vformat("%s: min_delay is %f, but must be at least 0 seconds.", Self::get_class_static(), seconds));
 		_min_delay = seconds;
 		static_cast<Self *>(this)->limits_changed();
 	}
 	double get_min_delay() const { return _min_delay; }
 
 	void set_jitter_allowance(double seconds) {
-		ERR_FAIL_COND_MSG(!is_duration(seconds), godot::vformat("%s: jitter_allowance is %f, but has to be at least 0 seconds.", Self::get_class_static(), seconds));
+		ERR_FAIL_COND_MSG(!is_duration(seconds), godot::vformat("%s: jitter_allowance is %f, but must be at least 0 seconds.", Self::get_class_static(), seconds));
 		_jitter_allowance = seconds;
 		static_cast<Self *>(this)->limits_changed();
 	}

@@ -26,7 +26,7 @@ using godot::vformat;
 
 static constexpr int64_t MAX_TARGET_FAULTS = 6;
 
-/// Properties of a Node3D that no other synchronizer may replicate as well.
+/// True if a property of a Node3D changes its pose. No other synchronizer may replicate it.
 static bool is_pose_property(const String &name) {
 	static constexpr const char *NAMES[] = { "transform", "position", "rotation", "rotation_degrees", "quaternion", "basis", "scale", "global_transform", "global_position", "global_rotation", "global_rotation_degrees", "global_basis" };
 	return std::any_of(std::begin(NAMES), std::end(NAMES), [&](const char *pose) { return name == String(pose); });
@@ -86,7 +86,7 @@ static void find_target_faults(const Node &synchronizer, const std::vector<const
 	const int64_t max_faults = faults.size() + MAX_TARGET_FAULTS;
 	for (const Node3D *node : nodes) {
 		if (faults.size() >= max_faults) {
-			faults.push_back("More targets have such faults.");
+			faults.push_back("Other targets have similar faults.");
 			return;
 		}
 		for (int64_t i = 0; i < others.size(); i++) {
@@ -112,7 +112,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 		faults.push_back("Nothing is replicated. Assign \"targets\", set \"target_group\", or call add_target() from a script.");
 	}
 	std::vector<const Node3D *> nodes;
-	const TypedArray<NodePath> paths = selection.paths();
+	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
 		if (const Node3D *node = Object::cast_to<Node3D>(path.is_empty() ? nullptr : synchronizer.get_node_or_null(path))) {
@@ -121,7 +121,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D.", i, path));
 		}
 	}
-	const StringName group = selection.group();
+	const StringName &group = selection.group();
 	if (group != StringName()) {
 		const size_t before = nodes.size();
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(group);
@@ -131,7 +131,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 			}
 		}
 		if (nodes.size() == before) {
-			faults.push_back(vformat("No Node3D of this scene is in the group \"%s\". That is correct only if all of them are spawned later.", group));
+			faults.push_back(vformat("No Node3D of this scene is in the group \"%s\". This is correct only if all of its members are spawned later.", group));
 		}
 	}
 	find_target_faults(synchronizer, nodes, faults);

@@ -7,10 +7,10 @@
 
 namespace ga_godot {
 
-/// The group that all MotorSynchronizers are in.
+/// The group of all MotorSynchronizers in the tree.
 inline constexpr const char *SYNCHRONIZER_GROUP = "_ga_godot_motor_synchronizers";
 
-/// What is wrong with the set-up of a MotorSynchronizer, as far as the scene shows it: a sentence or two for each fault.
+/// The faults in the setup of a MotorSynchronizer that the scene shows, one or two sentences each.
 [[nodiscard]] godot::PackedStringArray find_setup_faults(const godot::Node &synchronizer, const TargetSelection &selection);
 
 } // namespace ga_godot

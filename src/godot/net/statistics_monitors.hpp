@@ -10,8 +10,8 @@ namespace ga_godot {
 
 [[nodiscard]] godot::Dictionary to_dictionary(const net::SessionStatistics &statistics);
 
-/// The custom monitors of a node in the editor's debugger, "ga_godot/NAME/bytes_per_second" and so on. They call the node's
-/// method _get_monitor(key).
+/// The custom monitors of a node in the editor's debugger: "ga_godot/NAME/bytes_per_second" and so on. A monitor calls
+/// _get_monitor(key) of the node.
 class StatisticsMonitors {
 public:
 	void add(godot::Node *node);

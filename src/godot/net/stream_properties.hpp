@@ -18,31 +18,31 @@ template <class Self>
 class StreamProperties {
 public:
 	void set_position_tolerance(double meters) {
-		ERR_FAIL_COND_MSG(!is_positive(meters), godot::vformat("%s: position_tolerance is %f, but has to be a positive number of meters.", Self::get_class_static(), meters));
+		ERR_FAIL_COND_MSG(!is_positive(meters), godot::vformat("%s: position_tolerance is %f, but must be a positive number of meters.", Self::get_class_static(), meters));
 		set(_settings.position_tolerance, meters);
 	}
 	double get_position_tolerance() const { return _settings.position_tolerance; }
 
 	void set_rotation_tolerance(double degrees) {
-		ERR_FAIL_COND_MSG(!is_positive(degrees), godot::vformat("%s: rotation_tolerance is %f, but has to be a positive number of degrees.", Self::get_class_static(), degrees));
+		ERR_FAIL_COND_MSG(!is_positive(degrees), godot::vformat("%s: rotation_tolerance is %f, but must be a positive number of degrees.", Self::get_class_static(), degrees));
 		set(_settings.rotation_tolerance, degrees);
 	}
 	double get_rotation_tolerance() const { return _settings.rotation_tolerance; }
 
 	void set_max_latency(double seconds) {
-		ERR_FAIL_COND_MSG(!is_positive(seconds), godot::vformat("%s: max_latency is %f, but has to be a positive number of seconds.", Self::get_class_static(), seconds));
+		ERR_FAIL_COND_MSG(!is_positive(seconds), godot::vformat("%s: max_latency is %f, but must be a positive number of seconds.", Self::get_class_static(), seconds));
 		set(_settings.max_latency, seconds);
 	}
 	double get_max_latency() const { return _settings.max_latency; }
 
 	void set_send_rate(double hertz) {
-		ERR_FAIL_COND_MSG(!is_positive(hertz), godot::vformat("%s: send_rate is %f, but has to be a positive number of packets per second.", Self::get_class_static(), hertz));
+		ERR_FAIL_COND_MSG(!is_positive(hertz), godot::vformat("%s: send_rate is %f, but must be a positive number of packets per second.", Self::get_class_static(), hertz));
 		set(_settings.send_rate, hertz);
 	}
 	double get_send_rate() const { return _settings.send_rate; }
 
 	void set_mode(MultivectorLerp::Mode mode) {
-		ERR_FAIL_COND_MSG(!is_mode(mode), godot::vformat("%s: mode is %d, but has to be LINEAR (0), SCREW (1) or SEPARATE (2).", Self::get_class_static(), int64_t(mode)));
+		ERR_FAIL_COND_MSG(!is_mode(mode), godot::vformat("%s: mode is %d, but must be LINEAR (0), SCREW (1) or SEPARATE (2).", Self::get_class_static(), int64_t(mode)));
 		set(_settings.mode, cga::Mode(mode));
 	}
 	MultivectorLerp::Mode get_mode() const { return MultivectorLerp::Mode(_settings.mode); }
@@ -73,7 +73,7 @@ private:
 		}
 	}
 
-	/// The pointers to this class's methods become ones to Self's, which is the class that scripts know.
+	/// Binds methods of this base class as methods of Self, the registered class.
 	template <class T>
 	static void bind_property(const char *name, const char *argument, void (Self::*setter)(T), T (Self::*getter)() const, const godot::PropertyInfo &info) {
 		const godot::String setter_name = godot::vformat("set_%s", name);

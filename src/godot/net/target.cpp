@@ -36,7 +36,6 @@ std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform,
 		_is_non_uniform = true;
 		WARN_PRINT(vformat("MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see the nearest uniform scale. Scale a child node instead.", synchronizer, find_node(node)->get_path()));
 	}
-	_is_faulty = false;
 	return *pose;
 }
 

@@ -28,14 +28,16 @@ public:
 	void forget_transform() { _is_sampled = false; }
 	/// True if the node is where it was at the last `read_pose`.
 	[[nodiscard]] bool is_unchanged(const godot::Transform3D &transform) const { return _is_sampled && transform == _transform; }
-	/// The pose of a transform. Reports a transform that has none, or a scale that is not uniform, the first time.
+	/// The pose of the node's current transform. Reports, once each, a transform that is not a pose, and a non-uniform scale.
 	[[nodiscard]] std::optional<cga::Pose<double>> read_pose(const godot::Transform3D &transform, const godot::String &synchronizer);
-	/// Reports, the first time, that the pose is out of range for a stream.
+	/// Reports once that the pose is out of range for a stream.
 	void report_out_of_range(const godot::String &synchronizer);
+	/// The stream has a new pose: the next fault is reported again.
+	void clear_fault() { _is_faulty = false; }
 
-	/// Moves the node as its stream says.
+	/// Sets the node's transform to the one shown by its stream.
 	void place(const godot::Transform3D &transform, bool is_physics_interpolated);
-	/// The stream stops moving the node.
+	/// Restores what `place` changed about the node, except its transform.
 	void release();
 
 private:
@@ -43,8 +45,8 @@ private:
 
 	godot::Transform3D _transform; // of the last sample
 	bool _is_sampled = false;
-	bool _is_faulty = false; // reported: the transform is not a pose
-	bool _is_non_uniform = false; // reported: the scale
+	bool _is_faulty = false; // a fault of the transform has been reported
+	bool _is_non_uniform = false; // a non-uniform scale has been reported
 	int32_t _own_interpolation = -1; // physics_interpolation_mode before the stream moved the node
 };
 

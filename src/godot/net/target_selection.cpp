@@ -17,7 +17,7 @@ using godot::String;
 using godot::StringName;
 using godot::TypedArray;
 
-// The engine does not report when a node joins or leaves a group: each tick compares the number of members, and every few
+// The engine does not report when a node joins or leaves a group. So each tick compares the number of members, and every few
 // ticks the members themselves.
 static constexpr int64_t TICKS_BETWEEN_REFRESHES = 15;
 

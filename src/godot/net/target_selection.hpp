@@ -11,7 +11,7 @@
 
 namespace ga_godot {
 
-/// Which nodes a MotorSynchronizer replicates: by path, by group, and by add_target and remove_target.
+/// Selects the nodes that a MotorSynchronizer replicates: by path, by group, and by add_target and remove_target.
 class TargetSelection {
 public:
 	void set_paths(const godot::TypedArray<godot::NodePath> &paths);
@@ -25,7 +25,7 @@ public:
 	/// True if the paths, the group or add() select the node.
 	[[nodiscard]] bool selects(const godot::Node &synchronizer, const godot::Node3D *node) const;
 
-	/// The next `is_refresh_due` is true.
+	/// Makes the next `is_refresh_due` return true.
 	void invalidate() { _is_stale = true; }
 	/// True if the selected nodes may have changed. Call it once a tick.
 	[[nodiscard]] bool is_refresh_due(const godot::Node &synchronizer);

@@ -160,7 +160,7 @@ void SegmentFit::round_end(const double displacement[6], SegmentCode &code) cons
 bool SegmentFit::try_code(const SegmentCode &code, float limit, Result &result) const {
 	result.code = code;
 	for (int group = 0; group < 2; ++group) {
-		const int32_t *curvature = code.curvature + 3 * group;
+		const int32_t *curvature = code.curvature + ptrdiff_t(3) * group;
 		result.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
 	}
 	result.error = error_of(SegmentSteps(_predicted, result.code), limit);

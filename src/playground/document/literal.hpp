@@ -34,7 +34,6 @@ public:
 	[[nodiscard]] std::string_view text(size_t index) const { return _text.substr(_first[index].offset, _first[index].length); }
 	[[nodiscard]] std::string_view text() const;
 	[[nodiscard]] TextSpan span() const;
-	[[nodiscard]] std::string_view whole_text() const { return _text; }
 	[[nodiscard]] bool is(size_t index, TokenKind kind) const { return index < size() && _first[index].kind == kind; }
 
 	// If the range is a single call `name(...)`, the ranges of its arguments; otherwise empty.

@@ -76,7 +76,7 @@ int term_count(cga::Product product) {
 	const cga::SignTable signs = cga::make_sign_table(product);
 	int count = 0;
 	for (const auto &row : signs) {
-		for (const int8_t sign : row) {
+		for (const int sign : row) {
 			count += sign != 0;
 		}
 	}

@@ -4,7 +4,8 @@ extends Checks
 var values: SampleValues = SampleValues.new()
 
 
-## Calls without the checks that the parser makes, and without an error line: the error as Expression reports it.
+## Calls without the checks that the parser makes, and without an error line: the error as
+## Expression reports it.
 func misfit(text: String) -> bool:
 	var expression := Expression.new()
 	same(expression.parse(text, ["values"]), OK)
@@ -32,12 +33,12 @@ func check_enums_and_constants() -> void:
 	same(SampleValues.BLUE as int, 40)
 	same(SampleValues.LIMIT, 1000)
 	same(
-		ClassDB.class_get_enum_constants("SampleValues", "Colour", true),
+		ClassDB.class_get_enum_constants("SampleValues", "Hue", true),
 		PackedStringArray(["RED", "GREEN", "BLUE"])
 	)
-	same(ClassDB.class_get_integer_constant_enum("SampleValues", "GREEN"), &"Colour")
-	same(ClassDB.class_get_enum_list("SampleValues", true), PackedStringArray(["Colour"]))
-	same(method_of("SampleValues", "mix")["args"][0]["class_name"], &"SampleValues.Colour")
+	same(ClassDB.class_get_integer_constant_enum("SampleValues", "GREEN"), &"Hue")
+	same(ClassDB.class_get_enum_list("SampleValues", true), PackedStringArray(["Hue"]))
+	same(method_of("SampleValues", "mix")["args"][0]["class_name"], &"SampleValues.Hue")
 
 
 func check_statics() -> void:
@@ -61,7 +62,7 @@ func check_wrong_types_of_arguments() -> void:
 	same(misfit("values.cross(1, 2)"), true)
 	same(misfit("values.cross(Vector3(), Vector2())"), true)
 	same(misfit('values.floats("text")'), true)
-	same(misfit("values.summarise({})"), true)
+	same(misfit("values.summarize({})"), true)
 	# An object of another class is refused by bindings/ and arrives as null with godot-cpp.
 	for method: String in ["describe_note", "describe_node"]:
 		var expression := Expression.new()
@@ -75,7 +76,10 @@ func check_wrong_types_of_arguments() -> void:
 
 func check_what_callers_are_told() -> void:
 	expect_error(
-		"Invalid type in function 'cross (via call)' in base 'SampleValues'. Cannot convert argument 3 from String to Vector3."
+		(
+			"Invalid type in function 'cross (via call)' in base 'SampleValues'."
+			+ " Cannot convert argument 3 from String to Vector3."
+		)
 	)
 	call_wrongly(&"cross", [Vector3.UP, "up"])
 	expect_error(

@@ -1,4 +1,5 @@
-## What the engine knows about the classes: properties, hints, hierarchy, types of arguments and results.
+## What the engine knows about the classes: properties, hints, hierarchy, types of arguments and
+## results.
 extends Checks
 
 

@@ -111,7 +111,7 @@ func check_transforms() -> void:
 
 func check_scripts_of_nodes() -> void:
 	var script := GDScript.new()
-	script.source_code = "extends SampleChild\nvar seen: int = 0\nfunc _ready() -> void:\n\tseen += 1\n"
+	script.source_code = "extends SampleChild\nvar seen := 0\nfunc _ready() -> void:\n\tseen += 1\n"
 	same(script.reload(), OK)
 	var node: SampleChild = script.new()
 	tree.root.add_child(node)

@@ -117,8 +117,8 @@ func check_variants() -> void:
 
 
 func check_containers() -> void:
-	same(values.summarise([1, 2.5, 3]), {"sum": 6.5, "reversed": [3, 2.5, 1], "first": 1})
-	same(values.summarise(), {"sum": 0.0, "reversed": [], "first": null})
+	same(values.summarize([1, 2.5, 3]), {"sum": 6.5, "reversed": [3, 2.5, 1], "first": 1})
+	same(values.summarize(), {"sum": 0.0, "reversed": [], "first": null})
 	same(values.keys_and_values({"a": 1, 2: [3]}), ["a", 1, 2, [3]])
 	same(values.keys_and_values({}), [])
 

@@ -1,4 +1,5 @@
-## Runs every check_ method of the files below against the sample extension and prints how many passed.
+## Runs every check_ method of the files below against the sample extension and prints how many
+## passed.
 extends SceneTree
 
 const FILES: Array[String] = [

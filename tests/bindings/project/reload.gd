@@ -1,4 +1,5 @@
-## Unloads the library and loads it again: nothing may stay behind. Names no class of it, which would hold it.
+## Unloads the library and loads it again: nothing may stay behind. Names no class of it, which
+## would hold it.
 extends SceneTree
 
 const EXTENSION: String = "res://sample.gdextension"
@@ -35,7 +36,8 @@ func _initialize() -> void:
 	quit()
 
 
-## Whether the system still has the library in this process. Line by line: the file does not tell its length.
+## Whether the system still has the library in this process. Line by line: the file does not tell
+## its length.
 func is_mapped() -> bool:
 	var maps: FileAccess = FileAccess.open("/proc/self/maps", FileAccess.READ)
 	while not maps.eof_reached():

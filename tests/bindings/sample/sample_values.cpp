@@ -122,7 +122,7 @@ Array SampleValues::measure(const Vector3 &a, const Vector3 &b, const Basis &bas
 	return Array{ a.dot(b), a.length(), a.distance_to(b), basis.determinant(), a.is_finite() && b.is_finite() && basis.is_finite(), a.is_equal_approx(b), b.normalized() };
 }
 
-SampleValues::Colour SampleValues::mix(Colour a, Colour b) const {
+SampleValues::Hue SampleValues::mix(Hue a, Hue b) const {
 	return a == b ? a : BLUE;
 }
 
@@ -134,7 +134,7 @@ String SampleValues::type_of(const Variant &value) const {
 	return Variant::get_type_name(value.get_type());
 }
 
-Dictionary SampleValues::summarise(const Array &numbers) const {
+Dictionary SampleValues::summarize(const Array &numbers) const {
 	double sum = 0;
 	Array reversed;
 	for (const Variant &number : numbers) {
@@ -343,7 +343,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("mix", "a", "b"), &SampleValues::mix);
 	ClassDB::bind_method(D_METHOD("echo", "value"), &SampleValues::echo, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("type_of", "value"), &SampleValues::type_of);
-	ClassDB::bind_method(D_METHOD("summarise", "numbers"), &SampleValues::summarise, DEFVAL(Array()));
+	ClassDB::bind_method(D_METHOD("summarize", "numbers"), &SampleValues::summarize, DEFVAL(Array()));
 	ClassDB::bind_method(D_METHOD("keys_and_values", "entries"), &SampleValues::keys_and_values);
 	ClassDB::bind_method(D_METHOD("bytes", "bytes"), &SampleValues::bytes);
 	ClassDB::bind_method(D_METHOD("ints", "ints"), &SampleValues::ints);

@@ -14,7 +14,7 @@ class SampleValues : public godot::RefCounted {
 	GDCLASS(SampleValues, godot::RefCounted)
 
 public:
-	enum Colour {
+	enum Hue {
 		RED = 1,
 		GREEN = 2,
 		BLUE = 40,
@@ -45,17 +45,17 @@ public:
 	godot::Color without_red(const godot::Color &color) const;
 	/// An id of the rendering server, made and freed here; whether it was valid.
 	bool make_rid() const;
-	/// Those of the vectors and colours of which there is one each, in one array.
+	/// Those of the vectors and colors of which there is one each, in one array.
 	godot::Array pack(const godot::PackedVector2Array &flat, const godot::PackedVector3Array &vectors, const godot::PackedColorArray &colors) const;
 	godot::Transform3D chain(const godot::Transform3D &a, const godot::Transform3D &b) const;
 	/// a.b, |a|, |a - b|, the determinant, whether all is finite and a nearly b, and b with length 1.
 	godot::Array measure(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Basis &basis) const;
-	Colour mix(Colour a, Colour b) const;
+	Hue mix(Hue a, Hue b) const;
 	godot::Variant echo(const godot::Variant &value) const;
 	godot::String type_of(const godot::Variant &value) const;
 
 	/// The sum, and the elements reversed, of an array that C++ walks over.
-	godot::Dictionary summarise(const godot::Array &numbers) const;
+	godot::Dictionary summarize(const godot::Array &numbers) const;
 	godot::Array keys_and_values(const godot::Dictionary &entries) const;
 	godot::PackedByteArray bytes(const godot::PackedByteArray &bytes) const;
 	godot::PackedInt32Array ints(const godot::PackedInt32Array &ints) const;
@@ -95,4 +95,4 @@ private:
 
 } // namespace bindings_sample
 
-VARIANT_ENUM_CAST(bindings_sample::SampleValues::Colour);
+VARIANT_ENUM_CAST(bindings_sample::SampleValues::Hue);

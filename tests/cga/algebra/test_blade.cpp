@@ -71,7 +71,7 @@ TEST_CASE("products of blades agree with sorting their vectors one swap at a tim
 	}
 }
 
-TEST_CASE("names in any order of digits carry the sign, others are refused") {
+TEST_CASE("names with digits in any order have a sign; other names are rejected") {
 	CHECK(parse_blade("e21")->index == blade_index("e12"));
 	CHECK(parse_blade("e21")->sign == -1);
 	CHECK(parse_blade("e312")->sign == 1);

@@ -42,7 +42,7 @@ TEST_CASE("the pseudoscalar is the imaginary unit") {
 	}
 }
 
-TEST_CASE("there and back, and products of random elements") {
+TEST_CASE("round trips and products of random elements") {
 	Random random(10);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const Multivector a = random.multivector();
@@ -52,7 +52,7 @@ TEST_CASE("there and back, and products of random elements") {
 	}
 }
 
-TEST_CASE("the inverse of a matrix, whichever rows and columns its pivots are in") {
+TEST_CASE("the inverse of a matrix, with pivots in any rows and columns") {
 	Random random(11);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		ComplexMatrix matrix = to_matrix(random.multivector());

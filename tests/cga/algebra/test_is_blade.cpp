@@ -41,7 +41,7 @@ TEST_CASE("outer products of vectors are blades, at any size; null ones too") {
 	CHECK(is_blade(blade("e1") * 5e-324));
 }
 
-TEST_CASE("sums of blades are not, but in grades 0, 1, 4 and 5") {
+TEST_CASE("sums of blades are not blades, except in grades 0, 1, 4 and 5") {
 	Random random(42);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const Multivector x = random.multivector();

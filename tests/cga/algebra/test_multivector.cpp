@@ -26,7 +26,7 @@ Multivector blade(const char *name) {
 	return *Multivector::basis(name);
 }
 
-// What a product of two elements is by its definition: parts of the geometric product, grade by grade.
+// A product of two elements by its definition: parts of the geometric product, grade by grade.
 template <class KeptGrade>
 Multivector by_grades(const Multivector &left, const Multivector &right, KeptGrade kept_grade) {
 	Multivector sum;
@@ -99,7 +99,7 @@ TEST_CASE("the commutator product is (A B - B A) / 2, the regressive product the
 	CHECK(blade("e12").commutator_product(blade("e3")) == Multivector());
 }
 
-TEST_CASE("products of motors that carry far are as precise as near the origin: e_inf e_inf cancels without rounding") {
+TEST_CASE("products of motors with large translations are as precise as near the origin: e_inf e_inf cancels without rounding") {
 	Random random(14);
 	for (const double distance : { 1.0, 1e6, 1e12 }) {
 		for (int repeat = 0; repeat < 300; ++repeat) {
@@ -116,7 +116,7 @@ TEST_CASE("products of motors that carry far are as precise as near the origin: 
 	}
 }
 
-TEST_CASE("powers of two round nothing") {
+TEST_CASE("multiplication by powers of two is exact") {
 	Random random(8);
 	const Multivector x = random.multivector();
 	CHECK(x.times_power_of_two(0) == x);
@@ -124,7 +124,7 @@ TEST_CASE("powers of two round nothing") {
 	CHECK(x.times_power_of_two(900).times_power_of_two(-900) == x);
 }
 
-TEST_CASE("the geometric product has the bits that the product term by term has, whatever the machine's instructions") {
+TEST_CASE("the geometric product has the same bits as the product term by term, with any instruction set") {
 	Random random(14);
 	for (int repeat = 0; repeat < 2000; ++repeat) {
 		Multivector a = random.multivector(), b = random.multivector();
@@ -150,7 +150,7 @@ TEST_CASE("the geometric product is associative and distributive") {
 	}
 }
 
-TEST_CASE("a term that a product leaves out takes no part, not even where it would overflow") {
+TEST_CASE("terms outside a product have no effect, even if they would overflow") {
 	const Multivector huge = blade("e1") * 1e308;
 	CHECK(huge.outer_product(huge) == Multivector());
 	CHECK(huge.outer_product(blade("e2"))[6] == 1e308);
@@ -178,7 +178,7 @@ TEST_CASE("involutions by grade") {
 	CHECK(a.grade(6) == Multivector());
 }
 
-TEST_CASE("dual is X I^-1 and undual takes it back") {
+TEST_CASE("dual is X I^-1, and undual is its inverse") {
 	CHECK(Multivector::scalar(1.0).dual() == -I);
 	CHECK(I.dual() == Multivector::scalar(1.0));
 	CHECK(Multivector::scalar(1.0).undual() == I);
@@ -222,7 +222,7 @@ TEST_CASE("inverse of versors and blades") {
 	CHECK_FALSE((blade("e1") * 5e-324).inverse_of_versor().has_value());
 }
 
-TEST_CASE("null elements and elements that are no versors have no inverse here") {
+TEST_CASE("null elements and elements that are not versors have no inverse_of_versor()") {
 	CHECK_FALSE(Multivector().inverse_of_versor().has_value());
 	CHECK_FALSE(EINF.inverse_of_versor().has_value());
 	CHECK_FALSE(point({ 1000.0, 2000.0, -3000.0 }).inverse_of_versor().has_value());
@@ -232,8 +232,8 @@ TEST_CASE("null elements and elements that are no versors have no inverse here")
 	CHECK_FALSE((blade("e1") * std::numeric_limits<double>::quiet_NaN()).inverse_of_versor().has_value());
 }
 
-TEST_CASE("sandwich with odd versors has the sign that keeps orientation") {
-	// The reflection in the plane x = 0 turns e1 round and leaves e2, e23 and e_inf alone.
+TEST_CASE("the sandwich with odd versors preserves orientation") {
+	// The reflection in the plane x = 0 negates e1 and keeps e2, e23 and e_inf.
 	const Multivector mirror = blade("e1") * 2.0;
 	CHECK(*mirror.sandwich(blade("e1")) == -blade("e1"));
 	CHECK(*mirror.sandwich(blade("e2")) == blade("e2"));
@@ -241,13 +241,13 @@ TEST_CASE("sandwich with odd versors has the sign that keeps orientation") {
 	CHECK(*mirror.sandwich(blade("e12")) == -blade("e12"));
 	CHECK(*mirror.sandwich(EINF) == EINF);
 	CHECK(*position_of(*mirror.sandwich(point({ 1.0, 2.0, 3.0 }))) == Vector3<double>(-1.0, 2.0, 3.0));
-	// Scalars are nobody's mirror image.
+	// Scalars have no mirror image.
 	CHECK(*mirror.sandwich(Multivector::scalar(5.0)) == Multivector::scalar(5.0));
 	CHECK_FALSE((Multivector::scalar(2.0) + blade("e1")).sandwich(EO).has_value());
 	CHECK_FALSE(EINF.sandwich(EO).has_value());
 }
 
-TEST_CASE("sandwiches of products are sandwiches one after the other, odd ones too") {
+TEST_CASE("the sandwich of a product is the composition of the sandwiches, for odd versors, too") {
 	Random random(6);
 	for (int repeat = 0; repeat < 300; ++repeat) {
 		const Multivector first = euclidean(random.vector(1.0)) + EINF * random.normal();

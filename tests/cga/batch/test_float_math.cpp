@@ -7,7 +7,7 @@
 
 using namespace cga::float_math;
 
-TEST_CASE("sine and cosine are right to float's rounding over many turns") {
+TEST_CASE("sine and cosine are correct to float's rounding over many turns") {
 	double worst = 0.0;
 	for (int step = -200000; step <= 200000; ++step) {
 		const float x = float(step) * 1e-4f;
@@ -27,7 +27,7 @@ TEST_CASE("sine and cosine are right to float's rounding over many turns") {
 	CHECK(sin_cos(1e-30f).sine == 1e-30f);
 }
 
-TEST_CASE("the exponential and the exponential minus one are right relative to themselves") {
+TEST_CASE("the exponential and the exponential minus one have small relative errors") {
 	double worst = 0.0;
 	double worst_minus_one = 0.0;
 	for (int step = -86000; step <= 86000; ++step) {
@@ -48,7 +48,7 @@ TEST_CASE("the exponential and the exponential minus one are right relative to t
 	CHECK(exponential(0.0f).minus_one == 0.0f);
 }
 
-TEST_CASE("out of range, the exponential stays finite") {
+TEST_CASE("the exponential stays finite beyond its range") {
 	CHECK(exponential(1e30f).value == exponential(87.0f).value);
 	CHECK(exponential(-1e30f).value == exponential(-87.0f).value);
 	CHECK(exponential(-87.0f).value > 0.0f);

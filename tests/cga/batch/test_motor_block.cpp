@@ -27,7 +27,7 @@ struct Motors {
 	}
 };
 
-// Of any weight, half of them negative.
+// Motors of any weight, half of them negative.
 Motors random_motors(unsigned seed) {
 	Random random(seed);
 	Motors motors;
@@ -66,7 +66,7 @@ Vector3D point_at(const std::vector<float> &points, size_t i) {
 
 } // namespace
 
-TEST_CASE("blocks of motors compose as one motor with another, into either factor too") {
+TEST_CASE("blocks of motors compose like single motors, also in place") {
 	const Motors first = random_motors(71);
 	const Motors second = random_motors(72);
 	for (const InstructionSet set : SETS) {
@@ -94,7 +94,7 @@ TEST_CASE("blocks of motors compose as one motor with another, into either facto
 	}
 }
 
-TEST_CASE("one motor carries many points, and many motors a point each, in place too") {
+TEST_CASE("one motor transforms many points, and many motors one point each, also in place") {
 	const Motors motors = random_motors(73);
 	const std::vector<float> points = random_points(74);
 	for (const InstructionSet set : SETS) {
@@ -228,7 +228,7 @@ TEST_CASE("scalar and baseline instructions give the same bits, for motors too")
 	CHECK(std::memcmp(results[0].data(), results[1].data(), results[0].size() * sizeof(float)) == 0);
 }
 
-TEST_CASE("blocks hold motors to the bit, and begin with the identity") {
+TEST_CASE("blocks preserve motors bit for bit, and start as identities") {
 	const Motors motors = random_motors(79);
 	CHECK(motors.blocks[3].get(5).a == motors.each[29].a);
 	CHECK(motors.blocks[3].get(5).b == motors.each[29].b);

@@ -43,7 +43,7 @@ Bodies random_bodies(unsigned seed, size_t count, double distance) {
 	return bodies;
 }
 
-// The largest error of a row: of the basis relative to its scale, of the origin in metres relative to `size`.
+// The largest error of a row: of the basis relative to its scale, of the origin in meters relative to `size`.
 double row_error(const float *row, const PoseD &expected, double size) {
 	const glm::dmat3 basis = glm::mat3_cast(expected.rotation);
 	double worst = 0.0;
@@ -84,7 +84,7 @@ TEST_CASE("blocks of bodies agree with one pose at a time, to 1e-5") {
 	}
 }
 
-TEST_CASE("a weight for each body, beyond the ends too") {
+TEST_CASE("one weight for each body, also outside 0..1") {
 	const Bodies bodies = random_bodies(52, 1003, 0.0);
 	Random random(53);
 	std::vector<float> weights;
@@ -96,19 +96,19 @@ TEST_CASE("a weight for each body, beyond the ends too") {
 	for (const Mode mode : MODES) {
 		interpolate_blocks(bodies.blocks.data(), bodies.from.size(), weights.data(), 99.0f, mode, rows.data());
 		CHECK(worst_error(bodies, rows, weights, mode, 0.0) < 2e-5);
-		CHECK(rows.back() == -123.0f); // the last, partial block wrote no further
+		CHECK(rows.back() == -123.0f); // the last, partial block did not write beyond its bodies
 	}
 }
 
-TEST_CASE("ten kilometres away, within float's rounding of a millimetre") {
+TEST_CASE("ten kilometers from the origin, within float's rounding of a millimeter") {
 	const Bodies bodies = random_bodies(54, 2000, 1e4);
 	std::vector<float> rows(bodies.from.size() * ROW_FLOATS);
 	const std::vector<float> weights(bodies.from.size(), 0.37f);
 	for (const Mode mode : MODES) {
 		interpolate_blocks(bodies.blocks.data(), bodies.from.size(), nullptr, 0.37f, mode, rows.data());
-		const double metre = 1.0;
+		const double meter = 1.0;
 		// Up to 40 km here, where float's steps are 4 mm; rounding once is half a step.
-		CHECK(worst_error(bodies, rows, weights, mode, metre) < 2.1e-3);
+		CHECK(worst_error(bodies, rows, weights, mode, meter) < 2.1e-3);
 	}
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("scalar and baseline instructions give the same bits, the machine's be
 	}
 }
 
-TEST_CASE("the result does not depend on place in a block, or split of the work, to the bit") {
+TEST_CASE("the result does not depend on the lane or on how the work is split, bit for bit") {
 	const Bodies bodies = random_bodies(55, 1001, 100.0);
 	const size_t count = bodies.from.size();
 	std::vector<float> rows(count * ROW_FLOATS);
@@ -214,7 +214,7 @@ TEST_CASE("the result does not depend on place in a block, or split of the work,
 	}
 }
 
-TEST_CASE("what was set is what is got, and setting one end keeps the other") {
+TEST_CASE("get returns what was set, and setting one end keeps the other") {
 	Random random(56);
 	PoseBlock block;
 	CHECK(block.get_from(7).rotation == Quaternion<float>(1, 0, 0, 0));
@@ -234,13 +234,13 @@ TEST_CASE("what was set is what is got, and setting one end keeps the other") {
 		CHECK(block.get_to(lane).rotation == to.rotation);
 		CHECK(block.get_to(lane).scale == to.scale);
 		CHECK(block.axis[2][lane] == at_once.axis[2][lane]);
-		CHECK(block.bend[1][lane] == at_once.bend[1][lane]);
+		CHECK(block.curvature[1][lane] == at_once.curvature[1][lane]);
 		CHECK(block.across[1][lane] == at_once.across[1][lane]);
-		CHECK(block.shrinking[lane] <= 2.0f);
+		CHECK(block.shortening[lane] <= 2.0f);
 	}
 }
 
-TEST_CASE("an empty pool writes nothing, blocks round up") {
+TEST_CASE("zero bodies write nothing; block_count() rounds up") {
 	interpolate_blocks(nullptr, 0, nullptr, 0.5f, Mode::SCREW, nullptr);
 	CHECK(block_count(0) == 0);
 	CHECK(block_count(1) == 1);
@@ -248,7 +248,7 @@ TEST_CASE("an empty pool writes nothing, blocks round up") {
 	CHECK(block_count(9) == 2);
 }
 
-TEST_CASE("blocks hold the end rotation as it was set, up to its sign") {
+TEST_CASE("blocks keep the second rotation as it was set, up to its sign") {
 	Random random(58);
 	for (int repeat = 0; repeat < 100; ++repeat) {
 		PoseBlock block;

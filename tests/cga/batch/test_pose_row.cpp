@@ -18,7 +18,7 @@ TEST_CASE("a row is basis rows with the origin's coordinate after each") {
 	}
 }
 
-TEST_CASE("a pose survives the way to a row and back") {
+TEST_CASE("a pose survives the conversion to a row and back") {
 	Random random(61);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
 		const Pose<float> pose = pose_cast<float>(random.pose(1e4));
@@ -31,7 +31,7 @@ TEST_CASE("a pose survives the way to a row and back") {
 	}
 }
 
-TEST_CASE("half turns about every axis, and a basis without volume, which counts as the identity") {
+TEST_CASE("half turns about every axis; a basis without volume counts as the identity") {
 	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0), Vector3D(0, 0, 1), Vector3D(1, 1, 0), Vector3D(-1, 2, 3) }) {
 		const PoseD pose{ Vector3D(0.0), axis_angle(axis, PI), 0.01 };
 		float row[ROW_FLOATS];

@@ -19,25 +19,25 @@ double distance_of(const PoseD &first, const PoseD &second, const Vector3D &poin
 
 } // namespace
 
-TEST_CASE("no point of the sphere of levers is farther than told, and one is as far") {
+TEST_CASE("no point at the lever arm has a larger distance than reported, and one has that distance") {
 	Random random(71);
 	for (int repeat = 0; repeat < 200; ++repeat) {
 		const PoseD first = repeat % 2 == 0 ? random.pose(1.0) : random.rigid_pose(1.0);
 		const PoseD second = repeat % 2 == 0 ? random.pose(1.0) : random.rigid_pose(1.0);
-		const double lever = random.uniform(0.0, 3.0);
-		const Deviation found = deviation(first, second, lever);
+		const double lever_arm = random.uniform(0.0, 3.0);
+		const Deviation found = deviation(first, second, lever_arm);
 		double largest = 0.0;
 		Vector3D best(1.0, 0.0, 0.0);
 		for (int sample = 0; sample < 4000; ++sample) {
-			const Vector3D point = glm::normalize(random.vector(1.0)) * lever;
+			const Vector3D point = glm::normalize(random.vector(1.0)) * lever_arm;
 			const double distance = distance_of(first, second, point);
 			best = distance > largest ? point : best;
 			largest = std::max(largest, distance);
 		}
-		// From the best sample uphill, by smaller and smaller steps.
+		// Hill climbing from the best sample, with shrinking steps.
 		for (double step = 0.05; step > 1e-6; step *= 0.9) {
 			for (int sample = 0; sample < 20; ++sample) {
-				const Vector3D point = glm::normalize(best + random.vector(step * lever)) * lever;
+				const Vector3D point = glm::normalize(best + random.vector(step * lever_arm)) * lever_arm;
 				const double distance = distance_of(first, second, point);
 				best = distance > largest ? point : best;
 				largest = std::max(largest, distance);
@@ -49,7 +49,7 @@ TEST_CASE("no point of the sphere of levers is farther than told, and one is as 
 	}
 }
 
-TEST_CASE("deviations that are known") {
+TEST_CASE("known deviations") {
 	const PoseD here = { Vector3D(0.0), QuaternionD(1.0, 0.0, 0.0, 0.0), 1.0 };
 	const PoseD moved = { Vector3D(3.0, 4.0, 0.0), QuaternionD(1.0, 0.0, 0.0, 0.0), 1.0 };
 	const PoseD turned = { Vector3D(0.0), axis_angle(Vector3D(0.0, 0.0, 1.0), PI / 2.0), 1.0 };
@@ -66,7 +66,7 @@ TEST_CASE("deviations that are known") {
 	CHECK(deviation({ turned.translation, -turned.rotation, 1.0 }, turned, 1.0).distance == doctest::Approx(0.0));
 }
 
-TEST_CASE("the largest on the way, by comparison with ten thousand weights") {
+TEST_CASE("the largest deviation along the path, compared with ten thousand weights") {
 	Random random(72);
 	for (int repeat = 0; repeat < 60; ++repeat) {
 		const PoseD from = repeat % 3 == 0 ? random.pose(1.0) : random.rigid_pose(1.0);
@@ -90,7 +90,7 @@ TEST_CASE("the largest on the way, by comparison with ten thousand weights") {
 	}
 }
 
-TEST_CASE("what maths.md says of the linear blend: 8.2 degrees at 180, 0.9 at 90, 0.03 at 30") {
+TEST_CASE("the linear blend deviates by 8.2 degrees at 180, 0.9 at 90, 0.03 at 30") {
 	const PoseD from = { Vector3D(1.0, 0.0, 0.0), QuaternionD(1.0, 0.0, 0.0, 0.0), 1.0 };
 	const auto largest = [&from](double degrees) {
 		const QuaternionD turn = axis_angle(Vector3D(0.0, 1.0, 0.0), degrees * PI / 180.0);

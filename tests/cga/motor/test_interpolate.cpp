@@ -20,8 +20,8 @@ PoseD opposite(const PoseD &pose) {
 	return { pose.translation, -pose.rotation, pose.scale };
 }
 
-// maths.md word by word: lerp the coefficients of the unit-weight TR_1 and TR_2 with 1 - a and copysign(a, q1 . q2),
-// extract, blend the scale by itself.
+// The definition: lerp the coefficients of the unit-weight TR_1 and TR_2 with 1 - a and copysign(a, q1 . q2), extract, blend
+// the scale separately.
 PoseD paper_blend(const PoseD &from, const PoseD &to, double weight) {
 	const auto first = Motor<double>::from_pose({ from.translation, from.rotation, 1.0 });
 	const auto second = Motor<double>::from_pose({ to.translation, to.rotation, 1.0 });
@@ -48,7 +48,7 @@ PoseD separate_by_glm(const PoseD &from, const PoseD &to, double weight) {
 
 } // namespace
 
-TEST_CASE("each mode is what it is said to be") {
+TEST_CASE("each mode agrees with its definition") {
 	Random random(41);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
 		const PoseD from = random.pose();
@@ -60,7 +60,7 @@ TEST_CASE("each mode is what it is said to be") {
 	}
 }
 
-TEST_CASE("the ends are the poses themselves, to the bit") {
+TEST_CASE("weights 0 and 1 return the poses bit for bit") {
 	Random random(42);
 	for (int repeat = 0; repeat < 500; ++repeat) {
 		const Pose<float> from = pose_cast<float>(random.pose());
@@ -77,7 +77,7 @@ TEST_CASE("the ends are the poses themselves, to the bit") {
 	}
 }
 
-TEST_CASE("the path comes up to its ends") {
+TEST_CASE("the path is continuous at its ends") {
 	Random random(43);
 	for (int repeat = 0; repeat < 500; ++repeat) {
 		const PoseD from = random.pose();
@@ -89,7 +89,7 @@ TEST_CASE("the path comes up to its ends") {
 	}
 }
 
-TEST_CASE("there is as back, and q is as -q") {
+TEST_CASE("paths are symmetric, and q and -q give the same one") {
 	Random random(44);
 	for (int repeat = 0; repeat < 2000; ++repeat) {
 		const PoseD from = random.pose();
@@ -120,7 +120,7 @@ TEST_CASE("the path does not depend on where the world's origin is") {
 	}
 }
 
-TEST_CASE("ten kilometres away a step of a metre is as exact as float positions are") {
+TEST_CASE("ten kilometers from the origin, a step of a meter is as precise as float positions") {
 	Random random(46);
 	for (int repeat = 0; repeat < 2000; ++repeat) {
 		Pose<float> from = pose_cast<float>(random.rigid_pose(1e4));
@@ -156,7 +156,7 @@ TEST_CASE("linear deviates from the screw by at most 8.2 degrees at 180, 0.9 at 
 	}
 }
 
-TEST_CASE("the screw is even in angle, distance and the logarithm of scale, and goes on beyond its ends") {
+TEST_CASE("the screw has constant speed in angle, distance and the logarithm of scale, also outside 0..1") {
 	const PoseD from{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1.0 };
 	const PoseD to{ { 0.0, 0.0, 3.0 }, axis_angle({ 0.0, 0.0, 1.0 }, 1.0), 1.0 };
 	for (const double weight : { -1.0, -0.25, 0.25, 0.5, 0.75, 2.0 }) {
@@ -179,13 +179,13 @@ TEST_CASE("the paper's midpoint of scales 1 and 4 is at the middle") {
 	CHECK(linear.translation.x == 3.0);
 	CHECK(linear.scale == 2.5);
 	CHECK(interpolate(from, to, 0.5, Mode::SEPARATE).scale == 2.5);
-	// The screw's centre is where both map a point to itself, at x = -2: 2 becomes 8 by way of 4.
+	// The screw's center is where both map a point to itself, at x = -2: 2 becomes 8 by way of 4.
 	const PoseD screw = interpolate(from, to, 0.5, Mode::SCREW);
 	CHECK(screw.translation.x == doctest::Approx(2.0).epsilon(1e-14));
 	CHECK(screw.scale == doctest::Approx(2.0).epsilon(1e-14));
 }
 
-TEST_CASE("half a turn goes round by one of the two ways, evenly") {
+TEST_CASE("a half turn takes one of the two directions, at constant speed") {
 	const PoseD from{ { 1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1.0 };
 	for (const QuaternionD &half_turn : { QuaternionD(0.0, 0.0, 0.0, 1.0), QuaternionD(0.0, 0.0, 0.0, -1.0), QuaternionD(-0.0, 0.0, 0.0, 1.0) }) {
 		const PoseD to{ { -1.0, 0.0, 0.0 }, half_turn, 1.0 };
@@ -198,7 +198,7 @@ TEST_CASE("half a turn goes round by one of the two ways, evenly") {
 	}
 }
 
-TEST_CASE("rotations that are not of unit length are normalised, a zero one is the identity") {
+TEST_CASE("rotations are normalized; a zero one counts as the identity") {
 	const QuaternionD turn = axis_angle({ 1.0, 1.0, 0.0 }, 1.0);
 	const PoseD from{ { 1.0, 2.0, 3.0 }, turn, 1.0 };
 	const PoseD to{ { 3.0, 2.0, 1.0 }, { 1.0, 0.0, 0.0, 0.0 }, 2.0 };
@@ -214,7 +214,7 @@ TEST_CASE("rotations that are not of unit length are normalised, a zero one is t
 	}
 }
 
-TEST_CASE_TEMPLATE("no finite input gives anything but a finite pose of unit rotation", T, float, double) {
+TEST_CASE_TEMPLATE("finite input gives a finite pose of unit rotation", T, float, double) {
 	const T huge = T(1e30);
 	const T largest = std::numeric_limits<T>::max();
 	const T denormal = std::numeric_limits<T>::denorm_min();
@@ -246,23 +246,23 @@ TEST_CASE_TEMPLATE("no finite input gives anything but a finite pose of unit rot
 	CHECK(not_unit == 0);
 }
 
-TEST_CASE("scales as far apart as float has them meet in the geometric middle") {
+TEST_CASE("the most different scales of float meet in the geometric mean") {
 	const Pose<float> from{ { 0.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f, 0.0f }, 1e-30f };
 	const Pose<float> to{ { 8.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f, 0.0f }, 1e30f };
 	for (const auto &ends : { std::pair(from, to), std::pair(to, from) }) {
 		const Pose<float> middle = interpolate(ends.first, ends.second, 0.5f, Mode::SCREW);
 		CHECK(middle.scale == doctest::Approx(1.0).epsilon(1e-6));
-		CHECK(middle.translation.x == doctest::Approx(0.0).epsilon(1e-6)); // all of the way is near the larger end
+		CHECK(middle.translation.x == doctest::Approx(0.0).epsilon(1e-6)); // nearly the whole displacement is near the larger end
 		CHECK(angle_between(pose_cast<double>(middle).rotation, QuaternionD(1.0, 0.0, 0.0, 0.0)) == doctest::Approx(PI / 2.0).epsilon(1e-6));
 	}
-	// Beyond the range of double's ratios, the nearer end.
+	// A ratio beyond the range of double gives the nearer end.
 	const PoseD tiny{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1e-200 };
 	const PoseD vast{ { 8.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1e200 };
 	CHECK(interpolate(tiny, vast, 0.4, Mode::SCREW).scale == 1e-200);
 	CHECK(interpolate(tiny, vast, 0.6, Mode::SCREW).scale == 1e200);
 }
 
-TEST_CASE("a scale that is not positive is blended linearly beside the rigid screw") {
+TEST_CASE("a scale that is not positive is lerped, and the motion is the rigid screw") {
 	const PoseD from{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 2.0 };
 	const PoseD to{ { 4.0, 0.0, 0.0 }, axis_angle({ 1.0, 0.0, 0.0 }, 1.0), 0.0 };
 	const PoseD pose = interpolate(from, to, 0.25, Mode::SCREW);

@@ -47,7 +47,7 @@ TEST_CASE("composition is the geometric product") {
 	}
 }
 
-TEST_CASE("reverse and inverse are the multivector's") {
+TEST_CASE("reverse and inverse agree with Multivector's") {
 	Random random(23);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const auto motor = scaled(Motor<double>::from_pose(random.pose()), random.normal());
@@ -60,7 +60,7 @@ TEST_CASE("reverse and inverse are the multivector's") {
 	}
 }
 
-TEST_CASE("extraction gives back the pose for any weight") {
+TEST_CASE("extraction returns the pose for any weight") {
 	Random random(24);
 	for (const double weight : { 1.0, -1.0, 1e-3, 1e3, -7.5, 1e-100, 1e100 }) {
 		for (int repeat = 0; repeat < 500; ++repeat) {
@@ -82,7 +82,7 @@ TEST_CASE("extraction in float, 10 km from the origin and at scales 0.01 to 100"
 	}
 }
 
-TEST_CASE("degenerate poses survive the way there and back") {
+TEST_CASE("degenerate poses survive the round trip") {
 	const QuaternionD identity(1.0, 0.0, 0.0, 0.0);
 	const PoseD poses[] = {
 		{},
@@ -100,7 +100,7 @@ TEST_CASE("degenerate poses survive the way there and back") {
 	CHECK_FALSE(Motor<double>{ identity, { 0.0, 0.0, 0.0, 0.0 }, identity }.inverse().has_value());
 }
 
-TEST_CASE("a motor carries points as its multivector does and as its pose does") {
+TEST_CASE("a motor maps points as its multivector and its pose do") {
 	Random random(26);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const PoseD pose{ random.vector(3.0), random.rotation(), random.uniform(0.5, 2.0) };
@@ -111,7 +111,7 @@ TEST_CASE("a motor carries points as its multivector does and as its pose does")
 	}
 }
 
-TEST_CASE("normalising undoes weight and noise as (n + h - k) X / (n sqrt(2 (n + h))) does, from the left") {
+TEST_CASE("normalizing removes weight and noise, as (n + h - k) X / (n sqrt(2 (n + h))) from the left does") {
 	Random random(27);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const auto exact = Motor<double>::from_pose({ random.vector(3.0), random.rotation(), random.uniform(0.5, 2.0) });
@@ -141,14 +141,14 @@ TEST_CASE("normalising undoes weight and noise as (n + h - k) X / (n sqrt(2 (n +
 	CHECK_FALSE(Motor<double>{ identity, { 0.0, 0.0, 0.0, 0.0 }, identity }.normalized().has_value());
 }
 
-TEST_CASE("multivectors that are motors become motors, others are refused") {
+TEST_CASE("multivectors that are motors become motors, others are rejected") {
 	Random random(28);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const PoseD pose = random.pose();
 		const auto motor = to_motor(trd(pose) * -2.5);
 		REQUIRE(motor.has_value());
 		CHECK(difference(*motor->to_pose(), pose) < 1e-12);
-		// What is outside of the twelve coefficients, or breaks A || B or v . b = 0, is found.
+		// Detects other coefficients, and violations of A || B and v . b = 0.
 		CHECK_FALSE(to_motor(trd(pose) + *Multivector::basis("e1") * (1e-3 * trd(pose).max_abs())).has_value());
 	}
 	for (const char *name : { "eo", "einf", "E", "I", "e1", "e14", "e1234", "e1245" }) {

@@ -10,7 +10,7 @@ using namespace cga_test;
 
 namespace {
 
-// The exponential by its definition, halved until the series is short.
+// The exponential by its definition, with the argument halved until the series is short.
 Multivector exp_by_series(const Multivector &bivector) {
 	constexpr int HALVINGS = 10;
 	const Multivector small = bivector * std::ldexp(1.0, -HALVINGS);
@@ -135,7 +135,7 @@ TEST_CASE("powers add") {
 	}
 }
 
-TEST_CASE("the square root is normalise(1 + M)") {
+TEST_CASE("the square root is normalize(1 + M)") {
 	Random random(36);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		Motor<double> motor = Motor<double>::from_pose({ random.vector(5.0), random.rotation(), random.uniform(0.2, 5.0) });
@@ -151,7 +151,7 @@ TEST_CASE("the square root is normalise(1 + M)") {
 	}
 }
 
-TEST_CASE("a motor without weight has no logarithm and no power") {
+TEST_CASE("a motor of weight zero has no logarithm and no power") {
 	const Motor<double> nothing{ { 0.0, 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0 } };
 	CHECK_FALSE(cga::log(nothing).has_value());
 	CHECK_FALSE(power(nothing, 0.5).has_value());

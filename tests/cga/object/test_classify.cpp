@@ -60,7 +60,7 @@ TEST_CASE("the classification gives a constructor's parameters back, for any wei
 	}
 }
 
-TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km") {
+TEST_CASE("every constructor's parameters come back, from a millimeter to 100 km") {
 	Random random(2);
 	for (int i = 0; i < 3 * CASES; ++i) {
 		const double size = std::pow(10.0, random.uniform(-3.0, 5.0));
@@ -107,7 +107,7 @@ TEST_CASE("every constructor's parameters come back, from a millimetre to 100 km
 	}
 }
 
-TEST_CASE("every kind, at scales from a millimetre to 100 km") {
+TEST_CASE("every kind, at scales from a millimeter to 100 km") {
 	for (const double size : { 1e-3, 1.0, 1e3, 1e5 }) {
 		const Vector3D p = Vector3D(1, -2, 0.5) * size, n = glm::normalize(Vector3D(2, 1, -1));
 		CHECK(classify(point(p)).kind == Kind::POINT);

@@ -129,7 +129,7 @@ TEST_CASE("every pair of kinds that degenerates") {
 	CHECK(kind_of(meet(rim, unit_sphere)) == Kind::CIRCLE);
 }
 
-TEST_CASE("what a small object shares with a large one keeps its digits") {
+TEST_CASE("the meet of a small object with a large one keeps its precision") {
 	const Multivector unit_circle = *circle({ 0, 0, 0 }, { 0, 0, 1 }, 1.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0);
 	for (double radius = 8.0; radius < 1e8; radius *= 8.0) {
 		// Through the origin: x^2 + y^2 + z^2 = 2 radius x, which with x^2 + y^2 + z^2 = 1 makes x = 1 / (2 radius).
@@ -156,7 +156,7 @@ TEST_CASE("what a small object shares with a large one keeps its digits") {
 	}
 }
 
-TEST_CASE("rounds touch within 1e-10 of the smaller one and rounding of the larger") {
+TEST_CASE("rounds are tangent within 1e-10 of the smaller one and rounding of the larger") {
 	for (double radius = 1.0; radius < 1e6; radius *= 10.0) {
 		const Multivector large = *sphere({ radius, 0, 0 }, radius);
 		const auto beside = [&](double gap) { return meet(large, *sphere({ -1.0 - gap, 0, 0 }, 1.0)); };
@@ -189,7 +189,7 @@ TEST_CASE("projection and rejection add up to a vector, and reflecting twice cha
 	}
 }
 
-TEST_CASE("what is no blade, or null where an inverse is needed, is refused with a reason") {
+TEST_CASE("elements that are not blades, and null ones that would need an inverse, are rejected with a reason") {
 	const Multivector no_blade = Multivector::basis_blade(6) + Multivector::basis_blade(13), good = *sphere({ 0, 0, 0 }, 1.0);
 	for (const auto function : { meet, join, project_onto, reject_from, reflect_in }) {
 		for (const Multivector &bad : { no_blade, Multivector(), good * std::numeric_limits<double>::infinity(), good + Multivector::scalar(1.0) }) {

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-// What other libraries and the GA-Unity paper get wrong of objects; tests/cga/versor/test_known_failures.cpp has motors.
+// Known errors of other libraries and the GA-Unity paper in objects; tests/cga/versor/test_known_failures.cpp has those in motors.
 
 using namespace cga;
 using namespace cga_test;

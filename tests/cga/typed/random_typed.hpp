@@ -3,7 +3,7 @@
 #include "../random_poses.hpp"
 #include "cga/typed/sparse.hpp"
 
-// Random elements of fixed types, and how far they are from multivectors.
+// Random typed elements, and their difference from multivectors.
 
 namespace cga_test {
 

@@ -32,7 +32,7 @@ void check_moved(Random &random) {
 
 } // namespace
 
-TEST_CASE("a motor moves every type as its multivector does") {
+TEST_CASE("a motor moves each type as its multivector does") {
 	Random random(81);
 	check_moved<typed::Point<>>(random);
 	check_moved<typed::PointPair<>>(random);
@@ -52,7 +52,7 @@ TEST_CASE("the twelve coefficients are those of the motor's multivector, and pro
 	}
 }
 
-TEST_CASE("spheres go where poses carry their centre, with the radius scaled") {
+TEST_CASE("the pose maps a sphere's center and scales its radius") {
 	Random random(83);
 	for (int repeat = 0; repeat < CASES; ++repeat) {
 		const PoseD pose{ random.vector(3.0), random.rotation(), random.uniform(0.5, 2.0) };
@@ -64,7 +64,7 @@ TEST_CASE("spheres go where poses carry their centre, with the radius scaled") {
 	}
 }
 
-TEST_CASE("types that motors would carry elsewhere are known") {
+TEST_CASE("moves_into_itself() tells the types that motors preserve") {
 	CHECK(typed::moves_into_itself(typed::Line<>::BLADES));
 	CHECK(typed::moves_into_itself(typed::Plane<>().dual().BLADES));
 	CHECK(typed::moves_into_itself(typed::MOTOR_BLADES));

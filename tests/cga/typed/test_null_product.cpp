@@ -45,7 +45,7 @@ TEST_CASE("e_inf e_o = -1 + E, and the squares of both are zero") {
 	CHECK(null_blade(E5) == e_origin());
 }
 
-TEST_CASE("each product of all pairs of null blades is Multivector's") {
+TEST_CASE("each product of all pairs of null blades agrees with Multivector's") {
 	check_table(Product::GEOMETRIC, &Multivector::geometric_product);
 	check_table(Product::OUTER, &Multivector::outer_product);
 	check_table(Product::INNER, &Multivector::inner_product);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int CASES = 2000;
 
-// Of elements that may differ by weight and sign.
+// For elements that may differ in weight and sign.
 double angle_between_elements(const Multivector &a, const Multivector &b) {
 	double aa = 0.0, ab = 0.0, bb = 0.0;
 	for (int index = 0; index < BLADE_COUNT; ++index) {
@@ -57,7 +57,7 @@ TEST_CASE("inner products of points are distances, of a point and a dual sphere 
 	}
 }
 
-TEST_CASE("centre and radius of rounds, imaginary ones too") {
+TEST_CASE("center and radius of rounds, imaginary ones too") {
 	Random random(73);
 	for (int repeat = 0; repeat < CASES; ++repeat) {
 		const Vector3D p = random.vector(3.0), n = glm::normalize(random.vector(1.0));
@@ -85,7 +85,7 @@ TEST_CASE("two spheres meet in the circle that meet() finds, real or imaginary")
 		const Vector3D p = random.vector(1.0), q = random.vector(1.0);
 		const double r = random.uniform(0.3, 2.0), s = random.uniform(0.3, 2.0);
 		const typed::Circle<> shared = typed::sphere(p, r).regressive_product(typed::sphere(q, s));
-		// School geometry: the centre's place along the axis, and what is left of r^2.
+		// Elementary geometry: the center's position along the axis, and the remainder of r^2.
 		const double squared_distance = glm::dot(q - p, q - p);
 		const double along = 0.5 * (1.0 + (r * r - s * s) / squared_distance);
 		const double squared_radius = r * r - along * along * squared_distance;

@@ -49,7 +49,7 @@ void check_alone(Random &random) {
 		const std::optional<Element> back = Element::from(x);
 		REQUIRE(back);
 		CHECK(difference(*back, x) < 1e-15);
-		// What the type has no place for is no element of it.
+		// An element with other coefficients does not convert.
 		const Multivector other = random.multivector();
 		CHECK_FALSE(Element::from(x + other));
 		CHECK(Element::from(x + other * 1e-13, 1e-10));
@@ -58,7 +58,7 @@ void check_alone(Random &random) {
 
 } // namespace
 
-TEST_CASE("products of every two types are Multivector's") {
+TEST_CASE("products of any two types agree with Multivector's") {
 	Random random(61);
 	check_products<Point<>, Point<>>(random);
 	check_products<Point<>, PointPair<>>(random);
@@ -74,7 +74,7 @@ TEST_CASE("products of every two types are Multivector's") {
 	check_products<Versor<>, Circle<>>(random);
 }
 
-TEST_CASE("sums, signs, duals and conversions are Multivector's") {
+TEST_CASE("sums, signs, duals and conversions agree with Multivector's") {
 	Random random(62);
 	check_alone<Point<>>(random);
 	check_alone<PointPair<>>(random);
@@ -86,7 +86,7 @@ TEST_CASE("sums, signs, duals and conversions are Multivector's") {
 	check_alone<Versor<>>(random);
 }
 
-TEST_CASE("types hold what they need, and products compute nothing else") {
+TEST_CASE("types store what they need, and products compute nothing else") {
 	CHECK(Point<>::SIZE == 5);
 	CHECK(PointPair<>::SIZE == 10);
 	CHECK(Circle<>::SIZE == 10);
@@ -102,12 +102,12 @@ TEST_CASE("types hold what they need, and products compute nothing else") {
 	const auto plane = Point<>().outer_product(Point<>()).outer_product(Point<>()).outer_product(infinity());
 	CHECK(plane.BLADES == Plane<>::BLADES);
 	CHECK(infinity().outer_product(Line<>()).SIZE == 0);
-	// Products can be computed by the compiler.
+	// Products are constant expressions.
 	constexpr double MINUS_ONE = infinity().scalar_product(dual_sphere(Vector3D(3.0, 4.0, 5.0), 2.0));
 	CHECK(MINUS_ONE == -1.0);
 }
 
-TEST_CASE("what is not finite is no element") {
+TEST_CASE("elements that are not finite do not convert") {
 	Multivector x = Multivector::basis_blade(E1);
 	x[E1] = std::numeric_limits<double>::quiet_NaN();
 	CHECK_FALSE(Point<>::from(x));

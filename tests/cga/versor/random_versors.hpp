@@ -3,7 +3,7 @@
 #include "../random_poses.hpp"
 #include "cga/algebra/null_basis.hpp"
 
-// Random versors of every kind that Cl(4,1) has, from the generator that the tests share.
+// Random versors of all kinds in Cl(4,1).
 
 namespace cga_test {
 

@@ -20,7 +20,7 @@ LongComplex reference(LongComplex c) {
 
 } // namespace
 
-TEST_CASE("of real numbers") {
+TEST_CASE("the ratio of real numbers") {
 	CHECK(arccosine_ratio(1.0) == 1.0);
 	CHECK(arccosine_ratio(0.0) == doctest::Approx(std::acos(0.0)).epsilon(1e-15));
 	CHECK(arccosine_ratio(0.5) == doctest::Approx(std::acos(0.5) / std::sqrt(0.75)).epsilon(1e-15));
@@ -31,7 +31,7 @@ TEST_CASE("of real numbers") {
 	CHECK(arccosine_ratio(std::nextafter(1.0, 2.0)) == doctest::Approx(1.0).epsilon(1e-15));
 }
 
-TEST_CASE("of Study numbers: h(c +- |W|), whose half sum and half difference by |W| the parts are") {
+TEST_CASE("the ratio of Study numbers: half the sum of h(c +- |W|), and half the difference divided by |W|") {
 	double worst = 0.0;
 	for (const double c : { 0.0, 1e-9, 0.2, 0.49, 0.51, 0.9, 0.999999, 1.0, 1.000001, 1.2, 1.49, 1.51, 3.0, 100.0 }) {
 		for (const double length : { 1e-12, 1e-8, 1e-4, 1e-3, 0.01, 0.049, 0.051, 0.1, 0.3, 0.49, 0.51, 0.9, 5.0, 80.0 }) {

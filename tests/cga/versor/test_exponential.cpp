@@ -39,7 +39,7 @@ TEST_CASE("exp of motors' bivectors over the grid of angle and ln of the scale")
 	CHECK(worst < 1e-13);
 }
 
-TEST_CASE("a small dilation keeps its digits beside a rotation") {
+TEST_CASE("a small dilation keeps its precision next to a rotation") {
 	for (const double dilation : { 1e-12, -1e-9, 1e-300 }) {
 		const Multivector motor = *exp(to_multivector(MotorLog<double>{ { 0.0, 0.0, 1.0 }, {}, dilation }));
 		// e45: -sinh(sigma / 2) cos(theta / 2).
@@ -85,7 +85,7 @@ TEST_CASE("exp of bivectors whose parts are null, equal, or nearly so") {
 	CHECK(*exp(null) == Multivector::scalar(1.0) + null);
 }
 
-TEST_CASE("the exponential of a bivector is a versor of unit weight, and of minus it the inverse") {
+TEST_CASE("exp(B) is a versor of unit weight, with the inverse exp(-B)") {
 	Random random(104);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const Multivector bivector = random.multivector().grade(2) * random.uniform(0.0, 2.0);
@@ -98,7 +98,7 @@ TEST_CASE("the exponential of a bivector is a versor of unit weight, and of minu
 	}
 }
 
-TEST_CASE("exp of numbers, of vectors, of anything") {
+TEST_CASE("exp of numbers, vectors and arbitrary elements") {
 	CHECK(*exp(Multivector()) == Multivector::scalar(1.0));
 	CHECK((*exp(Multivector::scalar(2.0)))[0] == doctest::Approx(std::exp(2.0)).epsilon(1e-15));
 	// e1^2 = 1, e5^2 = -1, e_inf^2 = 0.

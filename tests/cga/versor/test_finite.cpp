@@ -12,7 +12,7 @@
 
 #include <string>
 
-// Nothing of finite input gives NaN or infinity without an error, whatever the sizes of the coefficients.
+// No finite input gives NaN or infinity without an error, whatever the sizes of its coefficients.
 
 using namespace cga;
 using namespace cga_test;
@@ -26,7 +26,7 @@ double random_size(Random &random) {
 	return random.uniform(0.0, 1.0) < 0.5 ? -size : size;
 }
 
-// A few coefficients of very different sizes, between the indices.
+// A few coefficients of very different sizes.
 Multivector random_extremes(Random &random, int begin, int end) {
 	Multivector x;
 	for (int count = 1 + int(random.uniform(0.0, 5.0)); count > 0; --count) {

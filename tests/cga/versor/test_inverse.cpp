@@ -39,7 +39,7 @@ TEST_CASE("random elements of all grades, whatever their size") {
 	CHECK(worst < 1e-13);
 }
 
-TEST_CASE("elements of some grades only, which are no versors") {
+TEST_CASE("elements of some grades only that are not versors") {
 	Random random(22);
 	double worst = 0.0;
 	for (int repeat = 0; repeat < 3000; ++repeat) {
@@ -67,7 +67,7 @@ TEST_CASE("the inverse of versors is X~ / (X X~)") {
 	}
 }
 
-TEST_CASE("small known ones") {
+TEST_CASE("known inverses") {
 	// (1 + 2 e1)(1 - 2 e1) = -3.
 	CHECK(inverse(ONE + blade("e1") * 2.0)->is_equal_approx((ONE - blade("e1") * 2.0) * (-1.0 / 3.0), 1e-15));
 	// (e12 + 2 e34)(2 e34 - e12) = 1 - 4.
@@ -77,7 +77,7 @@ TEST_CASE("small known ones") {
 	CHECK(*inverse(Multivector::scalar(-4.0)) == Multivector::scalar(-0.25));
 }
 
-TEST_CASE("motors that carry far have their inverse") {
+TEST_CASE("motors with large translations have an inverse") {
 	for (const double distance : { 1.0, 1e5, 1e9, 1e12 }) {
 		const Multivector motor = translator({ distance, -2.0 * distance, 0.0 }).geometric_product(rotor({ 0.6, 0.0, 0.8, 0.0 }));
 		const MultivectorResult result = inverse(motor);
@@ -100,7 +100,7 @@ TEST_CASE("the inverse of the inverse, of a product, of the dual") {
 	}
 }
 
-TEST_CASE("singular elements are told whatever their size and whatever they are multiplied with") {
+TEST_CASE("singular elements are detected at any size and in any product") {
 	const Multivector singular_elements[] = { ONE + blade("e1"), ONE + blade("e45"), blade("e12") + blade("e34"), e_infinity(), e_origin(),
 		blade("e1").outer_product(e_infinity()), point({ 1.0, 2.0, 3.0 }), ONE + blade("e1234") };
 	Random random(25);
@@ -115,7 +115,7 @@ TEST_CASE("singular elements are told whatever their size and whatever they are 
 	CHECK(inverse(ONE + blade("e1")).error() == AlgebraError::SINGULAR);
 }
 
-TEST_CASE("nearly singular elements keep the digits that they have") {
+TEST_CASE("nearly singular elements keep their significant digits") {
 	for (const double apart : { 1e-3, 1e-6, 1e-9 }) {
 		// (1 + a e1)(1 - a e1) = 1 - a^2.
 		const double a = 1.0 - apart;

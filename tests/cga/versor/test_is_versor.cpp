@@ -30,7 +30,7 @@ TEST_CASE("products of mirrors are versors at any size") {
 	CHECK(is_versor(blade("I")));
 }
 
-TEST_CASE("a versor carries vectors to vectors; what does not is none") {
+TEST_CASE("a versor maps vectors to vectors; other elements are not versors") {
 	Random random(132);
 	int versors = 0;
 	for (int repeat = 0; repeat < 3000; ++repeat) {
@@ -44,7 +44,7 @@ TEST_CASE("a versor carries vectors to vectors; what does not is none") {
 	CHECK(versors == 1500);
 }
 
-TEST_CASE("null elements, sums of odd and even, and broken ones are no versors") {
+TEST_CASE("null elements, elements of mixed parity and invalid ones are not versors") {
 	Random random(133);
 	for (const Multivector &x : { Multivector(), e_infinity(), e_origin(), point({ 1.0, 2.0, 3.0 }), blade("e1").outer_product(e_infinity()),
 				 blade("1") + blade("e1"), blade("1") + blade("e45"), blade("e12") + blade("e34"), blade("e1") * std::numeric_limits<double>::infinity(),
@@ -58,7 +58,7 @@ TEST_CASE("null elements, sums of odd and even, and broken ones are no versors")
 	}
 }
 
-TEST_CASE("motors of any weight and reach are motors and versors; other versors are no motors") {
+TEST_CASE("motors of any weight and translation are motors and versors; other versors are not motors") {
 	Random random(134);
 	for (int repeat = 0; repeat < 2000; ++repeat) {
 		const double distance = std::pow(10.0, random.uniform(-6.0, 12.0));

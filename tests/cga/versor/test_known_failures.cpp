@@ -10,8 +10,8 @@
 
 #include <doctest/doctest.h>
 
-// What exponentials and logarithms of other libraries were found to get wrong (their names are in the cases), with
-// general multivectors; tests/cga/motor/test_motor_exp.cpp has the same of poses.
+// Known errors of other libraries (named in the cases) in exponentials and logarithms, with general multivectors;
+// tests/cga/motor/test_motor_exp.cpp has the same cases with poses.
 
 using namespace cga;
 using namespace cga_test;
@@ -72,13 +72,13 @@ TEST_CASE("q and -q, the identity and minus it: one logarithm (NaN in GA-Unity)"
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const QuaternionD q = random.rotation();
 		CHECK(log_of(rotor(q)) == log_of(rotor(-q)));
-		// From q to -q there is nothing to do.
+		// q and -q are the same rotation: there is no motion between them.
 		const Multivector nothing = rotor(-q).geometric_product(rotor(q).reverse());
 		CHECK(log_of(nothing).max_abs() < 1e-15);
 	}
 }
 
-TEST_CASE("exp and log are the closed form of the whole motor, not of its translator and rotor by themselves (gafro's)") {
+TEST_CASE("exp and log are the closed form of the whole motor, not of its translator and rotor separately (gafro's)") {
 	// A screw motion along z and round the axis through (1, 0, 0): all of its powers stay on the screw.
 	const Multivector turn = translator({ 1.0, 0.0, 0.0 }).geometric_product(turn_about_z(2.0)).geometric_product(translator({ -1.0, 0.0, 0.0 }));
 	const Multivector screw = translator({ 0.0, 0.0, 3.0 }).geometric_product(turn);
@@ -93,7 +93,7 @@ TEST_CASE("exp and log are the closed form of the whole motor, not of its transl
 	CHECK(relative_error(*exp(log_of(screw)), screw) < 1e-15);
 }
 
-TEST_CASE("a sum of motors is no motor; normalising it from the left gives one, from the right does not") {
+TEST_CASE("a sum of motors is not a motor; normalizing it from the left gives one, from the right does not") {
 	Random random(154);
 	double worst_from_the_right = 0.0;
 	for (int repeat = 0; repeat < 1000; ++repeat) {

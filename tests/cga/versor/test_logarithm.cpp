@@ -56,7 +56,7 @@ TEST_CASE("log undoes exp over the grid of angle and ln of the scale, digit for 
 	CHECK(worst_dilation < 1e-13);
 }
 
-TEST_CASE("half a turn: the way round is the versor's own, and exp gives the versor back") {
+TEST_CASE("half a turn: the versor determines the direction, and exp returns the versor") {
 	Random random(112);
 	for (const double dilation : { 0.0, 1e-12, -5.0, 2.0 }) {
 		for (int repeat = 0; repeat < 200; ++repeat) {
@@ -69,7 +69,7 @@ TEST_CASE("half a turn: the way round is the versor's own, and exp gives the ver
 	CHECK(log_of(rotor({ 0.0, 0.0, 0.0, 1.0 }))[blade_index("e12")] == doctest::Approx(-PI / 2.0).epsilon(1e-15));
 }
 
-TEST_CASE("M and -M have the same logarithm, and exp gives the one of positive scalar part") {
+TEST_CASE("M and -M have the same logarithm, whose exp is the one of positive scalar part") {
 	Random random(113);
 	for (int repeat = 0; repeat < 2000; ++repeat) {
 		const Multivector versor = repeat % 2 == 0 ? random_even_versor(random) : to_multivector(Motor<double>::from_pose(random.pose()));
@@ -108,7 +108,7 @@ TEST_CASE("products of two and of four reflections and inversions") {
 	CHECK(worst < 1e-11);
 }
 
-TEST_CASE("products of motors that carry far") {
+TEST_CASE("products of motors with large translations") {
 	Random random(121);
 	double worst = 0.0;
 	for (const double distance : { 1e-6, 1.0, 1e3, 1e6, 1e9 }) {
@@ -121,7 +121,7 @@ TEST_CASE("products of motors that carry far") {
 	CHECK(worst < 1e-13);
 }
 
-TEST_CASE("log undoes exp of random bivectors of short turns") {
+TEST_CASE("log inverts exp for random bivectors of small rotations") {
 	Random random(116);
 	double worst = 0.0;
 	for (int repeat = 0; repeat < 3000; ++repeat) {
@@ -137,7 +137,7 @@ TEST_CASE("log undoes exp of random bivectors of short turns") {
 	}
 }
 
-TEST_CASE("the logarithm is a bivector of turns by pi at most in each of its two planes") {
+TEST_CASE("the logarithm rotates by at most pi in each of its two planes") {
 	Random random(117);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const Multivector bivector = log_of(random_even_versor(random)).grade(2);
@@ -161,7 +161,7 @@ TEST_CASE("transversions") {
 	}
 }
 
-TEST_CASE("two turns at once, half turns among them") {
+TEST_CASE("two rotations at once, including half turns") {
 	Random random(119);
 	constexpr double HALF_TURN = PI / 2.0;
 	for (const double first : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
@@ -177,7 +177,7 @@ TEST_CASE("two turns at once, half turns among them") {
 			}
 		}
 	}
-	// The double half turn by itself: any pair of planes is right, exp tells.
+	// The double half turn alone: any pair of planes is valid; exp verifies it.
 	CHECK(relative_error(*exp(log_of(blade("e1234"))), blade("e1234")) < 1e-15);
 	CHECK(relative_error(*exp(log_of(-blade("e1234"))), -blade("e1234")) < 1e-15);
 	for (int repeat = 0; repeat < 500; ++repeat) {

@@ -28,7 +28,7 @@ Multivector normalized_or_fail(const Multivector &x) {
 
 } // namespace
 
-TEST_CASE("versors and blades of any size become their multiple of norm 1") {
+TEST_CASE("versors and blades of any size are scaled to norm 1") {
 	Random random(141);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
 		const Multivector versor = random_product(random, repeat % 6);
@@ -42,7 +42,7 @@ TEST_CASE("versors and blades of any size become their multiple of norm 1") {
 	CHECK(normalized_or_fail(Multivector::scalar(-4.0)) == Multivector::scalar(-1.0));
 }
 
-TEST_CASE("noisy motors become the nearest motor of unit weight, as Motor::normalized has it") {
+TEST_CASE("noisy motors become the nearest motor of unit weight, as in Motor::normalized") {
 	Random random(142);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const double noise = std::pow(10.0, random.uniform(-14.0, -2.0));
@@ -57,7 +57,7 @@ TEST_CASE("noisy motors become the nearest motor of unit weight, as Motor::norma
 	}
 }
 
-TEST_CASE("noisy versors, odd and even, of either sign of X X~, become versors near by") {
+TEST_CASE("noisy versors, odd and even, of either sign of X X~, become nearby versors") {
 	Random random(143);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		const int factors = 1 + repeat % 4;
@@ -71,7 +71,7 @@ TEST_CASE("noisy versors, odd and even, of either sign of X X~, become versors n
 	}
 }
 
-TEST_CASE("any other element has norm 1 afterwards, or an error; never infinity") {
+TEST_CASE("any other element gets norm 1 or an error, never infinity") {
 	Random random(144);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		Multivector x = random.multivector();
@@ -88,7 +88,7 @@ TEST_CASE("any other element has norm 1 afterwards, or an error; never infinity"
 	CHECK(normalized_or_fail(blade("e12") + blade("e34")).is_equal_approx((blade("e12") + blade("e34")) * std::sqrt(0.5), 1e-15));
 }
 
-TEST_CASE("null elements are an error that says so, at any size and place") {
+TEST_CASE("null elements are reported as an error, at any size and position") {
 	Random random(145);
 	for (int repeat = 0; repeat < 500; ++repeat) {
 		const double size = std::pow(10.0, random.uniform(-200.0, 200.0));
@@ -104,7 +104,7 @@ TEST_CASE("null elements are an error that says so, at any size and place") {
 	CHECK_FALSE(normalized(blade("e1") * std::numeric_limits<double>::quiet_NaN()));
 }
 
-TEST_CASE("the smallest and the largest elements, and motors that carry far") {
+TEST_CASE("the smallest and the largest elements, and motors with large translations") {
 	CHECK(normalized_or_fail(blade("e1") * 5e-324) == blade("e1"));
 	CHECK(normalized_or_fail(blade("e1") * 1.7e308).is_equal_approx(blade("e1"), 1e-15));
 	const Multivector far = translator({ 1e12, 0.0, 3e11 });

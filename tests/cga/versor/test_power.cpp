@@ -75,7 +75,7 @@ TEST_CASE("the square root is power 1/2; its square is the versor, or minus it w
 	}
 }
 
-TEST_CASE("the square root of a unit versor of positive scalar part is normalise(1 + M)") {
+TEST_CASE("the square root of a unit versor of positive scalar part is normalize(1 + M)") {
 	Random random(124);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		Multivector versor = repeat % 2 == 0 ? random_even_versor(random) : to_multivector(Motor<double>::from_pose(random.pose(2.0)));
@@ -86,7 +86,7 @@ TEST_CASE("the square root of a unit versor of positive scalar part is normalise
 	}
 }
 
-TEST_CASE("whole powers are products, of odd versors too") {
+TEST_CASE("integer powers are products, also of odd versors") {
 	Random random(125);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const Multivector versor = random_product(random, 1 + repeat % 4);

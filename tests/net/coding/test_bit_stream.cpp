@@ -6,7 +6,7 @@
 
 using namespace net;
 
-TEST_CASE("bit stream: fields of every width come back, in the bytes they need") {
+TEST_CASE("bit stream: fields of every width round-trip, in the bytes they need") {
 	std::vector<uint8_t> bytes;
 	BitWriter writer(bytes);
 	int bits = 0;

@@ -20,18 +20,18 @@ bool is_same(const LatticeRotation &a, const LatticeRotation &b) {
 TEST_CASE("lattice rotation: within 3/2 steps of every rotation, of unit length") {
 	cga_test::Random random(31);
 	double worst = 0.0;
-	double longest = 0.0;
+	double max_deviation = 0.0;
 	for (int i = 0; i < 50000; ++i) {
 		const QuaternionD q = random.rotation();
 		const LatticeRotation lattice = LatticeRotation::nearest(q);
 		REQUIRE(lattice.is_valid());
 		worst = std::max(worst, cga_test::angle_between(q, lattice.value()));
-		longest = std::max(longest, std::abs(glm::length(lattice.value()) - 1.0));
+		max_deviation = std::max(max_deviation, std::abs(glm::length(lattice.value()) - 1.0));
 	}
 	// Three components off by half a step, and the fourth by up to 3/2: sqrt(3) steps of the quaternion, twice that in angle.
 	CHECK(worst < 2.0 * std::sqrt(3.0) / LatticeRotation::STEPS);
 	CHECK(worst > 1.0 / LatticeRotation::STEPS);
-	CHECK(longest < 1e-15);
+	CHECK(max_deviation < 1e-15);
 }
 
 TEST_CASE("lattice rotation: its own value is nearest to itself, so that states do not drift") {
@@ -58,21 +58,21 @@ TEST_CASE("lattice rotation: q and -q are the same") {
 	}
 }
 
-TEST_CASE("lattice rotation: components of no unit quaternion are refused") {
+TEST_CASE("lattice rotation: components of no unit quaternion are rejected") {
 	struct Row {
 		LatticeRotation lattice;
 		bool valid;
 	};
-	const int32_t most = LatticeRotation::MAX_LEVEL;
+	const int32_t max = LatticeRotation::MAX_LEVEL;
 	for (const Row &row : {
 				 Row{ { 3, { 0, 0, 0 } }, true },
-				 Row{ { 0, { most, 0, 0 } }, true },
-				 Row{ { 0, { most + 1, 0, 0 } }, false },
-				 Row{ { 0, { 0, 0, -most - 1 } }, false },
+				 Row{ { 0, { max, 0, 0 } }, true },
+				 Row{ { 0, { max + 1, 0, 0 } }, false },
+				 Row{ { 0, { 0, 0, -max - 1 } }, false },
 				 Row{ { 4, { 0, 0, 0 } }, false },
 				 Row{ { 255, { 0, 0, 0 } }, false },
-				 Row{ { 1, { most, most, 0 } }, false },
-				 Row{ { 2, { most, most, most } }, false },
+				 Row{ { 1, { max, max, 0 } }, false },
+				 Row{ { 2, { max, max, max } }, false },
 				 Row{ { 2, { 75000, 75000, 75000 } }, true },
 				 Row{ { 2, { 75700, 75700, 75700 } }, false },
 		 }) {
@@ -81,7 +81,7 @@ TEST_CASE("lattice rotation: components of no unit quaternion are refused") {
 		CHECK(row.lattice.is_valid() == row.valid);
 	}
 	// A level fits its bits.
-	CHECK(most < (1 << (LatticeRotation::BITS - 1)));
+	CHECK(max < (1 << (LatticeRotation::BITS - 1)));
 	const QuaternionD diagonal(std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0);
 	CHECK(LatticeRotation::nearest(diagonal).is_valid());
 }

@@ -27,7 +27,7 @@ double angle_between(const glm::quat &a, const glm::quat &b) {
 
 } // namespace
 
-TEST_CASE("rotors: error stays within the tolerance that chose the bits, and needs them") {
+TEST_CASE("rotors: the error stays within the tolerance, and fewer bits would not do") {
 	std::mt19937 random(7);
 	for (const float tolerance : { 5.0f, 1.0f, 0.25f, 0.05f, 0.01f }) {
 		const int bits = rotor_bits(tolerance);
@@ -65,7 +65,7 @@ TEST_CASE("rotors: q and -q have the same code") {
 	}
 }
 
-TEST_CASE("rotors: components that fit no unit quaternion are refused") {
+TEST_CASE("rotors: components of no unit quaternion are rejected") {
 	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 0, 0, 0 } }, 10)); // three of -1/sqrt(2)
 	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 1023, 511, 511 } }, 10)); // a level above 2n
 }
@@ -74,7 +74,7 @@ TEST_CASE("positions: half the cell's diagonal is the tolerance") {
 	CHECK(double(position_step(0.002f)) * std::sqrt(3.0) / 2.0 == doctest::Approx(0.002).epsilon(1e-6));
 }
 
-TEST_CASE("scales: relative error at most 8.5e-5, one exact, the rest refused") {
+TEST_CASE("scales: relative error at most 8.5e-5, 1 is exact, scales out of range are rejected") {
 	for (double scale = 1.0 / 60000; scale < 60000; scale *= 1.0137) {
 		const std::optional<int32_t> level = quantize_scale(float(scale));
 		REQUIRE(level);

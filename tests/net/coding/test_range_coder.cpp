@@ -85,7 +85,7 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 		}
 		round_trip(bits);
 	}
-	// All ones in equal halves: the low end is 0xffff...; then a carry, or none.
+	// All ones in equal halves: the low end is 0xffff...; then a carry or no carry.
 	for (uint32_t last : { 0u, 1u, 0xffffffffu }) {
 		for (int words = 1; words < 40; ++words) {
 			Bytes bytes;
@@ -120,7 +120,7 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 	}
 }
 
-TEST_CASE("range coder: fields of every width and bits of many models come back, behind bytes that were there before") {
+TEST_CASE("range coder: fields of every width and bits of many models round-trip, after bytes that were there before") {
 	std::mt19937 random(11);
 	for (int round = 0; round < 300; ++round) {
 		struct Symbol {
@@ -177,7 +177,7 @@ TEST_CASE("range coder: fields of every width and bits of many models come back,
 	}
 }
 
-TEST_CASE("range coder: probabilities stay off 0 and 1, and a model's state is all of it") {
+TEST_CASE("range coder: probabilities never reach 0 or 1, and a model's state is complete") {
 	AdaptiveBit model;
 	CHECK(model.zero() == 2048);
 	for (int i = 0; i < 5000; ++i) {
@@ -199,7 +199,7 @@ TEST_CASE("range coder: probabilities stay off 0 and 1, and a model's state is a
 	CHECK(other.state() == model.state());
 }
 
-TEST_CASE("range coder: any bytes decode to something, and what was read beyond them is counted") {
+TEST_CASE("range coder: any bytes can be decoded, and reads past their end are counted") {
 	std::mt19937 random(5);
 	for (int round = 0; round < 200; ++round) {
 		Bytes bytes(random() % 40);

@@ -13,7 +13,7 @@ using Bytes = std::vector<uint8_t>;
 
 } // namespace
 
-TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
+TEST_CASE("residual model: every magnitude round-trips, whatever was expected") {
 	std::vector<int32_t> values;
 	for (int32_t i = 0; i <= 3000; ++i) {
 		values.push_back(i);
@@ -51,9 +51,9 @@ TEST_CASE("residual model: every magnitude comes back, whatever was expected") {
 	}
 }
 
-TEST_CASE("residual model: bytes that nobody wrote decode to numbers within the limit") {
+TEST_CASE("residual model: arbitrary bytes decode to numbers within the limit") {
 	std::mt19937 random(3);
-	int32_t most = 0;
+	int32_t max = 0;
 	for (int round = 0; round < 3000; ++round) {
 		Bytes bytes(random() % 64);
 		const int kind = int(random() % 3);
@@ -65,10 +65,10 @@ TEST_CASE("residual model: bytes that nobody wrote decode to numbers within the 
 		for (int i = 0; i < 30; ++i) {
 			int32_t value = 0;
 			model.code(decoder, value, int32_t(random() % 100000));
-			most = std::max(most, std::abs(value));
+			max = std::max(max, std::abs(value));
 		}
 	}
-	CHECK(most <= ResidualModel::LIMIT);
+	CHECK(max <= ResidualModel::LIMIT);
 	// What an encoder of another mind writes, beyond the limit.
 	for (const int32_t beyond : { ResidualModel::LIMIT + 1, 2 * ResidualModel::LIMIT, -2 * ResidualModel::LIMIT }) {
 		Bytes bytes;
@@ -84,7 +84,7 @@ TEST_CASE("residual model: bytes that nobody wrote decode to numbers within the 
 	}
 }
 
-TEST_CASE("residual model: two-sided geometric numbers take little more than their entropy, from the first on") {
+TEST_CASE("residual model: two-sided geometric numbers take little more than their entropy, from the beginning") {
 	for (const double mean : { 0.05, 0.3, 1.0, 4.0, 20.0 }) {
 		const double r = (std::sqrt(1.0 + mean * mean) - 1.0) / mean;
 		std::mt19937 random(unsigned(mean * 100));
@@ -114,7 +114,7 @@ TEST_CASE("residual model: two-sided geometric numbers take little more than the
 	}
 }
 
-TEST_CASE("residual model: wrong expectations cost bits, and are learnt") {
+TEST_CASE("residual model: wrong expectations cost bits, and are corrected by adaptation") {
 	const auto size = [](int32_t expected, int count) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
@@ -130,7 +130,7 @@ TEST_CASE("residual model: wrong expectations cost bits, and are learnt") {
 	CHECK(size(16, 2000) < 2000 * 1.5); // 4 and a bit of golomb, a sign; not the 9 bytes of the start
 }
 
-TEST_CASE("mean magnitude: an average over the last 8 or so, bounded") {
+TEST_CASE("mean magnitude: a bounded average of about the last 8") {
 	MeanMagnitude mean(0);
 	for (int i = 0; i < 100; ++i) {
 		mean.add(i % 2 == 0 ? 10 : -10);

@@ -24,14 +24,14 @@ QuaternionD by_library(const Vector3D &vector) {
 
 } // namespace
 
-TEST_CASE("rotation vector: exp is the library's sine and cosine to the last bits up to half a turn, to 1e-10 at its end") {
+TEST_CASE("rotation vector: exp agrees with the standard library to the last bits up to half a turn, to 1e-10 at the end of its range") {
 	cga_test::Random random(21);
 	double worst[9] = {};
 	for (int i = 0; i < 20000; ++i) {
 		const double angle = 8.0 * i / 20000.0;
 		const Vector3D vector = glm::normalize(random.vector(1.0)) * angle;
-		double &most = worst[int(angle)];
-		most = std::max(most, largest_difference(exp_rotation(vector), by_library(vector)));
+		double &max = worst[int(angle)];
+		max = std::max(max, largest_difference(exp_rotation(vector), by_library(vector)));
 	}
 	const double bounds[8] = { 2e-15, 2e-15, 2e-15, 8e-15, 2e-13, 2e-12, 1e-11, 1e-10 };
 	for (int radians = 0; radians < 8; ++radians) {
@@ -74,7 +74,7 @@ TEST_CASE("rotation vector: log gives the shortest vector, from nothing to half 
 	CHECK(glm::length(log_rotation({ 0.0, 0.0, 1.0, 0.0 })) == doctest::Approx(PI).epsilon(1e-15));
 }
 
-TEST_CASE("rotation vector: beyond half a turn log takes the other way round") {
+TEST_CASE("rotation vector: beyond half a turn log turns in the other direction") {
 	cga_test::Random random(24);
 	for (const double angle : { PI + 1e-6, 4.0, 6.0, 2.0 * PI - 1e-6 }) {
 		const Vector3D axis = glm::normalize(random.vector(1.0));

@@ -51,7 +51,7 @@ struct Stream {
 
 } // namespace
 
-TEST_CASE("recent extreme: of this span and the one before") {
+TEST_CASE("recent extreme: it covers the current span and the one before") {
 	RecentExtreme largest(1.0, 2.0);
 	CHECK(largest.is_empty());
 	largest.add(5.0, 0.0);
@@ -67,7 +67,7 @@ TEST_CASE("recent extreme: of this span and the one before") {
 	CHECK(smallest.value() == -1.0);
 }
 
-TEST_CASE("playback clock: not started, it stands") {
+TEST_CASE("playback clock: before it is started it does not move") {
 	PlaybackClock clock;
 	clock.advance(5.0);
 	CHECK_FALSE(clock.is_running());
@@ -76,7 +76,7 @@ TEST_CASE("playback clock: not started, it stands") {
 	CHECK(clock.delay_at(9.0) == 0.0);
 }
 
-TEST_CASE("playback clock: it settles at what the windows need, and never runs backwards") {
+TEST_CASE("playback clock: it settles at the delay that the windows need, and never runs backwards") {
 	for (const double jitter : { 0.0, 0.03, 0.1 }) {
 		Stream stream;
 		stream.max_delay = 0.4;
@@ -96,7 +96,7 @@ TEST_CASE("playback clock: it settles at what the windows need, and never runs b
 	}
 }
 
-TEST_CASE("playback clock: limits hold, and the delay comes down again when the jitter has gone") {
+TEST_CASE("playback clock: limits hold, and the delay decreases again when the jitter ends") {
 	Stream stream;
 	stream.min_delay = 0.12;
 	stream.run(10.0, 0.02, 0.0);
@@ -125,7 +125,7 @@ TEST_CASE("playback clock: after silence it jumps ahead once, not back") {
 	CHECK(stream.min_rate >= 0.6 - 1e-9);
 }
 
-TEST_CASE("playback clock: looking ahead moves nothing and agrees with going there") {
+TEST_CASE("playback clock: media_time_at changes nothing and agrees with advance") {
 	Stream stream;
 	stream.run(3.0, 0.05, 0.02);
 	const double there = stream.clock.media_time_at(stream.now + FRAME);

@@ -69,28 +69,28 @@ TEST_CASE("body state: the nearest pose, near and at 10 km") {
 	}
 }
 
-TEST_CASE("body state: poses that are not finite or out of range are refused and change nothing") {
+TEST_CASE("body state: poses that are not finite or out of range are rejected without a change") {
 	BodyState state;
 	REQUIRE(state.set_pose(pose_of(3.0), GRID));
 	const std::vector<int64_t> before = numbers(state);
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	const double infinity = std::numeric_limits<double>::infinity();
-	std::vector<PoseD> refused;
+	std::vector<PoseD> rejected;
 	for (const double bad : { nan, infinity, -infinity, 1e30, GRID.position * double(BodyState::MAX_STEPS) }) {
-		refused.push_back(pose_of(bad));
+		rejected.push_back(pose_of(bad));
 		PoseD pose;
 		pose.translation.z = -std::abs(bad);
-		refused.push_back(pose);
+		rejected.push_back(pose);
 	}
 	for (const double bad : { nan, infinity, 0.0, -1.0, 1e-6, 1e6 }) {
 		PoseD pose;
 		pose.scale = bad;
-		refused.push_back(pose);
+		rejected.push_back(pose);
 	}
-	refused.push_back({ Vector3D(0.0), QuaternionD(0, 0, 0, 0), 1.0 });
-	refused.push_back({ Vector3D(0.0), QuaternionD(nan, 0, 0, 0), 1.0 });
-	refused.push_back({ Vector3D(0.0), QuaternionD(1, infinity, 0, 0), 1.0 });
-	for (const PoseD &pose : refused) {
+	rejected.push_back({ Vector3D(0.0), QuaternionD(0, 0, 0, 0), 1.0 });
+	rejected.push_back({ Vector3D(0.0), QuaternionD(nan, 0, 0, 0), 1.0 });
+	rejected.push_back({ Vector3D(0.0), QuaternionD(1, infinity, 0, 0), 1.0 });
+	for (const PoseD &pose : rejected) {
 		CAPTURE(pose.translation.x);
 		CAPTURE(pose.scale);
 		CHECK_FALSE(state.set_pose(pose, GRID));
@@ -104,7 +104,7 @@ TEST_CASE("body state: poses that are not finite or out of range are refused and
 	CHECK(state.set_pose(farthest, GRID));
 }
 
-TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
+TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 	struct Row {
 		int64_t speed; // steps a tick
 		int ticks;
@@ -121,7 +121,7 @@ TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 			CHECK(state.predicted(3 + c, row.ticks) == 0);
 		}
 	}
-	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with its bend: the next window's way is predicted to a few per cent.
+	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with their curvature: the next window's displacement is predicted to a few percent.
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	const double g = -0.5 * 9.81 / 3600.0 / GRID.position; // steps a tick^2
@@ -140,10 +140,10 @@ TEST_CASE("body state: what moves steadily, rests, or falls is predicted") {
 	}
 	const double next = g * (132.0 * 132.0 - 120.0 * 120.0);
 	CHECK(std::abs(double(state.predicted(1, 12)) - next) < std::abs(next) * 0.06);
-	CHECK(std::abs(double(displacement) - next) > std::abs(next) * 0.08); // holding the last way would be worse
+	CHECK(std::abs(double(displacement) - next) > std::abs(next) * 0.08); // repeating the last displacement would be worse
 }
 
-TEST_CASE("body state: after rest nothing is expected") {
+TEST_CASE("body state: after rest no motion is predicted") {
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	follow(state, 5, 5, [](int64_t tick) { return 30 * tick; });
@@ -164,7 +164,7 @@ TEST_CASE("body state: after rest nothing is expected") {
 	CHECK(cga_test::angle_between(before.rotation, after.rotation) == doctest::Approx(std::sqrt(85.0) * GRID.rotation).epsilon(0.01));
 }
 
-TEST_CASE("body state: motions out of range are refused and change nothing") {
+TEST_CASE("body state: motions out of range are rejected without a change") {
 	BodyState state;
 	REQUIRE(state.set_pose(pose_of(GRID.position * double(BodyState::MAX_STEPS - 10)), GRID));
 	const std::vector<int64_t> before = numbers(state);
@@ -191,7 +191,7 @@ TEST_CASE("body state: motions out of range are refused and change nothing") {
 	CHECK(state.is_valid());
 }
 
-TEST_CASE("body state: all of it goes through visit, and the hash sees pose and scale") {
+TEST_CASE("body state: visit covers the whole state, and the hash depends on pose and scale") {
 	cga_test::Random random(52);
 	for (int i = 0; i < 200; ++i) {
 		BodyState state;

@@ -34,7 +34,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	MotionCode motion;
 	std::vector<uint8_t> bytes;
 	RangeEncoder coder(bytes);
-	// Up to the end of a window: what will be after it, nobody knows.
+	// Up to the end of a window: later samples are not known yet.
 	std::vector<MotionSample> samples;
 	for (const double time : times) {
 		samples.push_back({ time / TICK, path(time) });
@@ -85,7 +85,7 @@ double most_share(cga::Mode mode) {
 
 } // namespace
 
-TEST_CASE("motion plan: every sample is passed within the tolerance, here and at 10 km") {
+TEST_CASE("motion plan: every sample is passed within the tolerance, near the origin and at 10 km") {
 	for (const Vector3D &place : { Vector3D(0.0), Vector3D(10000.0, -40.0, -10000.0) }) {
 		for (const Motion &motion : motions(place)) {
 			for (const double rate : { 20.0, 30.0, 60.0 }) {
@@ -101,7 +101,7 @@ TEST_CASE("motion plan: every sample is passed within the tolerance, here and at
 	}
 }
 
-TEST_CASE("motion plan: samples between ticks are passed where the motion is smooth; kinks wait for the next tick") {
+TEST_CASE("motion plan: samples between ticks are passed where the motion is smooth; a kink is delayed to the next tick") {
 	for (const Vector3D &place : { Vector3D(0.0), Vector3D(10000.0, -40.0, -10000.0) }) {
 		for (const Motion &motion : motions(place)) {
 			for (const bool regular : { true, false }) {
@@ -118,7 +118,7 @@ TEST_CASE("motion plan: samples between ticks are passed where the motion is smo
 	}
 }
 
-TEST_CASE("motion plan: more samples than are looked at together are all passed") {
+TEST_CASE("motion plan: all samples are passed, even more than are fitted at once") {
 	Plan plan;
 	plan.ticks = 64;
 	for (const Motion &motion : motions(Vector3D(0.0))) {
@@ -132,7 +132,7 @@ TEST_CASE("motion plan: more samples than are looked at together are all passed"
 	}
 }
 
-TEST_CASE("motion plan: likewise in the other modes, for windows of other lengths and for other tolerances") {
+TEST_CASE("motion plan: the tolerance also holds in other modes, for other window lengths and other tolerances") {
 	struct Row {
 		cga::Mode mode;
 		int ticks;
@@ -162,7 +162,7 @@ TEST_CASE("motion plan: likewise in the other modes, for windows of other length
 	}
 }
 
-TEST_CASE("motion plan: gaps in the samples are bridged, and what is after them is passed") {
+TEST_CASE("motion plan: gaps in the samples are bridged, and the samples after them are passed") {
 	for (const Motion &motion : motions(Vector3D(0.0))) {
 		std::vector<double> times = regular_times(60.0, 3.0);
 		for (const double from : { 0.5, 1.2, 2.0 }) {
@@ -176,7 +176,7 @@ TEST_CASE("motion plan: gaps in the samples are bridged, and what is after them 
 	}
 }
 
-TEST_CASE("motion plan: what is simple takes few segments and bytes") {
+TEST_CASE("motion plan: simple motions take few segments and bytes") {
 	struct Row {
 		std::string name;
 		int most_segments; // in 3 s, 15 windows
@@ -225,7 +225,7 @@ TEST_CASE("motion plan: a body that stops comes to rest and settles to within a 
 	}
 }
 
-TEST_CASE("motion plan: trembling within the tolerance is no motion") {
+TEST_CASE("motion plan: jitter within the tolerance is not motion") {
 	const Path path = [](double t) {
 		const int64_t i = std::llround(t * 60.0);
 		return turned_at(Vector3D(noise(i, 0), noise(i, 1), noise(i, 2)) * 0.001, Vector3D(0, 1, 0), 0.002 * noise(i, 3));
@@ -235,7 +235,7 @@ TEST_CASE("motion plan: trembling within the tolerance is no motion") {
 	CHECK(outcome.bytes < 20);
 }
 
-TEST_CASE("motion plan: a way that no code reaches is refused, for a jump") {
+TEST_CASE("motion plan: a displacement that no code reaches is rejected: the body has to jump") {
 	const Plan plan;
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), plan.grid));

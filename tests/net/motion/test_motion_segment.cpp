@@ -67,7 +67,7 @@ TEST_CASE("motion segment: poses follow the formulas in all modes") {
 	}
 }
 
-TEST_CASE("motion segment: a parabola with a bend, a whole turn, and the screw about an axis off the centre") {
+TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw about an axis off the center") {
 	MotionSegment segment;
 	segment.begin = 10.0;
 	segment.length = 4.0;
@@ -79,7 +79,7 @@ TEST_CASE("motion segment: a parabola with a bend, a whole turn, and the screw a
 
 	MotionSegment turn;
 	turn.length = 8.0;
-	turn.turn = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: its third goes the same way
+	turn.turn = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: a third of it turns in the same direction
 	CHECK(cga_test::angle_between(turn.pose_at(4.0).rotation, turned(Vector3D(0.0, 0.0, 3.0))) < 1e-12);
 
 	MotionSegment screw;
@@ -105,7 +105,7 @@ TEST_CASE("motion segment: outside its time it stays at its ends") {
 	}
 }
 
-TEST_CASE("motion segment: the next one begins where one ends, but for the grid of rotations") {
+TEST_CASE("motion segment: the next segment begins where the last one ends, to within the grid of rotations") {
 	cga_test::Random random(43);
 	const StreamGrid grid(0.005f, 1.4f);
 	for (const cga::Mode mode : MODES) {

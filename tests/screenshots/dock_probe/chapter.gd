@@ -60,7 +60,7 @@ func line() -> LineEdit:
 
 
 func typed_words() -> Label:
-	return part("Typing/Words")
+	return part("Typing/Message")
 
 
 func file_menu() -> MenuButton:
@@ -92,7 +92,7 @@ func row_part(entry: String, name: String) -> Control:
 
 
 func words_of(entry: String) -> String:
-	return (row_part(entry, "Words") as Label).text
+	return (row_part(entry, "Message") as Label).text
 
 
 func coefficients() -> FoldableContainer:
@@ -128,7 +128,7 @@ func select(entries: PackedStringArray) -> void:
 	for index in entries.size():
 		part("Entries").call(&"scroll_to", entries[index])
 		await settle()
-		Hands.click(row_part(entries[index], "Words"), MOUSE_BUTTON_LEFT, index > 0)
+		Hands.click(row_part(entries[index], "Message"), MOUSE_BUTTON_LEFT, index > 0)
 
 
 ## Chooses an item of an entry's menu, which is a separate window.

@@ -25,7 +25,7 @@ func _use(demo: Node) -> void:
 		await process_frame
 	var scene: GAScene = document.get(&"scene")
 	print("[probe] entries %s" % ", ".join(scene.get_names()))
-	var words := panel.find_child("Words", true, false) as Label
+	var words := panel.find_child("Message", true, false) as Label
 	print("[probe] words %s" % words.text)
 	var examples := panel.find_child("Examples", true, false) as PopupMenu
 	examples.id_pressed.emit(0)

@@ -256,10 +256,10 @@ func _chosen(title: String) -> String:
 
 
 func _message() -> String:
-	var label: Label = _lab_part("Ends").get_node(^"Words")
+	var label: Label = _lab_part("Ends").get_node(^"Message")
 	return label.text if label.visible else ""
 
 
 func _row_words(entry: String) -> Control:
 	var row: Control = _list().call(&"find_row", entry)
-	return row.find_child("Words", true, false)
+	return row.find_child("Message", true, false)

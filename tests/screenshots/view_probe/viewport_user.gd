@@ -82,7 +82,7 @@ func _handle_place(entry: String, key: String) -> Vector2:
 			(handle.get(&"node") as GANode3D).entry == StringName(entry)
 			and (handle.get(&"handle") as Dictionary)["key"] == key
 		):
-			return handle.get(&"place")
+			return handle.get(&"position")
 	_expect("none", key, "handle of %s" % entry)
 	return Vector2.ZERO
 

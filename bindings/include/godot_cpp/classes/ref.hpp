@@ -19,7 +19,7 @@ class Ref {
 		ONE_MORE,
 	};
 
-	// A new object has a first count that nobody holds yet, which init_ref takes over.
+	// A new object starts with a count that no reference owns; init_ref takes it over.
 	Ref(T *p_object, Count p_count) :
 			_object(p_object) {
 		if (_object && p_count != ALREADY_COUNTED && !(p_count == FIRST_MAYBE ? _object->init_ref() : _object->reference())) {
@@ -50,7 +50,7 @@ public:
 		return *this;
 	}
 
-	// Holds a new object from now on.
+	// Replaces the referenced object with a new one.
 	template <typename... Args>
 	void instantiate(const Args &...p_args) { *this = Ref(memnew(T(p_args...))); }
 

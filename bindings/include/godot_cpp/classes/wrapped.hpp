@@ -18,9 +18,9 @@ class WrapperFactory;
 
 } // namespace internal
 
-// The C++ side of an engine object. Two kinds of objects have one: those of extension classes, which live as long as
-// theirs, and engine objects that C++ has met, which get a wrapper of the deepest class in the build profile that they
-// are, freed together with them. Wrapped must come first among the bases of every class, and with no virtual base.
+// The C++ side of an engine object. An object of an extension class has one for its whole life. Any other engine object
+// gets a wrapper when C++ first accesses it, of its most derived class in the build profile, and both are freed together.
+// Wrapped must be the first base of each class, and not a virtual one.
 class Wrapped {
 	friend class ClassDB;
 	friend class internal::WrapperFactory;
@@ -29,7 +29,7 @@ class Wrapped {
 public:
 	GDExtensionObjectPtr _owner = nullptr;
 
-	// Whether this is of that class or of one derived from it.
+	// Whether this is an object of that class or of a derived class.
 	virtual bool _is_a(const StringName &p_class) const = 0;
 
 	template <typename T>
@@ -41,11 +41,11 @@ public:
 		return cast_to<T>(const_cast<Wrapped *>(p_object));
 	}
 
-	// The extension class to build, or null for a class of the engine's own.
+	// The extension class to construct; null for a class of the engine.
 	static const StringName *_extension_class_name() { return nullptr; }
 
 protected:
-	// Builds an engine object of that class for the C++ object under construction.
+	// Creates the engine object, of that class, for the C++ object under construction.
 	explicit Wrapped(const StringName &p_engine_class);
 	explicit Wrapped(GDExtensionObjectPtr p_owner) :
 			_owner(p_owner) {}
@@ -61,7 +61,7 @@ protected:
 
 namespace internal {
 
-// The C++ side of an engine object, made on first use; null for null.
+// The C++ side of an engine object, created on first use; null for null.
 Object *get_binding(GDExtensionObjectPtr p_object);
 
 class WrapperFactory {
@@ -72,7 +72,7 @@ public:
 	static void destroy(Wrapped *p_wrapped);
 };
 
-// An engine class in the build profile; the table of them is generated.
+// An engine class in the build profile; engine_classes is generated.
 struct EngineClass {
 	const char *name;
 	Wrapped *(*create_wrapper)(GDExtensionObjectPtr p_object);
@@ -82,11 +82,11 @@ struct EngineClass {
 extern EngineClass engine_classes[];
 extern const int ENGINE_CLASS_COUNT;
 
-// Asks the engine for the tags of the classes above that have none yet.
+// Looks up the class tags that are still unset.
 void find_class_tags();
 
-// The wrapper of an engine singleton, looked up once. The engine may free it, which empties this; what is left when the
-// library goes is freed then, since the engine would call back into it later.
+// The wrapper of an engine singleton, looked up once. It is reset if the engine frees the wrapper. Wrappers that exist
+// when the library is unloaded are freed then, because the engine would call into the library later.
 class Singleton {
 	std::atomic<Object *> _object{ nullptr };
 	Singleton *_next = nullptr;
@@ -102,8 +102,8 @@ public:
 
 } // namespace godot
 
-// The head of each extension class. m_class must have a protected static void _bind_methods(), and may have
-// _notification(int) and _to_string() const. Virtual methods that it overrides must be public.
+// Starts each extension class. m_class must have a protected static void _bind_methods(), and may have
+// _notification(int) and _to_string() const. Overridden virtual methods must be public.
 #define GDCLASS(m_class, m_inherits) \
 private: \
 	friend class ::godot::ClassDB; \
@@ -142,7 +142,7 @@ protected: \
 \
 private:
 
-// The head of each generated class.
+// Starts each generated class.
 #define GDEXTENSION_CLASS(m_class, m_inherits) \
 	friend class ::godot::ClassDB; \
 	friend class ::godot::internal::WrapperFactory; \
@@ -160,7 +160,7 @@ protected: \
 \
 private:
 
-// What both kinds of classes have.
+// Members of both kinds of classes.
 #define GODOT_CPP_CLASS(m_class, m_inherits) \
 public: \
 	using self_type = m_class; \

@@ -7,15 +7,15 @@
 
 namespace godot::internal {
 
-// How a type crosses the border to the engine. One specialization for each type that does, with
-//   TYPE, METADATA    what the engine calls it
-//   ACCEPTS           a check of a Variant beyond its type, or null
-//   encode(value)     the form in which the engine wants it as an argument
-//   decode(pointer)   the value of an argument that the engine hands over
-//   store(pointer, v) puts a result where the engine wants it, which is a constructed value
-//   Result            what the engine writes as a result of a call, and from_result(Result) the value in it
-//   from_variant(v)   the value in a Variant that has passed the checks
-//   info()            how it shows in the editor and in scripts
+// How values of a type are passed to and from the engine. Each such type has a specialization with
+//   TYPE, METADATA    the engine's type and metadata
+//   ACCEPTS           a check of a Variant in addition to its type, or null
+//   encode(value)     the representation that the engine expects as an argument
+//   decode(pointer)   the value of an argument from the engine
+//   store(pointer, v) writes a result to a constructed value of the engine
+//   Result            the type of a result that the engine writes; from_result(Result) returns its value
+//   from_variant(v)   the value in a Variant that passed the checks
+//   info()            its description for the editor and scripts
 template <typename T, typename = void>
 struct Arg;
 
@@ -28,7 +28,7 @@ struct ArgBase {
 	static PropertyInfo info() { return PropertyInfo(static_cast<Variant::Type>(TYPE), StringName()); }
 };
 
-// Types that the engine stores as they are here.
+// Types with the same memory layout in the engine.
 template <typename T, GDExtensionVariantType TYPE>
 struct ValueArg : ArgBase<TYPE> {
 	using Result = T;
@@ -40,7 +40,7 @@ struct ValueArg : ArgBase<TYPE> {
 	static T from_variant(const Variant &p_variant) { return p_variant; }
 };
 
-// Types that the engine stores wider: every integer as 64 bits, every float as a double.
+// Types that the engine widens: integers to 64 bits, floats to doubles.
 template <typename T, typename WIDE, GDExtensionVariantType TYPE, GDExtensionClassMethodArgumentMetadata METADATA = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE>
 struct WideArg : ArgBase<TYPE, METADATA> {
 	using Result = WIDE;
@@ -107,7 +107,7 @@ struct Arg<Variant> : ValueArg<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
 	static PropertyInfo info() { return PropertyInfo(Variant::NIL, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT | PROPERTY_USAGE_NIL_IS_VARIANT); }
 };
 
-// The name that the engine has for the elements of an array: of a class its own, otherwise the type's.
+// The engine's name of an array's element type: the class name for objects, otherwise the name of the built-in type.
 template <typename T>
 String element_type_name() {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
@@ -117,7 +117,7 @@ String element_type_name() {
 	}
 }
 
-// In typed calls the engine hands over arrays without checking their type, so that each is looked at here.
+// In typed calls the engine does not check the element type of arrays, so the conversion here does.
 template <typename T>
 struct Arg<TypedArray<T>> : ArgBase<GDEXTENSION_VARIANT_TYPE_ARRAY> {
 	using Result = TypedArray<T>;
@@ -136,9 +136,9 @@ struct Arg<BitField<T>> : WideArg<BitField<T>, int64_t, GDEXTENSION_VARIANT_TYPE
 template <typename T>
 struct EnumArg : WideArg<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT> {};
 
-// "Class.Enum" of a C++ name with or without namespaces in front; "Enum" of an enum that is in no class.
+// "Class.Enum" for a C++ name with or without namespaces; "Enum" for an enum outside a class.
 String enum_class_name(const char *p_qualified);
-// "Enum" alone, for the constants of an enum.
+// "Enum" without the class, for the constants of an enum.
 StringName enum_short_name(const char *p_qualified);
 
 template <typename T>
@@ -161,7 +161,7 @@ void TypedArray<T>::set_type() {
 
 } // namespace godot
 
-// Lets an enum cross the border. To stand after the enum's class, outside every namespace, with the full name.
+// Makes an enum usable in bound methods. Place it after the enum's class, outside all namespaces, with the full name.
 #define VARIANT_ENUM_CAST(m_enum) \
 	namespace godot::internal { \
 	template <> \

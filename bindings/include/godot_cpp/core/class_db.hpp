@@ -20,7 +20,7 @@ struct VirtualMethod {
 	GDExtensionClassCallVirtual call;
 };
 
-// A registered class and what it must keep as long as it is.
+// A registered class, and the data that must exist while it is registered.
 struct ClassInfo {
 	StringName name;
 	GDExtensionInitializationLevel level;
@@ -33,7 +33,7 @@ void call_override(GDExtensionClassInstancePtr p_instance, const GDExtensionCons
 	invoke_typed(METHOD, p_instance, p_args, r_result);
 }
 
-// Lets the engine call a virtual method of its own that T or a parent of T overrides: the pointers' types then differ.
+// Makes the engine call a virtual method if T or a parent of T overrides it; the pointers' types differ then.
 template <typename T, auto ENGINE_METHOD, auto METHOD>
 void bind_override(ClassInfo &r_class, const char *p_name, uint32_t p_hash) {
 	if constexpr (!std::is_same_v<decltype(ENGINE_METHOD), decltype(METHOD)>) {
@@ -45,11 +45,11 @@ void bind_override(ClassInfo &r_class, const char *p_name, uint32_t p_hash) {
 
 class ClassDB {
 public:
-	// Parents are registered before their children.
+	// Register parents before their children.
 	template <typename T>
 	static void register_class() {
-		static_assert(std::is_same_v<T, typename T::self_type>, "The class has no GDCLASS.");
-		// As types: with -fsanitize=undefined the compiler takes a comparison of functions for no constant.
+		static_assert(std::is_same_v<T, typename T::self_type>, "The class does not contain GDCLASS.");
+		// As types: with -fsanitize=undefined a comparison of functions is not a constant expression.
 		using Own = std::integral_constant<void (*)(), &T::_bind_methods>;
 		using Inherited = std::integral_constant<void (*)(), &T::parent_type::_bind_methods>;
 		static_assert(!std::is_same_v<Own, Inherited>, "The class has no static void _bind_methods().");
@@ -62,7 +62,7 @@ public:
 		T::_bind_methods();
 	}
 
-	// p_defaults are those of the last arguments.
+	// p_defaults are the default values of the last arguments.
 	template <typename M, typename... Defaults>
 	static MethodBind *bind_method(const MethodDefinition &p_definition, M p_method, const Defaults &...p_defaults) {
 		return add_method(internal::Signature<M>::Class::get_class_static(), new internal::MethodBindOf<M>(p_definition, p_method, { Variant(p_defaults)... }));

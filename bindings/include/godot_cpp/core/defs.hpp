@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// The word that every header of the engine's own style uses; the bindings are always single precision.
+// Godot's name for its floating-point type; the bindings support single precision only.
 typedef float real_t;
 
 #ifndef likely

@@ -31,7 +31,7 @@ void print_warning(const ErrorPlace &p_place, const String &p_what);
 #define ERR_PRINT(m_message) ::godot::internal::print_error(GODOT_CPP_PLACE, "", m_message)
 #define WARN_PRINT(m_message) ::godot::internal::print_warning(GODOT_CPP_PLACE, m_message)
 
-// Every macro below is this one: where the condition holds, say what is wrong and leave the function.
+// Base of all macros below: if the condition holds, prints an error and returns.
 #define GODOT_CPP_FAIL_IF(m_condition, m_return, ...) \
 	if (unlikely(m_condition)) { \
 		::godot::internal::print_error(GODOT_CPP_PLACE, __VA_ARGS__); \

@@ -6,7 +6,7 @@
 
 namespace godot {
 
-// The engine's tolerance.
+// The engine's tolerance of approximate comparisons.
 #define CMP_EPSILON 0.00001
 
 namespace Math {
@@ -16,7 +16,7 @@ bool is_finite(T p_value) {
 	return std::isfinite(p_value);
 }
 
-// Relative to the size of the left value, as everywhere in the engine.
+// The tolerance is relative to the left value, as in the engine.
 template <typename T>
 bool is_equal_approx(T p_left, T p_right) {
 	if (p_left == p_right) {

@@ -12,7 +12,7 @@ class Wrapped;
 
 namespace internal {
 
-// Chooses the engine's allocator in a new expression: new (EngineMemory{}) T.
+// Selects the engine's allocator in a new expression: new (EngineMemory{}) T.
 struct EngineMemory {};
 
 void *allocate(size_t p_size);
@@ -20,8 +20,8 @@ void release(void *p_memory);
 void post_initialize(Wrapped *p_object);
 void destroy_object(Wrapped *p_object);
 
-// Tells the constructor of Wrapped, which sees only the engine class, which extension class is being built. Scopes nest:
-// an argument of a constructor may be built by memnew itself.
+// Names the extension class under construction to the constructor of Wrapped, which knows only the engine class. Scopes
+// nest, because an argument of a constructor may call memnew.
 class Construction {
 	const StringName *_extension_class;
 	Construction *_outer;
@@ -29,7 +29,7 @@ class Construction {
 public:
 	explicit Construction(const StringName *p_extension_class);
 
-	// The class named by the innermost scope, which is closed by that; null for one of the engine's own.
+	// Closes the innermost scope and returns its class; null for a class of the engine.
 	static const StringName *take();
 };
 

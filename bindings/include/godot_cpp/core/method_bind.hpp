@@ -34,7 +34,7 @@ constexpr ArgumentType argument_type() {
 	return { A::TYPE, A::METADATA, A::ACCEPTS, &A::info };
 }
 
-// A method as it is written: of a class, const or not, or static.
+// The signature of a method: const, non-const or static.
 template <typename M>
 struct Signature;
 
@@ -60,7 +60,7 @@ struct Signature<R (*)(Args...)> : Signature<R (Wrapped::*)(Args...)> {
 template <typename S>
 inline constexpr size_t ARGUMENT_COUNT = std::tuple_size_v<typename S::Arguments>;
 
-// Calls a method of the instance, or a static one, with arguments that p_get gives by type and index.
+// Calls a method of the instance, or a static one, with the arguments that p_get returns for a type and an index.
 template <typename M, typename Get, size_t... I>
 auto invoke(M p_method, [[maybe_unused]] GDExtensionClassInstancePtr p_instance, [[maybe_unused]] const Get &p_get, std::index_sequence<I...>) {
 	using S = Signature<M>;
@@ -73,7 +73,7 @@ auto invoke(M p_method, [[maybe_unused]] GDExtensionClassInstancePtr p_instance,
 	}
 }
 
-// Calls a method with arguments as the engine stores them, and puts the result where the engine wants it.
+// Calls a method with arguments in the engine's representation and stores the result.
 template <typename M>
 void invoke_typed(M p_method, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_args, [[maybe_unused]] GDExtensionTypePtr r_result) {
 	using R = typename Signature<M>::Result;

@@ -7,7 +7,7 @@ namespace godot {
 
 class ObjectDB {
 public:
-	// The object with that id, or null if there is none any more.
+	// The object with that id; null if it was freed.
 	static Object *get_instance(uint64_t p_id) { return internal::get_binding(gdextension_interface::object_get_instance_from_id(p_id)); }
 };
 

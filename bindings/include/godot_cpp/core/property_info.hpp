@@ -7,7 +7,7 @@
 
 namespace godot {
 
-// A property, an argument or a returned value, as the editor and scripts see it.
+// The description of a property, an argument or a returned value for the editor and scripts.
 struct PropertyInfo {
 	Variant::Type type = Variant::NIL;
 	StringName name;
@@ -20,7 +20,7 @@ struct PropertyInfo {
 	PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint = PROPERTY_HINT_NONE, const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT, const StringName &p_class_name = StringName()) :
 			type(p_type), name(p_name), class_name(p_hint == PROPERTY_HINT_RESOURCE_TYPE ? StringName(p_hint_string) : p_class_name), hint(p_hint), hint_string(p_hint_string), usage(p_usage) {}
 
-	// For the engine's interface; only while this object lives.
+	// For the engine's interface; valid while this object lives.
 	GDExtensionPropertyInfo _to_gdextension() const {
 		return { static_cast<GDExtensionVariantType>(type), name._native_ptr(), class_name._native_ptr(), hint, hint_string._native_ptr(), usage };
 	}

@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// Flags of an enum that the engine marks as a bit field.
+// A combination of flags of an enum that the engine declares as a bit field.
 template <typename T>
 class BitField {
 	int64_t _value = 0;

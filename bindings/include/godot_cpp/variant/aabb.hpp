@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// A box along the axes: its least corner and its size.
+// An axis-aligned box: its minimum corner and its size.
 struct AABB {
 	Vector3 position;
 	Vector3 size;

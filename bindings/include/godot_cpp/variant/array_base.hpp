@@ -11,7 +11,7 @@ class Variant;
 
 namespace internal {
 
-// What Array has beside the engine's own methods. Copies share their elements, as in scripts.
+// Members of Array that are not methods of the engine. Copies share their elements, as in scripts.
 class ArrayBase : public Opaque<GDEXTENSION_VARIANT_TYPE_ARRAY, 8> {
 public:
 	using Opaque::Opaque;
@@ -26,11 +26,11 @@ public:
 	const Variant *begin() const;
 	const Variant *end() const;
 
-	// Fixes the type of the elements of an empty array.
+	// Sets the element type of an empty array.
 	void set_typed(uint32_t p_type, const StringName &p_class_name, const Variant &p_script);
 };
 
-// What Dictionary has beside the engine's own methods. Copies share their entries, as in scripts.
+// Members of Dictionary that are not methods of the engine. Copies share their entries, as in scripts.
 class DictionaryBase : public Opaque<GDEXTENSION_VARIANT_TYPE_DICTIONARY, 8> {
 public:
 	using Opaque::Opaque;

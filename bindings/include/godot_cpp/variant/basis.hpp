@@ -14,7 +14,7 @@ struct Basis {
 	Basis(const Vector3 &p_x_axis, const Vector3 &p_y_axis, const Vector3 &p_z_axis) :
 			Basis(p_x_axis.x, p_y_axis.x, p_z_axis.x, p_x_axis.y, p_y_axis.y, p_z_axis.y, p_x_axis.z, p_y_axis.z, p_z_axis.z) {}
 
-	// The rotation by a quaternion, which need not have length 1.
+	// The rotation of a quaternion, which need not be normalized.
 	Basis(const Quaternion &p_quaternion);
 
 	const Vector3 &operator[](int p_row) const { return rows[p_row]; }
@@ -30,7 +30,7 @@ struct Basis {
 
 	real_t determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
 
-	// Of a pure rotation.
+	// Requires a pure rotation.
 	Quaternion get_quaternion() const;
 
 	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }

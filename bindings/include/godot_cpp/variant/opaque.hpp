@@ -7,11 +7,11 @@
 
 namespace godot::internal {
 
-// Chooses the constructor that constructs nothing, for memory that the engine is about to construct into. A default
-// construction first would leak what it had made.
+// Selects a constructor that leaves the memory uninitialized, for values that the engine constructs in place. A default
+// construction before that would leak.
 struct Uninitialized {};
 
-// A value whose destructor never runs. For StringNames made static: the engine forbids to destroy those.
+// A value whose destructor never runs. For static StringNames, which must not be destroyed.
 template <typename T>
 union NeverDestroyed {
 	T value;
@@ -22,7 +22,7 @@ union NeverDestroyed {
 	~NeverDestroyed() {}
 };
 
-// What the engine does for each built-in type; filled once when the library is loaded.
+// The engine's functions for each built-in type; set when the library is loaded.
 struct BuiltinFunctions {
 	GDExtensionPtrConstructor construct;
 	GDExtensionPtrConstructor copy;
@@ -33,7 +33,7 @@ struct BuiltinFunctions {
 
 extern BuiltinFunctions builtin_functions[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX];
 
-// A built-in type that is a handle of SIZE bytes to memory of the engine, which copies and destroys it.
+// A built-in type that is a handle of SIZE bytes to engine memory; the engine copies and destroys it.
 template <GDExtensionVariantType TYPE, size_t SIZE>
 class Opaque {
 	alignas(8) uint8_t _opaque[SIZE];
@@ -65,7 +65,7 @@ public:
 		return *this;
 	}
 
-	// As in godot-cpp: the engine's functions take a plain pointer even where they change nothing.
+	// Const as in godot-cpp: the engine's functions take a non-const pointer even if they only read.
 	GDExtensionTypePtr _native_ptr() const { return const_cast<uint8_t *>(_opaque); }
 
 protected:

@@ -6,10 +6,10 @@
 
 namespace godot::internal {
 
-// What packed arrays have beside the engine's own methods. SELF is the packed array's own class; INDEX and INDEX_CONST
-// are the engine's functions that give the address of an element, the first after making sure that nobody shares it.
+// Members of packed arrays that are not methods of the engine. SELF is the packed array's class; INDEX and INDEX_CONST
+// are the engine's functions that return the address of an element; INDEX first makes a copy if the data is shared.
 //
-// ptr() and ptrw() are null for an empty array. Take them once before a loop: each is a call into the engine.
+// ptr() and ptrw() are null for an empty array. Call them once before a loop: each is a call into the engine.
 template <typename SELF, typename ELEMENT, GDExtensionVariantType TYPE, auto &INDEX, auto &INDEX_CONST>
 class PackedArrayBase : public Opaque<TYPE, 16> {
 	int64_t count() const { return static_cast<const SELF *>(this)->size(); }

@@ -32,7 +32,7 @@ struct Quaternion {
 	real_t length() const { return std::sqrt(length_squared()); }
 	Quaternion normalized() const { return *this / length(); }
 
-	// Of a quaternion of length 1.
+	// Requires a normalized quaternion.
 	Quaternion inverse() const { return Quaternion(-x, -y, -z, w); }
 
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z) && Math::is_finite(w); }

@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// A resource of one of the engine's servers. Nobody counts who holds it: free it with its server.
+// A handle of a resource in one of the engine's servers. It is not reference-counted: free it with its server.
 struct RID {
 	RID() = default;
 

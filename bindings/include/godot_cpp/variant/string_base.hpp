@@ -14,7 +14,7 @@ class String;
 class StringName;
 class Variant;
 
-// Text as C code wants it; only while this object lives.
+// Zero-terminated text; get_data() is valid while this object lives.
 class CharString {
 	std::string _text;
 
@@ -27,13 +27,13 @@ public:
 
 namespace internal {
 
-// What String has beside the engine's own methods.
+// Members of String that are not methods of the engine.
 class StringBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING, 8> {
 public:
 	using Opaque::Opaque;
 	StringBase() = default;
 
-	// Latin-1, as in godot-cpp; String::utf8 for everything else.
+	// Latin-1, as in godot-cpp; use String::utf8 for other text.
 	StringBase(const char *p_latin1);
 
 	static String utf8(const char *p_utf8, int64_t p_length = -1);
@@ -42,7 +42,7 @@ public:
 	String &operator+=(const String &p_other);
 };
 
-// What StringName has beside the engine's own methods.
+// Members of StringName that are not methods of the engine.
 class StringNameBase : public Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, 8> {
 public:
 	using Opaque::Opaque;

@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// x goes to basis * x + origin.
+// Maps x to basis * x + origin.
 struct Transform3D {
 	Basis basis;
 	Vector3 origin;

@@ -11,7 +11,7 @@ struct Arg;
 
 } // namespace internal
 
-// An Array whose elements are all T: a class, without the star, or a built-in type.
+// An Array with elements of type T: a class (without the pointer) or a built-in type.
 template <typename T>
 class TypedArray : public Array {
 	void set_type();
@@ -19,8 +19,8 @@ class TypedArray : public Array {
 public:
 	TypedArray() { set_type(); }
 
-	// Shares the elements where p_array has the same type, and copies and converts them where it has not. The engine
-	// reports what it cannot convert, and the array stays empty. A script's call may hand over either.
+	// Shares the elements if p_array has the same type; otherwise copies and converts them. If the engine cannot convert
+	// an element, it prints an error and the array stays empty. Calls from scripts can pass both.
 	TypedArray(const Array &p_array) {
 		set_type();
 		if (is_same_typed(p_array)) {

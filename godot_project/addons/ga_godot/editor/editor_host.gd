@@ -24,9 +24,9 @@ func make_file_dialog() -> FileDialog:
 	return files
 
 
-func warn(words: String) -> void:
+func warn(message: String) -> void:
 	EditorInterface.get_editor_toaster().push_toast(
-		"GA Playground: " + words, EditorToaster.SEVERITY_WARNING
+		"GA Playground: " + message, EditorToaster.SEVERITY_WARNING
 	)
 
 
@@ -34,7 +34,7 @@ func on_file_written(path: String) -> void:
 	EditorInterface.get_resource_filesystem().update_file(path)
 
 
-func save_embedding(file: String) -> void:
+func save_containing_scene(file: String) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	if root != null and root.scene_file_path == file:
 		EditorInterface.save_scene()
@@ -50,7 +50,8 @@ func create_node(scene: GAScene, entry: String) -> void:
 	_nodes.create(scene, entry)
 
 
-## The view of the first 3D viewport. The editor does not expose the pivot; the origin is assumed.
+## The view of the first 3D viewport. The editor does not expose the pivot of its camera, so the
+## origin is used.
 func make_view_point() -> ViewPoint:
 	var camera := EditorInterface.get_editor_viewport_3d().get_camera_3d()
 	return ViewPoint.of_camera(camera, camera.global_position.length()) if camera != null else null

@@ -15,7 +15,7 @@ func _init(step: float) -> void:
 	_slider.ungrabbed.connect(ungrabbed.emit)
 	# A click without a drag starts typing.
 	_slider.value_focus_entered.connect(ungrabbed.emit)
-	# Otherwise the tooltip of this field would not be shown.
+	# Passes mouse events on to this container, which has the tooltip.
 	_slider.mouse_filter = Control.MOUSE_FILTER_PASS
 	add_child(_slider)
 

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## A GAScene that is embedded in a .tscn is saved with it and leaves the dock when it is closed.
+## Keeps the dock consistent with the .tscn that its GAScene is embedded in: saving the .tscn marks
+## the GAScene as saved, and closing the .tscn removes the GAScene from the dock.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
@@ -11,7 +12,7 @@ func _init(document: PlaygroundDocument) -> void:
 	_document = document
 
 
-## A .tscn was saved with its embedded resources.
+## Call this when the editor has saved a .tscn with its embedded resources.
 func on_scene_saved(path: String) -> void:
 	if _document.get_file() == path and _document.is_embedded():
 		_document.mark_saved(_document.path)

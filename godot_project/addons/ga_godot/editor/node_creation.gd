@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Adds nodes that draw entries to the edited scene.
+## Adds GANode3D nodes, which draw entries, to the edited scene.
 
 const NODE_CLASS := &"GANode3D"
 
@@ -27,7 +27,7 @@ func create(scene: GAScene, entry: String) -> void:
 	var color: String = scene.get_entry_attribute(entry, "color")
 	if not color.is_empty():
 		node.set(&"color", Color.from_string(color, Color.WHITE))
-	_undo_redo.create_action("Create Node of %s" % entry, UndoRedo.MERGE_DISABLE, root)
+	_undo_redo.create_action("Create Node for %s" % entry, UndoRedo.MERGE_DISABLE, root)
 	_undo_redo.add_do_method(root, &"add_child", node, true)
 	_undo_redo.add_do_property(node, &"owner", root)
 	_undo_redo.add_do_reference(node)

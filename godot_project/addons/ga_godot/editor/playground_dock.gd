@@ -19,7 +19,7 @@ var panel: PlaygroundPanel
 var embedded: EmbeddedScenes
 
 
-## To be called before the dock is added.
+## Call this before adding the dock to the editor.
 func set_up(undo_redo: EditorUndoRedoManager) -> void:
 	name = "GAPlayground"
 	title = "GA Playground"
@@ -43,10 +43,10 @@ func _notification(what: int) -> void:
 
 func show_scene(scene: GAScene) -> void:
 	if scene != document.scene:
-		panel.file_menu.unless_unsaved(panel.show_scene.bind(scene))
+		panel.file_menu.confirm_discard(panel.show_scene.bind(scene))
 
 
-## The file of an edited scene was saved.
+## Call this when the editor has saved the file of an edited scene.
 func on_scene_saved(path: String) -> void:
 	embedded.on_scene_saved(path)
 

@@ -1,8 +1,8 @@
 @tool
 extends EditorExportPlugin
-## Adds the playground to exported games. Its folder is hidden from the editor's file system, which
-## would report errors in its scripts while the library is missing, and the editor does not export
-## JSON files, such as the examples, by default.
+## Adds the playground to exported games. Its folder has a .gdignore, because the editor would
+## report errors in its scripts while the library is missing. The editor does not export JSON files,
+## such as the examples, by default.
 
 const FOLDERS: PackedStringArray = [
 	"res://addons/ga_godot/playground", "res://addons/ga_godot/gallery"

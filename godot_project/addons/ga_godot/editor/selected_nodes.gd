@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## GANode3D nodes of the edited scene. While one is selected, the dock and the viewports show its
-## GAScene; a click on what a node draws selects it.
+## Connects the dock to the GANode3D nodes of the edited scene. While one is selected, the dock and
+## the viewports show its GAScene. A click on the drawing of a node selects it.
 
 const PlaygroundDock := preload("playground_dock.gd")
 const Picking := preload("../playground/view/picking.gd")
@@ -12,7 +12,7 @@ const ViewRay := preload("../playground/view/view_ray.gd")
 var _dock: PlaygroundDock
 var _drawing: SceneDrawing
 var _pointer: ViewPointer
-# What the dock shows while no such node is selected; null while it does.
+# The dock's own scene while the dock shows the scene of a selected node; otherwise null.
 var _own_scene: GAScene
 var _own_path := ""
 var _own_saved_text := ""
@@ -30,24 +30,24 @@ func _init(dock: PlaygroundDock, drawing: SceneDrawing, pointer: ViewPointer) ->
 	_pointer = pointer
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
 	_dock.document.scene_switched.connect(_on_scene_switched)
-	_tree.node_added.connect(_on_node_came_or_went)
-	_tree.node_removed.connect(_on_node_came_or_went)
+	_tree.node_added.connect(_on_node_added_or_removed)
+	_tree.node_removed.connect(_on_node_added_or_removed)
 	_on_selection_changed()
 
 
 func stop() -> void:
-	_tree.node_added.disconnect(_on_node_came_or_went)
-	_tree.node_removed.disconnect(_on_node_came_or_went)
+	_tree.node_added.disconnect(_on_node_added_or_removed)
+	_tree.node_removed.disconnect(_on_node_added_or_removed)
 	_dock.document.scene_switched.disconnect(_on_scene_switched)
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
 	_show(null)
 
 
-## Calls `act` while the dock shows its own document, which is the one to be saved.
-func with_own_document(act: Callable) -> void:
+## Switches to the dock's own document, calls `action`, and switches back. Used for saving.
+func with_own_document(action: Callable) -> void:
 	var node := _node
 	_show(null)
-	act.call()
+	action.call()
 	_show(node)
 
 
@@ -129,7 +129,7 @@ func _show(node: GANode3D) -> void:
 	_dock.panel.select(node.entry)
 
 
-## Excludes entries that nodes of the edited scene draw in the same place.
+## Excludes entries that nodes of the edited scene already draw with the same transform.
 func _exclude_drawn() -> void:
 	if not _drawing.is_inside_tree():
 		return
@@ -151,7 +151,7 @@ func _exclude_drawn() -> void:
 		_drawing.excluded = entries
 
 
-func _on_node_came_or_went(node: Node) -> void:
+func _on_node_added_or_removed(node: Node) -> void:
 	if node is GANode3D and node.get_parent() != _drawing:
 		_exclude_drawn.call_deferred()
 
@@ -161,7 +161,7 @@ func follow() -> void:
 	if not is_instance_valid(_node) or not _node.is_inside_tree():
 		return
 	var space := _node.global_transform
-	if _drawing.global_transform != space and not ViewRay.is_flat(space):
+	if _drawing.global_transform != space and not ViewRay.is_degenerate(space):
 		_drawing.global_transform = space
 
 
@@ -179,7 +179,8 @@ func _show_own() -> void:
 	_is_switching = false
 
 
-# A document opened by the user replaces the dock's own, which may be unsaved, not that of the node.
+# A document that the user opens while a node is selected replaces the dock's own document, which
+# may have unsaved changes. The node keeps its scene.
 func _on_scene_switched() -> void:
 	if not _is_switching and _own_scene != null and _dock.document.scene != _node.scene:
 		_replace_own.call_deferred(_dock.document.scene, _dock.document.path)
@@ -189,4 +190,4 @@ func _on_scene_switched() -> void:
 
 func _replace_own(scene: GAScene, path: String) -> void:
 	_show(null)
-	_dock.panel.file_menu.unless_unsaved(func() -> void: _dock.document.show_scene(scene, path))
+	_dock.panel.file_menu.confirm_discard(func() -> void: _dock.document.show_scene(scene, path))

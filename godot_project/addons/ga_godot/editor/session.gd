@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Saves the document of the dock, with unsaved changes, in the editor's settings of the project, so
-## that it survives a restart.
+## Saves the document of the dock, including unsaved changes, in the project settings folder of the
+## editor, and restores it when the editor starts.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 
@@ -10,19 +10,19 @@ const SECTION := "session"
 
 
 static func save(document: PlaygroundDocument) -> void:
-	# Embedded scenes are opened with their .tscn; the session before them stays.
+	# An embedded scene opens with its .tscn, so the previously saved session is kept.
 	if document.is_embedded():
 		return
 	var file := ConfigFile.new()
 	file.set_value(SECTION, "path", document.path)
 	if document.path.is_empty() or document.is_unsaved():
 		file.set_value(SECTION, "document", document.scene.document)
-	file.save(_place())
+	file.save(_get_path())
 
 
 static func restore(document: PlaygroundDocument) -> void:
 	var file := ConfigFile.new()
-	if file.load(_place()) != OK:
+	if file.load(_get_path()) != OK:
 		return
 	var path: String = file.get_value(SECTION, "path", "")
 	var scene := GAScene.new()
@@ -39,5 +39,5 @@ static func restore(document: PlaygroundDocument) -> void:
 		scene.document = file.get_value(SECTION, "document")
 
 
-static func _place() -> String:
+static func _get_path() -> String:
 	return EditorInterface.get_editor_paths().get_project_settings_dir().path_join(FILE)

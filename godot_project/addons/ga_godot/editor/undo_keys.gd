@@ -1,7 +1,7 @@
 @tool
 extends Node
-## Undo and redo keys with the focus in the dock. They apply to the playground's last action,
-## whatever else was done in the editor since.
+## Handles the undo and redo shortcuts while the focus is in the dock. They apply to the
+## playground's last action, regardless of later actions in the editor.
 
 const EditorHistory := preload("editor_history.gd")
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
@@ -17,7 +17,8 @@ func _init(dock: Control, document: PlaygroundDocument, history: EditorHistory) 
 	_history = history
 
 
-# Handled before controls get the event, as an empty text field would use it.
+# _input() runs before the controls. In _shortcut_input(), an empty text field would already have
+# consumed the event.
 func _input(event: InputEvent) -> void:
 	if not event is InputEventKey:
 		return
@@ -28,9 +29,13 @@ func _input(event: InputEvent) -> void:
 	if focused == null or not _dock.is_ancestor_of(focused) or _is_typing(focused):
 		return
 	var scene := _document.scene
-	if _history.is_editors_undo(scene) if is_undo else _history.is_editors_redo(scene):
+	if (
+		_history.is_next_in_editor_undo(scene)
+		if is_undo
+		else _history.is_next_in_editor_redo(scene)
+	):
 		_history.expect_undo(not is_undo)
-		_give_to_editor(focused as LineEdit)
+		_release_until_handled(focused as LineEdit)
 		return
 	if is_undo:
 		_history.undo(scene)
@@ -44,7 +49,8 @@ func _is_typing(focused: Control) -> bool:
 	return edit != null and edit.is_editing() and not edit.text.is_empty()
 
 
-func _give_to_editor(edit: LineEdit) -> void:
+# Otherwise the text field would consume the shortcut before the editor.
+func _release_until_handled(edit: LineEdit) -> void:
 	if edit != null:
 		edit.release_focus()
 		edit.edit.call_deferred()

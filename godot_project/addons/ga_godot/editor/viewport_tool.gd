@@ -36,7 +36,7 @@ func set_up(plugin: EditorPlugin, dock: PlaygroundDock) -> void:
 	pointer = ViewPointer.new(_drawing, dock.document, dock.panel.edits, dock.panel.list)
 	pointer.picks_faces = false
 	pointer.clears_selection = false
-	pointer.can_pick = _is_beside_manipulator
+	pointer.can_pick = _is_outside_gizmo
 	pointer.redraw_needed.connect(_plugin.update_overlays)
 	_nodes = SelectedNodes.new(dock, _drawing, pointer)
 	toolbar = ViewportToolbar.new(pointer)
@@ -78,8 +78,8 @@ func forward_input(camera: Camera3D, event: InputEvent) -> int:
 
 func draw_over(overlay: Control) -> void:
 	var camera := _camera_below(overlay)
-	if not overlay.mouse_exited.is_connected(pointer.leave):
-		overlay.mouse_exited.connect(pointer.leave)
+	if not overlay.mouse_exited.is_connected(pointer.clear_mouse):
+		overlay.mouse_exited.connect(pointer.clear_mouse)
 	if visible and camera != null:
 		var stretch := _stretch_of(camera)
 		overlay.draw_set_transform(Vector2.ZERO, 0.0, Vector2.ONE * stretch)
@@ -115,7 +115,7 @@ func _is_dock_open() -> bool:
 	)
 
 
-func _is_beside_manipulator(camera: Camera3D, point: Vector2) -> bool:
+func _is_outside_gizmo(camera: Camera3D, point: Vector2) -> bool:
 	var reach: float = EditorInterface.get_editor_settings().get_setting(MANIPULATOR_SIZE)
 	for node in EditorInterface.get_selection().get_top_selected_nodes():
 		var selected := node as Node3D

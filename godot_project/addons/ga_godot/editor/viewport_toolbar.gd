@@ -1,7 +1,7 @@
 @tool
 extends HBoxContainer
-## Buttons in the toolbar of the 3D viewports: the visibility of the playground's objects, and what
-## a click adds.
+## Two buttons in the toolbar of the 3D viewports: one toggles the visibility of the playground's
+## objects, the other selects the kind of object that a click adds.
 
 signal visibility_toggled(on: bool)
 

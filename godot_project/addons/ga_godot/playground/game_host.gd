@@ -2,18 +2,18 @@
 extends "playground_host.gd"
 ## Hosts the panel in a running game, with its own undo history and files in user://.
 
-## A message for the user.
-signal warned(words: String)
+## Emitted to show a warning to the user.
+signal warned(message: String)
 
 const DragField := preload("panel/drag_field.gd")
 const OwnHistory := preload("document/own_history.gd")
 
-## The camera of the view, once there is one, the distance of its pivot in meters, and the
-## background color.
+## The camera of the view; null until the view exists.
 var camera: Camera3D
+## Distance from the camera to its pivot, in meters.
 var camera_distance := 1.0
 var background := ViewPoint.DEFAULT_BACKGROUND
-## The same object as `history`, with undo and redo.
+## The same object as `history`, with the type that provides undo() and redo().
 var own_history := OwnHistory.new()
 
 
@@ -31,8 +31,8 @@ func make_file_dialog() -> FileDialog:
 	return files
 
 
-func warn(words: String) -> void:
-	warned.emit(words)
+func warn(message: String) -> void:
+	warned.emit(message)
 
 
 func make_view_point() -> ViewPoint:

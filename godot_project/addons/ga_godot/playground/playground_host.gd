@@ -15,7 +15,7 @@ var history: EditHistory
 @abstract func make_file_dialog() -> FileDialog
 
 ## Shows a warning to the user.
-@abstract func warn(words: String) -> void
+@abstract func warn(message: String) -> void
 
 
 ## Called after a file was written.
@@ -24,7 +24,7 @@ func on_file_written(_path: String) -> void:
 
 
 ## Saves the file that the scene is embedded in.
-func save_embedding(_file: String) -> void:
+func save_containing_scene(_file: String) -> void:
 	pass
 
 
@@ -42,6 +42,6 @@ func make_view_point() -> ViewPoint:
 	return null
 
 
-## In pixels.
+## The size of the view in pixels.
 func get_view_size() -> Vector2i:
 	return Vector2i.ZERO

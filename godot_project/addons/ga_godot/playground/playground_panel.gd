@@ -1,7 +1,7 @@
 @tool
 extends "panel/sharing_column.gd"
 ## The playground without its view: menus, buttons, entries, expression line, coefficients and
-## interpolation. It is the same in the editor's dock and in a running game, which differ in `host`.
+## interpolation. The editor's dock and a running game use the same panel with different hosts.
 
 const PlaygroundDocument := preload("document/playground_document.gd")
 const PlaygroundHost := preload("playground_host.gd")
@@ -27,11 +27,11 @@ var list: EntryList
 var file_menu: FileMenu
 ## The model of the interpolation panel and of lab/lab_drawing.gd.
 var lab: InterpolationLab
-## Menus and buttons for the whole scene. add_to_head() adds further ones.
-var head := HBoxContainer.new()
+## Menus and buttons for the whole scene. add_to_toolbar() adds more.
+var toolbar := HBoxContainer.new()
 ## The description of the scene, above the buttons.
 var top := VBoxContainer.new()
-## Foldable panels about the selection, at the bottom.
+## Foldable panels for the selected entries, at the bottom.
 var bottom := VBoxContainer.new()
 
 var _top_scroll := CappedScroll.new(top)
@@ -53,7 +53,7 @@ func _init(p_host: PlaygroundHost) -> void:
 	var objects := ObjectButtons.new(edits)
 	var combinations := CombinationButtons.new(edits, list)
 	var line := ExpressionLine.new(document, edits)
-	_make_head()
+	_make_toolbar()
 	top.name = "Top"
 	bottom.name = "Bottom"
 	bottom.add_child(CoefficientsPanel.new(document, list, host))
@@ -61,7 +61,7 @@ func _init(p_host: PlaygroundHost) -> void:
 	var lab_panel := LabPanel.new(lab, list, host)
 	bottom.add_child(lab_panel)
 	for part: Control in [
-		head, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll
+		toolbar, _top_scroll, objects, combinations, HSeparator.new(), list, line, _bottom_scroll
 	]:
 		add_child(part)
 	top.add_child(_description)
@@ -94,14 +94,14 @@ func select(entry: String) -> void:
 
 
 ## Adds a menu or button before the file name.
-func add_to_head(control: Control) -> void:
-	head.add_child(control)
-	head.move_child(control, _file_name.get_index())
+func add_to_toolbar(control: Control) -> void:
+	toolbar.add_child(control)
+	toolbar.move_child(control, _file_name.get_index())
 
 
-func _make_head() -> void:
-	head.name = "Head"
-	head.add_child(file_menu)
+func _make_toolbar() -> void:
+	toolbar.name = "Toolbar"
+	toolbar.add_child(file_menu)
 	_examples_button.name = "ExamplesButton"
 	_examples_button.text = "Examples"
 	_examples_button.theme_type_variation = &"FlatButton"
@@ -111,14 +111,14 @@ func _make_head() -> void:
 	_examples.chosen.connect(_on_example_chosen)
 	_examples.failed.connect(host.warn)
 	_examples_button.add_child(_examples)
-	head.add_child(_examples_button)
+	toolbar.add_child(_examples_button)
 	_file_name.name = "FileName"
 	_file_name.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_file_name.text_overrun_behavior = TextServer.OVERRUN_TRIM_ELLIPSIS
 	_file_name.horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
 	_file_name.modulate = Color(1, 1, 1, 0.65)
 	_file_name.mouse_filter = Control.MOUSE_FILTER_PASS
-	head.add_child(_file_name)
+	toolbar.add_child(_file_name)
 
 
 func _open_examples() -> void:
@@ -130,13 +130,13 @@ func _open_examples() -> void:
 
 
 func _on_example_chosen(scene: GAScene, _title: String) -> void:
-	file_menu.unless_unsaved(func() -> void: document.show_scene(scene, ""))
+	file_menu.confirm_discard(func() -> void: document.show_scene(scene, ""))
 
 
 func _on_picture_requested() -> void:
 	var view := host.make_view_point()
 	if view == null:
-		host.warn("There is no 3D view to export a picture of.")
+		host.warn("There is no 3D view to export. Open a 3D view first.")
 	else:
 		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
 

@@ -18,7 +18,7 @@ const MAX_WAITING := 16
 ## Number of errors that the statistics cover: about two seconds.
 const WINDOW := 64
 ## Weight of the past in the running mean that chooses the tick for a method without a clock.
-const KEPT := 0.95
+const PAST_WEIGHT := 0.95
 
 var _waiting: Array[Truth] = []
 var _errors := PackedFloat32Array()
@@ -32,6 +32,7 @@ func clear() -> void:
 	_means.fill(0.0)
 
 
+## Processes a ground truth that has arrived.
 func take(truth: Truth, link: PoseLink) -> void:
 	if not link.is_ready():
 		return
@@ -46,8 +47,8 @@ func take(truth: Truth, link: PoseLink) -> void:
 ## Call it after each frame.
 func update(link: PoseLink) -> void:
 	var shown := link.get_shown_tick()
-	for at: int in range(_waiting.size() - 1, -1, -1):
-		var truth := _waiting[at]
+	for index: int in range(_waiting.size() - 1, -1, -1):
+		var truth := _waiting[index]
 		if shown < truth.tick:
 			continue
 		if shown <= truth.tick + Truth.TICKS - 1:
@@ -57,7 +58,7 @@ func update(link: PoseLink) -> void:
 						link.bodies[truth.ids[i]].transform, truth.get_pose(i, shown - truth.tick)
 					)
 				)
-		_waiting.remove_at(at)
+		_waiting.remove_at(index)
 
 
 func has_errors() -> bool:
@@ -65,7 +66,7 @@ func has_errors() -> bool:
 
 
 ## Median and maximum of the recent errors, in meters.
-func get_figures() -> Vector2:
+func get_statistics() -> Vector2:
 	var sorted := _errors.duplicate()
 	sorted.sort()
 	return Vector2(sorted[sorted.size() >> 1], sorted[-1])
@@ -85,7 +86,7 @@ func _compare_untimed(truth: Truth, link: PoseLink) -> void:
 		var sum := 0.0
 		for i: int in truth.ids.size():
 			sum += distance(link.bodies[truth.ids[i]].transform, truth.get_pose(i, step))
-		_means[step] = _means[step] * KEPT + sum / truth.ids.size() * (1.0 - KEPT)
+		_means[step] = _means[step] * PAST_WEIGHT + sum / truth.ids.size() * (1.0 - PAST_WEIGHT)
 	var best := 0
 	for step: int in Truth.TICKS:
 		best = step if _means[step] < _means[best] else best

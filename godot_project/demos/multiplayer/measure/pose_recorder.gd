@@ -46,10 +46,10 @@ func close() -> void:
 
 ## Stores the pose of one body.
 static func set_rows(rows: PackedFloat32Array, body: int, pose: Transform3D) -> void:
-	var at := body * 12
+	var offset := body * 12
 	for row: int in 3:
-		rows[at] = pose.basis.x[row]
-		rows[at + 1] = pose.basis.y[row]
-		rows[at + 2] = pose.basis.z[row]
-		rows[at + 3] = pose.origin[row]
-		at += 4
+		rows[offset] = pose.basis.x[row]
+		rows[offset + 1] = pose.basis.y[row]
+		rows[offset + 2] = pose.basis.z[row]
+		rows[offset + 3] = pose.origin[row]
+		offset += 4

@@ -1,5 +1,5 @@
 extends RefCounted
-## Report of what a client received during the scene, for the tools that started it.
+## Reports the traffic that a client received during the scene to the tool that started the client.
 
 const PoseLink := preload("../replication/pose_link.gd")
 const TrafficMeter := preload("traffic_meter.gd")
@@ -30,7 +30,7 @@ func finish(method: String, meter: TrafficMeter) -> void:
 	}
 
 
-## Call when all of the scene has been shown: prints the report for the tools.
+## Prints the report. Call when the complete scene has been shown.
 func print_json(link: PoseLink) -> void:
 	_values.merge(link.get_counts())
 	print("REPORT ", JSON.stringify(_values))

@@ -2,8 +2,8 @@ extends RefCounted
 ## Ground truth: the poses of a few moving bodies at three consecutive ticks, which the server sends
 ## to clients that display their error.
 ##
-## Encoded little-endian: f64 first tick, u8 number of bodies, then for each u16 ID and, for each
-## tick, position and quaternion as 7 float32.
+## Encoding, little-endian: f64 first tick, u8 number of bodies; then for each body u16 ID and, for
+## each tick, position and quaternion as 7 float32.
 
 const Truth := preload("res://demos/multiplayer/measure/truth.gd")
 
@@ -16,7 +16,7 @@ const BODY_BYTES := 2 + TICKS * POSE_BYTES
 ## The first tick, on the clock of [code]PoseLink.get_shown_tick()[/code].
 var tick := 0.0
 var ids := PackedInt32Array()
-## For each tick the poses of all bodies, in the order of the IDs.
+## The poses of all bodies in the order of the IDs, for each tick.
 var poses: Array[Transform3D] = []
 
 
@@ -58,19 +58,32 @@ func get_pose(i: int, ticks: float) -> Transform3D:
 	return from.interpolate_with(to, clampf(ticks - step, 0.0, 1.0))
 
 
-static func _encode(bytes: PackedByteArray, at: int, pose: Transform3D) -> void:
-	var turn := pose.basis.get_rotation_quaternion()
+static func _encode(bytes: PackedByteArray, offset: int, pose: Transform3D) -> void:
+	var rotation := pose.basis.get_rotation_quaternion()
 	var numbers := PackedFloat32Array(
-		[pose.origin.x, pose.origin.y, pose.origin.z, turn.x, turn.y, turn.z, turn.w]
+		[
+			pose.origin.x,
+			pose.origin.y,
+			pose.origin.z,
+			rotation.x,
+			rotation.y,
+			rotation.z,
+			rotation.w
+		]
 	)
 	for i: int in numbers.size():
-		bytes.encode_float(at + 4 * i, numbers[i])
+		bytes.encode_float(offset + 4 * i, numbers[i])
 
 
-static func _decode(bytes: PackedByteArray, at: int) -> Transform3D:
-	var numbers := bytes.slice(at, at + POSE_BYTES).to_float32_array()
+static func _decode(bytes: PackedByteArray, offset: int) -> Transform3D:
+	var numbers := bytes.slice(offset, offset + POSE_BYTES).to_float32_array()
 	var origin := Vector3(numbers[0], numbers[1], numbers[2])
-	var turn := Quaternion(numbers[3], numbers[4], numbers[5], numbers[6])
+	var rotation := Quaternion(numbers[3], numbers[4], numbers[5], numbers[6])
 	return Transform3D(
-		Basis(turn.normalized()) if turn.is_finite() and turn.length() > 0.5 else Basis(), origin
+		(
+			Basis(rotation.normalized())
+			if rotation.is_finite() and rotation.length() > 0.5
+			else Basis()
+		),
+		origin
 	)

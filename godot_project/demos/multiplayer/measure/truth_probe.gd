@@ -1,11 +1,11 @@
 extends RefCounted
 ## Collects ground truth on the server: four times a second it samples a few moving bodies at random
-## and stores their poses at the next ticks. It costs nothing while no client requests it.
+## and stores their poses at consecutive ticks. It costs nothing while no client requests it.
 
 const Truth := preload("truth.gd")
 
 ## Ticks between two samples.
-const PAUSE := 15
+const INTERVAL := 15
 ## Meters per tick below which a body is at rest: 1 mm/s.
 const MIN_MOTION := 0.001 / 60.0
 
@@ -18,14 +18,14 @@ var _ticks := 0
 var _random := RandomNumberGenerator.new()
 
 
-## Processes the poses of a tick, given on the clock of the clients. Returns a complete ground truth
-## or null.
+## Processes the poses of a tick. [param tick] is on the clock of the clients. Returns a complete
+## ground truth or null.
 func observe(tick: float, poses: Dictionary[int, Transform3D]) -> Truth:
 	var complete: Truth = null
 	_ticks += 1
 	if watchers.is_empty():
 		_truth = null
-	elif _ticks % PAUSE == 0:
+	elif _ticks % INTERVAL == 0:
 		_begin(tick, poses)
 	if _truth != null and not _add_tick(poses):
 		_truth = null
@@ -41,8 +41,8 @@ func _begin(tick: float, poses: Dictionary[int, Transform3D]) -> void:
 	_truth.tick = tick
 	var ids := poses.keys()
 	var start := _random.randi_range(0, ids.size())
-	# Neighbors move alike: take every 37th body, which visits all unless the count is a multiple of
-	# 37.
+	# Neighboring bodies move similarly, so take every 37th body. This visits all bodies unless
+	# their number is a multiple of 37.
 	for i: int in ids.size():
 		var id: int = ids[(start + i * 37) % ids.size()]
 		if _moved(id, poses) and not _truth.ids.has(id):

@@ -3,8 +3,8 @@ extends RefCounted
 ##
 ## In order: a bounded queue with limited rate, burst loss (Gilbert-Elliott model: the bad state
 ## loses every packet), delay, jitter, reordering, duplication. Each packet consumes the same number
-## of random numbers under all conditions, so that with the same seed the n-th packet is treated the
-## same in each run.
+## of random numbers under all conditions, so that runs with the same seed impair the n-th packet in
+## the same way.
 
 const LineConditions := preload("line_conditions.gd")
 
@@ -15,7 +15,7 @@ const MAX_QUEUE := 0.25
 ## Additional delay of a reordered packet, in seconds.
 const REORDER_DELAY := 0.04
 ## Maximum number of packets in transit.
-const MAX_HELD := 8192
+const MAX_IN_TRANSIT := 8192
 
 ## May change at any time. Packets in transit are not affected.
 var conditions := LineConditions.new()
@@ -31,8 +31,8 @@ var _is_bad := false
 ## Time at which the queue is empty, in seconds.
 var _free_at := -INF
 ## Packets in transit and their arrival times, sorted by time.
-var _held: Array[PackedByteArray] = []
-var _due := PackedFloat64Array()
+var _in_transit: Array[PackedByteArray] = []
+var _arrival_times := PackedFloat64Array()
 
 
 func _init(seed_value: int) -> void:
@@ -60,22 +60,22 @@ func put(packet: PackedByteArray, now: float) -> void:
 		lost += 1
 		return
 	var arrives := leaves + conditions.delay
-	_hold(
+	_schedule(
 		packet,
 		arrives + jitter_factor * conditions.jitter + (REORDER_DELAY if is_reordered else 0.0)
 	)
 	if is_duplicated:
-		_hold(packet, arrives + duplicate_jitter * conditions.jitter)
+		_schedule(packet, arrives + duplicate_jitter * conditions.jitter)
 
 
 ## Removes and returns the packets that have arrived by [param now], in order of arrival.
 func take(now: float) -> Array[PackedByteArray]:
-	var count := _due.bsearch(now, false)
+	var count := _arrival_times.bsearch(now, false)
 	if count == 0:
 		return []
-	var arrived := _held.slice(0, count)
-	_held = _held.slice(count)
-	_due = _due.slice(count)
+	var arrived := _in_transit.slice(0, count)
+	_in_transit = _in_transit.slice(count)
+	_arrival_times = _arrival_times.slice(count)
 	return arrived
 
 
@@ -92,10 +92,10 @@ func _loses(chance: float) -> bool:
 	return _is_bad
 
 
-func _hold(packet: PackedByteArray, arrives: float) -> void:
-	if _due.size() >= MAX_HELD:
+func _schedule(packet: PackedByteArray, arrives: float) -> void:
+	if _arrival_times.size() >= MAX_IN_TRANSIT:
 		overflowed += 1
 		return
-	var at := _due.bsearch(arrives, false)
-	_due.insert(at, arrives)
-	_held.insert(at, packet)
+	var index := _arrival_times.bsearch(arrives, false)
+	_arrival_times.insert(index, arrives)
+	_in_transit.insert(index, packet)

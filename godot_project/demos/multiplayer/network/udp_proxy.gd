@@ -23,7 +23,8 @@ func get_port() -> int:
 	return _relay.get_port()
 
 
-## Affects packets from now on. The proxy keeps a reference: pass a new object for each change.
+## Affects packets that enter the proxy from now on. The proxy keeps a reference: pass a new object
+## for each change.
 func set_conditions(conditions: LineConditions) -> void:
 	_relay.set_conditions(conditions)
 
@@ -38,7 +39,8 @@ func close() -> void:
 		_thread.wait_to_finish()
 
 
-## Not on NOTIFICATION_EXIT_TREE: the disconnect message of the client must still pass.
+## Closes here rather than on NOTIFICATION_EXIT_TREE, so that the proxy still forwards the client's
+## disconnect message.
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE:
 		close()

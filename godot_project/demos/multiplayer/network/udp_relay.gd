@@ -8,7 +8,7 @@ const LineConditions := preload("line_conditions.gd")
 const LOOPBACK := "127.0.0.1"
 ## Microseconds between two polls of the sockets.
 const POLL_INTERVAL := 400
-## Maximum number of clients; further ones are ignored.
+## Maximum number of clients. The relay ignores more.
 const MAX_ROUTES := 32
 ## Seconds without a packet from a client after which its route is removed.
 const MAX_SILENCE := 20.0
@@ -31,7 +31,7 @@ class Counts:
 	var up_bytes := 0
 	var down_packets := 0
 	var down_bytes := 0
-	## Packets lost or dropped on the way to clients.
+	## Packets to clients that were lost or dropped.
 	var down_lost := 0
 
 	func add(route: Route) -> void:
@@ -69,8 +69,8 @@ func get_port() -> int:
 	return _listener.get_local_port()
 
 
-## Affects packets from now on, in both directions of all clients. Keeps a reference: pass a new
-## object for each change.
+## Affects packets that arrive from now on, in both directions of all clients. Keeps a reference:
+## pass a new object for each change.
 func set_conditions(conditions: LineConditions) -> void:
 	_mutex.lock()
 	_conditions = conditions
@@ -96,7 +96,7 @@ func run() -> void:
 		OS.delay_usec(POLL_INTERVAL)
 
 
-## Forwards pending packets of clients first, including their disconnect messages.
+## Stops [method run], after forwarding the pending packets of clients, such as disconnect messages.
 func stop() -> void:
 	_mutex.lock()
 	_is_stopped = true
@@ -127,11 +127,11 @@ func _accept_clients(now: float) -> void:
 
 
 func _forward_all(now: float) -> void:
-	for at: int in range(_routes.size() - 1, -1, -1):
-		var route := _routes[at]
+	for index: int in range(_routes.size() - 1, -1, -1):
+		var route := _routes[index]
 		_forward(route, now)
 		if now - route.heard_at > MAX_SILENCE:
-			_routes.remove_at(at)
+			_routes.remove_at(index)
 
 
 func _forward(route: Route, now: float) -> void:

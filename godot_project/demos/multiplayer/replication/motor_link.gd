@@ -43,7 +43,8 @@ func remove_receiver(_peer: int) -> void:
 	pass
 
 
-## The node samples the bodies after this call, at the tick after its last one.
+## Returns the tick after the node's media time, because the node samples the bodies after this
+## call.
 func get_sent_tick() -> float:
 	var seconds := _synchronizer.get_media_time(multiplayer.get_unique_id())
 	return seconds * Engine.physics_ticks_per_second + 1.0 if seconds > 0.0 else NO_TICK

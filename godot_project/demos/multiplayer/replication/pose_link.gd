@@ -8,7 +8,7 @@ const PoseRecorder := preload("../measure/pose_recorder.gd")
 ## The tick of a method without a clock.
 const NO_TICK := -1.0
 
-## The bodies, on a client with the shown poses.
+## The bodies. On a client, they have the shown poses.
 var bodies: Array[Node3D] = []
 
 

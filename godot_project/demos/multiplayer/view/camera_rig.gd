@@ -1,7 +1,7 @@
 extends Node3D
 ## The camera, which orbits a point near the player's ball. Right drag rotates, the wheel zooms.
 
-const TURN_SPEED := 0.006
+const ROTATION_SPEED := 0.006
 const ZOOM_STEP := 1.1
 const FOLLOW_SPEED := 2.5
 ## Weight of the ball's position in the point that the camera orbits; the rest is the center of the
@@ -30,17 +30,17 @@ func _ready() -> void:
 
 
 func _process(delta: float) -> void:
-	var wanted := target * FOLLOW_SHARE
-	wanted.y = 0.0
-	position = position.lerp(wanted, 1.0 - exp(-FOLLOW_SPEED * delta))
+	var goal := target * FOLLOW_SHARE
+	goal.y = 0.0
+	position = position.lerp(goal, 1.0 - exp(-FOLLOW_SPEED * delta))
 	_place()
 
 
 func _unhandled_input(event: InputEvent) -> void:
 	var motion := event as InputEventMouseMotion
 	if motion != null and motion.button_mask & MOUSE_BUTTON_MASK_RIGHT:
-		yaw -= motion.relative.x * TURN_SPEED
-		pitch = clampf(pitch - motion.relative.y * TURN_SPEED, -1.4, -0.1)
+		yaw -= motion.relative.x * ROTATION_SPEED
+		pitch = clampf(pitch - motion.relative.y * ROTATION_SPEED, -1.4, -0.1)
 	var button := event as InputEventMouseButton
 	if button != null and button.pressed:
 		if button.button_index == MOUSE_BUTTON_WHEEL_UP:
@@ -50,5 +50,5 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _place() -> void:
-	var turn := Basis(Vector3.UP, yaw) * Basis(Vector3.RIGHT, pitch)
-	camera.transform = Transform3D(turn, turn * Vector3(0.0, 0.0, distance))
+	var rotation_basis := Basis(Vector3.UP, yaw) * Basis(Vector3.RIGHT, pitch)
+	camera.transform = Transform3D(rotation_basis, rotation_basis * Vector3(0.0, 0.0, distance))

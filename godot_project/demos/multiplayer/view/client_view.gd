@@ -10,7 +10,7 @@ const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
 const Stage := preload("stage.gd")
 
-## Maximum distance in meters from the ray of a click to the cube that it kicks.
+## Maximum distance, in meters, from the mouse ray to the center of the cube that a click kicks.
 const PICK_RADIUS := 0.42
 ## Frames until shaders are compiled and shadows are drawn.
 const SETTLING_FRAMES := 4
@@ -23,8 +23,8 @@ var _rig: CameraRig
 var _balls: Dictionary[int, BallView] = {}
 var _shown_roster: Array = []
 var _hud: Hud
-## True while the screenshot is taken: freezes the figures.
-var _is_posing := false
+## True while the screenshot is taken; the statistics are then frozen.
+var _is_taking_screenshot := false
 
 
 func _init(client: Client, options: Options) -> void:
@@ -34,13 +34,13 @@ func _init(client: Client, options: Options) -> void:
 	client.closed.connect(_on_closed)
 	_hud = Hud.new(client)
 	add_child(_hud)
-	_hud.show_message("Connecting to %s:%d …" % [options.address, options.port])
+	_hud.show_message("Connecting to %s:%d..." % [options.address, options.port])
 
 
 func _process(_delta: float) -> void:
 	if _multimesh == null:
 		return
-	if not _is_posing:
+	if not _is_taking_screenshot:
 		_hud.update()
 	if not _client.link.is_ready():
 		return
@@ -77,8 +77,8 @@ func _on_opened(scene: String, cubes: int) -> void:
 	_rig = CameraRig.new(layout.half_extent)
 	add_child(_rig)
 	_hud.open()
-	if not _options.picture.is_empty():
-		_prepare_picture()
+	if not _options.screenshot.is_empty():
+		_prepare_screenshot()
 
 
 func _on_closed(reason: String) -> void:
@@ -134,22 +134,22 @@ func _pick(origin: Vector3, direction: Vector3) -> int:
 
 
 ## Runs the other method first, so that the screenshot shows the rates of both. 3D rendering is off
-## until then: software rendering would be too slow for realistic figures.
-func _prepare_picture() -> void:
+## until the screenshot, because software rendering would be too slow for realistic statistics.
+func _prepare_screenshot() -> void:
 	get_viewport().disable_3d = true
 	var other := "synchronizer" if _client.method == "motors" else "motors"
 	_client.request_method(other)
-	var back := get_tree().create_timer(_options.picture_after * 0.5)
+	var back := get_tree().create_timer(_options.screenshot_after * 0.5)
 	back.timeout.connect(_client.request_method.bind(_client.method))
-	get_tree().create_timer(_options.picture_after).timeout.connect(_take_picture)
+	get_tree().create_timer(_options.screenshot_after).timeout.connect(_take_screenshot)
 
 
-func _take_picture() -> void:
-	_is_posing = true
+func _take_screenshot() -> void:
+	_is_taking_screenshot = true
 	get_viewport().disable_3d = false
 	for frame: int in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
-	var error := get_viewport().get_texture().get_image().save_png(_options.picture)
+	var error := get_viewport().get_texture().get_image().save_png(_options.screenshot)
 	if error != OK:
-		printerr("Cannot write the screenshot %s: %s." % [_options.picture, error_string(error)])
+		printerr("Cannot write the screenshot %s: %s." % [_options.screenshot, error_string(error)])
 	get_tree().quit()

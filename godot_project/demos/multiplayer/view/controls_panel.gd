@@ -33,12 +33,12 @@ var _next_request := 0.0
 func _init() -> void:
 	custom_minimum_size.x = WIDTH
 	add_theme_constant_override(&"separation", 4)
-	_add_heading("Network, Each Direction")
+	_add_heading("Network (Each Direction)")
 	for row: SliderRow in [_loss, _delay, _jitter]:
 		row.moved.connect(_on_network_moved)
 		add_child(row)
 	_add_gap()
-	_add_heading("Motors, All Players")
+	_add_heading("Motors (All Players)")
 	_tolerance.moved.connect(_on_tuning_moved)
 	add_child(_tolerance)
 	_add_modes()

@@ -1,20 +1,20 @@
 extends CanvasLayer
-## The HUD of a client: figures on the left, controls on the right, players at the top, keys at the
-## bottom. H toggles the panels, M switches the method.
+## The HUD of a client: statistics on the left, controls on the right, players at the top, keys at
+## the bottom. H toggles the panels, M switches the method.
 
 const Client := preload("../client.gd")
 const ControlsPanel := preload("controls_panel.gd")
-const FiguresPanel := preload("figures_panel.gd")
+const StatisticsPanel := preload("statistics_panel.gd")
 const PlayerList := preload("player_list.gd")
 
-const EDGE := 16
+const MARGIN := 16
 const KEYS := (
 	"WASD, arrows: roll   ·   Space: jump   ·   Click: kick   ·   Right drag, wheel: camera   ·   "
 	+ "M: switch method   ·   H: toggle panels"
 )
 
 var _client: Client
-var _figures := FiguresPanel.new()
+var _statistics := StatisticsPanel.new()
 var _controls := ControlsPanel.new()
 var _players := PlayerList.new()
 var _panels := Control.new()
@@ -27,16 +27,16 @@ func _init(client: Client) -> void:
 	_panels.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	_panels.hide()
 	add_child(_panels)
-	_place(_in_panel(_figures), Control.SIZE_SHRINK_BEGIN, Control.SIZE_SHRINK_BEGIN)
-	_place(_in_panel(_controls), Control.SIZE_SHRINK_END, Control.SIZE_SHRINK_BEGIN)
-	_place(_players, Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_BEGIN)
-	_place(_make_keys(), Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_END)
+	_add_to_edge(_in_panel(_statistics), Control.SIZE_SHRINK_BEGIN, Control.SIZE_SHRINK_BEGIN)
+	_add_to_edge(_in_panel(_controls), Control.SIZE_SHRINK_END, Control.SIZE_SHRINK_BEGIN)
+	_add_to_edge(_players, Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_BEGIN)
+	_add_to_edge(_make_keys(), Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_END)
 	_message.theme_type_variation = &"HeadingLabel"
 	_message.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_message.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	_message.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 	add_child(_message)
-	_figures.method_requested.connect(client.request_method)
+	_statistics.method_requested.connect(client.request_method)
 	_controls.conditions_changed.connect(client.set_conditions)
 	_controls.tuning_requested.connect(client.request_tuning)
 	client.method_changed.connect(_on_method_changed)
@@ -63,7 +63,7 @@ func show_players(roster: Array, own_slot: int) -> void:
 
 ## Call it every frame.
 func update() -> void:
-	_figures.update(_client)
+	_statistics.update(_client)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
@@ -72,14 +72,14 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		return
 	if key.keycode == KEY_H:
 		_panels.visible = not _panels.visible
-		# Hidden figures need no ground truth.
+		# Hidden statistics need no ground truth.
 		_client.request_truth(_panels.visible)
 	elif key.keycode == KEY_M:
 		_client.request_method("synchronizer" if _client.method == "motors" else "motors")
 
 
 func _on_method_changed() -> void:
-	_figures.show_method(_client.method)
+	_statistics.show_method(_client.method)
 
 
 func _on_tuned() -> void:
@@ -92,12 +92,14 @@ func _in_panel(content: Control) -> PanelContainer:
 	return panel
 
 
-func _place(panel: Control, horizontal: Control.SizeFlags, vertical: Control.SizeFlags) -> void:
+func _add_to_edge(
+	panel: Control, horizontal: Control.SizeFlags, vertical: Control.SizeFlags
+) -> void:
 	var frame := MarginContainer.new()
 	frame.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	frame.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	for side: String in ["left", "top", "right", "bottom"]:
-		frame.add_theme_constant_override("margin_" + side, EDGE)
+		frame.add_theme_constant_override("margin_" + side, MARGIN)
 	panel.size_flags_horizontal = horizontal
 	panel.size_flags_vertical = vertical
 	frame.add_child(panel)

@@ -1,7 +1,7 @@
 extends Control
 ## The lobby: host a server on this machine, or join one.
 
-## Emitted to start playing with the options, which hold the choices.
+## Emitted when the player hosts or joins. The options then contain the player's choices.
 signal chosen
 
 const CameraRig := preload("camera_rig.gd")
@@ -16,7 +16,7 @@ const SCENE_TITLES: Dictionary[String, String] = {
 }
 const COLUMN_WIDTH := 400
 ## Rotation of the background in radians per second.
-const TURN_SPEED := 0.06
+const ROTATION_SPEED := 0.06
 
 var _options: Options
 var _name := LineEdit.new()
@@ -63,7 +63,7 @@ func _init(options: Options, message: String) -> void:
 
 
 func _process(delta: float) -> void:
-	_rig.yaw += TURN_SPEED * delta
+	_rig.yaw += ROTATION_SPEED * delta
 
 
 ## Shows the initial state of the scene as the background.

@@ -1,5 +1,5 @@
 extends Control
-## A small graph of the recent values of a figure.
+## A small graph of the recent values of a statistic.
 
 const CAPACITY := 48
 

@@ -1,6 +1,6 @@
 extends RefCounted
 ## Start pose and color of each cube, the same on the server and on all clients. Scene "cubes": a
-## round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250. Scene
+## round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250 cubes. Scene
 ## "push": a field of cubes on the floor.
 
 ## Edge of a cube, in meters.
@@ -48,15 +48,15 @@ func _add_sets(count: int) -> void:
 
 func _add_field(count: int) -> void:
 	var side := ceili(sqrt(count))
-	var reach := (side - 1) * 0.5
-	half_extent = maxf(11.0, reach * FIELD_PITCH + 4.0)
+	var half_side := (side - 1) * 0.5
+	half_extent = maxf(11.0, half_side * FIELD_PITCH + 4.0)
 	for i: int in count:
-		var cell := Vector3(i % side - reach, 0.0, floorf(i / float(side)) - reach)
-		var away := cell.length() / maxf(reach * sqrt(2.0), 1.0)
+		var cell := Vector3(i % side - half_side, 0.0, floorf(i / float(side)) - half_side)
+		var weight := cell.length() / maxf(half_side * sqrt(2.0), 1.0)
 		_add(
 			Transform3D(Basis.IDENTITY, cell * FIELD_PITCH + Vector3(0.0, EDGE * 0.5, 0.0)),
 			FIELD_COLORS,
-			away
+			weight
 		)
 
 
@@ -76,37 +76,45 @@ func _add_tower(base: Vector3, count: int) -> void:
 	for i: int in count:
 		var layer := floori(i / float(TOWER_RING))
 		var angle := TAU * (i % TOWER_RING + 0.5 * (layer % 2)) / TOWER_RING
-		var at := base + Vector3(cos(angle) * radius, EDGE * (layer + 0.5), sin(angle) * radius)
-		_add(Transform3D(Basis(Vector3.UP, -angle), at), TOWER_COLORS, layer / maxf(layers - 1, 1))
+		var position := (
+			base + Vector3(cos(angle) * radius, EDGE * (layer + 0.5), sin(angle) * radius)
+		)
+		_add(
+			Transform3D(Basis(Vector3.UP, -angle), position),
+			TOWER_COLORS,
+			layer / maxf(layers - 1, 1)
+		)
 
 
 func _add_wall(base: Vector3, count: int) -> void:
 	var layers := ceili(count / float(WALL_WIDTH))
-	var turn := Basis(Vector3.UP, -0.5)
+	var rotation := Basis(Vector3.UP, -0.5)
 	for i: int in count:
 		var layer := floori(i / float(WALL_WIDTH))
 		var along := (i % WALL_WIDTH - WALL_WIDTH * 0.5 + 0.5 * (layer % 2)) * PITCH
-		var at := base + turn * Vector3(along, EDGE * (layer + 0.5), 0.0)
-		_add(Transform3D(turn, at), WALL_COLORS, layer / maxf(layers - 1, 1))
+		var position := base + rotation * Vector3(along, EDGE * (layer + 0.5), 0.0)
+		_add(Transform3D(rotation, position), WALL_COLORS, layer / maxf(layers - 1, 1))
 
 
 func _add_pyramid(base: Vector3, count: int) -> void:
 	var side := 1
 	while side * (side + 1) * (2 * side + 1) < 6 * count:
 		side += 1
-	var turn := Basis(Vector3.UP, 0.35)
+	var rotation := Basis(Vector3.UP, 0.35)
 	var rows := side
 	var layer := 0
-	var left := count
-	while left > 0:
-		for i: int in mini(left, rows * rows):
+	var remaining := count
+	while remaining > 0:
+		for i: int in mini(remaining, rows * rows):
 			var cell := (
 				Vector3(i % rows, 0.0, floorf(i / float(rows)))
 				- Vector3(rows - 1, 0.0, rows - 1) * 0.5
 			)
-			var at := base + turn * (cell * PITCH) + Vector3(0.0, EDGE * (layer + 0.5), 0.0)
-			_add(Transform3D(turn, at), PYRAMID_COLORS, layer / maxf(side - 1, 1))
-		left -= mini(left, rows * rows)
+			var position := (
+				base + rotation * (cell * PITCH) + Vector3(0.0, EDGE * (layer + 0.5), 0.0)
+			)
+			_add(Transform3D(rotation, position), PYRAMID_COLORS, layer / maxf(side - 1, 1))
+		remaining -= mini(remaining, rows * rows)
 		rows = maxi(rows - 1, 1)
 		layer += 1
 
@@ -115,10 +123,10 @@ func _add_cloud(base: Vector3, count: int) -> void:
 	for i: int in count:
 		# A sunflower spiral, and a different axis for each cube.
 		var angle := i * 2.39996
-		var out := 0.9 * sqrt(i + 0.5)
-		var at := base + Vector3(cos(angle) * out, 5.0 + 0.12 * i, sin(angle) * out)
+		var distance := 0.9 * sqrt(i + 0.5)
+		var position := base + Vector3(cos(angle) * distance, 5.0 + 0.12 * i, sin(angle) * distance)
 		var axis := Vector3(sin(i * 1.7), cos(i * 2.3), sin(i * 0.9 + 1.0)).normalized()
-		_add(Transform3D(Basis(axis, i * 0.8), at), CLOUD_COLORS, i / maxf(count - 1, 1))
+		_add(Transform3D(Basis(axis, i * 0.8), position), CLOUD_COLORS, i / maxf(count - 1, 1))
 
 
 func _add(pose: Transform3D, stops: Array[Color], weight: float) -> void:
@@ -126,6 +134,6 @@ func _add(pose: Transform3D, stops: Array[Color], weight: float) -> void:
 	# Small differences in brightness make the cubes of a structure distinguishable.
 	var shade := 0.06 * sin(poses.size() * 12.9898)
 	var along := clampf(weight, 0.0, 1.0) * (stops.size() - 1)
-	var part := mini(floori(along), stops.size() - 2)
-	var color := stops[part].lerp(stops[part + 1], along - part)
+	var stop := mini(floori(along), stops.size() - 2)
+	var color := stops[stop].lerp(stops[stop + 1], along - stop)
 	colors.append(color.lightened(shade) if shade > 0.0 else color.darkened(-shade))

@@ -23,7 +23,7 @@ var _balls: Array[PhysicsBody3D] = []
 var _scenario: Scenario
 
 
-func _init(scene: String, cube_count: int, life: bool) -> void:
+func _init(scene: String, cube_count: int, scripted_motion: bool) -> void:
 	_scene = scene
 	layout = Layout.new(scene, cube_count)
 	_balls.resize(SLOTS)
@@ -32,7 +32,7 @@ func _init(scene: String, cube_count: int, life: bool) -> void:
 	shape.size = Vector3.ONE * Layout.EDGE
 	for pose: Transform3D in layout.poses:
 		_add_cube(pose, shape)
-	if life:
+	if scripted_motion:
 		_scenario = Scenario.new(scene, layout.half_extent)
 		_add_scripted_ball()
 
@@ -42,7 +42,7 @@ func step(delta: float) -> void:
 	seconds += delta
 	if _scenario != null and not is_calm:
 		_balls[0].transform = _scenario.get_ball_pose(seconds)
-		_scenario.act(seconds, _cubes)
+		_scenario.update(seconds, _cubes)
 	for i: int in _cubes.size():
 		_keep_inside(_cubes[i], layout.poses[i].origin)
 	for slot: int in range(1, SLOTS):
@@ -154,7 +154,7 @@ func _add_box(parent: StaticBody3D, center: Vector3, size: Vector3) -> void:
 	parent.add_child(collision)
 
 
-## Returns a body that has left the arena, from above.
+## If a body has left the arena, drops it from above its start position.
 func _keep_inside(body: RigidBody3D, home: Vector3) -> void:
 	if (
 		body.position.y > -2.0

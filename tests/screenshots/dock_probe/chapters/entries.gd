@@ -138,7 +138,7 @@ func _reorder() -> void:
 
 
 func _drag_row() -> void:
-	var from := row_part("pair1", "Words")
+	var from := row_part("pair1", "Message")
 	Hands.drag(from, Vector2(0.3, 0.5), row("apex"), Vector2(0.5, 0.03))
 	expect(names(), ["pair1", "apex", "B", "s", "k1"], "order after dragging a row to the top")
 	await settle()

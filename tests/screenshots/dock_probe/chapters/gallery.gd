@@ -58,7 +58,7 @@ func _export() -> void:
 	path.text = "res://no_folder/picture.png"
 	press(dialog.get_ok_button())
 	await settle(20)
-	var problem := dialog.find_child("Problem", true, false) as Label
+	var problem := dialog.find_child("Error", true, false) as Label
 	expect_true(
 		dialog.visible and problem.visible and problem.text.contains("no_folder"),
 		"error about the file: %s" % problem.text

@@ -124,7 +124,8 @@ static func _variable(entry: String) -> String:
 	return entry + "_" if RESERVED.has(entry) else entry
 
 
-## These entries and their dependencies, dependencies first, without entries that have an error.
+## Returns the entries and their dependencies, dependencies first, without entries that have an
+## error.
 static func _in_order(scene: GAScene, entries: PackedStringArray) -> PackedStringArray:
 	var order := PackedStringArray()
 	for entry in entries:

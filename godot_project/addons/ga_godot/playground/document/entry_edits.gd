@@ -6,7 +6,7 @@ const PlaygroundDocument := preload("playground_document.gd")
 const NewObjects := preload("new_objects.gd")
 const ValueSlider := preload("../entries/value_slider.gd")
 
-## What combine() can make of two entries, in the order of the buttons.
+## The operations of combine(), in the order of the buttons.
 const COMBINATIONS: Array[StringName] = [
 	&"join", &"meet", &"intersect", &"project", &"reflect", &"move"
 ]
@@ -27,8 +27,8 @@ func add_object(kind: StringName, dual: bool) -> String:
 	)
 
 
-## Returns the name of the new entry. If `entry` is empty, the name is chosen by `kind`, or else by
-## the kind of the value.
+## Returns the name of the new entry. If `entry` is empty, chooses a name for `kind`; an empty
+## `kind` stands for the kind of the value.
 func add(entry: String, expression: String, ipns := false, kind := &"") -> String:
 	if kind.is_empty():
 		var value: Multivector = _document.scene.describe_expression(expression)["value"]
@@ -91,7 +91,7 @@ func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
 	)
 
 
-## The other entries that lose their values if these are removed.
+## Returns the other entries that would lose their values if `entries` were removed.
 func dependents(entries: PackedStringArray) -> PackedStringArray:
 	var found := PackedStringArray()
 	for entry in entries:
@@ -102,8 +102,8 @@ func dependents(entries: PackedStringArray) -> PackedStringArray:
 
 
 ## The expression that combines two entries; empty if they cannot be combined this way.
-func combination(how: StringName, first: String, second: String) -> String:
-	match how:
+func combination(operation: StringName, first: String, second: String) -> String:
+	match operation:
 		&"join":
 			return "join(%s, %s)" % [first, second]
 		&"meet":
@@ -124,10 +124,10 @@ func combination(how: StringName, first: String, second: String) -> String:
 
 
 ## Adds the combination of two entries. Returns the name of the new entry.
-func combine(how: StringName, first: String, second: String) -> String:
-	var moved := second if how == &"move" and _is_motion(first) else first
-	var keeps_reading := how in [&"reflect", &"move"]
-	return add("", combination(how, first, second), keeps_reading and _is_ipns(moved))
+func combine(operation: StringName, first: String, second: String) -> String:
+	var moved := second if operation == &"move" and _is_motion(first) else first
+	var keeps_ipns := operation in [&"reflect", &"move"]
+	return add("", combination(operation, first, second), keeps_ipns and _is_ipns(moved))
 
 
 func _is_motion(entry: String) -> bool:

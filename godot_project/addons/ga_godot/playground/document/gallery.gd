@@ -42,7 +42,7 @@ static func path_of(example: String) -> String:
 	return FOLDER.path_join(example + ".json")
 
 
-## A new copy of the example, or null; then error_of() returns the reason.
+## Returns a new copy of the example, or null if it cannot be opened; see error_of().
 static func load_example(example: String) -> GAScene:
 	if not error_of(example).is_empty():
 		return null
@@ -50,13 +50,16 @@ static func load_example(example: String) -> GAScene:
 	return scene if scene.load_json(FileAccess.get_file_as_string(path_of(example))) == OK else null
 
 
-## Why the example cannot be opened; empty if it can.
+## Returns why the example cannot be opened, or an empty string.
 static func error_of(example: String) -> String:
 	if not EXAMPLES.has(example):
 		return 'There is no example named "%s".' % example
 	if not FileAccess.file_exists(path_of(example)):
 		return (
-			"%s is missing. Copy the whole addons/ga_godot folder, or export the project with *.json files."
+			(
+				"%s is missing. Copy the complete addons/ga_godot folder, or export the project with"
+				+ " *.json files."
+			)
 			% path_of(example)
 		)
 	return ""

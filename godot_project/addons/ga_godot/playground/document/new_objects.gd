@@ -27,7 +27,7 @@ const EXPRESSIONS: Dictionary[StringName, String] = {
 	&"scalar": "%d",
 }
 ## Prefixes of names by the kind that Multivector.classify() returns.
-const INITIALS: Dictionary[StringName, String] = {
+const PREFIXES: Dictionary[StringName, String] = {
 	&"point_pair": "pair",
 	&"line": "l",
 	&"circle": "c",
@@ -41,7 +41,7 @@ const INITIALS: Dictionary[StringName, String] = {
 	&"direction": "v",
 	&"pair": "pair",
 }
-## Without E and I, which are constants in expressions.
+## Names of points. E and I are omitted, because they are constants in expressions.
 const POINT_NAMES := "ABCDFGHJKLMNOPQRSTUVWXYZ"
 ## Kinds that can also be added as duals.
 const WITH_DUAL: Array[StringName] = [&"point", &"pair", &"line", &"circle", &"plane", &"sphere"]
@@ -64,11 +64,11 @@ static func free_name(kind: StringName, scene: GAScene) -> String:
 		for letter in POINT_NAMES:
 			if not scene.has_entry(letter):
 				return letter
-	var initial: String = INITIALS.get(kind, "P" if kind == &"point" else "x")
+	var prefix: String = PREFIXES.get(kind, "P" if kind == &"point" else "x")
 	var number := 1
-	while scene.has_entry("%s%d" % [initial, number]):
+	while scene.has_entry("%s%d" % [prefix, number]):
 		number += 1
-	return "%s%d" % [initial, number]
+	return "%s%d" % [prefix, number]
 
 
 static func _count(kind: StringName, scene: GAScene) -> int:

@@ -2,9 +2,9 @@
 extends RefCounted
 ## The scene that the playground shows, with its file and its undo history.
 
-## Another scene is shown, or the file of the scene changed.
+## Emitted when another scene is shown, or the file of the scene changes.
 signal scene_switched
-## The scene changed, also by undo and redo.
+## Emitted when the scene changes, including by undo and redo.
 signal changed
 ## Forwarded from GAScene.entries_changed, before `changed`.
 signal entries_changed(names: PackedStringArray)

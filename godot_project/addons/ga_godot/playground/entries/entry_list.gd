@@ -107,7 +107,7 @@ func select(entries: PackedStringArray) -> void:
 	selection_changed.emit()
 
 
-# Moves the keyboard focus from a row that is removed to the list.
+# If the row has the keyboard focus, moves the focus to the list before the row is removed.
 func _keep_focus(row: EntryRow) -> void:
 	var focused := get_viewport().gui_get_focus_owner() if is_inside_tree() else null
 	if focused != null and (focused == row or row.is_ancestor_of(focused)):
@@ -154,7 +154,7 @@ func _input(event: InputEvent) -> void:
 		_mouse = mouse.position
 
 
-## Starts dragging a row to another place in the list.
+## Starts dragging a row to another position in the list.
 func _drag(_at: Vector2, row: EntryRow) -> Variant:
 	var preview := Label.new()
 	preview.text = "%s = %s" % [row.entry, _document.scene.get_expression(row.entry)]

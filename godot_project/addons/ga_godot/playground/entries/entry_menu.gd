@@ -51,7 +51,7 @@ func show_for(row: EntryRow) -> void:
 	popup()
 
 
-## Asks for confirmation if other entries would lose their values.
+## Deletes the selected entries. Asks for confirmation if other entries would lose their values.
 func delete_selected() -> void:
 	var dependents := _edits.dependents(_list.selection)
 	if dependents.is_empty():

@@ -3,7 +3,8 @@ extends PanelContainer
 ## One row of the entry list: color, name, expression, visibility, label, and the description of the
 ## value or the error.
 
-## The left mouse button was pressed on the row. If `adding`, the entry is added to the selection.
+## Emitted when the left mouse button is pressed on the row. If `adding`, the click adds the entry
+## to the selection.
 signal pressed(row: Control, adding: bool)
 signal menu_requested(row: Control)
 
@@ -17,10 +18,10 @@ const ValueSlider := preload("value_slider.gd")
 const ColorSwatch := preload("color_swatch.gd")
 
 const NAME_WIDTH := 30.0
-## Between the edge of a button and its icon, in pixels.
+## Distance between the edge of a button and its icon, in pixels.
 const BUTTON_MARGIN := 4.0
 const DROP_LINE := 2.0
-const QUIET := Color(1, 1, 1, 0.65)
+const DIMMED := Color(1, 1, 1, 0.65)
 
 var entry := ""
 var selected := false:
@@ -39,12 +40,12 @@ var _eye := Button.new()
 var _label_toggle := Button.new()
 var _menu := Button.new()
 var _error_icon := TextureRect.new()
-var _words := Label.new()
+var _message := Label.new()
 var _slider: ValueSlider
 var _label_icon: Texture2D
 var _label_icon_on: Texture2D
 var _is_styling := false
-# What the row shows, to update it only when it changes.
+# The displayed values, by which refresh() detects changes.
 var _shown_expression := ""
 var _shown_attributes := {}
 
@@ -69,19 +70,19 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	for part: Control in [_swatch, _name, _equals, _expression]:
 		line.add_child(part)
 	lines.add_child(_make_slider_line())
-	var words := HBoxContainer.new()
-	words.mouse_filter = Control.MOUSE_FILTER_PASS
-	words.add_theme_constant_override(&"separation", roundi(2 * PlaygroundStyle.scale()))
-	for part: Control in [_error_icon, _words, _eye, _label_toggle, _menu]:
-		words.add_child(part)
-	lines.add_child(words)
+	var message_line := HBoxContainer.new()
+	message_line.mouse_filter = Control.MOUSE_FILTER_PASS
+	message_line.add_theme_constant_override(&"separation", roundi(2 * PlaygroundStyle.scale()))
+	for part: Control in [_error_icon, _message, _eye, _label_toggle, _menu]:
+		message_line.add_child(part)
+	lines.add_child(message_line)
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree() and not _is_styling:
 		_label_icon = PlaygroundIcons.make(&"label", self)
 		_label_icon_on = PlaygroundIcons.make(&"label", self, &"accent_color")
-		_words.add_theme_stylebox_override(&"normal", _words_style())
+		_message.add_theme_stylebox_override(&"normal", _message_style())
 		_menu.icon = get_theme_icon(&"GuiTabMenuHl", &"EditorIcons")
 		_show_selection()
 		if not entry.is_empty():
@@ -120,7 +121,7 @@ func show_entry(new_entry: String) -> void:
 	_label_toggle.modulate = Color.WHITE if has_label else Color(1, 1, 1, 0.35)
 	_swatch.show_entry(entry)
 	_slider.show_entry(entry)
-	_show_words(scene.get_description(entry), scene.get_error(entry))
+	_show_message(scene.get_description(entry), scene.get_error(entry))
 
 
 func set_selected(value: bool) -> void:
@@ -128,7 +129,7 @@ func set_selected(value: bool) -> void:
 		return
 	selected = value
 	_show_selection()
-	_wrap_words()
+	_wrap_message()
 
 
 func set_drop_side(value: Drop) -> void:
@@ -176,7 +177,7 @@ func _prepare_texts() -> void:
 	_name.text_changed.connect(_on_name_typed)
 	_name.gui_input.connect(_on_text_input.bind(_name))
 	_equals.text = "="
-	_equals.modulate = QUIET
+	_equals.modulate = DIMMED
 	_expression.name = "Expression"
 	_expression.flat = true
 	_expression.size_flags_horizontal = Control.SIZE_EXPAND_FILL
@@ -187,9 +188,9 @@ func _prepare_texts() -> void:
 	_error_icon.stretch_mode = TextureRect.STRETCH_KEEP_CENTERED
 	_error_icon.expand_mode = TextureRect.EXPAND_IGNORE_SIZE
 	_error_icon.custom_minimum_size.x = ColorSwatch.WIDTH * scale
-	_words.name = "Words"
-	_words.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	_words.mouse_filter = Control.MOUSE_FILTER_PASS
+	_message.name = "Message"
+	_message.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_message.mouse_filter = Control.MOUSE_FILTER_PASS
 
 
 func _prepare_buttons() -> void:
@@ -201,7 +202,7 @@ func _prepare_buttons() -> void:
 	_label_toggle.tooltip_text = "Toggle the label of the object."
 	_label_toggle.toggle_mode = true
 	_label_toggle.toggled.connect(func(on: bool) -> void: _edits.set_attribute(entry, "label", on))
-	# The icons are colored already.
+	# The icons already have their colors.
 	for color: StringName in [&"icon_pressed_color", &"icon_hover_pressed_color"]:
 		_label_toggle.add_theme_color_override(color, Color.WHITE)
 	_menu.name = "Menu"
@@ -257,7 +258,7 @@ func _on_name_typed(text: String) -> void:
 
 func _on_expression_typed(text: String) -> void:
 	var found := _document.scene.describe_expression(text, entry)
-	_show_words(found["description"] as String, found["error"] as String)
+	_show_message(found["description"] as String, found["error"] as String)
 
 
 func _commit_name() -> void:
@@ -278,39 +279,41 @@ func _commit_expression() -> void:
 		_edits.set_expression(entry, _expression.text)
 
 
-func _show_words(description: String, error: String) -> void:
+func _show_message(description: String, error: String) -> void:
 	_show_error(error)
 	if error.is_empty():
-		_words.text = description
-		_words.tooltip_text = description
+		_message.text = description
+		_message.tooltip_text = description
 
 
-## Hides the error if the text is empty.
+## Shows the error. An empty text removes it.
 func _show_error(error: String) -> void:
 	var is_wrong := not error.is_empty()
 	_error_icon.texture = get_theme_icon(&"StatusError", &"EditorIcons") if is_wrong else null
-	_words.modulate = Color.WHITE if is_wrong else QUIET
+	_message.modulate = Color.WHITE if is_wrong else DIMMED
 	if is_wrong:
-		_words.text = error
-		_words.tooltip_text = error
-		_words.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
+		_message.text = error
+		_message.tooltip_text = error
+		_message.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
 	else:
-		_words.remove_theme_color_override(&"font_color")
-	_wrap_words()
+		_message.remove_theme_color_override(&"font_color")
+	_wrap_message()
 
 
 # Wraps the text of selected entries and of errors; trims all others to one line.
-func _wrap_words() -> void:
-	var is_whole := selected or _error_icon.texture != null
-	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART if is_whole else TextServer.AUTOWRAP_OFF
-	_words.text_overrun_behavior = (
-		TextServer.OVERRUN_NO_TRIMMING if is_whole else TextServer.OVERRUN_TRIM_ELLIPSIS
+func _wrap_message() -> void:
+	var is_wrapped := selected or _error_icon.texture != null
+	_message.autowrap_mode = (
+		TextServer.AUTOWRAP_WORD_SMART if is_wrapped else TextServer.AUTOWRAP_OFF
+	)
+	_message.text_overrun_behavior = (
+		TextServer.OVERRUN_NO_TRIMMING if is_wrapped else TextServer.OVERRUN_TRIM_ELLIPSIS
 	)
 	# Without this, changing the mode twice within a frame leaves the label too high.
-	(_words.get_parent() as Container).queue_sort()
+	(_message.get_parent() as Container).queue_sort()
 
 
-# With smaller margins than the theme's buttons.
+# The margins are smaller than those of the theme's buttons.
 func _button_style() -> StyleBox:
 	var style := StyleBoxEmpty.new()
 	style.set_content_margin_all(BUTTON_MARGIN * PlaygroundStyle.scale())
@@ -318,7 +321,7 @@ func _button_style() -> StyleBox:
 
 
 # Aligns the text with the name, and its first line with the buttons.
-func _words_style() -> StyleBox:
+func _message_style() -> StyleBox:
 	# Looked up by type, as the row is notified of a theme change before its parts.
 	var style := StyleBoxEmpty.new()
 	style.content_margin_left = get_theme_stylebox(&"normal", &"LineEdit").get_margin(SIDE_LEFT)
@@ -345,7 +348,7 @@ func _show_selection() -> void:
 	_is_styling = false
 
 
-# Leaves a text alone while the user edits it.
+# Does not overwrite a text that the user is editing.
 func _set_text(edit: LineEdit, text: String) -> void:
 	if edit.text != text and not (edit.has_focus() and edit.is_editing()):
 		edit.text = text

@@ -84,7 +84,7 @@ func _find_error() -> String:
 		values[ValueSlider.STEP] > 0.0
 		and values[ValueSlider.STEP] <= values[ValueSlider.MAX] - values[ValueSlider.MIN]
 	):
-		return "Step must be greater than 0 and fit in the range."
+		return "Step must be greater than 0 and at most To minus From."
 	return ""
 
 

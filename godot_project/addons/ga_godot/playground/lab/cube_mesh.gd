@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Meshes of cubes: solid, with the axes marked by color, and edges only.
+## Two meshes of a cube: solid with a color for each positive axis, and the edges only.
 
 ## Edge length at scale 1, in meters.
 const EDGE := 0.5
@@ -32,17 +32,17 @@ static func solid() -> ArrayMesh:
 
 
 ## The twelve edges as bars. The thickness is in meters.
-static func frame(thickness: float) -> ArrayMesh:
+static func edges(thickness: float) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
-	var reach := EDGE / 2.0
+	var half := EDGE / 2.0
 	for axis in 3:
 		var bar := BoxMesh.new()
 		bar.size = Vector3.ONE * thickness
 		bar.size[axis] = EDGE + thickness
 		for signs: Vector2 in [Vector2(-1, -1), Vector2(-1, 1), Vector2(1, -1), Vector2(1, 1)]:
 			var offset := Vector3.ZERO
-			offset[(axis + 1) % 3] = signs.x * reach
-			offset[(axis + 2) % 3] = signs.y * reach
+			offset[(axis + 1) % 3] = signs.x * half
+			offset[(axis + 2) % 3] = signs.y * half
 			tool.append_from(bar, 0, Transform3D(Basis.IDENTITY, offset))
 	return tool.commit()

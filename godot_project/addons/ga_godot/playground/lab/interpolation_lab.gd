@@ -4,9 +4,9 @@ extends RefCounted
 ## settings. LabPanel and LabDrawing show it. It is stored in the document's attributes
 ## (lab_settings.gd), except for t while the user moves it.
 
-## The poses, the settings or the error message changed.
+## Emitted when the poses, the settings or the error message change.
 signal changed
-## Only t changed.
+## Emitted when only t changes.
 signal moved
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
@@ -25,7 +25,7 @@ var poses: LabPoses
 ## While closed, nothing is computed or drawn.
 var is_open := false:
 	set = set_open
-## From 0 to 1; only an entry can set it beyond.
+## The interpolation weight, from 0 to 1. Only an entry can set it outside this range.
 var t := 0.5
 
 var _playback := LabPlayback.new()
@@ -34,7 +34,7 @@ var _moved_entry := ""
 # The stored settings when they were last read, and their t, which differs from `t` during a drag
 # or playback.
 var _summary := {}
-var _kept_t := NAN
+var _stored_t := NAN
 
 
 func _init(p_document: PlaygroundDocument) -> void:
@@ -167,12 +167,12 @@ func get_pose(mode: MultivectorLerp.Mode) -> Multivector:
 
 ## The largest deviation between two modes, see MultivectorLerp.measure_deviation().
 func measure(first: MultivectorLerp.Mode, second: MultivectorLerp.Mode) -> Dictionary:
-	var lever: float = get_setting(&"lever")
-	return MultivectorLerp.measure_deviation(poses.from, poses.to, first, second, lever)
+	var lever_arm: float = get_setting(&"lever_arm")
+	return MultivectorLerp.measure_deviation(poses.from, poses.to, first, second, lever_arm)
 
 
-## Adds the interpolation as an entry, with t as a second entry that has a slider and from then on
-## provides the lab's t. Returns the name of the entry; empty without poses.
+## Adds the interpolation as an entry, and t as a second entry with a slider, which provides the
+## lab's t from then on. Returns the name of the first entry, or an empty string without poses.
 func add_entry(mode: MultivectorLerp.Mode) -> String:
 	if not poses.is_complete():
 		return ""
@@ -204,7 +204,7 @@ func add_entry(mode: MultivectorLerp.Mode) -> String:
 
 func _on_scene_switched() -> void:
 	_playback.stop()
-	_kept_t = NAN
+	_stored_t = NAN
 	_read_settings()
 	changed.emit()
 
@@ -224,10 +224,10 @@ func _on_poses_changed() -> void:
 
 func _read_settings() -> void:
 	_summary = LabSettings.summary(document.scene)
-	var kept_t: float = get_setting(&"t")
-	if not _follow_t_entry() and get_t_entry().is_empty() and kept_t != _kept_t:
-		t = kept_t
-	_kept_t = kept_t
+	var stored_t: float = get_setting(&"t")
+	if not _follow_t_entry() and get_t_entry().is_empty() and stored_t != _stored_t:
+		t = stored_t
+	_stored_t = stored_t
 	var from: String = get_setting(&"from")
 	var to: String = get_setting(&"to")
 	poses.choose(from, to)

@@ -19,14 +19,14 @@ const GHOST_ALPHA := 0.45
 ## The moving body. Its edges or its hub have the color of the mode.
 static func solid(kind: StringName, color: Color) -> ArrayMesh:
 	var mesh := CubeMesh.solid() if kind == CUBE else FrameMesh.axes(THICKNESS[kind])
-	mesh.surface_set_material(0, _with_vertex_colors(1.0))
+	mesh.surface_set_material(0, _make_vertex_color_material(1.0))
 	if kind == CUBE:
 		mesh.add_surface_from_arrays(
-			Mesh.PRIMITIVE_TRIANGLES, CubeMesh.frame(THICKNESS[kind]).surface_get_arrays(0)
+			Mesh.PRIMITIVE_TRIANGLES, CubeMesh.edges(THICKNESS[kind]).surface_get_arrays(0)
 		)
 	else:
 		FrameMesh.add_hub(mesh)
-	mesh.surface_set_material(1, _of_one_color(color))
+	mesh.surface_set_material(1, _make_colored_material(color))
 	return mesh
 
 
@@ -34,17 +34,17 @@ static func solid(kind: StringName, color: Color) -> ArrayMesh:
 static func ghost(kind: StringName, color: Color) -> ArrayMesh:
 	var faint := Color(color, GHOST_ALPHA)
 	if kind == CUBE:
-		var edges := CubeMesh.frame(GHOST_THICKNESS[kind])
-		edges.surface_set_material(0, _of_one_color(faint))
+		var edges := CubeMesh.edges(GHOST_THICKNESS[kind])
+		edges.surface_set_material(0, _make_colored_material(faint))
 		return edges
 	var mesh := FrameMesh.axes(GHOST_THICKNESS[kind])
-	mesh.surface_set_material(0, _with_vertex_colors(GHOST_ALPHA))
+	mesh.surface_set_material(0, _make_vertex_color_material(GHOST_ALPHA))
 	FrameMesh.add_hub(mesh)
-	mesh.surface_set_material(1, _of_one_color(faint))
+	mesh.surface_set_material(1, _make_colored_material(faint))
 	return mesh
 
 
-static func _of_one_color(color: Color) -> StandardMaterial3D:
+static func _make_colored_material(color: Color) -> StandardMaterial3D:
 	var material := StandardMaterial3D.new()
 	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
 	material.albedo_color = color
@@ -54,8 +54,8 @@ static func _of_one_color(color: Color) -> StandardMaterial3D:
 
 
 # Unshaded, as the scene may have no lights.
-static func _with_vertex_colors(alpha: float) -> StandardMaterial3D:
-	var material := _of_one_color(Color(1.0, 1.0, 1.0, alpha))
+static func _make_vertex_color_material(alpha: float) -> StandardMaterial3D:
+	var material := _make_colored_material(Color(1.0, 1.0, 1.0, alpha))
 	material.vertex_color_use_as_albedo = true
 	material.vertex_color_is_srgb = true
 	return material

@@ -7,9 +7,9 @@ const InterpolationLab := preload("interpolation_lab.gd")
 const LabBody := preload("lab_body.gd")
 const LabNumber := preload("lab_number.gd")
 
-const LEVER_HINT := (
-	"Lever arm of deviations, in meters. Distances are measured at the point of the body that"
-	+ " deviates most, of all points this far from its origin."
+const LEVER_ARM_HINT := (
+	"Lever arm, in meters. Deviations are measured at the points of the body that are this far from"
+	+ " its origin."
 )
 
 var _lab: InterpolationLab
@@ -17,7 +17,7 @@ var _body := OptionButton.new()
 var _ghosts: CheckBox
 var _path: CheckBox
 var _count: LabNumber
-var _lever: LabNumber
+var _lever_arm: LabNumber
 var _duration: LabNumber
 
 
@@ -36,7 +36,7 @@ func _init(lab: InterpolationLab, host: PlaygroundHost) -> void:
 	_count = LabNumber.new(
 		lab, host, &"ghost_count", "", 1.0, "Number of ghosts, including both ends."
 	)
-	_lever = LabNumber.new(lab, host, &"lever", "lever arm", 0.01, LEVER_HINT)
+	_lever_arm = LabNumber.new(lab, host, &"lever_arm", "lever arm", 0.01, LEVER_ARM_HINT)
 	_duration = LabNumber.new(
 		lab,
 		host,
@@ -45,7 +45,7 @@ func _init(lab: InterpolationLab, host: PlaygroundHost) -> void:
 		0.1,
 		"Duration of the playback from one pose to the other, in seconds."
 	)
-	for part: Control in [_body, _path, _ghosts, _count, _lever, _duration]:
+	for part: Control in [_body, _path, _ghosts, _count, _lever_arm, _duration]:
 		add_child(part)
 
 
@@ -55,7 +55,7 @@ func refresh() -> void:
 	_ghosts.set_pressed_no_signal(_lab.get_setting(&"ghosts") as bool)
 	_count.visible = _ghosts.button_pressed
 	_count.refresh()
-	_lever.refresh()
+	_lever_arm.refresh()
 	_duration.refresh()
 
 

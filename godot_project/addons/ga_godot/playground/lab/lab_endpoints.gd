@@ -8,7 +8,7 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
 
 const CHOICE_WIDTH := 64.0
-const QUIET := Color(1, 1, 1, 0.65)
+const DIMMED := Color(1, 1, 1, 0.65)
 
 var _lab: InterpolationLab
 var _list: EntryList
@@ -16,7 +16,7 @@ var _from := OptionButton.new()
 var _to := OptionButton.new()
 var _swap := Button.new()
 var _use_selection := Button.new()
-var _words := Label.new()
+var _message := Label.new()
 
 
 func _init(lab: InterpolationLab, list: EntryList) -> void:
@@ -31,9 +31,9 @@ func _init(lab: InterpolationLab, list: EntryList) -> void:
 	_prepare_button(_use_selection, "UseSelection", "", _on_use_selection_pressed)
 	for part: Control in [_from, _swap, _to, _use_selection]:
 		line.add_child(part)
-	_words.name = "Words"
-	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	add_child(_words)
+	_message.name = "Message"
+	_message.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	add_child(_message)
 	_list.selection_changed.connect(_show_selection)
 
 
@@ -50,15 +50,15 @@ func refresh() -> void:
 	_swap.disabled = _lab.poses.from_name.is_empty() or _lab.poses.to_name.is_empty()
 	_show_selection()
 	var error := _lab.poses.error
-	_words.text = error if not error.is_empty() else _lab.poses.notice
-	_words.visible = not _words.text.is_empty()
+	_message.text = error if not error.is_empty() else _lab.poses.notice
+	_message.visible = not _message.text.is_empty()
 	# Having too few poses is not an error.
 	if error.is_empty() or names.size() < 2:
-		_words.remove_theme_color_override(&"font_color")
-		_words.modulate = QUIET
+		_message.remove_theme_color_override(&"font_color")
+		_message.modulate = DIMMED
 	else:
-		_words.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
-		_words.modulate = Color.WHITE
+		_message.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
+		_message.modulate = Color.WHITE
 
 
 func _prepare_choice(choice: OptionButton, title: String, hint: String) -> void:

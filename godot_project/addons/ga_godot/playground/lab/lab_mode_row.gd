@@ -1,6 +1,7 @@
 @tool
 extends VBoxContainer
-## One interpolation mode: its toggle and color, the pose at t, and the deviation from the screw.
+## The row of one interpolation mode: its toggle and color, the pose at t, and the deviation from
+## the screw path.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const InterpolationLab := preload("interpolation_lab.gd")
@@ -10,14 +11,14 @@ const Modes := preload("interpolation_modes.gd")
 
 const SWATCH := Vector2(4.0, 16.0)
 const INDENT := 14.0
-const QUIET := Color(1, 1, 1, 0.65)
+const DIMMED := Color(1, 1, 1, 0.65)
 const FAINT := Color(1, 1, 1, 0.35)
 
 var _lab: InterpolationLab
 var _mode: MultivectorLerp.Mode
 var _toggle := CheckBox.new()
 var _indent := MarginContainer.new()
-var _words := Label.new()
+var _message := Label.new()
 var _deviation := ""
 var _width := 0.0
 
@@ -37,33 +38,33 @@ func _init(lab: InterpolationLab, mode: MultivectorLerp.Mode) -> void:
 	add_child(line)
 	_indent.add_theme_constant_override(&"margin_left", roundi(INDENT * PlaygroundStyle.scale()))
 	add_child(_indent)
-	_words.name = "Words"
-	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	_words.modulate = QUIET
-	_words.mouse_filter = Control.MOUSE_FILTER_PASS
-	_words.resized.connect(_on_resized)
-	_indent.add_child(_words)
+	_message.name = "Message"
+	_message.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_message.modulate = DIMMED
+	_message.mouse_filter = Control.MOUSE_FILTER_PASS
+	_message.resized.connect(_on_resized)
+	_indent.add_child(_message)
 
 
 func refresh() -> void:
 	var is_shown := _lab.shows_mode(_mode)
 	_toggle.set_pressed_no_signal(is_shown)
 	# Hidden modes keep their text, so that the layout does not move under the mouse.
-	_words.modulate = QUIET if is_shown else FAINT
+	_message.modulate = DIMMED if is_shown else FAINT
 	_measure()
 	refresh_t()
 
 
 func refresh_t() -> void:
-	_words.text = LabText.pose(_lab.get_pose(_mode)) + _deviation
+	_message.text = LabText.pose(_lab.get_pose(_mode)) + _deviation
 	# The height only grows, so that the layout does not jump while t moves.
-	_words.custom_minimum_size.y = _words.size.y
+	_message.custom_minimum_size.y = _message.size.y
 
 
 func _on_resized() -> void:
-	if _words.size.x != _width:
-		_width = _words.size.x
-		_words.custom_minimum_size.y = 0.0
+	if _message.size.x != _width:
+		_width = _message.size.x
+		_message.custom_minimum_size.y = 0.0
 
 
 func _measure() -> void:
@@ -71,13 +72,13 @@ func _measure() -> void:
 		_deviation = ""
 		return
 	_deviation = "\n" + LabText.deviation(_lab.measure(_mode, MultivectorLerp.SCREW))
-	var lever: float = _lab.get_setting(&"lever")
-	_words.tooltip_text = (
+	var lever_arm: float = _lab.get_setting(&"lever_arm")
+	_message.tooltip_text = (
 		(
-			"The pose at t, and the largest deviation from the screw. The distance is measured at the"
-			+ " point of the body that deviates most, of all points %s from its origin."
+			"The pose at t, and the largest deviation from the screw path, measured at the points of the"
+			+ " body that are %s from its origin."
 		)
-		% LabText.length(lever)
+		% LabText.length(lever_arm)
 	)
 
 

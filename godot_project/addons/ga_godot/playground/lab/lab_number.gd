@@ -33,7 +33,7 @@ func _init(
 	_field.custom_minimum_size.x = (WIDTH + LETTER_WIDTH * label.length()) * PlaygroundStyle.scale()
 	_field.edited.connect(_on_edited)
 	_field.grabbed.connect(_lab.document.begin_gesture)
-	_field.ungrabbed.connect(func() -> void: _lab.document.end_gesture(_step_title()))
+	_field.ungrabbed.connect(func() -> void: _lab.document.end_gesture(_get_action_title()))
 	add_child(_field)
 
 
@@ -46,10 +46,10 @@ func _on_edited(number: float) -> void:
 	if _lab.document.is_in_gesture():
 		LabSettings.write(_lab.document.scene, _key, allowed)
 	else:
-		_lab.set_settings(_step_title(), {_key: allowed})
+		_lab.set_settings(_get_action_title(), {_key: allowed})
 	if allowed != number:
 		refresh()
 
 
-func _step_title() -> String:
+func _get_action_title() -> String:
 	return "Set Interpolation %s" % String(_key).capitalize()

@@ -1,9 +1,9 @@
 @tool
 extends FoldableContainer
-## The panel "Interpolation": two poses of the document and three interpolations between them, which
-## are drawn while it is unfolded.
+## The panel "Interpolation": two poses of the document and three interpolations between them. The
+## interpolations are drawn while the panel is unfolded.
 
-## An entry was added.
+## Emitted when an entry is added.
 signal added(entry: String)
 
 const EntryList := preload("../entries/entry_list.gd")
@@ -18,7 +18,7 @@ const Modes := preload("interpolation_modes.gd")
 var lab: InterpolationLab
 
 var _column := VBoxContainer.new()
-var _below := VBoxContainer.new()
+var _details := VBoxContainer.new()
 var _ends: LabEndpoints
 var _player: LabPlayer
 var _shown: LabDisplay
@@ -37,15 +37,15 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	_column.name = "Column"
 	add_child(_column)
 	_column.add_child(_ends)
-	_below.name = "Below"
-	_column.add_child(_below)
-	_below.add_child(_player)
+	_details.name = "Details"
+	_column.add_child(_details)
+	_details.add_child(_player)
 	for mode: MultivectorLerp.Mode in [
 		MultivectorLerp.LINEAR, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE
 	]:
 		_rows.append(LabModeRow.new(lab, mode))
-		_below.add_child(_rows[-1])
-	_below.add_child(_shown)
+		_details.add_child(_rows[-1])
+	_details.add_child(_shown)
 	_make_add_entry()
 	lab.changed.connect(_refresh)
 	lab.moved.connect(_refresh_t)
@@ -76,7 +76,7 @@ func _make_add_entry() -> void:
 	for mode in Modes.COUNT:
 		_add_entry.get_popup().add_item(Modes.TITLES[mode], mode)
 	_add_entry.get_popup().id_pressed.connect(_on_mode_chosen)
-	_below.add_child(_add_entry)
+	_details.add_child(_add_entry)
 
 
 func _refresh() -> void:
@@ -84,8 +84,8 @@ func _refresh() -> void:
 	if folded:
 		return
 	_ends.refresh()
-	_below.visible = lab.poses.is_complete()
-	if not _below.visible:
+	_details.visible = lab.poses.is_complete()
+	if not _details.visible:
 		return
 	_player.refresh()
 	_shown.refresh()

@@ -13,7 +13,7 @@ var is_playing := false
 var _phase := 0.0
 
 
-## Continues at t, or at 0 if t is at the end.
+## Starts at t. At the end of the path, starts over from 0 unless the mode is ping-pong.
 func start(t: float, repeat: String) -> void:
 	is_playing = true
 	_phase = clampf(t, 0.0, 1.0)

@@ -106,7 +106,7 @@ func _on_value_changed(t: float) -> void:
 	if _is_dragged:
 		_lab.move(t)
 	else:
-		# Each step by the keyboard is an action.
+		# Each step with the keyboard is one action in the history.
 		_lab.begin_move()
 		_lab.move(t)
 		_lab.end_move()

@@ -1,9 +1,9 @@
 @tool
 extends RefCounted
-## The two entries to interpolate between. Follows their values and names, and describes problems
-## with them.
+## The two entries to interpolate between. Follows changes of their values and names, and describes
+## problems with them.
 
-## A pose, a name, the candidates or the messages changed.
+## Emitted when a pose, a name, the candidates or a message changes.
 signal changed
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
@@ -14,12 +14,12 @@ const TOO_FEW := "Add two motors to interpolate between, such as motor(e1, rotor
 
 var from_name := ""
 var to_name := ""
-## Null without a valid entry.
+## The motors of the entries; null if an entry is not a valid pose.
 var from: Multivector
 var to: Multivector
-## What is wrong and what to do; empty if nothing is.
+## Says what is wrong with the poses and what to do; otherwise empty.
 var error := ""
-## Reports an automatic change, such as a followed rename; empty if there is none.
+## Reports that a pose was renamed; otherwise empty.
 var notice := ""
 
 var _document: PlaygroundDocument
@@ -37,7 +37,7 @@ var _to_index := -1
 func _init(document: PlaygroundDocument) -> void:
 	_document = document
 	_document.scene_switched.connect(_on_scene_switched)
-	_document.changed.connect(_note_places)
+	_document.changed.connect(_remember_indices)
 
 
 func set_watching(watching: bool) -> void:
@@ -99,7 +99,7 @@ func _on_entries_changed(names: PackedStringArray) -> void:
 
 # Updates the candidates. Returns whether they changed.
 func _update_candidates(names: PackedStringArray) -> bool:
-	var is_other := false
+	var has_changed := false
 	for entry in names:
 		var value := _scene.get_value(entry) if _scene.has_entry(entry) else null
 		# Scalars are motors too, but those with a slider are not meant as poses.
@@ -107,12 +107,12 @@ func _update_candidates(names: PackedStringArray) -> bool:
 			value != null and value.is_motor() and not _scene.get_parameters(entry).has(NUMBER)
 		)
 		if fits != _candidates.has(entry):
-			is_other = true
+			has_changed = true
 			if fits:
 				_candidates[entry] = true
 			else:
 				_candidates.erase(entry)
-	return is_other
+	return has_changed
 
 
 # A missing entry was renamed if a new entry with its value is at its index. Returns whether one
@@ -122,18 +122,18 @@ func _follow_names(names: PackedStringArray) -> bool:
 	var new_to := _renamed(_chosen_to, to, _to_index, names)
 	if new_from == _chosen_from and new_to == _chosen_to:
 		return false
-	var words := PackedStringArray()
+	var notices := PackedStringArray()
 	if new_from != _chosen_from:
-		words.append("%s was renamed to %s." % [_chosen_from, new_from])
+		notices.append("%s was renamed to %s." % [_chosen_from, new_from])
 	if new_to != _chosen_to and _chosen_to != _chosen_from:
-		words.append("%s was renamed to %s." % [_chosen_to, new_to])
+		notices.append("%s was renamed to %s." % [_chosen_to, new_to])
 	_chosen_from = new_from
 	_chosen_to = new_to
 	_update()
-	# Not an action of its own: undoing the rename is followed as well.
+	# Not an action in the history: if the rename is undone, this function follows that as well.
 	LabSettings.write(_scene, &"from", new_from)
 	LabSettings.write(_scene, &"to", new_to)
-	notice = " ".join(words)
+	notice = " ".join(notices)
 	return true
 
 
@@ -168,7 +168,7 @@ func _update() -> void:
 	from = _motor_of(from_name, errors)
 	to = _motor_of(to_name, errors)
 	error = TOO_FEW if from_name.is_empty() or to_name.is_empty() else " ".join(errors)
-	_note_places()
+	_remember_indices()
 
 
 func _motor_of(entry: String, errors: PackedStringArray) -> Multivector:
@@ -187,12 +187,12 @@ func _motor_of(entry: String, errors: PackedStringArray) -> Multivector:
 		)
 		return null
 	if not value.to_transform().is_finite():
-		errors.append("%s is too large to draw." % entry)
+		errors.append("%s is too large to draw. Choose a smaller translation or scale." % entry)
 		return null
 	return value
 
 
-func _note_places() -> void:
+func _remember_indices() -> void:
 	if _scene != null:
 		_from_index = _scene.get_index(from_name) if _scene.has_entry(from_name) else -1
 		_to_index = _scene.get_index(to_name) if _scene.has_entry(to_name) else -1

@@ -17,21 +17,21 @@ const DEFAULTS: Dictionary[StringName, Variant] = {
 	&"ghost_count": 9.0,
 	&"path": true,
 	&"body": "frame",  # or "cube"
-	&"lever": 1.0,  # meters, the lever arm of deviations
+	&"lever_arm": 1.0,  # meters, the lever arm of deviations
 	&"duration": 2.5,  # seconds
 	&"repeat": "ping-pong",  # or "loop", "once"
 }
 const RANGES: Dictionary[StringName, Array] = {
 	&"t": [0.0, 1.0],
 	&"ghost_count": [2.0, 60.0],
-	&"lever": [0.0, 1000.0],
+	&"lever_arm": [0.0, 1000.0],
 	&"duration": [0.1, 60.0],
 }
 const CHOICES: Dictionary[StringName, Array] = {
 	&"body": ["frame", "cube"],
 	&"repeat": ["ping-pong", "loop", "once"],
 }
-## By MultivectorLerp.Mode.
+## Keys of the visibility of the modes, indexed by MultivectorLerp.Mode.
 const MODES: Array[StringName] = [&"linear", &"screw", &"separate"]
 
 

@@ -1,8 +1,8 @@
 @tool
 extends Node3D
 ## Draws one interpolation mode: ghosts of a body at equal steps, the path of its origin, and the
-## body at t. Takes motors rather than transforms, as their signs determine the direction of half
-## turns.
+## body at t. Takes motors rather than transforms, because the sign of a motor determines the
+## direction of a rotation by 180°.
 
 const Modes := preload("interpolation_modes.gd")
 const LabBody := preload("lab_body.gd")

@@ -6,7 +6,7 @@ extends RefCounted
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 const SHADER := preload("path_ribbon.gdshader")
 
-## In pixels.
+## Width of the ribbon in pixels.
 const WIDTH := 3.0
 
 ## Points closer than this, in meters, are merged.

@@ -12,7 +12,7 @@ const PlaygroundStyle := preload("../theme/playground_style.gd")
 const WIDTH := 96.0
 const HEIGHT := 170.0
 const STEP := 0.001
-## To the right of the basis button's arrow, in pixels.
+## Margin to the right of the basis button's arrow, in pixels.
 const ARROW_SPACE := 6.0
 ## Opacity of coefficients that are 0.
 const ZERO_ALPHA := 0.7
@@ -20,7 +20,7 @@ const FREE := "Drag to change the coefficient, or click to type it."
 const DEPENDENT := "Computed from other entries. Edit those instead."
 const WITHOUT_VALUE := "Select an entry that has a value."
 const PARAMETER := "coefficients"
-## A sum of blades, whose parameter "coefficients" can have any value.
+## An expression with the parameter "coefficients", which can be set to any value.
 const ANY_SUM := "1 + e1"
 
 var _document: PlaygroundDocument
@@ -42,7 +42,7 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	_basis.name = "Basis"
 	_basis.flat = true
 	_basis.focus_mode = Control.FOCUS_NONE
-	# Without margins, so that the title is no higher than those of other panels.
+	# No margins, so that the title bar is no higher than those of other panels.
 	for style: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
 		var box := StyleBoxEmpty.new()
 		box.content_margin_right = ARROW_SPACE * PlaygroundStyle.scale()
@@ -88,7 +88,7 @@ func _make_field(index: int) -> NumberField:
 	field.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	field.edited.connect(_on_edited.bind(index))
 	field.grabbed.connect(_document.begin_gesture)
-	field.ungrabbed.connect(func() -> void: _document.end_gesture(_step_title(index)))
+	field.ungrabbed.connect(func() -> void: _document.end_gesture(_get_action_title(index)))
 	_fields.append(field)
 	return field
 
@@ -98,16 +98,16 @@ func _on_selection_changed() -> void:
 	var before := _entry
 	_show_coefficients()
 	if _entry != before:
-		_scroll_soon()
+		_queue_scroll()
 
 
 func _on_folding_changed() -> void:
 	_show_coefficients()
-	_scroll_soon()
+	_queue_scroll()
 
 
-# In the next frame, when the layout is done.
-func _scroll_soon() -> void:
+# Scrolls in the next frame, when the layout is up to date.
+func _queue_scroll() -> void:
 	if is_inside_tree() and not get_tree().process_frame.is_connected(_scroll_to_grade):
 		get_tree().process_frame.connect(_scroll_to_grade, CONNECT_ONE_SHOT)
 
@@ -127,11 +127,11 @@ func _scroll_to_grade() -> void:
 
 func _show_coefficients() -> void:
 	_entry = _list.selection[-1] if not _list.selection.is_empty() else ""
-	var is_there := _document.scene.has_entry(_entry)
-	title = "Coefficients of %s" % _entry if is_there else "Coefficients"
+	var has_entry := _document.scene.has_entry(_entry)
+	title = "Coefficients of %s" % _entry if has_entry else "Coefficients"
 	if folded:
 		return
-	var value: Multivector = _document.scene.get_value(_entry) if is_there else null
+	var value: Multivector = _document.scene.get_value(_entry) if has_entry else null
 	var numbers := PackedFloat64Array()
 	numbers.resize(BasisBlades.NAMES.size())
 	if value != null:
@@ -151,7 +151,7 @@ func _on_edited(number: float, index: int) -> void:
 	if _document.is_in_gesture():
 		_apply(_document.scene, index, number)
 	else:
-		_document.change(_step_title(index), _apply.bind(index, number))
+		_document.change(_get_action_title(index), _apply.bind(index, number))
 
 
 func _apply(scene: GAScene, index: int, number: float) -> void:
@@ -166,5 +166,5 @@ func _is_null_basis() -> bool:
 	return _basis.selected == 1
 
 
-func _step_title(index: int) -> String:
+func _get_action_title(index: int) -> String:
 	return "Set %s of %s" % [BasisBlades.name_of(index, _is_null_basis()), _entry]

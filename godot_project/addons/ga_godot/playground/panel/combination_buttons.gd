@@ -16,7 +16,7 @@ const TITLES: Dictionary[StringName, String] = {
 	&"intersect": "Intersect %s and %s, converting duals (IPNS) to OPNS first",
 	&"project": "Project %s onto %s",
 	&"reflect": "Reflect %s in %s",
-	&"move": "Move by a motor: %s and %s, one of which must be a motor",
+	&"move": "Apply a motor: %s and %s, one of which must be the motor",
 }
 
 var _edits: EntryEdits
@@ -29,12 +29,12 @@ func _init(edits: EntryEdits, list: EntryList) -> void:
 	_list = list
 	add_theme_constant_override(&"h_separation", 0)
 	add_theme_constant_override(&"v_separation", 0)
-	for how in EntryEdits.COMBINATIONS:
+	for operation in EntryEdits.COMBINATIONS:
 		var button := Button.new()
-		button.name = how
+		button.name = operation
 		button.theme_type_variation = &"FlatButton"
 		button.focus_mode = Control.FOCUS_NONE
-		button.pressed.connect(_on_pressed.bind(how))
+		button.pressed.connect(_on_pressed.bind(operation))
 		add_child(button)
 	_list.selection_changed.connect(_show_selection)
 	_show_selection()
@@ -49,11 +49,15 @@ func _notification(what: int) -> void:
 
 func _show_selection() -> void:
 	var chosen := _list.selection
-	for how in EntryEdits.COMBINATIONS:
-		var button: Button = get_node(String(how))
+	for operation in EntryEdits.COMBINATIONS:
+		var button: Button = get_node(String(operation))
 		var is_pair := chosen.size() == 2
-		button.disabled = not is_pair or _edits.combination(how, chosen[0], chosen[1]).is_empty()
-		var title := TITLES[how] % ([chosen[0], chosen[1]] if is_pair else ["one entry", "another"])
+		button.disabled = (
+			not is_pair or _edits.combination(operation, chosen[0], chosen[1]).is_empty()
+		)
+		var title := (
+			TITLES[operation] % ([chosen[0], chosen[1]] if is_pair else ["one entry", "another"])
+		)
 		button.tooltip_text = (
 			title + "."
 			if is_pair
@@ -61,5 +65,5 @@ func _show_selection() -> void:
 		)
 
 
-func _on_pressed(how: StringName) -> void:
-	added.emit(_edits.combine(how, _list.selection[0], _list.selection[1]))
+func _on_pressed(operation: StringName) -> void:
+	added.emit(_edits.combine(operation, _list.selection[0], _list.selection[1]))

@@ -1,14 +1,14 @@
 @tool
 extends PanelContainer
-## Shows the scene attributes "title" and "description". Hidden if both are empty, and after it was
-## closed until a scene with other texts is shown.
+## Shows the scene attributes "title" and "description". Hidden if both are empty.
+## Once closed, the panel stays hidden until a scene with other texts is shown.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 const TITLE := "title"
 const DESCRIPTION := "description"
 const MARGIN := 8.0
-const TITLE_ENLARGEMENT := 1.15
+const TITLE_SCALE := 1.15
 const TEXT_OPACITY := 0.85
 ## Lines of text that are visible without scrolling.
 const MAX_LINES := 6
@@ -60,7 +60,7 @@ func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED or what == NOTIFICATION_ENTER_TREE:
 		_close.icon = get_theme_icon(&"Close", &"EditorIcons")
 		_title.add_theme_font_size_override(
-			&"font_size", roundi(get_theme_default_font_size() * TITLE_ENLARGEMENT)
+			&"font_size", roundi(get_theme_default_font_size() * TITLE_SCALE)
 		)
 	elif what == NOTIFICATION_PREDELETE:
 		scene = null

@@ -8,7 +8,7 @@ const DRAG_START := 3.0
 ## Change of the number per pixel.
 const SPEED := 0.01
 ## Factor of the speed while Shift is held.
-const FINE := 0.1
+const FINE_FACTOR := 0.1
 const DIGITS := 3
 const LABEL_ALPHA := 0.55
 const MARGIN := 6.0
@@ -131,7 +131,7 @@ func _drag(motion: InputEventMouseMotion) -> void:
 		_dragged = _number
 		grabbed.emit()
 	if _is_dragging:
-		_dragged += motion.relative.x * SPEED * (FINE if motion.shift_pressed else 1.0)
+		_dragged += motion.relative.x * SPEED * (FINE_FACTOR if motion.shift_pressed else 1.0)
 		_edit_number(snappedf(_dragged, _step))
 
 
@@ -161,13 +161,13 @@ func _on_edit_input(event: InputEvent) -> void:
 
 
 # Any expression with a scalar value, such as 1/3, is accepted; all others are ignored.
-func _end_typing(keeps: bool) -> void:
+func _end_typing(commits: bool) -> void:
 	if not _edit.visible:
 		return
 	_edit.visible = false
 	queue_redraw()
 	var value: Multivector = GAScene.new().describe_expression(_edit.text)["value"]
-	if not keeps or value == null:
+	if not commits or value == null:
 		return
 	var numbers := value.coefficients
 	if numbers.slice(1).count(0.0) == numbers.size() - 1:

@@ -2,10 +2,10 @@
 extends PopupMenu
 ## A menu of the examples in the gallery.
 
-## `scene` is a new copy of the example.
+## Emitted when the user chooses an example. `scene` is a new copy of it.
 signal chosen(scene: GAScene, title: String)
-## The example cannot be opened; `words` is the reason.
-signal failed(words: String)
+## Emitted when the example cannot be opened. `message` says why.
+signal failed(message: String)
 
 const Gallery := preload("../document/gallery.gd")
 

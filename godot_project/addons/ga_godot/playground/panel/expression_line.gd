@@ -11,7 +11,7 @@ const EntryEdits := preload("../document/entry_edits.gd")
 var _document: PlaygroundDocument
 var _edits: EntryEdits
 var _line := LineEdit.new()
-var _words := Label.new()
+var _message := Label.new()
 var _assignment := RegEx.create_from_string("^\\s*([^\\s=()]+)\\s*=(.*)$")
 
 
@@ -24,13 +24,13 @@ func _init(document: PlaygroundDocument, edits: EntryEdits) -> void:
 	_line.placeholder_text = "New: c = meet(A, B)"
 	_line.clear_button_enabled = true
 	_line.keep_editing_on_text_submit = true
-	_line.text_changed.connect(_show_words)
+	_line.text_changed.connect(_show_message)
 	_line.text_submitted.connect(_on_submitted)
 	add_child(_line)
-	_words.name = "Words"
-	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	_words.visible = false
-	add_child(_words)
+	_message.name = "Message"
+	_message.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_message.visible = false
+	add_child(_message)
 
 
 func _on_submitted(text: String) -> void:
@@ -39,26 +39,26 @@ func _on_submitted(text: String) -> void:
 		return
 	var parts := _split(text)
 	_line.clear()
-	_words.visible = false
+	_message.visible = false
 	added.emit(_edits.add(parts[0], parts[1].strip_edges()))
 
 
-func _show_words(text: String) -> void:
-	_words.visible = not text.strip_edges().is_empty()
-	if not _words.visible:
+func _show_message(text: String) -> void:
+	_message.visible = not text.strip_edges().is_empty()
+	if not _message.visible:
 		return
 	var found := _describe(text)
 	var error: String = found["error"]
 	var is_wrong := not error.is_empty()
-	_words.text = error if is_wrong else found["description"]
-	_words.modulate = Color.WHITE if is_wrong else Color(1, 1, 1, 0.65)
+	_message.text = error if is_wrong else found["description"]
+	_message.modulate = Color.WHITE if is_wrong else Color(1, 1, 1, 0.65)
 	if is_wrong:
-		_words.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
+		_message.add_theme_color_override(&"font_color", get_theme_color(&"error_color", &"Editor"))
 	else:
-		_words.remove_theme_color_override(&"font_color")
+		_message.remove_theme_color_override(&"font_color")
 
 
-## The "description" and "error" of the entry that the text would add.
+## Returns the "description" and "error" of the entry that the text would add.
 func _describe(text: String) -> Dictionary:
 	var parts := _split(text)
 	var name_error := "" if parts[0].is_empty() else _document.scene.get_name_error(parts[0])
@@ -67,8 +67,8 @@ func _describe(text: String) -> Dictionary:
 	return _document.scene.describe_expression(parts[1], parts[0])
 
 
-## Returns the name, empty if there is none, and the expression, padded with spaces on the left so
-## that columns in error messages are those of the text field.
+## Returns the name, which may be empty, and the expression. Spaces before the expression keep its
+## position, so that the columns in error messages match the text field.
 func _split(text: String) -> PackedStringArray:
 	var found := _assignment.search(text)
 	if found == null:

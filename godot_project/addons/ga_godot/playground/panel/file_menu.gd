@@ -2,7 +2,7 @@
 extends MenuButton
 ## The File menu: new, open, save, clipboard and picture export.
 
-## The user chose to export a picture.
+## Emitted when the user chooses to export a picture.
 signal picture_requested
 
 enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
@@ -19,7 +19,7 @@ var _edits: EntryEdits
 var _host: PlaygroundHost
 var _files: FileDialog
 var _question := ConfirmationDialog.new()
-var _after_question := Callable()
+var _pending_action := Callable()
 
 
 func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost) -> void:
@@ -54,7 +54,7 @@ func _init(document: PlaygroundDocument, edits: EntryEdits, host: PlaygroundHost
 	add_child(_question)
 
 
-## Shows the scene in a .tres or .json file. Problems are reported by the host.
+## Shows the scene in a .tres or .json file. Reports errors through the host.
 func open(path: String) -> void:
 	if path.get_extension() == "json":
 		_open_json(path)
@@ -73,7 +73,7 @@ func open(path: String) -> void:
 		_warn("%s cannot be read. See the Output panel for the reason." % path)
 
 
-# A scene that was read only in part has no path, so that saving does not overwrite the file.
+# A partly read scene gets no path, so that saving it does not overwrite the file.
 func _open_json(path: String) -> void:
 	var text := FileAccess.get_file_as_string(path)
 	if FileAccess.get_open_error() != OK:
@@ -120,12 +120,13 @@ func save_or_ask() -> void:
 	if _document.path.is_empty():
 		_ask_for_file(FileDialog.FILE_MODE_SAVE_FILE)
 	elif _document.is_embedded():
-		_host.save_embedding(_document.get_file())
+		_host.save_containing_scene(_document.get_file())
 	else:
 		save(_document.path)
 
 
-## A ganja.js element is added as an entry. A scene replaces the current one, which can be undone.
+## Adds a ganja.js element as an entry. Replaces the current scene if the text is a scene; the user
+## can undo this.
 func paste(text: String) -> void:
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
@@ -145,9 +146,9 @@ func paste(text: String) -> void:
 func _on_item_pressed(item: int) -> void:
 	match item:
 		Item.NEW:
-			unless_unsaved(func() -> void: _document.show_scene(GAScene.new(), ""))
+			confirm_discard(func() -> void: _document.show_scene(GAScene.new(), ""))
 		Item.OPEN:
-			unless_unsaved(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
+			confirm_discard(_ask_for_file.bind(FileDialog.FILE_MODE_OPEN_FILE))
 		Item.SAVE:
 			save_or_ask()
 		Item.SAVE_AS:
@@ -160,20 +161,20 @@ func _on_item_pressed(item: int) -> void:
 			picture_requested.emit()
 
 
-## Calls `act`, after asking the user if there are unsaved changes.
-func unless_unsaved(act: Callable) -> void:
+## Calls `action`. If there are unsaved changes, first asks the user whether to discard them.
+func confirm_discard(action: Callable) -> void:
 	if _document.is_embedded() or not _document.is_unsaved():
-		act.call()
+		action.call()
 		return
-	_after_question = act
+	_pending_action = action
 	_question.popup_centered()
 
 
-# Other users of the file share the scene resource and must not see the discarded changes.
+# Nodes may use the same scene resource, and must not keep the discarded changes.
 func _discard() -> void:
 	if not _document.path.is_empty():
 		_document.scene.document = _document.get_saved_text()
-	_after_question.call()
+	_pending_action.call()
 
 
 func _ask_for_file(mode: FileDialog.FileMode) -> void:
@@ -188,5 +189,5 @@ func _on_file_selected(path: String) -> void:
 		save(path)
 
 
-func _warn(words: String) -> void:
-	_host.warn(words)
+func _warn(message: String) -> void:
+	_host.warn(message)

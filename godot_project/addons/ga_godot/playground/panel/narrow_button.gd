@@ -4,11 +4,11 @@ extends RefCounted
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
-## To the left and right of the icon, in pixels.
+## Margin to the left and right of the icon, in pixels.
 const MARGIN := 4.0
 
 
-## To be called whenever the theme changes.
+## Call this whenever the theme changes.
 static func apply(button: Button) -> void:
 	for state: StringName in [&"normal", &"hover", &"pressed", &"hover_pressed", &"disabled"]:
 		button.remove_theme_stylebox_override(state)

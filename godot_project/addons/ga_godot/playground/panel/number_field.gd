@@ -3,15 +3,15 @@
 extends MarginContainer
 ## A labeled number that the user can drag or type.
 
-## The user changed the number.
+## Emitted when the user changes the number.
 signal edited(number: float)
-## The user started and stopped dragging.
+## Emitted when the user starts and stops dragging.
 signal grabbed
 signal ungrabbed
 
 @abstract func get_number() -> float
 
-## Emits no signal.
+## Sets the displayed number without emitting `edited`.
 @abstract func show_number(number: float) -> void
 
 @abstract func show_label(text: String) -> void

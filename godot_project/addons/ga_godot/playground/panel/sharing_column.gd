@@ -18,33 +18,33 @@ func _notification(what: int) -> void:
 
 
 func _get_minimum_size() -> Vector2:
-	var least := Vector2(0.0, -_separation())
+	var minimum := Vector2(0.0, -_separation())
 	for part in _get_parts():
 		var needed := part.get_combined_minimum_size()
-		least = Vector2(maxf(least.x, needed.x), least.y + needed.y + _separation())
-	return least.max(Vector2.ZERO)
+		minimum = Vector2(maxf(minimum.x, needed.x), minimum.y + needed.y + _separation())
+	return minimum.max(Vector2.ZERO)
 
 
 func _lay_out() -> void:
 	var parts := _get_parts()
 	var room := maxf(size.y - get_combined_minimum_size().y, 0.0)
-	var extras := _share_out(parts, room)
+	var extras := _distribute(parts, room)
 	for extra: float in extras.values():
 		room -= extra
 	for child in get_children():
 		# Otherwise it would stay where it was and block the mouse.
 		if child is CappedScroll and not parts.has(child as Control):
 			fit_child_in_rect(child as Control, Rect2())
-	var place := 0.0
+	var top := 0.0
 	for part in parts:
 		var height := part.get_combined_minimum_size().y
 		height += extras.get(part, room if part.size_flags_vertical & SIZE_EXPAND else 0.0)
-		fit_child_in_rect(part, Rect2(0.0, place, size.x, height))
-		place += height + _separation()
+		fit_child_in_rect(part, Rect2(0.0, top, size.x, height))
+		top += height + _separation()
 
 
 ## The height of each scroll container beyond its minimum.
-func _share_out(parts: Array[Control], room: float) -> Dictionary[Control, float]:
+func _distribute(parts: Array[Control], room: float) -> Dictionary[Control, float]:
 	var requested: Dictionary[Control, float] = {}
 	var all := 0.0
 	for part in parts:

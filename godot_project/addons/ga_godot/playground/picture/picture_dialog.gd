@@ -30,7 +30,7 @@ var _color := ColorPickerButton.new()
 var _path := LineEdit.new()
 var _browse := Button.new()
 var _files: FileDialog
-var _problem := Label.new()
+var _error := Label.new()
 var _is_drawing := false
 
 
@@ -54,19 +54,19 @@ func _init(files: FileDialog) -> void:
 	_add_row(grid, "Background", _backgrounds)
 	_add_row(grid, "", _color)
 	_add_row(grid, "File", _make_file_row())
-	_problem.name = "Problem"
-	_problem.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	_problem.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
-	_problem.visible = false
+	_error.name = "Error"
+	_error.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_error.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
+	_error.visible = false
 	grid.add_child(Control.new())
-	grid.add_child(_problem)
+	grid.add_child(_error)
 	_fill_choices()
 	confirmed.connect(export_picture)
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED:
-		_problem.add_theme_color_override(
+		_error.add_theme_color_override(
 			&"font_color",
 			(
 				get_theme_color(&"error_color", &"Editor")
@@ -86,13 +86,11 @@ func ask(
 	_shown_size = shown_size
 	_make_extra_nodes = make_extra_nodes
 	_sizes.set_item_text(Size.AS_SHOWN, "As Shown (%d x %d)" % [shown_size.x, shown_size.y])
-	_sizes.set_item_text(
-		Size.TWICE, "Twice as Large (%d x %d)" % [2 * shown_size.x, 2 * shown_size.y]
-	)
+	_sizes.set_item_text(Size.TWICE, "Double Size (%d x %d)" % [2 * shown_size.x, 2 * shown_size.y])
 	_width.value = shown_size.x
 	_height.value = shown_size.y
 	_color.color = view.background
-	_problem.visible = false
+	_error.visible = false
 	if _path.text.is_empty():
 		_path.text = (
 			("res://" if _files.access == FileDialog.ACCESS_RESOURCES else "user://") + FIRST_NAME
@@ -120,8 +118,8 @@ func chosen_background() -> Color:
 	return _view.background
 
 
-## Draws and saves the picture. If that fails, the dialog stays open and shows the reason, which is
-## also returned; otherwise returns an empty string. To be awaited.
+## Draws and saves the picture. On failure, the dialog stays open and shows the error. Returns the
+## error message, or an empty string. A coroutine: use await.
 func export_picture() -> String:
 	if _is_drawing:
 		return ""
@@ -139,8 +137,8 @@ func export_picture() -> String:
 		var image := await export.draw(self, _scene, extra_nodes)
 		error = PictureExport.save(image, _path.text.strip_edges())
 		_is_drawing = false
-	_problem.text = error
-	_problem.visible = not error.is_empty()
+	_error.text = error
+	_error.visible = not error.is_empty()
 	reset_size()
 	if error.is_empty():
 		hide()
@@ -148,9 +146,9 @@ func export_picture() -> String:
 	return error
 
 
-func _add_row(grid: GridContainer, words: String, control: Control) -> void:
+func _add_row(grid: GridContainer, text: String, control: Control) -> void:
 	var label := Label.new()
-	label.text = words
+	label.text = text
 	grid.add_child(label)
 	control.custom_minimum_size.x = FIELD_WIDTH * PlaygroundStyle.scale()
 	control.size_flags_horizontal = Control.SIZE_EXPAND_FILL
@@ -171,8 +169,8 @@ func _make_file_row() -> Control:
 
 func _fill_choices() -> void:
 	_sizes.name = "Size"
-	for words: String in ["As Shown", "Twice as Large", "1920 x 1080", "3840 x 2160", "Custom"]:
-		_sizes.add_item(words)
+	for text: String in ["As Shown", "Double Size", "1920 x 1080", "3840 x 2160", "Custom"]:
+		_sizes.add_item(text)
 	for field: SpinBox in [_width, _height]:
 		field.min_value = 1
 		field.max_value = PictureExport.MAX_SIZE
@@ -181,8 +179,8 @@ func _fill_choices() -> void:
 		_custom_size.add_child(field)
 	_custom_size.name = "CustomSize"
 	_backgrounds.name = "Background"
-	for words: String in ["As Shown", "Transparent", "Custom Color"]:
-		_backgrounds.add_item(words)
+	for text: String in ["As Shown", "Transparent", "Custom Color"]:
+		_backgrounds.add_item(text)
 	_color.custom_minimum_size.y = 24.0 * PlaygroundStyle.scale()
 	_color.edit_alpha = false
 	_sizes.item_selected.connect(func(_index: int) -> void: _show_fields())
@@ -193,11 +191,11 @@ func _fill_choices() -> void:
 # Hides fields that do not apply, with their labels.
 func _show_fields() -> void:
 	for field: Control in [_custom_size, _color]:
-		var is_asked := (
+		var is_needed := (
 			_sizes.selected == Size.CUSTOM
 			if field == _custom_size
 			else _backgrounds.selected == Background.COLOR
 		)
-		field.visible = is_asked
-		(field.get_parent().get_child(field.get_index() - 1) as Control).visible = is_asked
+		field.visible = is_needed
+		(field.get_parent().get_child(field.get_index() - 1) as Control).visible = is_needed
 	reset_size()

@@ -9,29 +9,32 @@ const MAX_SIZE := 8192
 ## The height in pixels of a picture in which lines and labels have their normal size.
 const REFERENCE_HEIGHT := 720.0
 
-## In pixels.
+## Size of the picture in pixels.
 var size := Vector2i(1280, 720)
 var view := ViewPoint.new()
 ## An alpha of 0 makes the background transparent.
 var background := Color.TRANSPARENT
-## Factor of line widths. Labels scale with the height by themselves.
+## Factor of line widths. Labels scale with the height automatically.
 var line_scale := 1.0
 
 
-## Why a picture cannot have this size; empty if it can.
-static func size_error(wanted: Vector2i) -> String:
-	if wanted.x < 1 or wanted.y < 1:
-		return "The picture must be at least 1 x 1 pixels, not %d x %d." % [wanted.x, wanted.y]
-	if wanted.x > MAX_SIZE or wanted.y > MAX_SIZE:
+## Returns why a picture cannot have this size, or an empty string.
+static func size_error(requested: Vector2i) -> String:
+	if requested.x < 1 or requested.y < 1:
+		return (
+			"The picture must be at least 1 x 1 pixels, not %d x %d." % [requested.x, requested.y]
+		)
+	if requested.x > MAX_SIZE or requested.y > MAX_SIZE:
 		return (
 			"The picture must be at most %d x %d pixels, not %d x %d."
-			% [MAX_SIZE, MAX_SIZE, wanted.x, wanted.y]
+			% [MAX_SIZE, MAX_SIZE, requested.x, requested.y]
 		)
 	return ""
 
 
 ## Draws the document as seen from `view`, together with extra nodes, which are freed. `host` is any
-## node in the tree. Returns null if nothing can be drawn, as without a display. To be awaited.
+## node in the tree. Returns null if nothing can be drawn, for example without a display. A
+## coroutine: use await.
 func draw(host: Node, scene: GAScene, extra_nodes: Array[Node3D] = []) -> Image:
 	if DisplayServer.get_name() == "headless" or not size_error(size).is_empty():
 		for node in extra_nodes:
@@ -48,7 +51,7 @@ func draw(host: Node, scene: GAScene, extra_nodes: Array[Node3D] = []) -> Image:
 	host.add_child(viewport)
 	for node in drawing.find_children("*", "GANode3D", true, false):
 		(node as GANode3D).update_drawing()
-	# An idle editor does not draw frames by itself.
+	# An idle editor draws no frames unless forced.
 	for i in 2:
 		await host.get_tree().process_frame
 		RenderingServer.force_draw(false)
@@ -59,7 +62,7 @@ func draw(host: Node, scene: GAScene, extra_nodes: Array[Node3D] = []) -> Image:
 	return image
 
 
-## Why the picture could not be saved; empty if it was.
+## Saves the picture. Returns an error message, or an empty string.
 static func save(image: Image, path: String) -> String:
 	if image == null:
 		return "No picture was drawn: drawing requires a display."

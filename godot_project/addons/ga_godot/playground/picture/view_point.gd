@@ -29,8 +29,8 @@ var background := DEFAULT_BACKGROUND
 ## The view stored in a document, with defaults for missing or invalid attributes.
 static func of(scene: GAScene) -> ViewPoint:
 	var view := ViewPoint.new()
-	view.from = _read_place(scene.get_scene_attribute(FROM), DEFAULT_FROM)
-	view.to = _read_place(scene.get_scene_attribute(TO), DEFAULT_TO)
+	view.from = _read_position(scene.get_scene_attribute(FROM), DEFAULT_FROM)
+	view.to = _read_position(scene.get_scene_attribute(TO), DEFAULT_TO)
 	if view.from.is_equal_approx(view.to):
 		view.from = view.to + DEFAULT_FROM - DEFAULT_TO
 	var angle: Variant = scene.get_scene_attribute(FOV)
@@ -58,8 +58,8 @@ static func is_stored_in(scene: GAScene) -> bool:
 
 ## Stores the view in a document.
 func write_to(scene: GAScene) -> void:
-	scene.set_scene_attribute(FROM, _write_place(from))
-	scene.set_scene_attribute(TO, _write_place(to))
+	scene.set_scene_attribute(FROM, _write_position(from))
+	scene.set_scene_attribute(TO, _write_position(to))
 	scene.set_scene_attribute(FOV, snappedf(fov, 0.01))
 
 
@@ -69,7 +69,8 @@ func apply_to(camera: Camera3D) -> void:
 	camera.fov = fov
 
 
-## The vertical field of view with which a view narrower than REFERENCE_ASPECT shows the same width.
+## The vertical field of view for a viewport of this size: one that is narrower than
+## REFERENCE_ASPECT shows the same width as at REFERENCE_ASPECT.
 func fov_in(size: Vector2) -> float:
 	var narrowing := REFERENCE_ASPECT * size.y / maxf(size.x, 1.0)
 	if narrowing <= 1.0:
@@ -82,21 +83,21 @@ func get_transform() -> Transform3D:
 	return Transform3D(Basis(), from).looking_at(to, Vector3.FORWARD if is_vertical else Vector3.UP)
 
 
-static func _read_place(text: Variant, otherwise: Vector3) -> Vector3:
+static func _read_position(text: Variant, fallback: Vector3) -> Vector3:
 	if not text is String:
-		return otherwise
+		return fallback
 	var numbers := (text as String).split(",")
 	if numbers.size() != 3:
-		return otherwise
+		return fallback
 	for number in numbers:
 		if not number.strip_edges().is_valid_float():
-			return otherwise
-	var place := Vector3(numbers[0].to_float(), numbers[1].to_float(), numbers[2].to_float())
-	return place if place.is_finite() else otherwise
+			return fallback
+	var point := Vector3(numbers[0].to_float(), numbers[1].to_float(), numbers[2].to_float())
+	return point if point.is_finite() else fallback
 
 
-static func _write_place(place: Vector3) -> String:
+static func _write_position(point: Vector3) -> String:
 	var numbers := PackedStringArray()
 	for axis in 3:
-		numbers.append(String.num(place[axis], 3))
+		numbers.append(String.num(point[axis], 3))
 	return ", ".join(numbers)

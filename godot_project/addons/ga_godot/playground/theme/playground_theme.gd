@@ -243,7 +243,7 @@ static func _set_foldables(theme: Theme, colors: Dictionary[StringName, Color]) 
 
 
 static func _box(
-	fill: Color, border: Color, across: int, up: int, radius := RADIUS
+	fill: Color, border: Color, horizontal: int, vertical: int, radius := RADIUS
 ) -> StyleBoxFlat:
 	var box := StyleBoxFlat.new()
 	box.bg_color = fill
@@ -251,9 +251,9 @@ static func _box(
 	box.set_border_width_all(1 if border.a > 0.0 else 0)
 	box.set_corner_radius_all(radius)
 	for side: Side in [SIDE_LEFT, SIDE_RIGHT]:
-		box.set_content_margin(side, across)
+		box.set_content_margin(side, horizontal)
 	for side: Side in [SIDE_TOP, SIDE_BOTTOM]:
-		box.set_content_margin(side, up)
+		box.set_content_margin(side, vertical)
 	return box
 
 

@@ -1,6 +1,7 @@
 @tool
 extends RefCounted
-## Icons of the theme in a running game: those that the editor's theme has, and those of controls.
+## Icons for the theme of a running game: replacements for the editor's icons, and icons of
+## controls.
 
 const SIZE := 16
 # gdlint: disable=max-line-length

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Adds objects by a click in the view: on the sphere or plane under the mouse, or on the ground
-## plane y = 0.
+## Adds an object where the user clicks in the view: on the sphere or plane under the mouse, or on
+## the ground plane y = 0.
 
 const EntryEdits := preload("../document/entry_edits.gd")
 const NewObjects := preload("../document/new_objects.gd")
@@ -15,16 +15,16 @@ const SIZE := 70.0
 ## Distance from the eye if nothing is hit, and the maximum distance of a hit, in meters.
 const DEPTH := 5.0
 const MAX_DISTANCE := 1000.0
-## {place}: the coordinates of the hit; {other}: a point above it; {normal}, {distance}: of the
-## tangent plane there; {length}: a radius.
+## {position}: the coordinates of the hit; {other}: a point above it; {normal} and {distance}: those
+## of the tangent plane at the hit; {length}: a radius.
 const EXPRESSIONS: Dictionary[StringName, String] = {
-	&"point": "point({place})",
-	&"pair": "point_pair(point({place}), point({other}))",
-	&"line": "line(point({place}), {normal})",
-	&"circle": "circle(point({place}), {normal}, {length})",
+	&"point": "point({position})",
+	&"pair": "point_pair(point({position}), point({other}))",
+	&"line": "line(point({position}), {normal})",
+	&"circle": "circle(point({position}), {normal}, {length})",
 	&"plane": "plane({normal}, {distance})",
-	&"sphere": "sphere(point({place}), {length})",
-	&"motor": "motor(vector({place}), rotor({normal}, deg(90)), 1)",
+	&"sphere": "sphere(point({position}), {length})",
+	&"motor": "motor(vector({position}), rotor({normal}, deg(90)), 1)",
 	&"scalar": "1",
 }
 const AXES: Dictionary[Vector3, String] = {
@@ -37,26 +37,26 @@ const AXES: Dictionary[Vector3, String] = {
 }
 
 
-## Returns the "place" of the hit and the "normal" of the surface, which faces the eye, in the space
-## of the drawing.
-static func find_place(
+## Returns the "position" of the hit and the "normal" of the surface, which faces the camera, in the
+## space of the drawing.
+static func find_hit(
 	drawing: SceneDrawing, camera: Camera3D, point: Vector2
 ) -> Dictionary[String, Vector3]:
 	var ray := ViewRay.new(camera, point, drawing.global_transform)
-	var place := ray.meet_plane(Vector3.UP, 0.0)
+	var position := ray.meet_plane(Vector3.UP, 0.0)
 	var normal := Vector3.UP
-	if place.distance_to(ray.origin) > MAX_DISTANCE:
-		place = Vector3.INF
+	if position.distance_to(ray.origin) > MAX_DISTANCE:
+		position = Vector3.INF
 	for node in drawing.get_nodes():
 		var facts := Picking.classify(node)
 		var found := Vector3.INF
-		var across := Vector3.UP
+		var surface_normal := Vector3.UP
 		if facts.get("kind") == &"plane":
-			across = facts["normal"]
-			found = ray.meet_plane(across, facts["distance"] as float)
+			surface_normal = facts["normal"]
+			found = ray.meet_plane(surface_normal, facts["distance"] as float)
 		elif facts.get("kind") == &"sphere" and not facts["imaginary"]:
 			found = ray.meet_sphere(facts["center"] as Vector3, facts["radius"] as float)
-			across = (found - (facts["center"] as Vector3)).normalized()
+			surface_normal = (found - (facts["center"] as Vector3)).normalized()
 		# Hidden objects are at an infinite distance on the screen.
 		var is_drawn := (
 			node.is_visible_in_tree() and is_finite(node.get_screen_distance(camera, point))
@@ -64,13 +64,16 @@ static func find_place(
 		if (
 			is_drawn
 			and found.is_finite()
-			and found.distance_to(ray.origin) <= minf(place.distance_to(ray.origin), MAX_DISTANCE)
+			and (
+				found.distance_to(ray.origin)
+				<= minf(position.distance_to(ray.origin), MAX_DISTANCE)
+			)
 		):
-			place = found
-			normal = across if across.dot(ray.direction) < 0.0 else -across
-	if not place.is_finite():
-		place = ray.origin + ray.direction * DEPTH
-	return {"place": place, "normal": normal}
+			position = found
+			normal = surface_normal if surface_normal.dot(ray.direction) < 0.0 else -surface_normal
+	if not position.is_finite():
+		position = ray.origin + ray.direction * DEPTH
+	return {"position": position, "normal": normal}
 
 
 ## Returns the name of the new entry.
@@ -82,21 +85,21 @@ static func add(
 	point: Vector2,
 	snaps: bool
 ) -> String:
-	var found := find_place(drawing, camera, point)
-	var pixel := ViewScale.pixel(camera, drawing.global_transform * found["place"])
+	var found := find_hit(drawing, camera, point)
+	var pixel := ViewScale.pixel(camera, drawing.global_transform * found["position"])
 	var step := ViewScale.coarse_step(pixel) if snaps else ViewScale.fine_step(pixel)
 	var length := ViewScale.round_length(pixel, SIZE * ViewScale.PlaygroundStyle.scale())
-	var place := found["place"].snappedf(step)
+	var position := found["position"].snappedf(step)
 	var normal := found["normal"].snappedf(0.001)
 	var expression := (
 		EXPRESSIONS[kind]
 		. format(
 			{
-				"place": _coordinates(place, step),
-				"other": _coordinates((place + found["normal"] * length).snappedf(step), step),
+				"position": _coordinates(position, step),
+				"other": _coordinates((position + found["normal"] * length).snappedf(step), step),
 				"normal": AXES.get(normal, "vector(%s)" % _coordinates(normal, 0.001)),
 				"length": String.num(length).trim_suffix(".0"),
-				"distance": _number(found["normal"].dot(place), step),
+				"distance": _number(found["normal"].dot(position), step),
 			}
 		)
 	)

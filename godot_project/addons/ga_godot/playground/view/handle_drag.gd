@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## One drag of a handle, which is one action in the history unless it is cancelled.
+## One drag of a handle. It becomes one action in the history unless it is canceled.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const ViewHandle := preload("view_handle.gd")
@@ -13,7 +13,7 @@ var entry: String
 
 var _document: PlaygroundDocument
 var _before := ""
-# From the handle to the mouse, in pixels.
+# Offset from the handle to the mouse, in pixels.
 var _offset: Vector2
 
 
@@ -21,13 +21,13 @@ func _init(document: PlaygroundDocument, handle: ViewHandle, mouse: Vector2) -> 
 	_document = document
 	start = handle
 	entry = handle.node.entry
-	_offset = mouse - handle.place
+	_offset = mouse - handle.position
 	_before = document.scene.document
 	_document.begin_gesture()
 
 
-## With `on_level`, a freely moving handle keeps its height.
-func move(camera: Camera3D, mouse: Vector2, snaps: bool, on_level: bool) -> void:
+## With `keeps_height`, a freely moving handle keeps its height.
+func move(camera: Camera3D, mouse: Vector2, snaps: bool, keeps_height: bool) -> void:
 	if (
 		not is_instance_valid(start.node)
 		or not start.node.is_inside_tree()
@@ -47,7 +47,7 @@ func move(camera: Camera3D, mouse: Vector2, snaps: bool, on_level: bool) -> void
 		start.handle,
 		ray.origin,
 		ray.direction,
-		Vector3.UP if on_level else ray.view,
+		Vector3.UP if keeps_height else ray.view,
 		step,
 		angle
 	)

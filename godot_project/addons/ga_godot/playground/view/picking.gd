@@ -10,20 +10,21 @@ const POINTS: Array[StringName] = [&"point", &"flat_point", &"point_pair", &"tan
 const SURFACES: Array[StringName] = [&"sphere", &"plane"]
 
 
-## Null if there is none.
+## Returns the nearest visible handle within the pick radius, or null.
 static func find_handle(handles: Array[RefCounted], point: Vector2) -> ViewHandle:
 	var best: ViewHandle = null
-	var reach := ViewScale.REACH * ViewScale.PlaygroundStyle.scale()
+	var reach := ViewScale.PICK_RADIUS * ViewScale.PlaygroundStyle.scale()
 	for handle: ViewHandle in handles:
-		var distance := handle.place.distance_to(point)
+		var distance := handle.position.distance_to(point)
 		if handle.is_visible and distance < reach:
 			best = handle
 			reach = distance
 	return best
 
 
-## Null if there is none. With `with_faces`, spheres and planes are picked anywhere on their
-## surface, otherwise only at their lines, as they may cover much of the view.
+## Returns the node of the object at a point of the screen, or null. With `with_faces`, spheres and
+## planes are picked anywhere on their surface, otherwise only at their lines, as they may cover
+## much of the view.
 static func find_object(
 	nodes: Array[GANode3D], camera: Camera3D, point: Vector2, with_faces: bool
 ) -> GANode3D:
@@ -53,12 +54,13 @@ static func classify(node: GANode3D) -> Dictionary:
 	return value.classify(dual)
 
 
-# The lowest rank is picked; infinite if the object is not under the mouse.
+# Returns the rank of the object, of which the lowest is picked. It is infinite if the object is not
+# under the mouse.
 static func _rank(node: GANode3D, camera: Camera3D, point: Vector2, with_faces: bool) -> float:
 	if not node.is_visible_in_tree():
 		return INF
 	var pixels := node.get_screen_distance(camera, point)
-	var reach := ViewScale.REACH * ViewScale.PlaygroundStyle.scale()
+	var reach := ViewScale.PICK_RADIUS * ViewScale.PlaygroundStyle.scale()
 	if pixels > reach:
 		return INF
 	var facts := classify(node)

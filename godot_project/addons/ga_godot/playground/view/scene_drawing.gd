@@ -1,7 +1,7 @@
 @tool
 extends Node3D
-## Draws the entries of a scene, one node each, with the entry's color or else that of its kind. The
-## attribute "line_width" of an entry sets its line width in pixels.
+## Draws each entry of a scene with a node, in the entry's color or, by default, that of its kind.
+## The attribute "line_width" of an entry sets its line width in pixels.
 
 const PlaygroundStyle := preload("../theme/playground_style.gd")
 
@@ -20,14 +20,14 @@ const COLORS: Dictionary[StringName, Color] = {
 	&"dilator": Color(0.8, 0.6, 1.0),
 }
 const OTHER_COLOR := Color(0.35, 0.8, 0.8)
-## Line widths in pixels, before the editor's scale.
+## Line widths in pixels, to be multiplied by the editor's scale.
 const LINE_WIDTH := 2.0
 const SELECTED_EXTRA := 1.0
 const HOVERED_EXTRA := 1.6
 const MIN_LINE_WIDTH := 0.25
 const MAX_LINE_WIDTH := 20.0
 
-## Upper limit of the lightness of colors before a light background.
+## Maximum lightness of colors on a light background.
 const MAX_LIGHTNESS := 0.48
 
 var scene: GAScene:
@@ -35,7 +35,7 @@ var scene: GAScene:
 ## Whether the background is light, which needs darker colors.
 var on_light := false:
 	set = set_on_light
-## Entries that are not drawn, as another node draws them in the same place.
+## Entries that are not drawn, because other nodes draw them with the same transform.
 var excluded := PackedStringArray():
 	set = set_excluded
 
@@ -123,7 +123,7 @@ func _draw() -> void:
 
 
 func _on_background(color: Color) -> Color:
-	# The same measure by which labels choose a light outline.
+	# The formula by which labels choose between a light and a dark outline.
 	var lightness := 0.3 * color.r + 0.59 * color.g + 0.11 * color.b
 	var factor := MAX_LIGHTNESS / maxf(lightness, MAX_LIGHTNESS) if on_light else 1.0
 	return Color(color.r * factor, color.g * factor, color.b * factor, color.a)

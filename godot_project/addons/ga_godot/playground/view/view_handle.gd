@@ -12,8 +12,8 @@ const ARM := 60.0
 var node: GANode3D
 ## A dictionary from GAScene.get_handles().
 var handle: Dictionary
-## Screen positions of the handle and of the start of its line.
-var place: Vector2
+## Screen positions of the handle and of the start of the line to it.
+var position: Vector2
 var stem: Vector2
 ## Whether the handle is in front of the camera.
 var is_visible: bool
@@ -32,12 +32,12 @@ func _init(p_node: GANode3D, p_handle: Dictionary, camera: Camera3D) -> void:
 			/ space.basis.x.length()
 		)
 		handle["position"] = from + (handle["position"] as Vector3 - from) * length
-	var in_world := space * (handle["position"] as Vector3)
-	is_visible = not camera.is_position_behind(in_world)
+	var world_position := space * (handle["position"] as Vector3)
+	is_visible = not camera.is_position_behind(world_position)
 	if is_visible:
-		place = camera.unproject_position(in_world)
+		position = camera.unproject_position(world_position)
 		stem = (
-			place
+			position
 			if camera.is_position_behind(space * from)
 			else camera.unproject_position(space * from)
 		)
@@ -65,7 +65,7 @@ static func of(of_node: GANode3D, camera: Camera3D) -> Array[RefCounted]:
 		or not scene.get_entry_attribute(of_node.entry, "visible")
 	):
 		return found
-	if not of_node.is_visible_in_tree() or ViewRay.is_flat(of_node.global_transform):
+	if not of_node.is_visible_in_tree() or ViewRay.is_degenerate(of_node.global_transform):
 		return found
 	var right := of_node.global_transform.affine_inverse().basis * camera.global_basis.x
 	for each in scene.get_handles(of_node.entry, right):

@@ -3,9 +3,9 @@ extends RefCounted
 ## Handles the mouse over a view of a document: hovers, selects, drags handles and objects, adds
 ## objects. Works for the editor's viewports and for a game's view; pass it every event of the view.
 
-## The overlay of the view needs to be redrawn.
+## Emitted when the overlay of the view needs to be redrawn.
 signal redraw_needed
-## `adding` changed.
+## Emitted when `adding` changes.
 signal adding_changed
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
@@ -19,7 +19,7 @@ const SceneDrawing := preload("scene_drawing.gd")
 const ViewHandle := preload("view_handle.gd")
 
 ## A press becomes a drag at this distance, in pixels.
-const CLICK := 4.0
+const DRAG_THRESHOLD := 4.0
 
 ## The kind (of NewObjects.KINDS) that a click adds; empty for none.
 var adding := &"":
@@ -32,7 +32,7 @@ var picks_faces := true
 var can_pick := func(_camera: Camera3D, _point: Vector2) -> bool: return true
 ## Whether a click on empty space clears the selection.
 var clears_selection := true
-## Further nodes that draw entries of the document and have handles.
+## Other nodes that draw entries of the document and have handles.
 var other_nodes: Array[GANode3D] = []
 
 var document: PlaygroundDocument
@@ -52,7 +52,7 @@ var _pressed: ViewHandle
 var _pressed_selects := ""
 var _pressed_adds := false
 var _pressed_at := Vector2.INF
-var _pressed_beside := false
+var _pressed_empty_space := false
 
 
 func _init(
@@ -129,14 +129,14 @@ func handle_input(event: InputEvent, camera: Camera3D) -> bool:
 ## Cancels the current drag and restores the document. Returns whether there was one.
 func cancel() -> bool:
 	var drag := _drag
-	_forget_press()
+	_clear_press()
 	if drag != null:
 		drag.cancel()
 	return drag != null
 
 
-## The mouse has left the view.
-func leave() -> void:
+## Call this when the mouse leaves the view.
+func clear_mouse() -> void:
 	mouse = Vector2.INF
 	_hover(null, null)
 	redraw_needed.emit()
@@ -153,7 +153,7 @@ func _escape() -> bool:
 func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
 	mouse = motion.position
 	mouse_camera = camera
-	if _drag == null and _pressed != null and mouse.distance_to(_pressed_at) >= CLICK:
+	if _drag == null and _pressed != null and mouse.distance_to(_pressed_at) >= DRAG_THRESHOLD:
 		_drag = HandleDrag.new(document, _pressed, _pressed_at)
 	if _drag != null:
 		if not motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
@@ -163,7 +163,7 @@ func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
 		_drag.move(camera, mouse, motion.is_command_or_control_pressed(), motion.shift_pressed)
 		redraw_needed.emit()
 		return true
-	if _pressed_at.is_finite() and not _pressed_beside:
+	if _pressed_at.is_finite() and not _pressed_empty_space:
 		return true
 	if motion.button_mask == 0:
 		_hover_at(camera, mouse)
@@ -173,7 +173,7 @@ func _move(motion: InputEventMouseMotion, camera: Camera3D) -> bool:
 func _press(button: InputEventMouseButton, camera: Camera3D) -> bool:
 	if _drag != null:
 		_end_drag()
-	_forget_press()
+	_clear_press()
 	_pressed_at = button.position
 	var snaps := button.is_command_or_control_pressed()
 	if not adding.is_empty():
@@ -194,34 +194,38 @@ func _press(button: InputEventMouseButton, camera: Camera3D) -> bool:
 			[ClickAdding.add(_edits, drawing, double_click_adds, camera, button.position, snaps)]
 		)
 		return true
-	_pressed_beside = true
+	_pressed_empty_space = true
 	return false
 
 
 func _release(button: InputEventMouseButton) -> bool:
-	var was_used := _pressed_at.is_finite() and not _pressed_beside
+	var was_used := _pressed_at.is_finite() and not _pressed_empty_space
 	if _drag != null:
 		_end_drag()
 	elif document.scene.has_entry(_pressed_selects):
-		# A click on a handle is meant for its object.
+		# A click on a handle selects its object.
 		_select_object(_pressed_selects, _pressed_adds)
-	elif _pressed_beside and clears_selection and button.position.distance_to(_pressed_at) < CLICK:
+	elif (
+		_pressed_empty_space
+		and clears_selection
+		and button.position.distance_to(_pressed_at) < DRAG_THRESHOLD
+	):
 		_select([])
-	_forget_press()
+	_clear_press()
 	return was_used
 
 
 func _end_drag() -> void:
 	_drag.end()
-	_forget_press()
+	_clear_press()
 	redraw_needed.emit()
 
 
-func _forget_press() -> void:
+func _clear_press() -> void:
 	_drag = null
 	_pressed = null
 	_pressed_selects = ""
-	_pressed_beside = false
+	_pressed_empty_space = false
 	_pressed_at = Vector2.INF
 
 
@@ -253,20 +257,20 @@ func _hover_at(camera: Camera3D, point: Vector2) -> void:
 
 
 func _hover(handle: ViewHandle, node: GANode3D) -> void:
-	var is_other := (
+	var has_changed := (
 		node != hovered_node
 		or (handle == null) != (hovered_handle == null)
 		or (handle != null and not handle.is_same(hovered_handle))
 	)
 	hovered_handle = handle
 	hovered_node = node
-	if is_other:
+	if has_changed:
 		drawing.emphasize(String(node.entry) if node != null else "", _list.selection)
 		redraw_needed.emit()
 
 
 func _on_scene_switched() -> void:
-	_forget_press()
+	_clear_press()
 	hovered_handle = null
 	hovered_node = null
 	drawing.scene = document.scene

@@ -5,13 +5,13 @@ extends RefCounted
 var origin: Vector3
 ## Unit vector.
 var direction: Vector3
-## The direction of the camera. Unit vector.
+## The viewing direction of the camera. Unit vector.
 var view: Vector3
 
 
-## The direction is zero if the space is degenerate.
+## If the transform `space` is not invertible, the direction is zero.
 func _init(camera: Camera3D, point: Vector2, space: Transform3D) -> void:
-	if is_flat(space):
+	if is_degenerate(space):
 		return
 	var inverse := space.affine_inverse()
 	origin = inverse * camera.project_ray_origin(point)
@@ -19,7 +19,7 @@ func _init(camera: Camera3D, point: Vector2, space: Transform3D) -> void:
 	view = (inverse.basis * -camera.global_basis.z).normalized()
 
 
-static func is_flat(space: Transform3D) -> bool:
+static func is_degenerate(space: Transform3D) -> bool:
 	return space.basis.determinant() == 0.0
 
 
@@ -41,13 +41,19 @@ func meet_plane(normal: Vector3, distance: float) -> Vector3:
 
 
 ## The point of a line closest to the ray; infinite if they are parallel.
-func meet_line(point: Vector3, along: Vector3) -> Vector3:
-	var cosine := direction.dot(along)
-	var across := 1.0 - cosine * cosine
-	if across < 1e-9:
+func meet_line(point: Vector3, line_direction: Vector3) -> Vector3:
+	var cosine := direction.dot(line_direction)
+	var sine_squared := 1.0 - cosine * cosine
+	if sine_squared < 1e-9:
 		return Vector3.INF
-	var between := origin - point
-	return point + along * ((between.dot(along) - cosine * between.dot(direction)) / across)
+	var offset := origin - point
+	return (
+		point
+		+ (
+			line_direction
+			* ((offset.dot(line_direction) - cosine * offset.dot(direction)) / sine_squared)
+		)
+	)
 
 
 ## The point of the ray closest to a point.

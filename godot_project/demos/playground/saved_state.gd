@@ -1,5 +1,6 @@
 extends RefCounted
-## What persists between sessions: the document with its unsaved changes, and settings of the view.
+## The state that persists between sessions: the document with its unsaved changes, and settings of
+## the view.
 
 const PlaygroundDocument := preload(
 	"res://addons/ga_godot/playground/document/playground_document.gd"

@@ -1,5 +1,5 @@
 extends VBoxContainer
-## Figures of the replication: a card per method, the data rate as a graph, and errors.
+## Statistics of the replication: a card per method, the data rate as a graph, and errors.
 
 ## Emitted when the player chooses a method.
 signal method_requested(method: String)
@@ -14,10 +14,10 @@ const TITLES: Dictionary[String, String] = {
 	"synchronizer": "MultiplayerSynchronizer",
 }
 const LINES: Dictionary[String, String] = {
-	"motors": "GA-Godot: as much as the tolerance needs",
+	"motors": "GA-Godot: only what the tolerance requires",
 	"synchronizer": "Godot: every transform at 20 Hz",
 }
-const FIGURES: PackedStringArray = [
+const STATISTICS: PackedStringArray = [
 	"Packets",
 	"Packet loss",
 	"Playback delay",
@@ -27,18 +27,18 @@ const FIGURES: PackedStringArray = [
 const UPDATE_INTERVAL := 0.5
 ## Readings to skip after a change of method: they contain bytes of the old method and the initial
 ## burst of the new one.
-const SETTLING := 2
+const SKIPPED_READINGS := 2
 ## Weight of the latest reading in the shown rate.
-const NEWEST_SHARE := 0.4
+const LATEST_WEIGHT := 0.4
 const WIDTH := 270
 
 var _cards: Dictionary[String, MethodCard] = {}
 ## Last measured bytes per second by method.
 var _rates: Dictionary[String, float] = {}
-var _curve := Sparkline.new()
+var _graph := Sparkline.new()
 var _values: Dictionary[String, Label] = {}
 var _method := ""
-var _settling := 0
+var _readings_to_skip := 0
 var _next_update := 0.0
 var _updated_at := 0.0
 var _bytes := 0
@@ -55,22 +55,22 @@ func _init() -> void:
 		card.pressed.connect(method_requested.emit.bind(method))
 		add_child(card)
 		_cards[method] = card
-	_curve.custom_minimum_size.y = 34
-	add_child(_curve)
+	_graph.custom_minimum_size.y = 34
+	add_child(_graph)
 	var rows := VBoxContainer.new()
 	rows.add_theme_constant_override(&"separation", 2)
-	for figure: String in FIGURES:
-		rows.add_child(_make_row(figure))
+	for statistic: String in STATISTICS:
+		rows.add_child(_make_row(statistic))
 	add_child(rows)
 
 
 ## Shows the active method.
 func show_method(method: String) -> void:
 	_method = method
-	_settling = SETTLING
+	_readings_to_skip = SKIPPED_READINGS
 	for other: String in _cards:
 		_cards[other].set_pressed_no_signal(other == method)
-	_curve.begin(Palette.METHODS[method])
+	_graph.begin(Palette.METHODS[method])
 
 
 ## Reads the counters of the client twice a second.
@@ -88,12 +88,12 @@ func update(client: Client) -> void:
 	_bytes = client.meter.bytes
 	_packets = client.meter.packets
 	_lost = client.meter.lost
-	_settling -= 1
-	if _settling < 0:
+	_readings_to_skip -= 1
+	if _readings_to_skip < 0:
 		_rates[_method] = (
-			lerpf(_rates[_method], rate, NEWEST_SHARE) if _rates.has(_method) else rate
+			lerpf(_rates[_method], rate, LATEST_WEIGHT) if _rates.has(_method) else rate
 		)
-		_curve.push(rate)
+		_graph.push(rate)
 	_show_rates()
 	_values["Packets"].text = "%.0f/s" % (packets / elapsed)
 	_values["Packet loss"].text = "%.0f%%" % (100.0 * lost / maxi(packets, 1))
@@ -113,7 +113,7 @@ func _show_rates() -> void:
 
 func _show_errors(client: Client) -> void:
 	var is_known := client.gauge.has_errors()
-	var errors := client.gauge.get_figures() * 1000.0 if is_known else Vector2.ZERO
+	var errors := client.gauge.get_statistics() * 1000.0 if is_known else Vector2.ZERO
 	_values["Median error"].text = "%.1f mm" % errors.x if is_known else "–"
 	_values["Maximum error (2 s)"].text = "%.1f mm" % errors.y if is_known else "–"
 
