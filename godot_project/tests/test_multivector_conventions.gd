@@ -3,7 +3,7 @@ extends "res://tests/framework/test_case.gd"
 ## table of formulas refers to code and to a test that exist.
 
 const PAGE := "docs/conventions.md"
-const TABLE := "| formula | computed in | proven by |"
+const TABLE := "| formula | computed in | tested by |"
 ## A path, then a string that the file contains: `path` `name` or `path` "name".
 const REFERENCE := '`([a-z0-9_/]+\\.[a-z]+)` (?:`([^`]+)`|"([^"]+)")'
 
