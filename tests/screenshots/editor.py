@@ -33,7 +33,7 @@ def tests(engine, project, output):
         leave_only_another_system(extension)
         yield "a library for another system only", check_message(engine, bare, "this version has no library for")
         os.remove(extension)
-        yield "no extension file", check_message(engine, bare, "is missing. Copy the whole folder")
+        yield "no extension file", check_message(engine, bare, "is missing. Copy the complete folder")
 
 
 def copy_project(project, copy, probe=PROBE, base=None):
@@ -128,7 +128,7 @@ def check_start_without_library(engine, copy):
     """The start fails with exit code 1 and one line with the reason."""
     run = engine.run(["--path", copy, "--", "--test"], 60, drawing=False)
     problems = [] if run.code == 1 else [f"exit code {run.code}, expected 1"]
-    if "GA-Godot's library is not loaded. Build it with scons" not in run.text:
+    if "The GA-Godot library is not loaded. Build it by running scons" not in run.text:
         problems.append("it does not report that the library is missing:\n" + run.text)
     if "SCRIPT ERROR" in run.text:
         problems.append("a script failed:\n" + run.text)

@@ -6,8 +6,8 @@ const COUNT := 3
 const TITLES: Array[String] = ["Linear", "Screw", "Separate"]
 const DESCRIPTIONS: Array[String] = [
 	"Blends the coefficients of the two motors",
-	"Rotates about one screw axis; scales geometrically",
-	"Interpolates position, rotation and scale separately",
+	"Rotates about one axis; scales geometrically",
+	"Treats position, rotation, scale separately",
 ]
 const COLORS: Array[Color] = [
 	Color(1.0, 0.62, 0.26),
