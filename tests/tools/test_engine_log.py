@@ -21,11 +21,11 @@ CASES = {
     "announced later": ("SCRIPT ERROR: bad input\n[expect] bad input\n", []),
     "announced once, came twice": ("[expect] bad\nERROR: bad\nERROR: bad\n", ["error line: bad"]),
     "announced, other came": (
-        "[expect] bad\nERROR: worse\n", ["error line: worse", "announced error did not come: bad"]),
-    "announced, none came": ("[expect] bad\n", ["announced error did not come: bad"]),
+        "[expect] bad\nERROR: worse\n", ["error line: worse", "expected error was not printed: bad"]),
+    "announced, none came": ("[expect] bad\n", ["expected error was not printed: bad"]),
     "a leak cannot be announced": (
         "[expect] 1 instance leaked at exit\nWARNING: 1 instance leaked at exit\n",
-        ["announced error did not come: 1 instance leaked at exit", "WARNING: 1 instance leaked at exit"]),
+        ["expected error was not printed: 1 instance leaked at exit", "WARNING: 1 instance leaked at exit"]),
     "word in a name": ("TERROR: not an error\nERRORS none\n", []),
 }
 

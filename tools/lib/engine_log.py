@@ -57,11 +57,11 @@ class EngineLog:
         return not self._below_announced
 
     def problems(self):
-        """One line for each error that no test announced, announced error that did not come, and leak."""
+        """One line for each unexpected error, expected error that was not printed, and leak."""
         found = [counted("error line: " + message, count) for message, count in (self._errors - self._announced).items()]
-        found += [counted("announced error did not come: " + message, count)
+        found += [counted("expected error was not printed: " + message, count)
                   for message, count in (self._announced - self._errors).items()]
-        return found + [told(line, count) for line, count in self._leaks.items()]
+        return found + [counted(line, count) for line, count in self._leaks.items()]
 
 
 def counted(message, count):

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cga/algebra/algebra_error.hpp"
-#include "cga/motor/motor_factors.hpp"
 #include "cga/algebra/null_basis.hpp"
+#include "cga/motor/motor_factors.hpp"
 
 // Objects from parameters and through points, in OPNS: X contains the points p with point(p) ^ X = 0 (null_basis.hpp). Lengths
 // in meters; directions and normals of any length but zero, which is ignored.
