@@ -1,4 +1,4 @@
-"""Vectors, bivectors and versors that the oracles ask about, as arrays of 32 numbers."""
+"""Vectors, bivectors and versors for the oracles, as arrays of 32 numbers."""
 
 import itertools
 
@@ -37,14 +37,14 @@ def motor_bivector(log):
 
 
 def motor_log(element):
-    """The logarithm w1 w2 w3 v1 v2 v3 sigma of such a bivector; v from both of its halves."""
+    """The logarithm w1 w2 w3 v1 v2 v3 sigma of such a bivector; v from both its e4 and e5 coefficients."""
     speeds = [-(element[PLANES[axis, 4]] + element[PLANES[axis, 5]]) for axis in (1, 2, 3)]
-    turns = [-2 * element[PLANES[2, 3]], 2 * element[PLANES[1, 3]], -2 * element[PLANES[1, 2]]]
-    return [*turns, *speeds, -2 * element[PLANES[4, 5]]]
+    rotation = [-2 * element[PLANES[2, 3]], 2 * element[PLANES[1, 3]], -2 * element[PLANES[1, 2]]]
+    return [*rotation, *speeds, -2 * element[PLANES[4, 5]]]
 
 
 def random_versor(random, factors):
-    """A product of vectors away from null ones."""
+    """A product of vectors that are not nearly null."""
     versor = np.eye(BLADES)[0]
     for _ in range(factors):
         numbers = random.standard_normal(5)
@@ -54,13 +54,13 @@ def random_versor(random, factors):
 
 
 def moved(random, bivector):
-    """A bivector seen after a random conformal motion."""
+    """A bivector after a random conformal transformation."""
     versor = LAYOUT.MultiVector(random_versor(random, 4))
     return (versor * LAYOUT.MultiVector(bivector) * versor.hitzer_inverse()).value * (GRADES == 2)
 
 
 def general_bivectors(random, each):
-    """Bivectors of all kinds, with names: (kind, element)."""
+    """Bivectors of all kinds: (name of the kind, element)."""
     e_infinity, e_origin = vector([0, 0, 0, 1, 1]), vector([0, 0, 0, -0.5, 0.5])
     for i in range(each):
         size = 10.0 ** random.uniform(-6.0, 0.5)
@@ -70,17 +70,17 @@ def general_bivectors(random, each):
         angle, other = random.uniform(0.0, np.pi / 2, 2)
         boost = random.uniform(-3.0, 3.0)
         direction = vector([*random.standard_normal(3), 0, 0])
-        yield "turn of a sphere", moved(random, plane(1, 2, angle))
+        yield "rotation in a sphere", moved(random, plane(1, 2, angle))
         yield "boost", moved(random, plane(1, 5, boost))
-        yield "turn and boost", moved(random, plane(1, 2, angle) + plane(3, 5, boost))
-        yield "two turns", moved(random, plane(1, 2, angle) + plane(3, 4, other))
-        yield "two equal turns", plane(1, 2, angle) + plane(3, 4, angle * (-1) ** i)
-        yield "two nearly equal turns", plane(1, 2, angle) + plane(3, 4, angle * (1.0 + 10.0 ** random.uniform(-15, -3)))
+        yield "rotation and boost", moved(random, plane(1, 2, angle) + plane(3, 5, boost))
+        yield "two rotations", moved(random, plane(1, 2, angle) + plane(3, 4, other))
+        yield "two equal rotations", plane(1, 2, angle) + plane(3, 4, angle * (-1) ** i)
+        yield "two nearly equal rotations", plane(1, 2, angle) + plane(3, 4, angle * (1.0 + 10.0 ** random.uniform(-15, -3)))
         yield "transversion", LAYOUT.omt_func(e_origin, direction) * size * 10.0
         yield "null plane", LAYOUT.omt_func(e_infinity, direction) * size * 10.0
-        yield "null plane, moved", moved(random, LAYOUT.omt_func(e_infinity, direction))
-        yield "null plane and turn", LAYOUT.omt_func(e_origin, vector([0, 0, size, 0, 0])) + plane(1, 2, angle)
+        yield "null plane, transformed", moved(random, LAYOUT.omt_func(e_infinity, direction))
+        yield "null plane and rotation", LAYOUT.omt_func(e_origin, vector([0, 0, size, 0, 0])) + plane(1, 2, angle)
         yield "nearly null plane", LAYOUT.omt_func(e_infinity, direction) + plane(1, 5, 10.0 ** random.uniform(-14, -3))
-        yield "small turn", plane(1, 2, 10.0 ** random.uniform(-14, -5)) + plane(3, 4, 10.0 ** random.uniform(-14, -5))
-        yield "half a turn", plane(1, 2, np.pi / 2) + plane(3, 4, other)
-        yield "nearly half a turn", plane(1, 2, np.pi / 2 - 10.0 ** random.uniform(-14, -3)) + plane(3, 5, boost)
+        yield "small rotation", plane(1, 2, 10.0 ** random.uniform(-14, -5)) + plane(3, 4, 10.0 ** random.uniform(-14, -5))
+        yield "half turn", plane(1, 2, np.pi / 2) + plane(3, 4, other)
+        yield "nearly half turn", plane(1, 2, np.pi / 2 - 10.0 ** random.uniform(-14, -3)) + plane(3, 5, boost)

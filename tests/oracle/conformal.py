@@ -1,8 +1,8 @@
-"""What `clifford` knows of conformal geometry: its classification, meet, join, inverse, and logarithms of motors.
+"""Conformal geometry of the package `clifford`: classification, meet, join, inverse, and logarithms of motors.
 
-Its general_logarithm is wrong at half a turn and loses digits next to it and next to no turn (it divides by the squares
-of its parts), so it is asked where angle and log-scale are 0.1 .. 3; versors.py has the rest. Its `vee` is made
-with complements, not with duals, so it differs by the signs of reversion. `interpret_multivector_as_object` misnames objects and is not used.
+Its general_logarithm is wrong at half turns and inaccurate near them and near the identity (it divides by squares of
+parts), so angles and log-scales are 0.1 .. 3 here; versors.py has the rest. Its `vee` uses complements instead of duals,
+so it differs by the signs of reversion. Its `interpret_multivector_as_object` returns wrong kinds and is not used.
 """
 
 import numpy as np
@@ -18,11 +18,11 @@ from subspaces import errors as direction_errors
 ORACLE = "clifford"
 CASES = 300
 BOUND = 1e-12
-MEET_BOUND = 1e-11  # of points as they fall, some close to each other
+MEET_BOUND = 1e-11  # random points, some close to each other
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     random = np.random.default_rng([seed, 110])
     check_inverse(library, report, random)
     check_motors(library, report, random)
@@ -31,20 +31,20 @@ def check(library, report, seed):
 
 
 def check_inverse(library, report, random):
-    """By linear equations; relative to the condition."""
+    """clifford solves linear equations; errors are relative to the condition number."""
     elements = random.standard_normal((CASES, BLADES))
     errors = []
     for ours, element in zip(library.unary("inverse", elements), elements):
-        wanted = LAYOUT.MultiVector(element).leftLaInv().value
-        errors.append(np.linalg.norm(ours - wanted) / np.linalg.norm(wanted) ** 2 / np.linalg.norm(element))
+        expected = LAYOUT.MultiVector(element).leftLaInv().value
+        errors.append(np.linalg.norm(ours - expected) / np.linalg.norm(expected) ** 2 / np.linalg.norm(element))
     report.check(ORACLE, "inverse of random elements", errors, BOUND)
     errors = []
     for i, j in ((i, j) for i in range(6) for j in range(5 - i, 6)):
         left, right = random.standard_normal((2, 10, BLADES)) * np.array([GRADES == i, GRADES == j])[:, None]
         sign = reversion(i) * reversion(j) * reversion(10 - i - j)
-        wanted = [sign * (LAYOUT.MultiVector(a) & LAYOUT.MultiVector(b)).value for a, b in zip(left, right)]
-        errors += list(np.abs(library.binary("regressive product", left, right) - np.array(wanted)).max(axis=1))
-    report.check(ORACLE, "regressive product, up to its signs", errors, BOUND)
+        expected = [sign * (LAYOUT.MultiVector(a) & LAYOUT.MultiVector(b)).value for a, b in zip(left, right)]
+        errors += list(np.abs(library.binary("regressive product", left, right) - np.array(expected)).max(axis=1))
+    report.check(ORACLE, "regressive product, up to sign", errors, BOUND)
 
 
 def reversion(grade):
@@ -52,7 +52,7 @@ def reversion(grade):
 
 
 def check_motors(library, report, random):
-    """clifford's T, R and D: poses, and logarithms."""
+    """Poses and logarithms of products of clifford's translators, rotors and dilators."""
     axes, offsets = random.standard_normal((2, CASES, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     angles = random.uniform(0.1, 3.0, CASES)
@@ -65,10 +65,10 @@ def check_motors(library, report, random):
         logs.append(general_logarithm(motor).value)
     poses = library.extract(motors)
     quaternions = np.hstack([np.cos(angles / 2)[:, None], axes * np.sin(angles / 2)[:, None]])
-    wanted = np.hstack([offsets, quaternions, scales[:, None]])
-    report.check(ORACLE, "translation, rotation and scale of T R D", np.abs(poses - wanted).max(axis=1) / scales.clip(1.0), BOUND)
+    expected = np.hstack([offsets, quaternions, scales[:, None]])
+    report.check(ORACLE, "translation, rotation and scale of T R D", np.abs(poses - expected).max(axis=1) / scales.clip(1.0), BOUND)
     errors = np.abs(library.unary("log", motors) - np.array(logs)).max(axis=1) / np.abs(logs).max(axis=1)
-    report.check(ORACLE, "log of motors away from half turns", errors, BOUND)
+    report.check(ORACLE, "log of motors with angles up to 3", errors, BOUND)
 
 
 def euclidean(numbers):
@@ -76,20 +76,20 @@ def euclidean(numbers):
 
 
 def plane_vectors(axis):
-    """Two vectors across an axis, right-handed with it."""
+    """Two vectors orthogonal to an axis, right-handed with it."""
     first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
     first /= np.linalg.norm(first)
     return euclidean(first), euclidean(np.cross(axis, first))
 
 
-# clifford's class of an object, and what it is called here.
+# Kinds of objects by the names of clifford's classes.
 NAMES = {"Point": "point", "PointPair": "point_pair", "Circle": "circle", "Sphere": "sphere", "PointFlat": "flat_point",
          "Line": "line", "Plane": "plane"}
 
 
 def check_classify(library, report, random):
-    """Outer products of points, with e_inf and without, real and imaginary."""
-    elements, wanted = [], []
+    """Outer products of points, with and without e_inf, real and imaginary."""
+    elements, expected = [], []
     for i in range(CASES):
         scene = Scene(random, 1.0, 1.0)
         count = 1 + i % 4
@@ -102,8 +102,8 @@ def check_classify(library, report, random):
             found = classifier.classify(blade)
             blade = type(found)(found.direction, found.location, found.radius * 1j).mv
         elements.append(blade.value)
-        wanted.append(classifier.classify(blade))
-    errors = [class_error(found, right) for found, right in zip(library.classify(elements), wanted)]
+        expected.append(classifier.classify(blade))
+    errors = [class_error(found, right) for found, right in zip(library.classify(elements), expected)]
     report.check(ORACLE, "classify", errors, BOUND)
 
 
@@ -120,9 +120,9 @@ def class_error(found, right):
         worst = max(worst, abs(found["radius"] - abs(right.radius)))
     if name in ("Circle", "Plane", "PointPair", "Line"):
         element = right.direction * g3c.e123 if name in ("Circle", "Plane") else right.direction
-        wanted = vector_of(element)
+        expected = vector_of(element)
         ours = found["normal" if name in ("Circle", "Plane") else "direction"]
-        worst = max(worst, np.linalg.norm(np.cross(ours, wanted)) / np.linalg.norm(wanted))
+        worst = max(worst, np.linalg.norm(np.cross(ours, expected)) / np.linalg.norm(expected))
     return worst
 
 
@@ -131,18 +131,18 @@ def vector_of(element):
 
 
 def check_meet(library, report, random):
-    """Blades of random points that span at most the space together, where clifford's join is the outer product (where
-    blades share points it ends in a division by zero), and blades whose meet is the regressive product."""
+    """Blades of random points: independent ones, whose join is the outer product (with common points, clifford's join
+    divides by zero), and ones that span the whole space, whose meet is the regressive product."""
     for name in ("join", "meet"):
-        left, right, wanted = [], [], []
+        left, right, expected = [], [], []
         for i in range(CASES):
             a = 1 + i % 4
             points = [g3c.up(euclidean(x)) for x in random.standard_normal((5, 3))]
             first, second = product(points[:a]), product(points[a if name == "join" else a - 1 :])
-            wanted.append((first.join(second) if name == "join" else first.meet(second, LAYOUT.pseudoScalar)).value)
+            expected.append((first.join(second) if name == "join" else first.meet(second, LAYOUT.pseudoScalar)).value)
             left.append(first.value)
             right.append(second.value)
-        report.check(ORACLE, f"{name} of blades of points", direction_errors(library.incidence(name, left, right), np.array(wanted)), MEET_BOUND)
+        report.check(ORACLE, f"{name} of blades of points", direction_errors(library.incidence(name, left, right), np.array(expected)), MEET_BOUND)
 
 
 def product(factors):

@@ -1,7 +1,7 @@
-"""Points, lines, planes, circles and spheres of school geometry, at 50 digits; nothing of conformal algebra.
+"""Points, lines, planes, circles and spheres in Euclidean geometry at 50 digits, without conformal algebra.
 
-Vectors are lists of three numbers. What a function finds is a dict of what cga::classify should say of it: kind,
-imaginary, center, radius, direction or normal, distance, points.
+Vectors are lists of three numbers. Results are dicts of what cga::classify should return: kind, imaginary, center,
+radius, direction or normal, distance, points.
 """
 
 import mpmath
@@ -40,11 +40,11 @@ def unit(a):
 
 
 def solve(rows, right):
-    """The point x with row . x = number for three rows."""
+    """The point x with row . x = number, for three rows."""
     return list(mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix(right)))
 
 
-# What objects are.
+# Objects.
 
 
 def flat_point(position):
@@ -56,7 +56,7 @@ def point(position):
 
 
 def line(position, direction):
-    """`center` is where it comes closest to the origin."""
+    """`center` is the point closest to the origin."""
     d = unit(direction)
     return {"kind": "line", "center": add(position, d, -dot(position, d)), "direction": d}
 
@@ -67,7 +67,7 @@ def plane(normal, distance):
 
 
 def round_of(kind, center, square, **parts):
-    """With the square of the radius, which is negative for imaginary ones."""
+    """A round with the square of its radius, which is negative for imaginary rounds."""
     return {"kind": kind, "center": center, "radius": mpmath.sqrt(abs(square)), "imaginary": square < 0, **parts}
 
 
@@ -101,7 +101,7 @@ def plane_through(a, b, c):
 
 
 def circle_through(a, b, c):
-    """The center is in the plane of the points, and as far from one as from another."""
+    """The center is in the plane of the points, at the same distance from all."""
     normal = cross(minus(b, a), minus(c, a))
     rows = [minus(b, a), minus(c, a), normal]
     center = solve(rows, [(dot(b, b) - dot(a, a)) / 2, (dot(c, c) - dot(a, a)) / 2, dot(normal, a)])
@@ -113,7 +113,7 @@ def sphere_through(a, *others):
     return sphere(center, dot(minus(a, center), minus(a, center)))
 
 
-# What two objects have in common. Lines are (point, direction), planes (normal, distance), circles
+# Intersections. Lines are (point, direction), planes (normal, distance), circles
 # (center, normal, radius), spheres (center, radius).
 
 
@@ -152,14 +152,14 @@ def line_sphere(line_, sphere_):
 
 
 def circle_plane(circle_, plane_):
-    """The line of both planes with the sphere of the circle."""
+    """Intersects the line of both planes with the sphere that has the circle as its equator."""
     c, n, r = circle_
     common = plane_plane((n, dot(n, c)), plane_)
     return line_sphere((common["center"], common["direction"]), (c, r))
 
 
 def circle_sphere(circle_, sphere_):
-    """The plane of the circle, its sphere, and the plane of the circle in which the spheres meet."""
+    """Intersects the circle with the plane of the circle in which its sphere and the other one intersect."""
     c, n, r = circle_
     common = sphere_sphere((c, r), sphere_)
     normal = common["normal"]
@@ -167,11 +167,11 @@ def circle_sphere(circle_, sphere_):
 
 
 def circle_line(circle_, line_):
-    """Of one plane."""
+    """For a line in the plane of the circle."""
     return line_sphere(line_, (circle_[0], circle_[2]))
 
 
-# Images.
+# Reflections and inversions.
 
 
 def foot_on_plane(p, plane_):

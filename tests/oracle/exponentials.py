@@ -1,8 +1,8 @@
-"""exp, log and power of similarities against matrices at 50 digits, with mpmath.
+"""exp, log and power of similarities, compared with matrices at 50 digits (mpmath).
 
 The logarithm L = -(1/2) (w1 e23 - w2 e13 + w3 e12 + v e_inf + sigma E) is the matrix [[sigma 1 + [w]x, v], [0, 0]] of
-the same motion; its exponential is that of the matrix, and v is found from t by solving a linear system with the
-series sum of X^k / (k + 1)!, X = sigma 1 + [w]x. None of the closed forms of the C++ code is used.
+the same motion. Its exponential is that of the matrix; v follows from t by a linear system with the series
+sum of X^k / (k + 1)!, X = sigma 1 + [w]x. The closed forms of the C++ code are not used.
 """
 
 import itertools
@@ -19,7 +19,7 @@ EXPONENTS = [0.5, 0.01, -1.0, 2.0]
 
 
 def check(library, report, seed):
-    """Everything of this file, in double and in float."""
+    """Runs the checks of this file, in double and in float."""
     mp.dps = DIGITS
     for kind in (np.float64, np.float32):
         name = "double" if kind is np.float64 else "float"
@@ -29,7 +29,7 @@ def check(library, report, seed):
         errors = [pose_error(pose, *exact) for pose, exact in zip(library.exp_of_log(logs, kind), images)]
         report.check(f"mpmath, {name}", "exp of poses", errors, bound)
 
-        # What the log is asked about is the rounded pose, so its exact log is the answer.
+        # The input of log is the rounded pose, so the expected result is the exact log of that.
         poses = np.array([rounded_pose(log) for log in logs]).astype(kind)
         exact_logs = [logarithm(pose) for pose in poses]
         ours = library.log_of_pose(poses, kind)
@@ -41,14 +41,14 @@ def check(library, report, seed):
             alpha = kind(exponent)
             ours = library.power_of_pose(poses, np.full(len(poses), alpha), kind)
             images = [exponential([mpf(float(alpha)) * number for number in exact]) for exact in exact_logs]
-            # Where a power all but undoes the translation, as the square of half a turn does, its size is the pose's.
+            # A power may nearly cancel the translation, as the square of a half turn does: errors are relative to the pose's.
             sizes = np.linalg.norm(poses[:, :3], axis=1)
             errors = [pose_error(power, *exact, size) for power, exact, size in zip(ours, images, sizes)]
             report.check(f"mpmath, {name}", f"power {exponent:g} of poses", errors, bound)
 
 
 def grid(random):
-    """All angles with all logarithms of scale, about random axes, with random velocities and once with none."""
+    """All angles with all logarithms of scale, about random axes, with random velocities, some with zero velocity."""
     logs = []
     for i, (angle, sigma) in enumerate(itertools.product(ANGLES, LOG_SCALES)):
         axis, velocity = random.standard_normal((2, 3))
@@ -80,7 +80,7 @@ def exponential(log):
 
 
 def logarithm(pose):
-    """w, v, sigma of a pose of doubles (the quaternion normalized exactly), turning the short way."""
+    """w, v, sigma of a pose of doubles (the quaternion normalized exactly), with an angle of at most pi."""
     t1, t2, t3, w, x, y, z, scale = to_mpf(pose)
     if w < 0:
         w, x, y, z = -w, -x, -y, -z
@@ -102,7 +102,7 @@ def integral_of_exponential(x):
 
 
 def rounded_pose(log):
-    """A logarithm's pose in double: the input of log and power."""
+    """The pose of a logarithm, rounded to double: the input of log and power."""
     w = np.array(log[:3], float)
     angle = np.linalg.norm(w)
     axis = w / angle if angle else w
@@ -111,7 +111,7 @@ def rounded_pose(log):
 
 
 def pose_error(pose, linear, translation, size=0):
-    """Of t relative to |t|, or to `size` if that is larger; of scale times rotation relative to the scale."""
+    """The larger of the errors of t, relative to max(|t|, `size`), and of scale times rotation, relative to the scale."""
     t1, t2, t3, w, x, y, z, scale = to_mpf(pose)
     rotation = mpmath.matrix([
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -122,8 +122,8 @@ def pose_error(pose, linear, translation, size=0):
     return max(float(linear_error), relative([t1, t2, t3], list(translation), size))
 
 
-def relative(ours, wanted, size=0):
-    """|ours - wanted| / |wanted|, or / `size` if that is larger; 0 / 0 is 0."""
-    difference = mpmath.norm([a - b for a, b in zip(to_mpf(ours), wanted)])
-    size = max(mpmath.norm(list(wanted)), size)
+def relative(ours, expected, size=0):
+    """|ours - expected| / max(|expected|, `size`); 0 / 0 is 0."""
+    difference = mpmath.norm([a - b for a, b in zip(to_mpf(ours), expected)])
+    size = max(mpmath.norm(list(expected)), size)
     return float(difference / size) if size else float(difference)

@@ -1,6 +1,6 @@
 """Cl(4,1) at 50 digits, as complex 4 x 4 matrices: an element is a sum of products of five matrices that anticommute
-and whose squares are 1, 1, 1, 1, -1. Exponentials, powers and inverses are those of the matrices, so that none of
-the formulas of the C++ code is used. A matrix is a tuple of 16 mpc, row by row.
+and whose squares are 1, 1, 1, 1, -1. Exponentials, powers and inverses are those of matrices; the formulas of the C++
+code are not used. A matrix is a tuple of 16 mpc in row-major order.
 """
 
 import itertools
@@ -22,7 +22,7 @@ def times(a, b):
 
 
 def kronecker(a, b):
-    """Of two 2 x 2 matrices."""
+    """The Kronecker product of two 2 x 2 matrices."""
     return tuple(mpc(a[2 * (r // 2) + c // 2] * b[2 * (r % 2) + c % 2]) for r in range(SIZE) for c in range(SIZE))
 
 
@@ -45,26 +45,26 @@ def basis_matrices():
 
 
 BASIS = basis_matrices()
-# Each has one entry other than zero in a row: (place, entry). Entries are 1, -1, i or -i.
-ENTRIES = [[(place, entry) for place, entry in enumerate(blade) if entry != 0] for blade in BASIS]
-# B^-1 = the conjugate transpose, as these are unitary.
-INVERSE_ENTRIES = [[(place, entry.conjugate()) for place, entry in entries] for entries in ENTRIES]
+# (index, entry) of the entries other than zero, one per row: 1, -1, i or -i.
+ENTRIES = [[(index, entry) for index, entry in enumerate(blade) if entry != 0] for blade in BASIS]
+# B^-1 is the conjugate transpose: the matrices are unitary.
+INVERSE_ENTRIES = [[(index, entry.conjugate()) for index, entry in entries] for entries in ENTRIES]
 
 
 def matrix_of(coefficients):
-    """Of 32 numbers, taken as exact."""
+    """The matrix of 32 numbers, taken as exact."""
     matrix = [mpc(0)] * 16
     for coefficient, entries in zip(coefficients, ENTRIES):
         if coefficient != 0:
             number = coefficient if isinstance(coefficient, mpf) else mpf(float(coefficient))
-            for place, entry in entries:
-                matrix[place] += number * entry
+            for index, entry in entries:
+                matrix[index] += number * entry
     return tuple(matrix)
 
 
 def coefficients_of(matrix):
-    """The 32 coefficients: of blade B the scalar part of M B^-1, a quarter of its trace."""
-    return [sum((matrix[place] * entry).real for place, entry in entries) / 4 for entries in INVERSE_ENTRIES]
+    """The 32 coefficients: for blade B the scalar part of M B^-1, a quarter of its trace."""
+    return [sum((matrix[index] * entry).real for index, entry in entries) / 4 for entries in INVERSE_ENTRIES]
 
 
 def plus(a, b, factor=1):
@@ -82,7 +82,7 @@ def size(matrix):
 
 
 def exponential(matrix):
-    """By its series, scaled and squared."""
+    """By scaling and squaring of the series."""
     squarings = max(0, int(mpmath.ceil(mpmath.log(size(matrix) + mpf("1e-99"), 2))) + 12)
     small = scaled(matrix, mpf(2) ** -squarings)
     with mp.workdps(DIGITS + 15):
@@ -97,7 +97,7 @@ def exponential(matrix):
 
 
 def inverse(matrix):
-    """The inverse; None if there is none within 50 digits."""
+    """The inverse; None if the matrix is singular to 50 digits."""
     try:
         inverted = mpmath.matrix([list(matrix[SIZE * r : SIZE * r + SIZE]) for r in range(SIZE)]) ** -1
     except ZeroDivisionError:
@@ -106,7 +106,7 @@ def inverse(matrix):
 
 
 def power(matrix, exponent):
-    """A whole power, by multiplication."""
+    """An integer power, by multiplication."""
     if exponent < 0:
         return power(inverse(matrix), -exponent)
     result = IDENTITY
@@ -116,12 +116,12 @@ def power(matrix, exponent):
 
 
 def distance(ours, exact):
-    """|ours - exact| / |exact| of 32 numbers and a matrix; infinite where there are no numbers."""
+    """|ours - exact| / |exact| of 32 numbers and a matrix; infinity for NaN."""
     if any(x != x for x in ours):
         return float("inf")
     difference = size(plus(matrix_of(ours), exact, -1))
-    wanted = size(exact)
-    return float(difference / wanted) if wanted else float(difference)
+    expected = size(exact)
+    return float(difference / expected) if expected else float(difference)
 
 
 mp.dps = DIGITS

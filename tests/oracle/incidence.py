@@ -1,4 +1,4 @@
-"""meet, join and reflections against school geometry at 50 digits (euclid.py), the degenerate cases by their kind."""
+"""meet, join and reflections, compared with Euclidean geometry at 50 digits (euclid.py), including degenerate cases."""
 
 import numpy as np
 
@@ -9,12 +9,12 @@ from scenes import SCENES, Scene, error
 ORACLE = "Euclid, 50 digits"
 CASES = 40
 BOUNDS = {"1 mm": 1e-8, "1 m": 2e-13, "1 km": 5e-8, "100 km": 3e-4, "1 m, 1 km away": 5e-6, "1 km, 30 km away": 1e-4}
-# An inversion turns rounding of a radius into a tilt.
-STEEPNESS = 50
+# Factor for reflections: an inversion amplifies the rounding of a radius.
+REFLECTION_FACTOR = 50
 
 
 def check(library, report, seed):
-    """Everything of this file: a line for each operation and scene, which names its worst case."""
+    """Runs the checks of this file: one for each operation and scene, which names its worst kind of case."""
     random = np.random.default_rng([seed, 90])
     for operation, table in (("meet", MEETS), ("join", JOINS), ("reflect_in", REFLECTIONS)):
         for label, (size, distance) in SCENES.items():
@@ -24,11 +24,11 @@ def check(library, report, seed):
                 errors[name] = errors_of(library, operation, scenes, [draw(scene) for scene in scenes])
             worst = max(errors, key=lambda name: max(errors[name]))
             report.check(ORACLE, f"{operation}, {label} ({len(table)} kinds; worst: {worst})", sum(errors.values(), []),
-                         BOUNDS[label] * (STEEPNESS if operation == "reflect_in" else 1))
+                         BOUNDS[label] * (REFLECTION_FACTOR if operation == "reflect_in" else 1))
 
 
 def errors_of(library, operation, scenes, drawn):
-    """Each drawn case: (constructor, its parameters) twice, what the result is."""
+    """The errors of cases, each (constructor, parameters) of both operands and the expected result."""
     left, right = (made(library, [case[side] for case in drawn]) for side in (0, 1))
     results = [library.incidence(operation, left, right)]
     if operation in ("meet", "join"):
@@ -38,11 +38,11 @@ def errors_of(library, operation, scenes, drawn):
 
 
 def made(library, objects):
-    """(constructor, parameters) of one kind, as multivectors."""
+    """The multivectors of (constructor, parameters), all of the same constructor."""
     return library.construct(objects[0][0], [np.concatenate([np.atleast_1d(x) for x in row]) for _, row in objects])
 
 
-# Objects by their parameters: what constructors take, and what euclid.py takes.
+# Objects: (constructor, its parameters), and the parameters of euclid.py.
 
 
 def line(p, d):
@@ -50,7 +50,7 @@ def line(p, d):
 
 
 def plane(n, p):
-    """Through a point, but for rounding of the distance."""
+    """Through a point, up to rounding of the distance."""
     k = float(n @ p)
     return ("plane", [n, k]), (exact(n), exact([k])[0])
 
@@ -63,8 +63,8 @@ def sphere(c, r):
     return ("sphere", [c, r]), (exact(c), exact([r])[0])
 
 
-def case(first, second, wanted):
-    return first[0], second[0], wanted(first[1], second[1])
+def case(first, second, expected):
+    return first[0], second[0], expected(first[1], second[1])
 
 
 def kind(name, **parts):
@@ -82,7 +82,7 @@ def plane_plane(s):
 
 
 def sphere_plane(s):
-    """Real and imaginary circles, none near tangency."""
+    """Real and imaginary circles, not near tangency."""
     c, r, n = s.position(), s.radius(), s.direction()
     return case(sphere(c, r), plane(n, c + n * r * apart(s)), euclid.sphere_plane)
 
@@ -351,7 +351,7 @@ def line_in_mirror(s):
 
 
 def plane_in_sphere(s):
-    """A plane beside the center becomes a sphere through it."""
+    """A plane that does not contain the center is inverted to a sphere through the center."""
     c, r, n = s.position(), s.radius(), s.direction()
     first, second = plane(n, c + n * r * s.random.uniform(0.5, 1.5)), sphere(c, r)
     foot = euclid.inverted(euclid.foot_on_plane(second[1][0], first[1]), second[1])

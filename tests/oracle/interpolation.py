@@ -1,8 +1,8 @@
-"""The three modes of interpolation, computed another way: matrices, dual quaternions and poles, in double.
+"""The three modes of interpolation, computed by matrices, dual quaternions and poles, in double.
 
-LINEAR blends dual quaternions. SCREW turns and scales about the pole of the motion between the poses: in the plane
-across the axis, with complex numbers, the point c that s exp(i theta) maps to itself; along the axis likewise.
-SEPARATE is lerp, Rodrigues' rotation, lerp.
+LINEAR blends dual quaternions. SCREW rotates and scales about the pole of the motion between the poses: in the plane
+orthogonal to the axis, with complex numbers, the fixed point c of s exp(i theta); along the axis likewise. SEPARATE is
+lerp of positions, Rodrigues' rotation, and lerp of scales.
 """
 
 import json
@@ -20,29 +20,29 @@ DISTANCE = 1e4  # m
 
 
 def check(library, report, seed):
-    """Everything of the C++ library."""
+    """Checks the C++ library."""
     random = np.random.default_rng([seed, 40])
     begin, end = random_poses(random, PAIRS), random_poses(random, PAIRS)
     end[::2, 3:7] *= -1.0  # the other sign of the same rotation
     weights = random.uniform(0.0, 1.0, PAIRS)
     weights[:100] = np.repeat([0.0, 1.0], 50)
     for mode in MODES:
-        wanted = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights)
+        expected = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights)
         ours = matrices_of(library.interpolate(mode, begin, end, weights, np.float64))
-        report.check("numpy, double", mode, errors(ours, wanted, begin, end), 1e-13)
+        report.check("numpy, double", mode, errors(ours, expected, begin, end), 1e-13)
 
         rounded = [array.astype(np.float32) for array in (begin, end, weights)]
-        wanted = REFERENCES[mode](*map(matrices_of, rounded[:2]), rounded[2].astype(float))
+        expected = REFERENCES[mode](*map(matrices_of, rounded[:2]), rounded[2].astype(float))
         ours = matrices_of(library.interpolate(mode, *rounded, np.float32))
-        report.check("numpy, float", mode, errors(ours, wanted, begin, end), 1e-6)
+        report.check("numpy, float", mode, errors(ours, expected, begin, end), 1e-6)
         ours = library.interpolate_blocks(mode, *rounded).reshape(-1, 3, 4)
-        report.check("numpy, float", f"{mode} in blocks", errors(ours, wanted, begin, end), 1e-5)
+        report.check("numpy, float", f"{mode} in blocks", errors(ours, expected, begin, end), 1e-5)
     check_far(library, report, random)
     check_screw(library, report, begin, end, weights)
 
 
 def check_far(library, report, random):
-    """Poses some meters apart, 10 km from the origin, where the float next to a number is a millimeter away."""
+    """Poses some meters apart, 10 km from the origin, where adjacent floats differ by a millimeter."""
     place = random.standard_normal((PAIRS, 3))
     place *= DISTANCE / np.linalg.norm(place, axis=1, keepdims=True)
     begin, end = random_poses(random, PAIRS, 3.0), random_poses(random, PAIRS, 3.0)
@@ -51,37 +51,37 @@ def check_far(library, report, random):
     begin, end = begin.astype(np.float32), end.astype(np.float32)
     weights = random.uniform(0.0, 1.0, PAIRS).astype(np.float32)
     for mode in MODES:
-        wanted = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights.astype(float))
+        expected = REFERENCES[mode](matrices_of(begin), matrices_of(end), weights.astype(float))
         single = matrices_of(library.interpolate(mode, begin, end, weights, np.float32))
         blocks = library.interpolate_blocks(mode, begin, end, weights).reshape(-1, 3, 4)
         for name, ours in (("float", single), ("blocks", blocks)):
-            meters = np.abs(ours[:, :, 3] - wanted[:, :, 3]).max(axis=1)
+            meters = np.abs(ours[:, :, 3] - expected[:, :, 3]).max(axis=1)
             report.check("numpy, meters", f"{mode} in {name}, 10 km away", meters, 1e-3)
 
 
 def check_screw(library, report, begin, end, weights):
-    """Some screws at 50 digits: exp(a log M) of the motion M between the poses."""
+    """A sample of SCREW at 50 digits: exp(a log M) for the motion M between the poses."""
     mp.dps = exponentials.DIGITS
     ours = matrices_of(library.interpolate("SCREW", begin, end, weights, np.float64))
     chosen = np.linspace(0, PAIRS - 1, EXACT_PAIRS).astype(int)
     worst = []
     for i in chosen:
         first, second = exponentials.to_mpf(begin[i]), exponentials.to_mpf(end[i])
-        shift = [b - a for a, b in zip(first[:3], second[:3])]
-        turn = product(second[3:7], [first[3], -first[4], -first[5], -first[6]])
-        length = mp.sqrt(sum(x * x for x in turn))
-        motion = exponentials.logarithm([*shift, *(x / length for x in turn), second[7] / first[7]])
+        displacement = [b - a for a, b in zip(first[:3], second[:3])]
+        rotation = product(second[3:7], [first[3], -first[4], -first[5], -first[6]])
+        length = mp.sqrt(sum(x * x for x in rotation))
+        motion = exponentials.logarithm([*displacement, *(x / length for x in rotation), second[7] / first[7]])
         linear, moved = exponentials.exponential([mpf(float(weights[i])) * x for x in motion])
         start = matrices_of(begin[i : i + 1])[0]
-        wanted = np.empty((1, 3, 4))
-        wanted[0, :, :3] = np.array(linear.tolist(), float) @ start[:, :3]
-        wanted[0, :, 3] = [float(a + b) for a, b in zip(first[:3], moved)]
-        worst += list(errors(ours[i : i + 1], wanted, begin[i : i + 1], end[i : i + 1]))
+        expected = np.empty((1, 3, 4))
+        expected[0, :, :3] = np.array(linear.tolist(), float) @ start[:, :3]
+        expected[0, :, 3] = [float(a + b) for a, b in zip(first[:3], moved)]
+        worst += list(errors(ours[i : i + 1], expected, begin[i : i + 1], end[i : i + 1]))
     report.check("mpmath, double", "SCREW", worst, 1e-13)
 
 
 def check_file(path, report):
-    """What the engine computed (README.md has the format)."""
+    """Checks what the engine computed (format: README.md)."""
     with open(path, encoding="utf-8") as file:
         cases = json.load(file)["cases"]
     for mode in MODES:
@@ -92,23 +92,23 @@ def check_file(path, report):
         begin, end, ours = (np.array([case[key] for case in chosen], float).reshape(-1, 3, 4)
                             for key in ("from", "to", "result"))
         weights = np.array([case["weight"] for case in chosen], float)
-        wanted = REFERENCES[mode](begin, end, weights)
-        report.check("engine", mode, matrix_errors(ours, wanted, begin, end), 1e-5)
+        expected = REFERENCES[mode](begin, end, weights)
+        report.check("engine", mode, matrix_errors(ours, expected, begin, end), 1e-5)
 
 
-def errors(ours, wanted, begin, end):
-    return matrix_errors(ours, wanted, matrices_of(begin), matrices_of(end))
+def errors(ours, expected, begin, end):
+    return matrix_errors(ours, expected, matrices_of(begin), matrices_of(end))
 
 
-def matrix_errors(ours, wanted, begin, end):
-    """Of scale times rotation relative to the scale, of positions relative to the largest length in the case."""
-    linear = np.abs(ours[:, :, :3] - wanted[:, :, :3]).max(axis=(1, 2)) / np.cbrt(np.linalg.det(wanted[:, :, :3]))
-    size = np.max([np.linalg.norm(matrix[:, :, 3], axis=1) for matrix in (wanted, begin, end)], axis=0)
-    return np.maximum(linear, np.linalg.norm(ours[:, :, 3] - wanted[:, :, 3], axis=1) / np.maximum(size, 1.0))
+def matrix_errors(ours, expected, begin, end):
+    """The larger of the errors of scale times rotation, relative to the scale, and of positions, relative to the longest."""
+    linear = np.abs(ours[:, :, :3] - expected[:, :, :3]).max(axis=(1, 2)) / np.cbrt(np.linalg.det(expected[:, :, :3]))
+    size = np.max([np.linalg.norm(matrix[:, :, 3], axis=1) for matrix in (expected, begin, end)], axis=0)
+    return np.maximum(linear, np.linalg.norm(ours[:, :, 3] - expected[:, :, 3], axis=1) / np.maximum(size, 1.0))
 
 
 def linear(begin, end, weights):
-    """Dual-quaternion linear blending; the scale by itself."""
+    """Dual-quaternion linear blending; the scale separately."""
     first_scale, first, first_position = split(begin)
     second_scale, second, second_position = split(end)
     real, other = quaternions_of(first), quaternions_of(second)
@@ -125,31 +125,31 @@ def linear(begin, end, weights):
 
 
 def screw(begin, end, weights):
-    """About the pole of the motion."""
+    """Rotation and scaling about the pole of the motion."""
     first_scale, first, first_position = split(begin)
     second_scale, second, second_position = split(end)
     axis, angle = axes_and_angles(second @ np.swapaxes(first, 1, 2))
     ratio = second_scale / first_scale
-    shift = second_position - first_position
+    displacement = second_position - first_position
 
-    # Any two directions that make a right-handed frame with the axis.
+    # Two directions that form a right-handed frame with the axis.
     helper = np.eye(3)[np.argmin(np.abs(axis), axis=1)]
     across = np.cross(axis, helper)
     across /= np.linalg.norm(across, axis=1, keepdims=True)
     upward = np.cross(axis, across)
 
-    turned_shift = np.sum(shift * across, axis=1) + 1j * np.sum(shift * upward, axis=1)
-    moved = from_pole(np.log(ratio) + 1j * angle, turned_shift, weights)
-    along = from_pole(np.log(ratio) + 0j, np.sum(shift * axis, axis=1), weights).real
+    planar = np.sum(displacement * across, axis=1) + 1j * np.sum(displacement * upward, axis=1)
+    moved = from_pole(np.log(ratio) + 1j * angle, planar, weights)
+    along = from_pole(np.log(ratio) + 0j, np.sum(displacement * axis, axis=1), weights).real
     position = first_position + moved.real[:, None] * across + moved.imag[:, None] * upward + along[:, None] * axis
     return join(first_scale * ratio**weights, rotations(axis, angle * weights) @ first, position)
 
 
-def from_pole(spiral, shift, weights):
-    """The part of a shift on a spiral exp(`spiral` u) about its pole c, u = 0 .. 1; a straight way if it does not turn."""
+def from_pole(spiral, displacement, weights):
+    """The displacement at u = weights of 0 .. 1 along a spiral exp(`spiral` u) about its pole; a line if `spiral` is 0."""
     straight = np.abs(spiral) < 1e-12
-    pole = shift / np.where(straight, 1.0, -np.expm1(spiral))
-    return np.where(straight, shift * weights, -pole * np.expm1(spiral * weights))
+    pole = displacement / np.where(straight, 1.0, -np.expm1(spiral))
+    return np.where(straight, displacement * weights, -pole * np.expm1(spiral * weights))
 
 
 def separate(begin, end, weights):
@@ -165,7 +165,7 @@ REFERENCES = {"LINEAR": linear, "SCREW": screw, "SEPARATE": separate}
 
 
 def split(matrices):
-    """Scale, the nearest rotation, and translation."""
+    """Scale, nearest rotation, and translation."""
     linear_part = matrices[:, :, :3]
     left, _, right = np.linalg.svd(linear_part)
     return np.cbrt(np.linalg.det(linear_part)), left @ right, matrices[:, :, 3]
@@ -176,7 +176,7 @@ def join(scale, rotation, position):
 
 
 def quaternions_of(rotation):
-    """The eigenvector of the largest eigenvalue of Bar-Itzhack's matrix; exact also at half turns."""
+    """The eigenvector of the largest eigenvalue of Bar-Itzhack's matrix; exact at half turns too."""
     r = np.moveaxis(rotation, 0, 2)
     matrix = np.empty((len(rotation), 4, 4))
     skew = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
@@ -190,7 +190,7 @@ def quaternions_of(rotation):
 
 
 def axes_and_angles(rotation):
-    """Of the shorter way round."""
+    """Axes and angles of at most pi."""
     quaternions = quaternions_of(rotation)
     quaternions *= np.where(quaternions[:, :1] < 0.0, -1.0, 1.0)
     sine = np.linalg.norm(quaternions[:, 1:], axis=1)
@@ -211,7 +211,7 @@ def half_product(position, quaternion):
 
 
 def product(p, q):
-    """Hamilton's product of (w, x, y, z), of numbers or arrays."""
+    """The Hamilton product of (w, x, y, z), of numbers or arrays."""
     return [
         p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
         p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],

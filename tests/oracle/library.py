@@ -1,4 +1,4 @@
-"""The C++ algebra, by its C interface (*_oracle.cpp), on numpy arrays."""
+"""The C interface of the C++ algebra (*_oracle.cpp) for NumPy arrays."""
 
 import ctypes
 
@@ -19,21 +19,21 @@ KINDS = ["scalar", "point", "point_pair", "circle", "sphere", "flat_point", "lin
 
 
 class Library:
-    """Every function takes and returns arrays with one element a row; NaN where there is no result."""
+    """Functions take and return arrays with one element per row; NaN where there is no result."""
 
     def __init__(self, path):
         self._library = ctypes.CDLL(path)
 
     def unary(self, name, operands):
-        """A function of one multivector, of UNARY in elements_oracle.cpp."""
+        """A function of UNARY in elements_oracle.cpp, of one multivector."""
         return self.unary_with_reasons(name, operands)[0]
 
     def unary_with_reasons(self, name, operands):
-        """The results, and for each of them None or why there is none."""
+        """The results, and for each None or the reason why there is none."""
         return self._elements("oracle_unary", name, operands)
 
     def binary(self, name, left, right):
-        """A function of two multivectors, of BINARY in elements_oracle.cpp."""
+        """A function of BINARY in elements_oracle.cpp, of two multivectors."""
         return self.binary_with_reasons(name, left, right)[0]
 
     def binary_with_reasons(self, name, left, right):
@@ -45,21 +45,21 @@ class Library:
         return self.binary("power", versors, numbers)
 
     def construct(self, name, numbers):
-        """Objects of CONSTRUCTORS in objects_oracle.cpp; the numbers of one a row."""
+        """A function of CONSTRUCTORS in objects_oracle.cpp; one row of parameters per object."""
         return self.construct_with_reasons(name, numbers)[0]
 
     def construct_with_reasons(self, name, numbers):
         return self._elements("oracle_construct", name, numbers)
 
     def incidence(self, name, left, right):
-        """meet, join and the others of INCIDENCE in objects_oracle.cpp."""
+        """A function of INCIDENCE in objects_oracle.cpp, such as meet and join."""
         return self.incidence_with_reasons(name, left, right)[0]
 
     def incidence_with_reasons(self, name, left, right):
         return self._elements("oracle_incidence", name, left, right)
 
     def classify(self, elements, ipns=False):
-        """What cga::classify says of each, as a dict of what applies."""
+        """The result of cga::classify for each element, as a dict of the properties that apply."""
         rows = self._call("oracle_classify", CLASS_NUMBERS, np.float64, elements, choice=int(ipns))
         return [classification(row) for row in rows]
 
@@ -96,11 +96,11 @@ class Library:
         return self._written("oracle_to_latex", element, ctypes.c_bool(null_basis))
 
     def from_json(self, text):
-        """(32 numbers, None) or (None, what is wrong)."""
+        """(32 numbers, None) or (None, the error)."""
         return self._read("oracle_from_json", text)
 
     def evaluate(self, text):
-        """The same for an expression without variables."""
+        """Evaluates an expression without variables: (32 numbers, None) or (None, the error)."""
         return self._read("oracle_evaluate", text)
 
     def _written(self, name, element, *choices):
@@ -121,7 +121,7 @@ class Library:
         return None, error.value.decode(errors="replace")
 
     def _call(self, name, width, kind, *inputs, choice=None):
-        """Calls a function and returns its result: `width` numbers for each row of the inputs."""
+        """Calls a function; returns `width` numbers for each row of the inputs."""
         arrays = [np.ascontiguousarray(array, kind) for array in inputs]
         count = len(arrays[0])
         result = np.full((count, width), np.nan, kind)
@@ -132,7 +132,7 @@ class Library:
         return result
 
     def _elements(self, function_name, name, *inputs, width=BLADES):
-        """Calls a function of a table of names."""
+        """Calls a function by its name in a table."""
         arrays = [np.ascontiguousarray(array, np.float64) for array in inputs]
         count = len(arrays[0])
         result = np.full((count, width), np.nan)
@@ -140,7 +140,7 @@ class Library:
         function = getattr(self._library, function_name)
         function.restype = ctypes.c_bool
         if not function(name.encode(), *map(pointer, [*arrays, result]), reasons, ctypes.c_size_t(count)):
-            raise KeyError(f"{function_name} knows no '{name}'")
+            raise KeyError(f"{function_name} has no function '{name}'")
         return result, [reason.decode() if reason is not None else None for reason in reasons]
 
 

@@ -1,4 +1,4 @@
-"""Constructors and classify against school geometry at 50 digits (euclid.py), in both conventions, for any weight."""
+"""Constructors and classify, compared with Euclidean geometry at 50 digits (euclid.py), in OPNS and IPNS, for any weight."""
 
 import numpy as np
 
@@ -8,15 +8,15 @@ from scenes import SCENES, Scene, error
 
 ORACLE = "Euclid, 50 digits"
 CASES = 100
-# Flats keep all digits. Points and rounds hold half the square of their distance beside a weight of 1, so that lengths
-# far below a meter lose digits to the 1 and those far above to the square: these are what doubles can hold.
+# Flats keep all digits. Points and rounds store half the square of their distance beside a weight of 1, so lengths far
+# below a meter lose digits to the 1, and those far above to the square. The bounds are the precision of doubles.
 FLAT_BOUND = 2e-15
 ROUND_BOUNDS = {"1 mm": 1e-9, "1 m": 1e-13, "1 km": 3e-9, "100 km": 3e-5, "1 m, 1 km away": 1e-6, "1 km, 30 km away": 1e-4}
 FLATS = ("flat_point", "line", "line_through", "plane", "plane_through")
 
 
 def check(library, report, seed):
-    """Everything of this file: a line for each scene and convention, which names its worst case."""
+    """Runs the checks of this file: two for each scene, which name their worst constructor."""
     random = np.random.default_rng([seed, 80])
     for label, (size, distance) in SCENES.items():
         errors = {False: {}, True: {}}
@@ -27,17 +27,17 @@ def check(library, report, seed):
             weights = random.choice([-1.0, 1.0], CASES) * 10.0 ** random.uniform(-6.0, 6.0, CASES)
             duals = library.unary("dual", objects * weights[:, None])
             found = library.classify(objects), library.classify(duals, ipns=True)
-            errors[name in FLATS][name] = [error(x, wanted, scene.extent) for classes in found
-                                           for x, (_, wanted), scene in zip(classes, drawn, scenes)]
-        for flat, what in ((True, "flats"), (False, "points and rounds")):
+            errors[name in FLATS][name] = [error(x, expected, scene.extent) for classes in found
+                                           for x, (_, expected), scene in zip(classes, drawn, scenes)]
+        for flat, group in ((True, "flats"), (False, "points and rounds")):
             worst = max(errors[flat], key=lambda name: max(errors[flat][name]))
             bound = FLAT_BOUND if flat else ROUND_BOUNDS[label]
-            report.check(ORACLE, f"classify {what}, {label} (worst: {worst})", sum(errors[flat].values(), []), bound)
-    check_refused(library, report)
+            report.check(ORACLE, f"classify {group}, {label} (worst: {worst})", sum(errors[flat].values(), []), bound)
+    check_rejected(library, report)
 
 
-def check_refused(library, report):
-    """Objects that there are not; three points of a line and four of a plane are one, documented."""
+def check_rejected(library, report):
+    """Invalid parameters. Three points of a line and four points of a plane are valid: they give the line and the plane."""
     nan, a, b, c = np.nan, [1.0, 2.0, 3.0], [3.0, 4.0, 5.0], [4.0, 5.0, 6.0]
     for name, rows in {
         "point_pair": [a + a, a + [nan, 0, 0], [1e5, 0, 0, 1e5 + 1e-11, 0, 0]], "line": [a + [0, 0, 0], [nan, 0, 0] + a],
@@ -47,12 +47,12 @@ def check_refused(library, report):
         "sphere_through": [a + b + c + a, [1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0]],
     }.items():
         results, reasons = library.construct_with_reasons(name, rows)
-        answers = [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
-        report.count(ORACLE, f"{name} refused with a reason", answers)
+        successes = [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
+        report.count(ORACLE, f"{name} rejected with a reason", successes)
     kinds = [library.classify(library.construct(name, [row]))[0]["kind"] for name, row in (
         ("circle_through", a + b + c), ("circle_through", [0, 0, 1e5, 1, 0, 1e5, 5, 0, 1e5]),
         ("sphere_through", [0, 0, 7, 1, 0, 7, 0, 1, 7, 3, 3, 7]))]
-    report.count(ORACLE, "three points of a line, four of a plane", [kind == wanted for kind, wanted in zip(kinds, ("line", "line", "plane"))])
+    report.count(ORACLE, "three points of a line, four of a plane", [kind == expected for kind, expected in zip(kinds, ("line", "line", "plane"))])
 
 
 def point(scene):

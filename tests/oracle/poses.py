@@ -1,10 +1,10 @@
-"""Poses as the oracles have them: 8 numbers t1 t2 t3 qw qx qy qz s, or 3 x 4 matrices."""
+"""Poses as 8 numbers t1 t2 t3 qw qx qy qz s, or as 3 x 4 matrices."""
 
 import numpy as np
 
 
 def random_poses(random, count, distance=10.0):
-    """Within some `distance` of the origin, any rotation, scales 0.1 to 10 evenly in the logarithm."""
+    """Translations of standard deviation `distance`, any rotation, scales 0.1 to 10 uniform in the logarithm."""
     translations = random.standard_normal((count, 3)) * distance
     rotations = random.standard_normal((count, 4))
     rotations /= np.linalg.norm(rotations, axis=1, keepdims=True)
@@ -26,7 +26,7 @@ def cross_matrices(vectors):
 
 
 def matrices_of(poses):
-    """n x 3 x 4: scale times rotation, and the translation. In double, rotations normalized first."""
+    """n x 3 x 4: scale times rotation, and the translation, in double. Normalizes the quaternions."""
     poses = np.asarray(poses, float)
     quaternions = poses[:, 3:7]
     lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)

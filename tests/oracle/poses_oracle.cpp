@@ -1,4 +1,4 @@
-// Poses and their interpolation behind a C interface: a pose is t1 t2 t3 qw qx qy qz s, a logarithm
+// C interface of poses and their interpolation. A pose is t1 t2 t3 qw qx qy qz s, a logarithm
 // w1 w2 w3 v1 v2 v3 sigma.
 
 #include "elements.hpp"
@@ -69,7 +69,7 @@ ORACLE void oracle_motor(const double *poses, double *result, size_t count) {
 	}
 }
 
-// The poses of motors; zeros where there is none.
+// The poses of motors; zeros for elements that are not motors.
 ORACLE void oracle_extract(const double *motors, double *poses, size_t count) {
 	std::fill_n(poses, count * POSE_NUMBERS, 0.0);
 	for (size_t i = 0; i < count; ++i) {
@@ -114,7 +114,7 @@ ORACLE void oracle_interpolate_float(int mode, const float *from, const float *t
 	interpolate_all(mode, from, to, weights, poses, count);
 }
 
-// By the batch kernels; 12 floats a body, as a MultiMesh has them.
+// By the batch kernels; 12 floats per body, in the layout of MultiMesh.
 ORACLE void oracle_interpolate_blocks(int mode, const float *from, const float *to, const float *weights, float *rows, size_t count) {
 	std::vector<PoseBlock> blocks(block_count(count));
 	for (size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-"""Products, involutions, duals, inverses, sandwiches and motors against the Python package `clifford`."""
+"""Products, involutions, duals, inverses, sandwiches and motors, compared with the Python package `clifford`."""
 
 import clifford
 import numpy as np
@@ -14,7 +14,7 @@ SCALAR = np.eye(BLADES)[0]
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     names = [LAYOUT.names[i] for i in range(BLADES)]
     assert names[1] == "e1" and names[6] == "e12" and names[31] == "e12345" and list(LAYOUT.sig) == [1, 1, 1, 1, -1]
     random = np.random.default_rng([seed, 20])
@@ -39,7 +39,7 @@ def check(library, report, seed):
 
 
 def check_versors(library, report, random):
-    """Products of one to five vectors, inverted and applied; odd ones with the grade involution."""
+    """Inverses and sandwiches of products of one to five vectors; odd ones with the grade involution."""
     versors, operands, inverses, images = [], [], [], []
     for i in range(RANDOM_PAIRS):
         versor = element(SCALAR)
@@ -61,7 +61,7 @@ def check_versors(library, report, random):
 
 
 def check_motors(library, report, random):
-    """Motors against matrices, through clifford's conformal points; extraction for any weight."""
+    """Motors applied to clifford's conformal points, compared with matrices; extraction for any weight."""
     poses = random_poses(random, RANDOM_PAIRS)
     points = random.standard_normal((RANDOM_PAIRS, 3)) * 3.0
     motors = library.motor(poses)
@@ -71,7 +71,7 @@ def check_motors(library, report, random):
         versor = element(motor)
         conformal = g3c.up(sum(c * e for c, e in zip(position, [g3c.e1, g3c.e2, g3c.e3])))
         images.append(g3c.down(versor * conformal * ~versor).value[1:4])
-    # down() divides by a weight that is a difference of numbers of the size of the distance squared.
+    # down() divides by a weight, which is a difference of numbers as large as the squared distance.
     size = 1.0 + np.sum(exact**2, axis=1)
     report.check("clifford", "motors move conformal points", np.linalg.norm(np.array(images) - exact, axis=1) / size**1.5, 1e-11)
     weights = 10.0 ** random.uniform(-3.0, 3.0, (RANDOM_PAIRS, 1)) * random.choice([-1.0, 1.0], (RANDOM_PAIRS, 1))
@@ -85,12 +85,12 @@ def element(value):
 
 
 def relative(ours, exact, sizes=1e-300):
-    """The largest difference of each row relative to its largest coefficient, or to the size of the factors."""
+    """The largest difference of each row, relative to its largest coefficient or to `sizes` if those are larger."""
     return np.abs(ours - exact).max(axis=1) / np.maximum(np.abs(exact).max(axis=1), sizes)
 
 
 def fat_dot(left, right):
-    """clifford's inner product leaves scalars out; the fat dot does not."""
+    """The inner product with scalars, which clifford's inner product excludes."""
     a, b = left[0], right[0]
     return LAYOUT.imt_func(left - a * SCALAR, right - b * SCALAR) + a * right + b * left - a * b * SCALAR
 
@@ -101,7 +101,7 @@ def right_contraction(left, right):
 
 
 def regressive(left, right):
-    """undual(dual(A) ^ dual(B)) with clifford's products."""
+    """undual(dual(A) ^ dual(B)), by clifford's products."""
     dual = LAYOUT.pseudoScalar.inv()
     return (((element(left) * dual) ^ (element(right) * dual)) * LAYOUT.pseudoScalar).value
 

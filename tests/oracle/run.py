@@ -1,4 +1,4 @@
-"""Compares the algebra with independent programs; README.md of this folder says with which, and how to call it."""
+"""Compares the algebra with independent implementations; see README.md in this folder."""
 
 import argparse
 import concurrent.futures
@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
-# Longest first: they run side by side.
+# Longest first: they run in parallel.
 LIBRARY_CHECKS = ("versors", "incidence", "exponentials", "texts", "scales", "products", "subspaces", "objects", "conformal", "screws",
                   "interpolation")
 DEFAULT_SEED = 1
@@ -23,19 +23,19 @@ ENGINE = "engine"
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--library", metavar="PATH", help="check this libcga_oracle.so only")
-    parser.add_argument("--poses", metavar="FILE", help="check this file of poses only")
+    parser.add_argument("--library", metavar="PATH", help="check only this libcga_oracle.so")
+    parser.add_argument("--poses", metavar="FILE", help="check only this file of poses")
     parser.add_argument("--only", metavar="CHECK", action="append", choices=[*LIBRARY_CHECKS, ENGINE],
-                        help="run this check alone (repeatable): " + ", ".join([*LIBRARY_CHECKS, ENGINE]))
+                        help="run only this check (repeatable): " + ", ".join([*LIBRARY_CHECKS, ENGINE]))
     parser.add_argument("--seed", metavar="N", type=int, default=DEFAULT_SEED,
-                        help="draw other random cases (default: %(default)s)")
+                        help="seed of the random cases (default: %(default)s)")
     arguments = parser.parse_args()
     jobs = []
     with tempfile.TemporaryDirectory() as folder:
         if arguments.library or not arguments.poses:
             path = os.path.abspath(arguments.library or built_library())
             if not os.path.isfile(path):
-                sys.exit(f"{path} is missing: build it with `scons tests`")
+                sys.exit(f"{path} does not exist; build it with `scons tests`")
             jobs = [(name, path, arguments.seed) for name in LIBRARY_CHECKS]
         if arguments.poses:
             jobs.append((ENGINE, arguments.poses, None))
@@ -45,7 +45,7 @@ def main():
 
 
 def run(jobs):
-    """Runs the checks in as many processes as there are cores; prints their lines in order, and the table."""
+    """Runs the checks in one process per core; prints their lines in order, then the table."""
     import report
 
     lines = []
@@ -53,7 +53,7 @@ def run(jobs):
         for name, found in zip([job[0] for job in jobs], pool.map(run_job, jobs)):
             for line in found:
                 print(line, flush=True)
-            lines += found or [report.Line(name, "has no check", 0, float("nan"), 0.0)]
+            lines += found or [report.Line(name, "no checks ran", 0, float("nan"), 0.0)]
     print("\n" + report.table(lines) + "\n")
     text, code = report.summary(lines)
     print(text, flush=True)
@@ -61,7 +61,7 @@ def run(jobs):
 
 
 def run_job(job):
-    """The lines of one check; runs in a process of its own."""
+    """Runs a job in its own process; returns its lines."""
     from report import Line, Report
 
     name, path, choice = job
@@ -75,12 +75,12 @@ def run_job(job):
             importlib.import_module(name).check(Library(path), report, choice)
     except Exception:
         traceback.print_exc()
-        report.lines.append(Line(name, "ended by an error", 0, float("nan"), 0.0))
+        report.lines.append(Line(name, "raised an exception", 0, float("nan"), 0.0))
     return report.lines
 
 
 def check_poses(path, choice, report):
-    """Interpolation as the engine did it."""
+    """Checks interpolation in the engine."""
     import interpolation
 
     if choice == "dump":
@@ -98,7 +98,7 @@ def built_library():
 
 
 def dump_poses(path):
-    """Lets the engine interpolate; what it prints is the suite's to judge."""
+    """Lets the engine interpolate poses and write them to a file."""
     import checkout
 
     command = [checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--", f"--dump-poses={path}"]

@@ -1,6 +1,7 @@
-"""Small objects beside large ones, 1 mm to 100 km: meet, join and reflections against school geometry at 50 digits. The
-right answer is that of the objects as their coefficients hold them, so that nothing but the operation is measured.
-Errors are relative to the result: to its radius and its distance from the origin, which is near the small object.
+"""meet, join and reflections of small and large objects, 1 mm to 100 km, compared with Euclidean geometry at 50 digits.
+
+The expected result is that of the objects as their rounded coefficients represent them, so that only the operation is
+measured. Errors are relative to the radius of the result plus its distance from the origin.
 """
 
 import numpy as np
@@ -22,7 +23,7 @@ INDEX = {name: i for i, name in enumerate(g3c.layout.names)}
 
 
 def check(library, report, seed):
-    """Everything of this file: a line for each operation and range of ratios, which names its worst case."""
+    """Runs the checks of this file: one for each operation and range of ratios, which names its worst kind of case."""
     for operation, label, errors in all_errors(library, seed):
         worst = max(errors, key=lambda name: max(errors[name]))
         report.check(ORACLE, f"{operation}, sizes {label} ({len(errors)} kinds; worst: {worst})", sum(errors.values(), []), BOUND)
@@ -36,23 +37,23 @@ def all_errors(library, seed):
                                             for _ in range(CASES)] for name, draw in table.items()}
 
 
-def error_of(library, operation, left, right, wanted, random):
+def error_of(library, operation, left, right, expected, random):
     if operation != "reflect_in" and random.uniform() < 0.5:
         left, right = right, left
     result = library.incidence(operation, [left], [right])
-    extent = float(wanted.get("radius", mpf(0)) + euclid.length(wanted["center"]))
-    return error(library.classify(result)[0], wanted, extent) / held(result[0], extent)
+    extent = float(expected.get("radius", mpf(0)) + euclid.length(expected["center"]))
+    return error(library.classify(result)[0], expected, extent) / rounding_factor(result[0], extent)
 
 
-def held(blade, extent):
-    """How many roundings of the result its coefficients of e4 and e5 cost, which hold Q + R / 2 and Q - R / 2, in meters."""
+def rounding_factor(blade, extent):
+    """The amplification of rounding by the coefficients of e4 and e5, which store Q + R / 2 and Q - R / 2, in meters."""
     _, q, r, _ = parts(blade)
     square, weight = (float(max(abs(part(x)) for x in EUCLIDEAN)) for part in (q, r))
     return (1.0 + square / weight) * (1.0 + extent ** -2) if weight > 0.0 else 1.0
 
 
 class Pair(Scene):
-    """Draws small objects near the origin and large ones that reach them."""
+    """Draws small objects near the origin and large ones that extend to them."""
 
     def __init__(self, library, random, ratios):
         ratio = np.exp(random.uniform(*np.log(ratios)))
@@ -68,7 +69,7 @@ class Pair(Scene):
         return self.made("circle", c, n, r), c, n, r
 
     def corners(self):
-        """Three directions, well apart."""
+        """Three well separated directions."""
         while True:
             found = [self.direction() for _ in range(3)]
             if abs(np.linalg.det(found)) > 0.2:
@@ -78,24 +79,24 @@ class Pair(Scene):
         return self.large * self.random.uniform(0.3, 1.0)
 
     def large_sphere(self, through, direction=None):
-        """Through a point, but for rounding."""
+        """Through a point, up to rounding."""
         radius = self.large_radius()
         return self.made("sphere", through + radius * (self.direction() if direction is None else direction), radius)
 
 
-# Objects as their coefficients hold them: what euclid.py takes. The parts of conformal_parts.hpp:
+# Parameters of euclid.py from coefficients. The parts are those of conformal_parts.hpp:
 # X = A + Q ^ e_inf + R ^ e_o + D ^ E.
 
 
 def parts(blade):
-    """A, Q, R, D: functions of the name of a Euclidean blade."""
+    """A, Q, R, D as functions of the name of a Euclidean blade."""
     def a(name):
         return mpf(float(blade[INDEX["e" + name]]))
     return a, lambda x: (a(x + "4") + a(x + "5")) / 2, lambda x: a(x + "5") - a(x + "4"), lambda x: a(x + "45")
 
 
 def axis(part):
-    """Of a bivector."""
+    """The axis of a bivector."""
     return [part("23"), -part("13"), part("12")]
 
 
@@ -105,14 +106,14 @@ def read_point(blade):
 
 
 def read_sphere(blade):
-    """(center, radius), of real ones: D = -(c . E), h = Q / R, r^2 = 2 h + c^2."""
+    """(center, radius) of a real sphere: D = -(c . E), h = Q / R, r^2 = 2 h + c^2."""
     _, q, r, d = parts(blade)
     center = [x / r("123") for x in axis(d)]
     return center, mpmath.sqrt(2 * q("123") / r("123") + dot(center, center))
 
 
 def read_circle(blade):
-    """(center, normal, radius), of real ones."""
+    """(center, normal, radius) of a real circle."""
     a, q, r, d = parts(blade)
     n = axis(r)
     square = dot(n, n)
@@ -123,7 +124,7 @@ def read_circle(blade):
 
 
 def read_pair(blade):
-    """(one end, the other), of real ones: c across E from A, along it from D."""
+    """The points of a real point pair: c orthogonal to E from A, along E from D."""
     a, q, r, d = parts(blade)
     e = [-r(x) for x in "123"]
     square = dot(e, e)
@@ -144,7 +145,7 @@ def read_line(blade):
 
 
 def points_of(circle):
-    """Three of its points."""
+    """Three points of a circle."""
     c, n, r = circle
     u = euclid.unit(cross(n, [mpf(1), mpf(2), mpf(3)]))
     v = euclid.unit(cross(n, u))
@@ -161,8 +162,8 @@ def spheres(s):
     return first, second, euclid.sphere_sphere(read_sphere(first), read_sphere(second))
 
 
-def small_beside(s):
-    """The small sphere does not touch the large one: an imaginary circle."""
+def spheres_apart(s):
+    """Disjoint spheres: an imaginary circle."""
     c, r, n = s.position(), s.radius(), s.direction()
     first, gap = s.made("sphere", c, r), r * s.random.uniform(1.5, 20.0)
     radius = s.large_radius() + 30.0 * r
@@ -178,7 +179,7 @@ def circle_sphere(s):
 
 
 def circle_sphere_through(s):
-    """By four points: of the small circle's place, and anywhere."""
+    """The large sphere is given by four points, one of them the center of the small circle."""
     first, c, n, r = s.small_circle()
     second = s.made("sphere_through", c, *(c + s.large * x for x in s.corners()))
     return first, second, euclid.circle_sphere(read_circle(first), read_sphere(second))
@@ -200,14 +201,14 @@ def line_large_sphere(s):
 
 
 def tangent_spheres(s):
-    """What touches but for rounding does."""
+    """Spheres that touch up to rounding are tangent."""
     c, r, u, radius = s.position(), s.radius(), s.direction(), s.large_radius()
     first, second = s.made("sphere", c, r), s.made("sphere", c + u * r + u * radius, radius)
     return first, second, {"kind": "tangent", "center": euclid.sphere_sphere(read_sphere(first), read_sphere(second))["center"]}
 
 
 def circle_on_sphere(s):
-    """A small circle of a large sphere is what they share."""
+    """A small circle on a large sphere: their meet is the circle."""
     first, c, n, r = s.small_circle()
     radius = s.large_radius() + r
     second = s.made("sphere", c + n * np.sqrt(radius ** 2 - r ** 2), radius)
@@ -219,7 +220,7 @@ def circle_on_sphere(s):
 
 
 def pair_and_point(s):
-    """A small pair and a point far away: their circle."""
+    """A small point pair and a distant point: a circle."""
     a = s.position()
     first = s.made("point_pair", a, a + s.direction() * s.radius())
     second = s.made("point", a + s.direction() * s.large)
@@ -228,14 +229,14 @@ def pair_and_point(s):
 
 
 def circle_and_point(s):
-    """A small circle and a point far away: their sphere, by points of the circle."""
+    """A small circle and a distant point: a sphere, by points of the circle."""
     first, c, n, r = s.small_circle()
     second = s.made("point", c + s.aslant(n) * s.large)
     return first, second, euclid.sphere_through(*points_of(read_circle(first)), read_point(second))
 
 
 def large_circle_and_point(s):
-    """A large circle and a point beside it: their sphere."""
+    """A large circle and a point near it: a sphere."""
     n, radius = s.direction(), s.large_radius()
     at = s.position()
     first, second = s.made("circle", at + s.across(n) * radius, n, radius), s.made("point", at + s.aslant(n) * s.size)
@@ -243,7 +244,7 @@ def large_circle_and_point(s):
 
 
 def points(s):
-    """Of a large distance."""
+    """Two distant points."""
     a = s.position()
     first, second = s.made("point", a), s.made("point", a + s.direction() * s.large)
     return first, second, euclid.pair_through(read_point(first), read_point(second))
@@ -253,7 +254,7 @@ def points(s):
 
 
 def sphere_in_sphere(first, second):
-    """The image of a sphere by inversion."""
+    """The inversion of a sphere in a sphere."""
     (c, r), (m, q) = first, second
     gap = minus(c, m)
     power = dot(gap, gap) - r * r
@@ -267,7 +268,7 @@ def small_in_large(s):
 
 
 def large_in_small(s):
-    """The large one passes beside the small one's center."""
+    """The large sphere passes near the center of the small one."""
     c, r, n = s.position(), s.radius(), s.direction()
     second = s.made("sphere", c, r)
     first = s.large_sphere(c + n * r * s.random.uniform(0.3, 1.5), n)
@@ -288,7 +289,7 @@ def circle_in_large(s):
 
 
 TABLES = {
-    "meet": {"spheres": spheres, "spheres apart": small_beside, "circle, sphere": circle_sphere,
+    "meet": {"spheres": spheres, "spheres apart": spheres_apart, "circle, sphere": circle_sphere,
              "circle, sphere through points": circle_sphere_through, "sphere, large circle": sphere_large_circle,
              "line, large sphere": line_large_sphere, "tangent spheres": tangent_spheres, "circle on a sphere": circle_on_sphere},
     "join": {"pair, point": pair_and_point, "circle, point": circle_and_point, "large circle, point": large_circle_and_point,

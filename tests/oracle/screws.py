@@ -1,8 +1,8 @@
-"""Screw motions against the Python packages `pytransform3d` (dual quaternions and matrices, no scale) and
+"""Screw motions, compared with the Python packages `pytransform3d` (dual quaternions and matrices, no scale) and
 `geometricalgebra` (conformal versors).
 
-pytransform3d's own screw parameters divide by the angle, and geometricalgebra's exponential is a series of ten terms;
-cases stay where they are exact to the bound: angles 0.1 .. 3 there, more terms here.
+pytransform3d's screw parameters divide by the angle, and geometricalgebra's exponential is a series of ten terms by
+default. To keep both within the bound, angles are 0.1 .. 3, and the series has more terms.
 """
 
 import numpy as np
@@ -18,14 +18,14 @@ TERMS = 60
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     random = np.random.default_rng([seed, 60])
     check_pytransform3d(library, report, random)
     check_geometricalgebra(library, report, random)
 
 
 def screws(random):
-    """Points on axes, unit axes, pitches, angles; and their logarithms w = theta s, v = q x w + h w."""
+    """Points on axes, unit axes, pitches, angles, and the logarithms w = theta s, v = q x w + h w."""
     points, axes = random.standard_normal((2, CASES, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     pitches, angles = random.standard_normal(CASES), random.uniform(0.1, 3.0, CASES)
@@ -40,11 +40,11 @@ def check_pytransform3d(library, report, random):
     points, axes, pitches, angles, logs = screws(random)
     motors = library.unary("exp", [motor_bivector(log) for log in logs])
     ours = matrices_of(library.extract(motors))
-    wanted = [transformations.transform_from_exponential_coordinates(log[:6])[:3] for log in logs]
-    report.check(oracle, "exp of exponential coordinates", pose_errors(ours, wanted), BOUND)
-    wanted = [matrix_of(transformations.dual_quaternion_from_screw_parameters(*screw))
+    expected = [transformations.transform_from_exponential_coordinates(log[:6])[:3] for log in logs]
+    report.check(oracle, "exp of exponential coordinates", pose_errors(ours, expected), BOUND)
+    expected = [matrix_of(transformations.dual_quaternion_from_screw_parameters(*screw))
               for screw in zip(points, axes, pitches, angles)]
-    report.check(oracle, "exp of screw parameters", pose_errors(ours, wanted), BOUND)
+    report.check(oracle, "exp of screw parameters", pose_errors(ours, expected), BOUND)
 
     begin, end = rigid_poses(random), rigid_poses(random)
     end[np.sum(begin[:, 3:7] * end[:, 3:7], axis=1) < 0.0, 3:7] *= -1.0
@@ -52,7 +52,7 @@ def check_pytransform3d(library, report, random):
     matrices = matrices_of(begin)
     coordinates = np.array([transformations.exponential_coordinates_from_transform(square(matrix)) for matrix in matrices])
     ours = library.log_of_pose(begin, np.float64)[:, :6]
-    # Half a turn has two axes; the log of pytransform3d loses digits next to it.
+    # A half turn has two axes; the log of pytransform3d is inaccurate near it.
     clear = np.linalg.norm(coordinates[:, :3], axis=1) < 3.0
     errors = np.linalg.norm(ours - coordinates, axis=1) / np.linalg.norm(coordinates, axis=1)
     report.check(oracle, "log of poses up to 3 radians", errors[clear], BOUND)
@@ -61,14 +61,14 @@ def check_pytransform3d(library, report, random):
     exponents = random.uniform(-2.0, 2.0, CASES)
     positive = begin.copy()
     positive[begin[:, 3] < 0.0, 3:7] *= -1.0
-    wanted = [matrix_of(transformations.dual_quaternion_power(q, a)) for q, a in zip(dual_quaternions(positive), exponents)]
+    expected = [matrix_of(transformations.dual_quaternion_power(q, a)) for q, a in zip(dual_quaternions(positive), exponents)]
     ours = matrices_of(library.power_of_pose(begin, exponents, np.float64))
-    report.check(oracle, "powers of dual quaternions", pose_errors(ours, wanted), BOUND)
+    report.check(oracle, "powers of dual quaternions", pose_errors(ours, expected), BOUND)
     ours = matrices_of(library.extract(library.power(library.motor(begin), exponents)))
-    report.check(oracle, "powers of motors", pose_errors(ours, wanted), BOUND)
-    wanted = [matrix_of(transformations.dual_quaternion_sclerp(p, q, w)) for p, q, w in zip(first, second, weights)]
+    report.check(oracle, "powers of motors", pose_errors(ours, expected), BOUND)
+    expected = [matrix_of(transformations.dual_quaternion_sclerp(p, q, w)) for p, q, w in zip(first, second, weights)]
     ours = matrices_of(library.interpolate("SCREW", begin, end, weights, np.float64))
-    report.check(oracle, "ScLERP of dual quaternions", pose_errors(ours, wanted), BOUND)
+    report.check(oracle, "ScLERP of dual quaternions", pose_errors(ours, expected), BOUND)
 
 
 def rigid_poses(random):
@@ -89,24 +89,24 @@ def matrix_of(dual_quaternion):
     return transformations.transform_from_dual_quaternion(dual_quaternion)[:3]
 
 
-def pose_errors(ours, wanted):
-    """Of matrices of rotations and positions, relative to 1 and to the distance."""
-    difference = np.abs(np.array(ours) - np.array(wanted)).max(axis=(1, 2))
-    return difference / np.abs(np.array(wanted)).max(axis=(1, 2)).clip(1.0)
+def pose_errors(ours, expected):
+    """Errors of matrices, relative to their largest entry or 1."""
+    difference = np.abs(np.array(ours) - np.array(expected)).max(axis=(1, 2))
+    return difference / np.abs(np.array(expected)).max(axis=(1, 2)).clip(1.0)
 
 
 def check_geometricalgebra(library, report, random):
-    """Versors of screws, translations, rotations and scalings, and what they do to points."""
+    """Versors of screws, translations, rotations and scalings, and their action on points."""
     oracle = "geometricalgebra"
     points, axes, pitches, angles, logs = screws(random)
     motors = library.unary("exp", [motor_bivector(log) for log in logs])
     lines = cga3d.Vector.from_euclid(points) ^ cga3d.Vector.from_direction(axes * angles[:, None]) ^ cga3d.e_inf
     small = angles / 2.0 < 0.2
     along = (lines | cga3d.minkovski_plane) * pitches
-    wanted = (0.5 * (lines.dual() + (cga3d.e_inf ^ along))).exp(TERMS)
-    report.check(oracle, "exp of screw axes", relative(motors, values(wanted)), BOUND)
-    wanted = values(cga3d.Vector.from_screw(lines, pitches))
-    report.check(oracle, "from_screw of small angles", relative(motors[small], wanted[small]), BOUND)
+    expected = (0.5 * (lines.dual() + (cga3d.e_inf ^ along))).exp(TERMS)
+    report.check(oracle, "exp of screw axes", relative(motors, values(expected)), BOUND)
+    expected = values(cga3d.Vector.from_screw(lines, pitches))
+    report.check(oracle, "from_screw of small angles", relative(motors[small], expected[small]), BOUND)
 
     placed = random.standard_normal((CASES, 3)) * 3.0
     images = (0.5 * (lines.dual() + (cga3d.e_inf ^ along))).exp(TERMS).apply(cga3d.Vector.from_euclid(placed)).to_euclid()
@@ -131,11 +131,11 @@ def check_geometricalgebra(library, report, random):
 
 
 def values(vector):
-    """All 32 numbers: the same basis in the same order."""
+    """All 32 coefficients; the basis and its order are the same."""
     return np.asarray(vector(range(6)).values, float)
 
 
-def relative(ours, wanted):
-    """Versors and their negatives are the same motion."""
-    sign = np.sign(np.sum(ours * wanted, axis=1, keepdims=True))
-    return np.abs(ours - sign * wanted).max(axis=1) / np.abs(wanted).max(axis=1)
+def relative(ours, expected):
+    """Relative errors of versors; a versor and its negative are the same motion."""
+    sign = np.sign(np.sum(ours * expected, axis=1, keepdims=True))
+    return np.abs(ours - sign * expected).max(axis=1) / np.abs(expected).max(axis=1)

@@ -1,6 +1,6 @@
-"""meet and join as intersection and sum of subspaces of R^5, without any metric: blades are outer products (clifford's)
-of vectors that are known, so that what two of them share is known too. All grades, all overlaps; what they share may
-be a point, a direction or any other null blade, where the products of conformal algebra degenerate.
+"""meet and join as intersection and sum of subspaces of R^5, without a metric: blades are outer products (clifford's) of
+known vectors, so their intersection is known too. All grades and overlaps; the intersection may be a point, a direction
+or another null blade, where the products of conformal algebra degenerate.
 """
 
 import numpy as np
@@ -10,26 +10,26 @@ from bivectors import BLADES, LAYOUT, vector
 
 ORACLE = "subspaces"
 CASES = 40
-# Of any vectors some are spheres as large as planets, some points but for rounding.
+# Some of any vectors are spheres as large as planets, some are nearly points.
 KINDS = ("any vectors", "points", "points and infinity")
 BOUND = 1e-12
 E_INFINITY, E_ORIGIN = vector([0, 0, 0, 1, 1]), vector([0, 0, 0, -0.5, 0.5])
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     random = np.random.default_rng([seed, 100])
     for kind in KINDS:
         for operation in ("meet", "join"):
-            left, right, wanted = zip(*cases(random, kind, operation))
+            left, right, expected = zip(*cases(random, kind, operation))
             weights = random.choice([-1.0, 1.0], (len(left), 1)) * 10.0 ** random.uniform(-6.0, 6.0, (len(left), 1))
             ours = library.incidence(operation, np.array(left) * weights, np.array(right) / weights)
-            report.check(ORACLE, f"{operation} of blades of {kind}", errors(ours, np.array(wanted)), BOUND)
-    check_refused(library, report, random)
+            report.check(ORACLE, f"{operation} of blades of {kind}", errors(ours, np.array(expected)), BOUND)
+    check_rejected(library, report, random)
 
 
 def cases(random, kind, operation):
-    """(A, B, what they share or span together), for all grades and overlaps."""
+    """(A, B, their intersection or sum), for all grades and overlaps."""
     for a in range(1, 6):
         for b in range(1, 6):
             for shared in range(max(0, a + b - 5), min(a, b) + 1):
@@ -41,7 +41,7 @@ def cases(random, kind, operation):
 
 
 def vectors(random, kind, count):
-    """Well apart, in a random order."""
+    """Well separated vectors, in random order."""
     while True:
         found = [random_vector(random, kind) for _ in range(count)]
         if kind == "points and infinity" and count:
@@ -59,7 +59,7 @@ def random_vector(random, kind):
 
 
 def mixed(random, factors):
-    """Other vectors that span the same."""
+    """Other vectors that span the same subspace."""
     if not factors:
         return factors
     while True:
@@ -75,22 +75,22 @@ def outer(factors):
     return blade
 
 
-def errors(ours, wanted):
-    """Of blades of any weight and sign: of their directions."""
+def errors(ours, expected):
+    """Errors of blades up to weight and sign."""
     found = ours / np.linalg.norm(ours, axis=1, keepdims=True)
-    right = wanted / np.linalg.norm(wanted, axis=1, keepdims=True)
+    right = expected / np.linalg.norm(expected, axis=1, keepdims=True)
     worst = np.minimum(np.abs(found - right).max(axis=1), np.abs(found + right).max(axis=1))
     return np.where(np.isnan(worst), np.inf, worst)
 
 
-def check_refused(library, report, random):
-    """What is no blade has no meet and no join."""
+def check_rejected(library, report, random):
+    """Operands that are not blades are rejected."""
     blade = np.tile(outer(vectors(random, "points", 3)), (CASES, 1))
     others = np.array([np.where(np.array(LAYOUT.gradeList) == 2, random.standard_normal(BLADES), 0.0) for _ in range(CASES // 2)])
     others = np.concatenate([others, random.standard_normal((CASES - len(others) - 2, BLADES)), np.zeros((1, BLADES)), np.full((1, BLADES), np.nan)])
     for operation in ("meet", "join", "project_onto", "reject_from", "reflect_in"):
-        answers = []
+        successes = []
         for left, right in ((blade, others), (others, blade)):
             results, reasons = library.incidence_with_reasons(operation, left, right)
-            answers += [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
-        report.count(ORACLE, f"{operation} of what is no blade is refused", answers)
+            successes += [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
+        report.count(ORACLE, f"{operation} of elements that are not blades is rejected", successes)

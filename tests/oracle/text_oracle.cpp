@@ -1,5 +1,5 @@
-// Text of multivectors and the expression language behind a C interface. What is written goes into a buffer, cut to
-// its size; a value that cannot be read leaves its error there, as "column 7: expected ...".
+// C interface of the text of multivectors and the expression language. Text is written to a buffer and truncated to its
+// size; so are errors of parsing, as "column 7: expected ...".
 
 #include "elements.hpp"
 

@@ -1,7 +1,7 @@
-"""Text of multivectors and the expression language: JSON against Python's own module, expressions against `clifford`.
+"""Text of multivectors and the expression language: JSON compared with Python's module, expressions with `clifford`.
 
-Texts are broken at random, and must be read or refused as Python reads or refuses them. Expressions are random trees,
-written with as few brackets as the precedence of the language allows, or with some more, and computed by clifford.
+Randomly corrupted JSON must be accepted or rejected as by Python. Expressions are random trees, written with the brackets
+that the precedence of the language requires and some more, and evaluated by clifford.
 """
 
 import json
@@ -14,24 +14,24 @@ from clifford import g3c
 LAYOUT = g3c.layout
 BLADES = 32
 ELEMENTS = 2000
-BROKEN = 5000
+CORRUPTED = 5000
 EXPRESSIONS = 3000
 NULL_NAMES = {"einf": g3c.einf, "eo": g3c.eo}
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     random = np.random.default_rng([seed, 70])
     elements = random_elements(random)
     check_json(library, report, elements)
-    check_broken_json(library, report, random, elements)
+    check_corrupted_json(library, report, random, elements)
     check_text(library, report, elements)
     check_expressions(library, report, random)
-    check_broken_expressions(library, report, random)
+    check_corrupted_expressions(library, report, random)
 
 
 def random_elements(random):
-    """Of all sizes that a double has, whole numbers, and with zeros of both signs."""
+    """Elements of all magnitudes of doubles, of integers, and with zeros of both signs."""
     elements = random.standard_normal((ELEMENTS, BLADES)) * 10.0 ** random.uniform(-320, 300, (ELEMENTS, BLADES))
     elements[::2] = random.standard_normal((ELEMENTS // 2, BLADES)) * 10.0 ** random.integers(-3, 4, (ELEMENTS // 2, 1))
     elements[::5] = random.integers(-9, 10, (len(elements[::5]), BLADES))
@@ -54,54 +54,54 @@ def same_bits(numbers, element):
     return numbers is not None and np.array(numbers, float).tobytes() == np.ascontiguousarray(element).tobytes()
 
 
-def check_broken_json(library, report, random, elements):
-    answers = []
-    for i in range(BROKEN):
-        text = broken(random, library.to_json(elements[i % ELEMENTS]), '0123456789.,-+eE[]{}" :nulNaItrfy\\\n\t/*')
-        wanted, (numbers, error) = read_by_python(text), library.from_json(text)
-        if wanted is None:
-            answers.append(numbers is None and bool(re.match(r"^(line \d+, )?column \d+: .+", error)))
+def check_corrupted_json(library, report, random, elements):
+    successes = []
+    for i in range(CORRUPTED):
+        text = corrupted(random, library.to_json(elements[i % ELEMENTS]), '0123456789.,-+eE[]{}" :nulNaItrfy\\\n\t/*')
+        expected, (numbers, error) = read_by_python(text), library.from_json(text)
+        if expected is None:
+            successes.append(numbers is None and bool(re.match(r"^(line \d+, )?column \d+: .+", error)))
         else:
-            answers.append(numbers is not None and same_bits(numbers + 0.0, np.array(wanted) + 0.0))
-    report.count("Python json", "broken texts read or refused alike, with the place", answers)
+            successes.append(numbers is not None and same_bits(numbers + 0.0, np.array(expected) + 0.0))
+    report.count("Python json", "corrupted texts accepted or rejected alike, with the position of the error", successes)
 
 
-def broken(random, text, letters):
-    """The text with one to three letters left out, put in, changed, or a part of it repeated."""
+def corrupted(random, text, letters):
+    """The text after one to three random edits: insertion, replacement, removal, repetition, truncation."""
     for _ in range(random.integers(1, 4)):
-        place, letter = int(random.integers(len(text) + 1)), letters[random.integers(len(letters))]
+        position, letter = int(random.integers(len(text) + 1)), letters[random.integers(len(letters))]
         kind = random.integers(5)
         if kind == 0:
-            text = text[:place] + letter + text[place:]
+            text = text[:position] + letter + text[position:]
         elif kind == 1:
-            text = text[:place] + letter + text[place + 1 :]
+            text = text[:position] + letter + text[position + 1 :]
         elif kind == 2:
-            text = text[:place] + text[place + 1 :]
+            text = text[:position] + text[position + 1 :]
         elif kind == 3:
-            text = text[:place] + text[max(0, place - int(random.integers(1, 6))) :]
+            text = text[:position] + text[max(0, position - int(random.integers(1, 6))) :]
         else:
-            text = text[:place]
+            text = text[:position]
     return text
 
 
 def read_by_python(text):
-    """32 numbers, or None. What Python takes beyond JSON (NaN, Infinity, numbers too large) is refused here."""
+    """32 numbers, or None. Rejects what Python accepts beyond JSON: NaN, Infinity, numbers that are too large."""
 
-    def refuse(_):
+    def reject(_):
         raise ValueError
 
     try:
-        numbers = json.loads(text, parse_constant=refuse)
+        numbers = json.loads(text, parse_constant=reject)
     except (ValueError, RecursionError):
         return None
-    good = isinstance(numbers, list) and len(numbers) == BLADES and all(type(x) in (int, float) for x in numbers)
-    if not good or any(abs(x) > 1.7976931348623157e308 for x in numbers):
+    is_valid = isinstance(numbers, list) and len(numbers) == BLADES and all(type(x) in (int, float) for x in numbers)
+    if not is_valid or any(abs(x) > 1.7976931348623157e308 for x in numbers):
         return None
     return [float(x) for x in numbers]
 
 
 def check_text(library, report, elements):
-    """Read back by the language itself, and by a pattern of this file."""
+    """Text parsed by the expression language and by a regular expression."""
     back, own, null = [], [], []
     for element in elements:
         text = library.to_text(element, False)
@@ -114,12 +114,12 @@ def check_text(library, report, elements):
         for value in (numbers, sum_of(text)) if 1e-290 < size < 1e300 else ():
             null.append(np.abs(value / size - element / size).max() if value is not None else np.inf)
     report.count("to_text", "evaluate(to_text(x)) == x, bit for bit", back)
-    report.count("to_text", "read by a pattern", own)
+    report.count("to_text", "parsed by a regular expression", own)
     report.check("to_text", "in the null basis", null, 1e-15)
 
 
 def sum_of(text):
-    """The sum of products "2.5 e12^einf" with signs between them; None where it is something else."""
+    """Evaluates a sum of terms like "2.5 e12^einf"; None if the text is something else."""
     total = np.zeros(BLADES)
     terms = re.split(r" (?=[+-] )", text) if text != "0" else []
     for term in terms:
@@ -133,7 +133,7 @@ def sum_of(text):
     return total
 
 
-# Operators by how tight they bind, loosest first, and what they are.
+# Operators by precedence, lowest first.
 LEVELS = (("+", "-"), ("*", "/"), ("|", "<<", ">>", "&"), ("^",))
 PREFIX = len(LEVELS)
 ATOM = PREFIX + 1
@@ -159,7 +159,7 @@ UNARY = {"-": lambda a: -a, "~": lambda a: ~a, "!": lambda a: a * DUAL, "+": lam
 
 
 def expression(random, depth):
-    """(text, its level, value)"""
+    """(text, precedence, value)"""
     kind = random.uniform()
     if depth == 0 or kind < 0.1:
         return leaf(random)
@@ -176,7 +176,7 @@ def expression(random, depth):
             right, right_level, b = leaf(random)
         value = a * b.hitzer_inverse()
         if " " in right:
-            # "1 / 2 e12" would be read in two ways, so the language asks for brackets.
+            # "1 / 2 e12" is ambiguous: the language requires brackets.
             right = f"({right})"
     else:
         right, right_level, b = expression(random, depth - 1)
@@ -208,9 +208,9 @@ def leaf(random):
     return name, ATOM, value
 
 
-def bracketed(random, text, level, wanted):
-    """In brackets where the language needs them, and sometimes elsewhere."""
-    return f"({text})" if level < wanted or random.uniform() < 0.1 else text
+def bracketed(random, text, level, min_level):
+    """The text in brackets where the precedence requires them, and sometimes elsewhere."""
+    return f"({text})" if level < min_level or random.uniform() < 0.1 else text
 
 
 def check_expressions(library, report, random):
@@ -221,16 +221,16 @@ def check_expressions(library, report, random):
         if ours is None:
             errors.append(np.inf)
         else:
-            # Where all cancels, what is left is rounding of the parts.
+            # If all terms cancel, the rounding of the terms remains.
             errors.append(np.abs(ours - value.value).max() / max(1.0, np.abs(value.value).max()))
     report.check("clifford", "evaluate of random expressions", errors, 1e-12)
 
 
-def check_broken_expressions(library, report, random):
+def check_corrupted_expressions(library, report, random):
     """A finite value, or an error with its column."""
-    answers = []
-    for i in range(BROKEN):
-        text = broken(random, expression(random, 3)[0], string.printable + "éλ∞")
+    successes = []
+    for i in range(CORRUPTED):
+        text = corrupted(random, expression(random, 3)[0], string.printable + "éλ∞")
         numbers, error = library.evaluate(text if i % 2 else text.encode()[: random.integers(1, 40)])
-        answers.append(np.isfinite(numbers).all() if error is None else bool(re.match(r"^(line \d+, )?column \d+: .+", error)))
-    report.count("evaluate", "broken expressions: a value or an error with its column", answers)
+        successes.append(np.isfinite(numbers).all() if error is None else bool(re.match(r"^(line \d+, )?column \d+: .+", error)))
+    report.count("evaluate", "corrupted expressions: a value or an error with its column", successes)

@@ -1,7 +1,7 @@
-"""exp, log, sqrt, powers, inverse and normalization of multivectors against matrices at 50 digits (gamma.py).
+"""exp, log, sqrt, powers, inverse and normalization of multivectors, compared with matrices at 50 digits (gamma.py).
 
-A logarithm is judged by the exponential of its matrix, a root by its powers; those of motors also by the exact
-logarithm of exponentials.py, part by part.
+Logarithms are checked by the exponential of their matrices, roots by their powers; logarithms of motors also by the
+exact logarithm of exponentials.py, part by part.
 """
 
 import mpmath
@@ -18,19 +18,19 @@ BOUND = 1e-13
 EACH = 12  # of each kind of general bivector
 MOTORS = 150
 ELEMENTS = 300
-# Of each power(M, p / q): the q-th power of ours is the p-th of M.
+# (p, q): the q-th power of power(M, p / q) is the p-th power of M.
 FRACTIONS = ((1, 2), (1, 3), (-1, 2), (-2, 3), (5, 2), (1, 7), (2, 1), (-1, 1), (0, 1))
 
 
 def check(library, report, seed):
-    """Everything of this file."""
+    """Runs the checks of this file."""
     random = np.random.default_rng([seed, 50])
     check_motors(library, report, random)
     check_general(library, report, random)
     check_weights(library, report, random)
     check_inverse(library, report, random)
     check_normalized(library, report, random)
-    check_refused(library, report, random)
+    check_rejected(library, report, random)
 
 
 def check_motors(library, report, random):
@@ -48,7 +48,7 @@ def check_motors(library, report, random):
     exact_logs = [exponentials.logarithm(pose_of(motor)) for motor in motors]
     ours = library.unary("log", motors)
     outside = [np.abs(element - motor_bivector(motor_log(element))).max() for element in ours]
-    report.check(ORACLE, "log of motors is a motor's bivector", outside / np.abs(ours).max(axis=1).clip(1e-300), BOUND)
+    report.check(ORACLE, "log of motors has only motor coefficients", outside / np.abs(ours).max(axis=1).clip(1e-300), BOUND)
     ours = np.array([motor_log(element) for element in ours])
     for part, numbers in (("rotation", slice(0, 3)), ("translation", slice(3, 6)), ("scale", slice(6, 7))):
         errors = [exponentials.relative(log[numbers], exact[numbers]) for log, exact in zip(ours, exact_logs)]
@@ -73,10 +73,10 @@ def pose_of(motor):
 
 
 def check_general(library, report, random):
-    """Bivectors of every kind that Cl(4,1) has, and their versors."""
+    """Bivectors of all kinds in Cl(4,1), and their versors."""
     bivectors = np.array([element for _, element in general_bivectors(random, EACH)])
     exact = [gamma.exponential(gamma.matrix_of(bivector)) for bivector in bivectors]
-    errors = [gamma.distance(ours, wanted) for ours, wanted in zip(library.unary("exp", bivectors), exact)]
+    errors = [gamma.distance(ours, expected) for ours, expected in zip(library.unary("exp", bivectors), exact)]
     report.check(ORACLE, "exp of general bivectors", errors, BOUND)
 
     versors = np.array([[float(x) for x in gamma.coefficients_of(matrix)] for matrix in exact])
@@ -89,32 +89,32 @@ def check_general(library, report, random):
 
     others = random.standard_normal((EACH * 5, BLADES)) * 10.0 ** random.uniform(-3.0, 0.5, (EACH * 5, 1))
     exact = [gamma.exponential(gamma.matrix_of(element)) for element in others]
-    # The condition of exp(X) is |X|: that much of the error is rounding of X alone.
-    errors = [gamma.distance(ours, wanted) / max(1.0, np.linalg.norm(element))
-              for ours, wanted, element in zip(library.unary("exp", others), exact, others)]
+    # The condition number of exp(X) is |X|: errors are relative to it.
+    errors = [gamma.distance(ours, expected) / max(1.0, np.linalg.norm(element))
+              for ours, expected, element in zip(library.unary("exp", others), exact, others)]
     report.check(ORACLE, "exp of elements of all grades", errors, BOUND)
 
 
 def check_log(library, report, name, versors):
-    """exp(log(M)) is that of M and -M whose scalar part is not negative."""
-    errors = [np.inf if np.isnan(log).any() else gamma.distance(short_way(versor), gamma.exponential(gamma.matrix_of(log)))
+    """exp(log(M)) is M or -M, whichever has a scalar part that is not negative."""
+    errors = [np.inf if np.isnan(log).any() else gamma.distance(with_positive_scalar(versor), gamma.exponential(gamma.matrix_of(log)))
               for versor, log in zip(versors, library.unary("log", versors))]
     report.check(ORACLE, f"exp(log(M)) of {name}", errors, BOUND)
 
 
 def check_powers(library, report, name, versors):
-    """Rational powers by whole ones."""
+    """Rational powers, checked by integer powers."""
     for numerator, denominator in FRACTIONS:
         ours = library.power(versors, np.full(len(versors), numerator / denominator))
-        errors = [power_error(x, short_way(versor), numerator, denominator) for x, versor in zip(ours, versors)]
+        errors = [power_error(x, with_positive_scalar(versor), numerator, denominator) for x, versor in zip(ours, versors)]
         report.check(ORACLE, f"power {numerator}/{denominator} of {name}", errors, BOUND)
-    errors = [power_error(x, short_way(versor), 1, 2) for x, versor in zip(library.unary("sqrt", versors), versors)]
+    errors = [power_error(x, with_positive_scalar(versor), 1, 2) for x, versor in zip(library.unary("sqrt", versors), versors)]
     report.check(ORACLE, f"sqrt of {name}", errors, BOUND)
 
 
 def power_error(ours, versor, numerator, denominator):
-    """Relative to the largest that the product of so many factors can be, which its rounding errors are, too; and to
-    the condition |M| |M^-1|, the share of rounding M alone. (It is 1 for a rotation.)"""
+    """Relative to the largest norm that the product can have, which bounds its rounding, and to the condition number
+    |M| |M^-1|, the effect of rounding M (1 for a rotation)."""
     if np.isnan(ours).any():
         return float("inf")
     root, matrix = gamma.matrix_of(ours), gamma.matrix_of(versor)
@@ -125,7 +125,7 @@ def power_error(ours, versor, numerator, denominator):
     return float(difference / max(sizes) / condition) / denominator
 
 
-def short_way(versor):
+def with_positive_scalar(versor):
     return -versor if versor[0] < 0.0 else versor
 
 
@@ -134,18 +134,18 @@ def norm_squared(element):
 
 
 def check_weights(library, report, random):
-    """The weight of a versor is the scalar part of its logarithm, and a factor of its powers."""
+    """Versors of any weight: it becomes the scalar part of the logarithm and a factor of powers."""
     weights = 10.0 ** random.uniform(-6.0, 6.0, MOTORS) * random.choice([-1.0, 1.0], MOTORS)
     motors = library.motor(random_poses(random, MOTORS, 2.0)) * weights[:, None]
     check_log(library, report, "motors of any weight", motors)
     for numerator, denominator in ((1, 2), (-3, 2)):
         ours = library.power(motors, np.full(MOTORS, numerator / denominator))
-        errors = [power_error(x, short_way(motor), numerator, denominator) for x, motor in zip(ours, motors)]
+        errors = [power_error(x, with_positive_scalar(motor), numerator, denominator) for x, motor in zip(ours, motors)]
         report.check(ORACLE, f"power {numerator}/{denominator} of motors of any weight", errors, BOUND)
 
 
 def check_inverse(library, report, random):
-    """Relative to the condition |X| |X^-1|: what rounding X alone can do."""
+    """Errors relative to the condition number |X| |X^-1|, the effect of rounding X."""
     elements = random.standard_normal((ELEMENTS, BLADES)) * 10.0 ** random.uniform(-9.0, 9.0, (ELEMENTS, 1))
     elements[1::4] *= np.isin(GRADES, [0, 2, 4])
     elements[2::4] *= np.isin(GRADES, [0, 1])
@@ -161,7 +161,7 @@ def check_inverse(library, report, random):
 
 
 def check_normalized(library, report, random):
-    """X = P X' with X' X'~ = 1, P of grades 0 and 4: the polar decomposition, which has no other solution near X."""
+    """X = P X' with X' X'~ = 1 and P of grades 0 and 4: the polar decomposition, unique near X."""
     motors = library.motor(random_poses(random, MOTORS, 2.0)) * 10.0 ** random.uniform(-3.0, 3.0, (MOTORS, 1))
     noise = random.standard_normal(motors.shape) * 10.0 ** random.uniform(-15.0, -3.0, (MOTORS, 1))
     noisy = motors + np.isin(GRADES, [0, 2, 4]) * noise * np.abs(motors).max(axis=1, keepdims=True)
@@ -179,24 +179,24 @@ def check_normalized(library, report, random):
         report.check(ORACLE, f"normalized of {name}", errors, BOUND)
 
 
-def check_refused(library, report, random):
-    """What has no result: an error, and no numbers."""
+def check_rejected(library, report, random):
+    """Operands without a result: an error and NaN."""
     e_infinity, one = vector([0, 0, 0, 1, 1]), np.eye(BLADES)[0]
     unit = vector([0.6, 0.8, 0, 0, 0])
     null = [vector([*x, (x @ x - 1) / 2, (x @ x + 1) / 2]) for x in random.standard_normal((20, 3))]
     singular = [np.zeros(BLADES), e_infinity, one + unit, one - unit, *null]
     odd = [random_versor(random, factors) for factors in (1, 3, 5) for _ in range(5)]
     backward = [LAYOUT.gmt_func(unit, vector([0, 0, 0.3, 0.2, 1.5]))]
-    mixed = list(random.standard_normal((5, BLADES)))
-    vast = [vector([np.inf, 0, 0, 0, 0]), np.full(BLADES, np.nan)]
+    mixed_grades = list(random.standard_normal((5, BLADES)))
+    not_finite = [vector([np.inf, 0, 0, 0, 0]), np.full(BLADES, np.nan)]
     for name, elements in (
-        ("inverse", singular + vast),
-        ("normalized", [np.zeros(BLADES), e_infinity, *null, *vast]),
-        ("log", [*singular, *odd, *backward, *mixed, *vast]),
-        ("sqrt", [*singular, *odd, *backward, *mixed, *vast]),
-        ("exp", [one * 800.0, plane(1, 5, 800.0), plane(4, 5, 1e4), *vast]),
+        ("inverse", singular + not_finite),
+        ("normalized", [np.zeros(BLADES), e_infinity, *null, *not_finite]),
+        ("log", [*singular, *odd, *backward, *mixed_grades, *not_finite]),
+        ("sqrt", [*singular, *odd, *backward, *mixed_grades, *not_finite]),
+        ("exp", [one * 800.0, plane(1, 5, 800.0), plane(4, 5, 1e4), *not_finite]),
     ):
         results, reasons = library.unary_with_reasons(name, elements)
-        answers = [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
-        report.count(ORACLE, f"{name} refused with a reason", answers)
+        successes = [bool(reason) and np.isnan(result).all() for result, reason in zip(results, reasons)]
+        report.count(ORACLE, f"{name} rejected with a reason", successes)
 
