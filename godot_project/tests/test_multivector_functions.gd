@@ -56,7 +56,7 @@ func test_normalized_rejects_null_elements() -> void:
 	]:
 		expect_error("Multivector.normalized: %s." % NULL_ELEMENT)
 		expect_null(element.normalized())
-	expect_error("Multivector.normalized: Zero cannot be normalised: no multiple of it has norm 1.")
+	expect_error("Multivector.normalized: Zero cannot be normalized: no multiple of it has norm 1.")
 	expect_null(Multivector.new().normalized())
 
 
