@@ -10,12 +10,9 @@ namespace net {
 namespace {
 
 inline float largest_error(const SegmentErrorInput &input, float limit) noexcept {
-	float way[6];
-	float bend[6];
-	for (int i = 0; i < 6; ++i) {
-		way[i] = input.way[i];
-		bend[i] = input.bend[i];
-	}
+	// By reference: copies would be loaded as vectors right after the caller has stored scalars, which stalls.
+	const float(&way)[6] = input.way;
+	const float(&bend)[6] = input.bend;
 	const SegmentErrorInput::Row *const target = input.target;
 	const SegmentErrorInput::Row *const to_body = input.to_body;
 	const SegmentErrorInput::Row *const jacobian = input.jacobian;
@@ -53,7 +50,7 @@ inline float largest_error(const SegmentErrorInput &input, float limit) noexcept
 		}
 		float largest = worst[0];
 		for (size_t lane = 1; lane < 8; ++lane) {
-			largest = largest > worst[lane] ? largest : worst[lane];
+			largest = largest < worst[lane] ? worst[lane] : largest;
 		}
 		if (largest > limit * limit || block + 8 >= input.padded_count) {
 			return sqrtf(largest);
