@@ -33,14 +33,6 @@ Multivector times_pseudoscalar(const Multivector &x, int sign) {
 	return result;
 }
 
-#if CGA_X86_64
-Multivector multiply_avx2(const Multivector &left, const Multivector &right) {
-	Multivector product;
-	geometric_product_avx2(&left.coefficients()[0], &right.coefficients()[0], &product[0]);
-	return product;
-}
-#endif
-
 // `x` with a sign for each grade.
 template <class SignOfGrade>
 Multivector signed_by_grade(const Multivector &x, SignOfGrade sign_of_grade) {
@@ -116,11 +108,19 @@ Multivector &Multivector::operator*=(double factor) {
 	return *this;
 }
 
+#if CGA_X86_64
+Multivector Multivector::multiply_with_avx2(const Multivector &right) const {
+	Multivector product{ Uninitialized() };
+	geometric_product_avx2(_coefficients.data(), right._coefficients.data(), product._coefficients.data());
+	return product;
+}
+#endif
+
 Multivector Multivector::geometric_product(const Multivector &right) const {
 #if CGA_X86_64
 	static const bool HAS_AVX2 = processor_features().avx2;
 	if (HAS_AVX2) {
-		return multiply_avx2(*this, right);
+		return multiply_with_avx2(right);
 	}
 #endif
 	return multiply<Product::GEOMETRIC>(*this, right);

@@ -13,7 +13,9 @@ class Multivector {
 public:
 	using Coefficients = std::array<double, BLADE_COUNT>;
 
-	constexpr Multivector() = default;
+	// Zero.
+	constexpr Multivector() :
+			_coefficients{} {}
 	constexpr explicit Multivector(const Coefficients &coefficients) :
 			_coefficients(coefficients) {}
 
@@ -86,7 +88,12 @@ public:
 	friend bool operator!=(const Multivector &left, const Multivector &right) { return !(left == right); }
 
 private:
-	Coefficients _coefficients{};
+	// For results whose coefficients are all assigned: setting 256 bytes to zero takes a fifth of a geometric product.
+	struct Uninitialized {};
+	explicit Multivector(Uninitialized) noexcept {}
+	[[nodiscard]] Multivector multiply_with_avx2(const Multivector &right) const;
+
+	Coefficients _coefficients;
 };
 
 [[nodiscard]] Multivector operator+(Multivector left, const Multivector &right);

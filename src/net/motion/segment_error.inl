@@ -10,12 +10,9 @@ namespace net {
 namespace {
 
 inline float max_error(const SegmentErrorInput &input, float limit) noexcept {
-	float end[6];
-	float curvature[6];
-	for (int i = 0; i < 6; ++i) {
-		end[i] = input.end[i];
-		curvature[i] = input.curvature[i];
-	}
+	// By reference: copies would be loaded as vectors right after the caller has stored scalars, which stalls.
+	const float(&end)[6] = input.end;
+	const float(&curvature)[6] = input.curvature;
 	const SegmentErrorInput::Row *const target = input.target;
 	const SegmentErrorInput::Row *const to_body = input.to_body;
 	const SegmentErrorInput::Row *const jacobian = input.jacobian;
@@ -53,7 +50,7 @@ inline float max_error(const SegmentErrorInput &input, float limit) noexcept {
 		}
 		float max_squared = lane_max[0];
 		for (size_t lane = 1; lane < 8; ++lane) {
-			max_squared = max_squared > lane_max[lane] ? max_squared : lane_max[lane];
+			max_squared = max_squared < lane_max[lane] ? lane_max[lane] : max_squared;
 		}
 		if (max_squared > limit * limit || block + 8 >= input.padded_count) {
 			return sqrtf(max_squared);
