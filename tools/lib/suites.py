@@ -54,7 +54,7 @@ def algebra_programs():
 
 SUITES = (
     Suite("style", ("style", "build", "unit", "bench", "engine"), (LIBRARY,),
-          lambda: runner("style", seconds=1800, engine=False)),
+          lambda: runner("style", seconds=3600, engine=False)),
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
     Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
