@@ -65,7 +65,7 @@ class RefusalTest(unittest.TestCase):
             self.refuses("install", f"project={folder}", naming=[folder, "project.godot"])
 
     def test_install_into_the_own_project(self):
-        self.refuses("install", "project=godot_project", naming=["there already"])
+        self.refuses("install", "project=godot_project", naming=["contains the addon already"])
 
 
 class BuildTest(unittest.TestCase):

@@ -61,7 +61,7 @@ class EngineLog:
         found = [counted("error line: " + message, count) for message, count in (self._errors - self._announced).items()]
         found += [counted("announced error did not come: " + message, count)
                   for message, count in (self._announced - self._errors).items()]
-        return found + [told(line, count) for line, count in self._leaks.items()]
+        return found + [counted(line, count) for line, count in self._leaks.items()]
 
 
 def counted(message, count):
