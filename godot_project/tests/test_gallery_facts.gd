@@ -14,8 +14,8 @@ func test_a_circle_through_its_points() -> void:
 		for point: String in ["a", "b", "c"]:
 			_expect_zero("normalized(circle) ^ %s" % point)
 			_expect_zero("normalized(disc_plane) ^ %s" % point)
-		_expect_zero("axis ^ centre / norm(axis)")
-		_expect_position("centre", _center_of("circle"))
+		_expect_zero("axis ^ center / norm(axis)")
+		_expect_position("center", _center_of("circle"))
 		_drag("b", Vector3(2.5, -1.0, 0.25))
 	_drag("a", Vector3(0, 0, 0))
 	_drag("b", Vector3(1, 0, 0))

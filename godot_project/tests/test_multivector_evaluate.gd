@@ -10,7 +10,10 @@ const INVALID_EXPRESSIONS: Dictionary[String, String] = {
 	"e1 $ e2": "column 4: expected a number, a name or an operator, found '$'",
 	"(1": "column 3: expected ')' or an operator, found the end; the '(' at column 1 is not closed",
 	"log(e1)":
-	"column 1: log: an odd versor (a reflection or inversion) has no logarithm: no continuous motion reaches it",
+	(
+		"column 1: log: an odd versor (a reflection or inversion) has no logarithm: no "
+		+ "continuous motion reaches it"
+	),
 	"1e400": "column 1: the number is too large; at most 1.8e308 is accepted",
 }
 
@@ -137,7 +140,10 @@ func test_invalid_variables() -> void:
 	expect_error("Multivector.evaluate: variable names must be strings, not int.")
 	expect_null(Multivector.evaluate("1", {1: 2}))
 	expect_error(
-		"Multivector.evaluate: column 1: invalid variable name: 'e1' is a constant; choose another name."
+		(
+			"Multivector.evaluate: column 1: invalid variable name: 'e1' is a constant; "
+			+ "choose another name."
+		)
 	)
 	expect_null(Multivector.evaluate("1", {"e1": 2}))
 

@@ -10,10 +10,22 @@ const E5 := 5
 const E12 := 6
 const E45 := 15
 
-const NULL_ELEMENT := "the multivector is null (its norm is zero), so no multiple of it has norm 1; scale null objects by their meaning: a point to -e_inf . X = 1"
-const SINGULAR := "the multivector has no inverse: it is null or a zero divisor, or too close to one for double precision"
-const ODD := "an odd versor (a reflection or inversion) has no logarithm: no continuous motion reaches it"
-const NOT_A_VERSOR := "the multivector is not a versor (a product of non-null vectors), or rounding has erased its norm; normalized() turns a noisy one into a versor"
+const NULL_ELEMENT := (
+	"the multivector is null (its norm is zero), so no multiple of it has norm 1; scale null "
+	+ "objects by their meaning: a point to -e_inf . X = 1"
+)
+const SINGULAR := (
+	"the multivector has no inverse: it is null or a zero divisor, or too close to one for "
+	+ "double precision"
+)
+const ODD := (
+	"an odd versor (a reflection or inversion) has no logarithm: no continuous motion "
+	+ "reaches it"
+)
+const NOT_A_VERSOR := (
+	"the multivector is not a versor (a product of non-null vectors), or rounding has erased "
+	+ "its norm; normalized() turns a noisy one into a versor"
+)
 
 
 func test_norms() -> void:
@@ -162,7 +174,10 @@ func test_log_rejects_what_has_none() -> void:
 	expect_error("Multivector.log: %s." % NOT_A_VERSOR)
 	expect_null(_sum({0: 1.0, E1: 2.0}).log())
 	expect_error(
-		"Multivector.sqrt: an odd versor, or an even one with negative M M~, has integer powers only: no continuous motion reaches it."
+		(
+			"Multivector.sqrt: an odd versor, or an even one with negative M M~, has integer "
+			+ "powers only: no continuous motion reaches it."
+		)
 	)
 	expect_null(Multivector.basis("e1").sqrt())
 
@@ -189,7 +204,10 @@ func test_reflections_have_integer_powers_only() -> void:
 	expect_coefficients(Multivector.basis("e1").power(3.0), {E1: 1.0}, 1e-15)
 	expect_coefficients(Multivector.basis("e5").power(-1.0), {E5: -1.0}, 1e-15)
 	expect_error(
-		"Multivector.power: an odd versor, or an even one with negative M M~, has integer powers only: no continuous motion reaches it."
+		(
+			"Multivector.power: an odd versor, or an even one with negative M M~, has "
+			+ "integer powers only: no continuous motion reaches it."
+		)
 	)
 	expect_null(Multivector.basis("e1").power(0.5))
 	for exponent: float in [NAN, INF]:

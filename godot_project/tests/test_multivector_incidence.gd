@@ -1,7 +1,10 @@
 extends "res://tests/framework/test_case.gd"
 ## meet, join, projection, rejection and reflection of objects, the degenerate cases among them.
 
-const NOT_A_BLADE := "the second multivector is not a blade (a nonzero outer product of vectors), so it represents no object"
+const NOT_A_BLADE := (
+	"the second multivector is not a blade (a nonzero outer product of vectors), so it "
+	+ "represents no object"
+)
 const METHODS: Array[StringName] = [
 	&"meet", &"join", &"project_onto", &"reject_from", &"reflect_in"
 ]

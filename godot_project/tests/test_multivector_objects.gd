@@ -6,8 +6,13 @@ const COINCIDENT := "two of the points coincide; pass distinct points"
 const NO_DIRECTION := "the direction or normal is zero; pass a vector of any other length"
 const NO_NORMAL := "the direction or normal is zero; pass a vector of any other length"
 const NO_RADIUS := "the radius must be a finite number above zero"
-const COLLINEAR := "the points are collinear, so they define no single plane; pass the corners of a triangle"
-const CONCYCLIC := "the points lie on one circle or line, so they define no single sphere; pass four that do not"
+const COLLINEAR := (
+	"the points are collinear, so they define no single plane; pass the corners of a " + "triangle"
+)
+const CONCYCLIC := (
+	"the points lie on one circle or line, so they define no single sphere; pass four that "
+	+ "do not"
+)
 
 const LENGTHS := [0.001, 1.0, 1000.0]
 

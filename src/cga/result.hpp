@@ -19,7 +19,7 @@ namespace cga {
 // std::optional instead. A Result that is ignored is a warning.
 template <class T, class E>
 class [[nodiscard]] Result {
-	static_assert(!std::is_same_v<T, E>, "A value and an error of the same type cannot be told apart");
+	static_assert(!std::is_same_v<T, E>, "A value and an error of the same type are indistinguishable");
 
 public:
 	constexpr Result(T value) :

@@ -22,7 +22,7 @@ KINDS = (("pqs_float32_", "fixed rate: float32 position, quaternion, scale", "#c
 # Smaller errors, in mm, are rounding: the method sent every sample.
 MIN_ERROR = 0.3
 # Labels to draw; the others can be inferred.
-LABELLED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
+LABELED = {"1 mm", "2 mm", "5 mm", "20 mm"} | {f"{rate} Hz" for rate in (5, 10, 20, 30, 60)}
 COLUMNS = 2
 
 
@@ -50,7 +50,7 @@ def draw_panel(axes, lines, title):
                   linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=4 if ours else 3)
         for index, (p99, cost, label) in enumerate(line):
-            if label in LABELLED:
+            if label in LABELED:
                 # Ours below the curve, unless it bends back there.
                 below = ours and not (index > 0 and line[index - 1][0] < p99)
                 axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=color,

@@ -64,7 +64,7 @@ def lever_distance(a, b, at, lever_arm=0.25):
 def moving_bodies(record, tick_rate=60.0, min_speed=0.001):
     """For each record, the offsets of the rows of the bodies that moved since the previous one.
 
-    A body moves if its center or a lever point is faster than `min_speed`, in m/s.
+    A body moves if its center or a point at the lever arm is faster than `min_speed`, in m/s.
     """
     min_distance = min_speed / tick_rate
     result = [[]]

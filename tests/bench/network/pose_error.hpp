@@ -9,12 +9,12 @@
 
 namespace bench {
 
-/// Distance of the lever points, at which rotation error is measured, from the body's center along its axes, in meters.
+/// Distance of the points at the lever arm, at which rotation error is measured, from the body's center along its axes, in meters.
 inline constexpr double LEVER_ARM = 0.25;
-/// A body moves if its center or a lever point is faster than this, in meters per second.
+/// A body moves if its center or a point at the lever arm is faster than this, in meters per second.
 inline constexpr double MOVING_SPEED = 0.001;
 
-/// The largest distance, in meters, between two poses of a body: of its center and its three lever points.
+/// The largest distance, in meters, between two poses of a body: of its center and its three points at the lever arm.
 [[nodiscard]] double lever_distance(const cga::Pose<double> &a, const cga::Pose<double> &b);
 
 enum class Motion : uint8_t {

@@ -53,7 +53,7 @@ TEST_CASE("lattice rotation: q and -q are the same") {
 	cga_test::Random random(33);
 	for (int i = 0; i < 2000; ++i) {
 		const QuaternionD q = random.rotation();
-		// Rounding is to the upper neighbour, so that exact halves alone could differ; random ones are not.
+		// Rounding is to the upper neighbor, so that exact halves alone could differ; random ones are not.
 		CHECK(is_same(LatticeRotation::nearest(q), LatticeRotation::nearest(-q)));
 	}
 }

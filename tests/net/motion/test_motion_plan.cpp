@@ -36,6 +36,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	RangeEncoder coder(bytes);
 	// Up to the end of a window: later samples are not known yet.
 	std::vector<MotionSample> samples;
+	samples.reserve(times.size());
 	for (const double time : times) {
 		samples.push_back({ time / TICK, path(time) });
 	}

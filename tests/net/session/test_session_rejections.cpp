@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 // What a session rejects, what it ignores, and what it reports.
 
 using namespace net;
@@ -145,7 +147,7 @@ TEST_CASE("session: a stream of more bodies than 2 * bodies + 4096 is rejected; 
 		network.join(2);
 		network.set_owner(2, 0, 1);
 		for (uint32_t body = 0; body < count; ++body) {
-			const PoseD pose = turned_at(Vector3D(double(body % 64), 0.0, double(body / 64)), Vector3D(0.0, 1.0, 0.0), 0.1 * double(body));
+			const PoseD pose = turned_at(Vector3D(double(body % 64), 0.0, std::floor(double(body) / 64.0)), Vector3D(0.0, 1.0, 0.0), 0.1 * double(body));
 			network.paths[body] = [pose](double) { return pose; };
 			network.set_owner(1, body, 1);
 		}

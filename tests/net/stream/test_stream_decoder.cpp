@@ -55,6 +55,7 @@ bool decode(StreamDecoder &decoder, const Bytes &bytes, uint8_t check, double be
 
 std::vector<PoseD> poses(const StreamDecoder &decoder) {
 	std::vector<PoseD> all;
+	all.reserve(decoder.body_count());
 	for (size_t i = 0; i < decoder.body_count(); ++i) {
 		all.push_back(decoder.pose(i));
 	}

@@ -35,18 +35,18 @@ TraceBody body_of(const std::vector<double> &times, const std::vector<Pose> &pos
 TEST_CASE("pose error: known distances") {
 	CHECK(lever_distance(at(1, 2, 3), at(1, 2, 3)) == 0.0);
 	CHECK(lever_distance(at(1, 2, 3), at(1, 5, 7)) == doctest::Approx(5.0));
-	// A rotation about z moves the lever points on x and y by a chord: 2 * 0.25 sin(angle / 2).
+	// A rotation about z moves the points at the lever arm on x and y by a chord: 2 * 0.25 sin(angle / 2).
 	for (const double degrees : { 0.01, 1.0, 90.0, 180.0 }) {
 		const double chord = 0.5 * std::sin(glm::radians(degrees) / 2.0);
 		CHECK(lever_distance(Pose(), turned(degrees, { 0, 0, 1 })) == doctest::Approx(chord));
 	}
-	// About (1, 1, 1) the lever points are closer to the axis, by sqrt(2/3).
+	// About (1, 1, 1) the points at the lever arm are closer to the axis, by sqrt(2/3).
 	CHECK(lever_distance(Pose(), turned(90, glm::normalize(glm::dvec3(1)))) == doctest::Approx(0.5 * std::sqrt(2.0 / 3.0) * std::sin(glm::radians(45.0))));
-	// A rotation about z and a translation along y add up at the lever point on x; there is none on -x.
+	// A rotation about z and a translation along y add up at the point at the lever arm on x; there is none on -x.
 	Pose both = turned(2.0, { 0, 0, 1 });
 	both.translation.y = 0.25 * std::sin(glm::radians(2.0));
 	CHECK(lever_distance(Pose(), both) == doctest::Approx(0.5 * std::sin(glm::radians(2.0))).epsilon(1e-3));
-	// q and -q are the same rotation; scale moves the lever points, not the center.
+	// q and -q are the same rotation; scale moves the points at the lever arm, not the center.
 	Pose negative = turned(40, { 0, 1, 0 });
 	negative.rotation = -negative.rotation;
 	CHECK(lever_distance(turned(40, { 0, 1, 0 }), negative) == doctest::Approx(0.0));
@@ -70,7 +70,7 @@ TEST_CASE("pose error: a NaN is never a small error") {
 	CHECK(std::isinf(summary.figures().p99));
 }
 
-TEST_CASE("pose error: a body moves if its center or a lever point is faster than 1 mm/s") {
+TEST_CASE("pose error: a body moves if its center or a point at the lever arm is faster than 1 mm/s") {
 	const auto moves = [](const Pose &pose, double seconds) { return find_motion(body_of({ 0, seconds }, { Pose(), pose }))[1] == Motion::MOVING; };
 	CHECK(moves(at(0.0011, 0, 0), 1.0));
 	CHECK_FALSE(moves(at(0.0009, 0, 0), 1.0));
