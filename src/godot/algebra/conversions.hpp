@@ -18,7 +18,7 @@ namespace ga_godot {
 cga::Vector3<double> to_glm(const godot::Vector3 &vector);
 cga::Quaternion<double> to_glm(const godot::Quaternion &quaternion);
 
-/// Values beyond the range of float (extrapolated far out) are clamped to the largest float, never infinite.
+/// Values beyond the range of float, which far extrapolation can produce, are clamped to the largest finite float.
 godot::Vector3 to_godot(const cga::Vector3<double> &vector);
 godot::Quaternion to_godot(const cga::Quaternion<double> &quaternion);
 godot::Transform3D to_godot(const cga::Pose<double> &pose);

@@ -13,8 +13,8 @@
 
 namespace ga_godot {
 
-/// A visible part of a figure. Its strokes join the StrokeBatch of their form. Its surface and the strokes of Form::CUSTOM
-/// are instances of their own; the engine sorts surfaces from back to front.
+/// A visible part of a figure. Its strokes are batched by form (StrokeBatch). Its surface and the strokes of Form::CUSTOM
+/// are separate instances; the engine sorts surfaces from back to front.
 class DrawnPart {
 public:
 	/// `meshes` must outlive it. Nothing is drawn before the first write().

@@ -23,12 +23,12 @@ public:
 	FormMeshes(const FormMeshes &) = delete;
 	FormMeshes &operator=(const FormMeshes &) = delete;
 
-	/// The existing instance, or a new one if no node holds it.
+	/// Returns the shared instance, or creates it if no node holds one.
 	static std::shared_ptr<FormMeshes> shared();
 
 	/// The mesh of a form's lines and markers.
 	godot::RID strokes_of(playground::drawing::Form form);
-	/// The mesh of its surface; invalid if it has none.
+	/// The mesh of a form's surface; an invalid RID if the form has no surface.
 	godot::RID fill_of(playground::drawing::Form form);
 	/// A new mesh of strokes in meters; the caller frees it.
 	godot::RID make_mesh(const playground::drawing::Strokes &strokes);

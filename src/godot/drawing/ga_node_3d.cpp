@@ -45,7 +45,7 @@ void GANode3D::_notification(int what) {
 	}
 }
 
-// Draws once for all changes in a frame.
+// Defers drawing, so that all changes in a frame cause one update.
 void GANode3D::queue_update() {
 	_stale = true;
 	if (_in_world && !_queued) {
@@ -94,7 +94,7 @@ void GANode3D::update_drawing() {
 	}
 }
 
-// A hidden node holds nothing on the rendering server.
+// A hidden node has no instances on the rendering server.
 void GANode3D::show_parts() {
 	if (_in_world && is_visible_in_tree()) {
 		draw_parts();

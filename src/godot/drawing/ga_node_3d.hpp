@@ -68,7 +68,7 @@ protected:
 	void _notification(int what);
 
 private:
-	/// From the entry's attributes if the node draws an entry, otherwise from its properties.
+	/// Comes from the entry's attributes if the node draws an entry, otherwise from the node's properties.
 	struct Appearance {
 		bool visible = true;
 		bool ipns = false;
@@ -102,7 +102,7 @@ private:
 	bool _show_label = false;
 	godot::String _label;
 
-	// What _figure was made from.
+	// The inputs from which _figure was built.
 	Appearance _drawn_appearance;
 	std::optional<cga::Multivector> _drawn_value;
 	playground::drawing::Figure _figure;

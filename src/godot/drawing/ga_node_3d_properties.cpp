@@ -182,7 +182,7 @@ double GANode3D::get_screen_distance(godot::Camera3D *camera, const godot::Vecto
 	const godot::Vector2 beside = point + godot::Vector2(1, 0);
 	const cga::Vector3<double> origin = to_glm(camera->project_ray_origin(point)), direction = to_glm(camera->project_ray_normal(point));
 	const cga::Vector3<double> next_origin = to_glm(camera->project_ray_origin(beside)), next_direction = to_glm(camera->project_ray_normal(beside));
-	// Into the space of the node, whose scale is uniform.
+	// Transform the ray into the node's space. The node's scale is uniform.
 	const godot::Transform3D global = get_global_transform();
 	const cga::Vector3<double> x = to_glm(global.basis.get_column(0)), y = to_glm(global.basis.get_column(1)), z = to_glm(global.basis.get_column(2));
 	const double scale = glm::length(x);

@@ -9,7 +9,7 @@ namespace ga_godot {
 using playground::drawing::Box;
 using playground::drawing::Form;
 
-// By scenario and form.
+// Keyed by scenario and form.
 static std::map<std::pair<int64_t, Form>, std::unique_ptr<StrokeBatch>> batches;
 
 StrokeBatch::StrokeBatch(Form form, const godot::RID &mesh, const godot::RID &scenario) :
@@ -58,7 +58,7 @@ void StrokeBatch::remove(size_t id) {
 	_drawn.set_visible_count(_instances.size());
 }
 
-// Doubles the capacity: each growth writes all instances again.
+// Doubles the capacity, because each reallocation rewrites all instances.
 void StrokeBatch::grow() {
 	_capacity = std::max<size_t>(4, 2 * _capacity);
 	_drawn.allocate(_capacity);

@@ -12,7 +12,7 @@
 
 namespace ga_godot {
 
-/// The strokes of all objects of one form in one scenario as a single MultiMesh, so that a thousand circles take as many
+/// A MultiMesh with the strokes of all objects of one form in one scenario, so that a thousand circles take as many
 /// draw calls as one. Strokes need no sorting (StrokePass); surfaces do, and are drawn one by one.
 ///
 /// A batch exists while it has members. Main thread only.

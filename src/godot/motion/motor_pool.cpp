@@ -124,12 +124,12 @@ void MotorPool::close_gaps() {
 }
 
 void MotorPool::interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode) {
-	// With fewer rows, the calling thread finishes before the others start; measured in docs/performance/engine.md.
+	// With fewer rows, the calling thread finishes before the worker threads start; see docs/performance/engine.md.
 	constexpr uint32_t MIN_SHARED = 65536;
 	if (_slot_of_row.empty()) {
 		return;
 	}
-	// Writing to an array that the engine or a script also holds would copy it, which allocates, in each frame.
+	// Writing to a packed array that the engine or a script also holds would trigger copy-on-write in each frame.
 	if (_is_shared) {
 		std::swap(_buffer, _spare_buffer);
 		_buffer.resize(int64_t(_slot_of_row.size()) * ROW_FLOATS);

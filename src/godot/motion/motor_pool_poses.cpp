@@ -13,7 +13,7 @@
 #include <atomic>
 #include <limits>
 
-// Poses into the pool and out of it: single bodies, arrays, buffers, nodes, multimeshes.
+// Reads poses into the pool and writes results to single bodies, arrays, buffers, nodes and multimeshes.
 
 namespace ga_godot {
 
@@ -28,7 +28,7 @@ using godot::Variant;
 using godot::vformat;
 
 static constexpr int64_t ROW_FLOATS = int64_t(cga::ROW_FLOATS);
-// Converting a transform takes about 80 times as long as interpolating a pose, so fewer rows are worth sharing.
+// Converting a transform takes about 80 times as long as interpolating a pose, so threading pays off with fewer rows.
 static constexpr uint32_t MIN_SHARED = 4096;
 
 void MotorPool::put_end(End end, uint32_t row, const cga::Pose<float> &pose) {

@@ -120,7 +120,7 @@ void MultivectorLerp::set_path(NodeLink &link, const NodePath &path) {
 	refresh();
 }
 
-// After a change of the ends or the target. Errors that persist are reported again.
+// Called when an end or the target changes. Errors that persist are reported again.
 void MultivectorLerp::refresh() {
 	for (End *end : { &_start, &_end }) {
 		end->known = false;

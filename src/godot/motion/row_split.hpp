@@ -6,7 +6,7 @@
 namespace ga_godot {
 
 /// Runs a job on many rows, split between the calling thread and the engine's WorkerThreadPool. Each free thread takes
-/// the next piece, so a thread that is busy elsewhere delays nothing. A row's result must not depend on its piece.
+/// the next piece, so a busy thread does not delay the others. A row's result must not depend on its piece.
 class RowSplit {
 public:
 	/// Pieces begin at multiples of this.
@@ -31,7 +31,7 @@ private:
 	RowSplit(uint32_t rows, const void *job, Call call) :
 			_rows(rows), _job(job), _call(call) {}
 
-	/// False on a single processor and within a task of the pool, where waiting for other tasks could keep them from starting.
+	/// False on a single processor, and within a task of the pool, where waiting for other tasks could deadlock.
 	static bool can_share();
 	void share();
 	void take_pieces();

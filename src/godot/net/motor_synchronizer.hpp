@@ -26,7 +26,7 @@ namespace ga_godot {
 /// Replicates the poses of nodes between peers; doc_classes/MotorSynchronizer.xml documents it.
 ///
 /// The synchronizer maps nodes to bodies and connects a net::Session to the engine. In each physics tick it passes the poses
-/// of the nodes that this peer is the authority of to the session; in each frame it moves the other nodes.
+/// of the nodes over which this peer has authority to the session. In each frame it moves the other nodes.
 class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer> {
 	GDCLASS(MotorSynchronizer, godot::Node)
 	friend class StreamProperties<MotorSynchronizer>;
@@ -100,7 +100,7 @@ private:
 	net::Session _session{ _settings };
 	godot::Ref<godot::SceneMultiplayer> _api;
 	uint64_t _transport = 0; // instance id of the MultiplayerPeer
-	bool _is_api_reported = false; // as not supported
+	bool _is_api_reported = false; // an unsupported MultiplayerAPI has been reported
 	godot::String _root; // path of the MultiplayerAPI's root, with a trailing slash
 	bool _are_names_stale = false;
 	bool _is_running = false;

@@ -95,7 +95,7 @@ void MotorSynchronizer::refresh_targets() {
 			added.push_back(id);
 		}
 	}
-	// Last: the handlers may change anything.
+	// Emit signals last, because their handlers may modify the targets.
 	for (const uint64_t id : removed) {
 		if (Node3D *node = find_node(id)) {
 			emit_signal("target_removed", node);
@@ -108,7 +108,7 @@ void MotorSynchronizer::refresh_targets() {
 	}
 }
 
-/// Returns false, and reports it once, if another target has the same body.
+/// Returns false and reports the collision once if another target has the same body.
 bool MotorSynchronizer::claim_body(const Target &target) {
 	const auto [holder, is_claimed] = _node_of_body.emplace(target.body, target.node);
 	const auto refused = std::find(_refused.begin(), _refused.end(), target.node);
@@ -217,7 +217,7 @@ void MotorSynchronizer::_on_target_exiting(int64_t id) {
 		return;
 	}
 	end_target(size_t(target - _targets.data()));
-	// Its parent may be changing.
+	// The node may only be moving to another parent, so search again in the next tick.
 	_selection.invalidate();
 	emit_signal("target_removed", find_node(uint64_t(id)));
 }

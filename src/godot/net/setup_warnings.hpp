@@ -10,7 +10,7 @@ namespace ga_godot {
 /// The group of all MotorSynchronizers in the tree.
 inline constexpr const char *SYNCHRONIZER_GROUP = "_ga_godot_motor_synchronizers";
 
-/// The faults in the setup of a MotorSynchronizer that the scene shows, one or two sentences each.
+/// Configuration warnings for a MotorSynchronizer, found by inspecting its scene; one or two sentences each.
 [[nodiscard]] godot::PackedStringArray find_setup_faults(const godot::Node &synchronizer, const TargetSelection &selection);
 
 } // namespace ga_godot

@@ -32,12 +32,12 @@ public:
 	[[nodiscard]] std::optional<cga::Pose<double>> read_pose(const godot::Transform3D &transform, const godot::String &synchronizer);
 	/// Reports once that the pose is out of range for a stream.
 	void report_out_of_range(const godot::String &synchronizer);
-	/// The stream has a new pose: the next fault is reported again.
+	/// Call when the stream accepts a pose, so that the next fault is reported again.
 	void clear_fault() { _is_faulty = false; }
 
 	/// Sets the node's transform to the one shown by its stream.
 	void place(const godot::Transform3D &transform, bool is_physics_interpolated);
-	/// Restores what `place` changed about the node, except its transform.
+	/// Restores the node's physics interpolation mode, which `place` may have changed.
 	void release();
 
 private:

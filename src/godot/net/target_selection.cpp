@@ -17,7 +17,7 @@ using godot::String;
 using godot::StringName;
 using godot::TypedArray;
 
-// The engine does not report when a node joins or leaves a group. So each tick compares the number of members, and every few
+// The engine does not report when a node joins or leaves a group. We compare the number of members each tick, and every few
 // ticks the members themselves.
 static constexpr int64_t TICKS_BETWEEN_REFRESHES = 15;
 
@@ -95,7 +95,7 @@ std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const Stri
 	std::vector<uint64_t> ids;
 	std::unordered_set<uint64_t> seen(_excluded.begin(), _excluded.end());
 	const Node *top = root == String("/root/") ? nullptr : synchronizer.get_node_or_null(root);
-	// Other branches of the tree may have a MultiplayerAPI, and a synchronizer, of their own.
+	// Skip nodes outside `root`: other branches of the tree may have their own MultiplayerAPI and synchronizer.
 	const auto gather = [&](Node3D *node) {
 		if (node->is_inside_tree() && seen.insert(node->get_instance_id()).second && (top == nullptr || top->is_ancestor_of(node))) {
 			ids.push_back(node->get_instance_id());

@@ -161,7 +161,7 @@ Error GAScene::drag_handle(const String &name, const Dictionary &handle, const V
 		return godot::ERR_SKIP;
 	}
 	const playground::ChangeResult change = _document.set_parameter(entry->name, drag->parameter, drag->value);
-	// A drag may reach values that are refused, such as a negative radius; the caller cannot avoid that.
+	// No error message: a drag may reach invalid values, such as a negative radius, which the caller cannot avoid.
 	return change ? finish(change, "drag_handle") : godot::ERR_SKIP;
 }
 

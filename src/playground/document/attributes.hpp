@@ -19,10 +19,10 @@ using Attributes = std::map<std::string, AttributeValue, std::less<>>;
 
 // The known attributes. A value equal to the default is not saved.
 //
-//   visible   bool     true    is drawn
+//   visible   bool     true    the entry is drawn
 //   label     bool     true    its name is drawn beside it
 //   ipns      bool     false   the value represents a dual (IPNS) object
-//   color     string   ""      "#rrggbb" or "#rrggbbaa"; empty: the color of its kind
+//   color     string   ""      "#rrggbb" or "#rrggbbaa"; empty: the default color of the object's kind
 //   note      string   ""      free text
 //
 // Users of the document may add other keys ("interpolation/mode"), with values of any type.

@@ -9,7 +9,7 @@ namespace playground {
 
 namespace {
 
-// Each traversal has its own number, so that marks need not be cleared.
+// Numbers each traversal, so that marks of earlier traversals need not be cleared.
 std::atomic<uint64_t> last_visit = 0;
 
 bool contains(const std::vector<Entry *> &entries, const Entry *entry) {

@@ -16,7 +16,7 @@ namespace playground {
 // error the document is unchanged.
 using ChangeResult = cga::Result<std::vector<std::string>, Error>;
 
-// Named expressions in an order chosen by the user. An expression may refer to any entry, including later ones: moving
+// Named expressions in user-defined order. An expression may refer to any entry, including later ones, so moving
 // an entry changes no value. Each change immediately recomputes the entries that depend on it, and no others.
 //
 // An entry with an invalid expression is kept, with an error. Invalid or duplicate names, and changes of entries that do

@@ -84,7 +84,7 @@ private:
 		add_error(cga::text_error(_text, offset, std::move(message)).describe());
 	}
 
-	// Calls `read_member` with each key; false at the first error.
+	// Calls `read_member` with each key. Stops at the first error and returns false.
 	template <class ReadMember>
 	bool read_object(ReadMember read_member) {
 		if (!_reader.take('{', "'{'")) {

@@ -16,7 +16,7 @@ struct Parameter {
 	Literal literal;
 };
 
-// The parameters of an expression: the literals that can be replaced without changing its structure. Examples:
+// Returns the parameters of an expression: the literals that can be replaced without changing its structure. Examples:
 //
 //   2.5                                value: a number
 //   [32 numbers], 1 + 2 e12            coefficients: a multivector

@@ -12,7 +12,7 @@ namespace playground {
 
 namespace {
 
-// The error of a longer cycle does not list its entries.
+// The error message for a longer cycle does not list the entries.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
 
 std::string quoted(const std::string &name) {
@@ -23,7 +23,7 @@ EntryError own_error(const Entry &entry, const cga::TextError &error) {
 	return { error.describe(), entry.name, false };
 }
 
-// At the first occurrence of a variable.
+// An error located at the first occurrence of a variable.
 EntryError error_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
 	return { cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
 }

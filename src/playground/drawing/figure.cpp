@@ -53,7 +53,7 @@ void add_motor(Figure &figure, const cga::Multivector &x) {
 	figure.label_position = pose->translation;
 }
 
-// The highest point of a circle, or any if it is horizontal.
+// The highest point of a circle; an arbitrary point of a horizontal circle.
 Vector top_of(const Vector &center, const Vector &normal, double radius) {
 	Vector up = Vector(0.0, 1.0, 0.0) - normal * normal.y;
 	up = glm::length(up) > 1e-3 ? glm::normalize(up) : Vector(1.0, 0.0, 0.0);

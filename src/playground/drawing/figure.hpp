@@ -45,14 +45,14 @@ struct Box {
 // Bounds of a form in its own space. Dots count as 0.1 m, arrows and discs of constant size on the screen as 1 m,
 // unbounded forms as 1e6 m.
 [[nodiscard]] Box bounds_of(const Part &part, const Strokes &custom);
-// The axis-aligned box around a placed box.
+// The axis-aligned bounding box of the transformed box.
 [[nodiscard]] Box placed(const Box &box, const Placement &placement);
 [[nodiscard]] Box merged(const Box &a, const Box &b);
 [[nodiscard]] bool contains(const Box &outer, const Box &inner);
 // The composition: first `inner`, then `space`.
 [[nodiscard]] Placement placed(const Placement &inner, const Placement &space);
 
-// The anchor of a circle or sphere of at least this radius is its point nearest to the origin.
+// If the radius of a circle or sphere is at least this, its anchor is its point nearest to the origin. Meters.
 inline constexpr double LARGE_RADIUS = 100.0;
 
 } // namespace playground::drawing

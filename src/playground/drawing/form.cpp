@@ -12,7 +12,7 @@ constexpr float TAU = 6.28318531f;
 constexpr float THIN_OPACITY = 0.4f;
 const glm::vec3 X(1.0f, 0.0f, 0.0f), Y(0.0f, 1.0f, 0.0f), Z(0.0f, 0.0f, 1.0f);
 
-// In Space::ROUND: one great circle.
+// Adds one great circle in Space::ROUND.
 void add_ring(Strokes &strokes, float ring, int steps, const Pen &pen) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= steps; ++i) {
@@ -28,7 +28,7 @@ void add_arrows(Strokes &strokes, int count) {
 	}
 }
 
-// In the plane z = 0 of Space::MODEL or Space::SCREEN.
+// The points of an arc in the plane z = 0 of Space::MODEL or Space::SCREEN.
 std::vector<CurvePoint> arc(float radius, float from, float to, int steps) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= steps; ++i) {

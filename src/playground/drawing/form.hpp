@@ -4,7 +4,7 @@
 
 #include <vector>
 
-// The shapes that figures consist of. All objects share one mesh per form; the space of the mesh tells the vertex shader
+// The shapes that make up figures. All objects share one mesh per form; the space of the mesh tells the vertex shader
 // how to read `position`.
 
 namespace playground::drawing {

@@ -4,7 +4,7 @@
 #include <vector>
 
 // Assigns slots of a dense array to owners. When an owner is removed, the last slot moves into the freed one, so that the
-// first size() instances are always those to draw.
+// first size() slots are always in use.
 
 namespace playground::drawing {
 

@@ -28,7 +28,7 @@ glm::vec3 narrow(const Vector &v) {
 	return glm::vec3(v);
 }
 
-// The path of a point, unless it stays in place.
+// Adds the path of a point, unless the point stays in place.
 void add_path(Strokes &strokes, const Pose &pose, const Vector &start, const Pen &pen) {
 	std::vector<CurvePoint> points;
 	for (int i = 0; i <= PATH_STEPS; ++i) {

@@ -68,7 +68,7 @@ std::optional<PickHit> pick_segment(const Vector &a, const Vector &b, const Pick
 	return pick_curve([&](double s) { return a + along * s; }, 0.0, 1.0, 16, ray);
 }
 
-// At the point of the line nearest to the ray.
+// Picks the point of the line nearest to the ray.
 std::optional<PickHit> pick_line(const Placement &line, const PickRay &ray) {
 	const Vector between = line.origin - ray.origin;
 	const double cosine = glm::dot(line.x, ray.direction);
@@ -80,7 +80,7 @@ std::optional<PickHit> pick_line(const Placement &line, const PickRay &ray) {
 	return pick_point(line.origin + line.x * ((cosine * along_ray - along_line) / across), ray);
 }
 
-// The angle is measured from the point nearest to the eye, and samples are denser there.
+// Measures the angle from the point of the circle nearest to the eye, where samples are denser.
 std::optional<PickHit> pick_circle(const Part &part, const PickRay &ray) {
 	const double radius = std::abs(part.radius);
 	const Placement &at = part.placement;
@@ -125,7 +125,7 @@ std::optional<PickHit> pick_plane(const Placement &plane, const PickRay &ray) {
 	return PickHit{ 0.0, depth, true };
 }
 
-// Arrows along z of constant size on the screen; `from` and `to` are in pixels.
+// Picks an arrow along z with constant size on the screen; `from` and `to` are in pixels.
 std::optional<PickHit> pick_marker(const Placement &at, double from, double to, const PickRay &ray) {
 	const double pixel = ray.pixel(glm::dot(at.origin - ray.origin, ray.direction));
 	return pick_segment(at.origin + at.z * (from * pixel), at.origin + at.z * (to * pixel), ray);

@@ -2,19 +2,19 @@
 
 #include "playground/drawing/figure.hpp"
 
-// Placements of forms from what cga::classify finds.
+// Placements of forms, computed from the results of cga::classify.
 
 namespace playground::drawing {
 
-// With z along the unit vector `normal`, and x as close to the world's x axis as possible (z axis if they are nearly parallel).
+// z is the unit vector `normal`; x is as close as possible to the world's x axis, or to its z axis if x is nearly parallel to z.
 [[nodiscard]] Placement across(const Vector &origin, const Vector &normal);
-// With x along the unit vector `direction`.
+// x is the unit vector `direction`.
 [[nodiscard]] Placement along(const Vector &origin, const Vector &direction);
-// Of a point pair at center -+ radius * direction.
+// Places Form::POINT_PAIR at center -+ radius * direction.
 [[nodiscard]] Placement between(const Vector &center, const Vector &direction, double radius);
-// Of Form::CIRCLE: the origin is the anchor of the circle, y its normal.
+// Places Form::CIRCLE: the origin is the anchor of the circle, y its normal.
 [[nodiscard]] Placement around(const Vector &center, const Vector &normal, double radius);
-// Of Form::SPHERE: the origin is the anchor of the sphere.
+// Places Form::SPHERE: the origin is the anchor of the sphere.
 [[nodiscard]] Placement on_sphere(const Vector &center, double radius);
 
 } // namespace playground::drawing

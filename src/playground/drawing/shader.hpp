@@ -4,8 +4,8 @@
 
 #include <string>
 
-// Assembles Godot shaders for instances of a MultiMesh from the files in shaders/. Instance data is custom data rather than
-// instance uniforms, of which the Compatibility renderer has room for 256 only.
+// Assembles Godot shaders for MultiMesh instances from the files in shaders/. Per-instance data uses custom data instead of
+// instance uniforms, because the Compatibility renderer has room for only 256 of those.
 //
 //   COLOR             color of the object
 //   INSTANCE_CUSTOM   (orientation, 1 or -1; dashed and hollow, 0 or 1; double lines, 0 or 1; line width in pixels)
@@ -20,7 +20,7 @@ enum class Renderer {
 	RENDERING_DEVICE, // forward_plus, mobile
 };
 
-// Strokes are drawn in two passes, before and after surfaces. The first draws what covers at least half a pixel and writes
+// Strokes are drawn in two passes, before and after surfaces. The first draws fragments with at least half coverage and writes
 // depth: it hides what is behind it and shows through surfaces in front. The second draws soft edges and faint lines.
 enum class StrokePass {
 	CORE,

@@ -11,7 +11,7 @@ struct FunctionTable {
 	size_t count;
 };
 
-// Numbers from numbers: sin, min, deg_to_rad, ...
+// Functions of numbers with a number as result: sin, min, deg_to_rad, ...
 [[nodiscard]] FunctionTable number_functions();
 // Interpolation between two motors.
 [[nodiscard]] FunctionTable interpolation_functions();

@@ -79,9 +79,9 @@ struct Function {
 // The index in functions().
 [[nodiscard]] std::optional<size_t> find_function(std::string_view name);
 
-// Within rounding.
+// Whether `value` is of the kind, within rounding errors.
 [[nodiscard]] bool is_of_kind(const cga::Multivector &value, ArgumentKind kind);
-// For error messages: "a number".
+// Describes a kind in error messages: "a number".
 [[nodiscard]] std::string_view kind_text(ArgumentKind kind);
 
 } // namespace playground

@@ -7,7 +7,7 @@ namespace playground {
 
 namespace {
 
-// Of unit weight, as MultivectorLerp.interpolate returns.
+// Normalizes to unit weight, as MultivectorLerp.interpolate does.
 template <cga::Mode MODE>
 FunctionResult interpolate(const Arguments &arguments) {
 	const cga::Pose<double> pose = cga::interpolate(arguments.pose(0), arguments.pose(1), arguments.number(2), MODE);

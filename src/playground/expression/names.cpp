@@ -50,12 +50,12 @@ bool is_letter(uint32_t code) {
 	return std::none_of(std::begin(NON_LETTERS), std::end(NON_LETTERS), [code](const CodeRange &range) { return code >= range.first && code <= range.last; });
 }
 
-// "e" and digits, valid or not.
+// True for "e" followed by digits, even if they do not name a blade.
 bool looks_like_blade(std::string_view name) {
 	return name.size() > 1 && name[0] == 'e' && std::all_of(name.begin() + 1, name.end(), [](char digit) { return cga::is_digit(uint8_t(digit)); });
 }
 
-// The Damerau-Levenshtein distance: bytes deleted, inserted, replaced, and adjacent ones swapped.
+// The Damerau-Levenshtein distance: counts deletions, insertions and replacements of bytes, and swaps of adjacent bytes.
 size_t edit_distance(std::string_view left, std::string_view right) {
 	// The last three rows of the table of distances between prefixes.
 	std::array<std::array<size_t, MAX_NAME_LENGTH + 1>, 3> rows{};
@@ -115,7 +115,7 @@ cga::Result<void, Error> check_name(std::string_view name) {
 		return Error("a name must have at least one character");
 	}
 	if (name_length(name) != name.size()) {
-		// Not quoted: it may contain any bytes.
+		// Do not quote the name, because it may contain arbitrary bytes.
 		return Error("a name may have only letters, digits and underscores, and may not begin with a digit");
 	}
 	if (size_t(cga::character_count(name)) > MAX_NAME_LENGTH) {
@@ -135,7 +135,7 @@ std::string_view closest_name(std::string_view name, const std::vector<std::stri
 	if (name.size() > MAX_NAME_LENGTH) {
 		return closest;
 	}
-	// At most a third of the bytes may differ, or one byte of a short name.
+	// Accept edit distances up to a third of the name's length in bytes, or 1 for short names.
 	size_t smallest = std::max<size_t>(1, name.size() / 3) + 1;
 	for (const std::string_view candidate : candidates) {
 		if (candidate.size() > MAX_NAME_LENGTH || candidate.size() < 2) {

@@ -28,7 +28,7 @@ cga::Result<void, Error> check_name(std::string_view name);
 
 // The candidate closest to a misspelled name; empty if none is close.
 [[nodiscard]] std::string_view closest_name(std::string_view name, const std::vector<std::string_view> &candidates);
-// The same, to end an error message: "; did you mean 'sphere'?".
+// The closest name as the end of an error message: "; did you mean 'sphere'?". Empty if none is close.
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string_view> &candidates);
 
 } // namespace playground

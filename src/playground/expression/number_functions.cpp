@@ -11,7 +11,7 @@ namespace {
 
 constexpr double RADIANS_PER_DEGREE = 3.14159265358979323846 / 180.0;
 
-// A function of the standard library of one number.
+// Wraps a standard library function of one number.
 template <double (*FUNCTION)(double)>
 FunctionResult of_number(const Arguments &arguments) {
 	return number(FUNCTION(arguments.number(0)));

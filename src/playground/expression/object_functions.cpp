@@ -33,7 +33,7 @@ FunctionResult call_sphere_through(const Arguments &a) {
 	return cga::sphere_through(a.location(0), a.location(1), a.location(2), a.location(3));
 }
 
-// All objects are OPNS. Of two overloads of `line` or `circle` with the same number of arguments, the one with a direction comes
+// All objects are OPNS. If overloads of `line` or `circle` take the same number of arguments, the one with a direction comes
 // first: two vectors are a point and a direction, as in the Multivector class.
 constexpr Overload TABLE[] = {
 	{ "point", "position", 1, { P }, [](const Arguments &a) -> FunctionResult { return cga::point(a.location(0)); }, "the point at a position" },

@@ -44,7 +44,7 @@ FunctionResult rotor_of_axis(const Arguments &arguments) {
 	return cga::rotor({ std::cos(0.5 * angle), sines.x, sines.y, sines.z });
 }
 
-// In the order of Godot's Quaternion(x, y, z, w).
+// Takes the components in the order of Godot's Quaternion(x, y, z, w).
 FunctionResult rotor_of_quaternion(const Arguments &arguments) {
 	const Vector3<double> imaginary = arguments.numbers(0);
 	const double real = arguments.number(3);

@@ -96,7 +96,7 @@ private:
 	Vector _x, _y;
 };
 
-// Seen from the side, the circle has two closest points: choose the one nearer to the handle.
+// A circle seen edge-on can have two points equally close to the ray: choose the one nearer to the handle.
 Position on_circle(const ViewRay &ray, const Constraint &constraint) {
 	const CircleDistance distance(ray, constraint);
 	const double radius = distance.radius();
@@ -107,7 +107,7 @@ Position on_circle(const ViewRay &ray, const Constraint &constraint) {
 	constexpr double STEP = TAU / SAMPLES;
 	double best_angle = 0.0, best = HUGE_VAL;
 	for (int i = 0; i < SAMPLES; ++i) {
-		// 0, 1, -1, 2, -2, ...
+		// Search outward from the handle: 0, 1, -1, 2, -2, ...
 		const int step = i % 2 == 1 ? (i + 1) / 2 : -i / 2;
 		const double angle = STEP * step;
 		const double here = distance.at(angle);

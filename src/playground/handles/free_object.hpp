@@ -18,7 +18,7 @@ public:
 	// Empty if the entry does not exist or has an error.
 	static std::optional<FreeObject> find(const Document &document, std::string_view name);
 
-	// Whether it is a parameter (parameters.hpp).
+	// Whether `parameter` is a parameter of the entry (parameters.hpp), not a computed argument.
 	[[nodiscard]] bool can_set(std::string_view parameter) const { return literal(parameter) != nullptr; }
 
 	// The value of a parameter or of a computed argument; empty if it does not exist or has another type.

@@ -70,8 +70,8 @@ private:
 		}
 	}
 
-	// The single coordinate of point(t, 1, u) or sphere(t, 1, u, r) that is not computed. Two handles at one point could not be
-	// told apart.
+	// Adds a handle for the only coordinate of point(t, 1, u) or sphere(t, 1, u, r) that is a literal. With two literals, both
+	// handles would be at the same point, so neither is added.
 	void add_coordinate() {
 		const std::optional<Vector> &position = _object.classification().center;
 		const char *only = nullptr;
@@ -116,7 +116,7 @@ private:
 		}
 		Vector outward = _right;
 		if (const std::optional<Vector> direction = unit(_object.vector("direction"))) {
-			// Opposite to the handle of the direction.
+			// Place it opposite the direction handle.
 			outward = -*direction;
 		} else if (const std::optional<Vector> normal = unit(_object.vector("normal"))) {
 			const Vector across = _right - *normal * glm::dot(*normal, _right);
@@ -137,7 +137,7 @@ private:
 			}
 			return;
 		}
-		// The distance is kept, so that the plane rotates around the origin. The arm points away from the origin.
+		// Dragging keeps the distance, so the plane rotates around the origin. The arm points away from the origin.
 		const double distance = _object.number("distance").value_or(0.0);
 		const double side = distance < 0.0 ? -1.0 : 1.0;
 		const Vector foot = *normal * distance;

@@ -14,8 +14,8 @@ struct Steps {
 // Rounds to a multiple of the step; unchanged for step 0.
 [[nodiscard]] double rounded(double value, double step);
 [[nodiscard]] Vector rounded(const Vector &vector, double step);
-// Rounds the elevation above the xz plane and the azimuth around y of a unit vector to multiples of the step. The result has
-// four decimals, unless the step is 0.
+// Rounds a unit vector's elevation above the xz plane and azimuth around y to multiples of the step, then its components to
+// four decimals. Step 0 leaves the vector unchanged.
 [[nodiscard]] Vector rounded_direction(const Vector &direction, double step);
 
 } // namespace playground::handles

@@ -10,7 +10,7 @@ using Vector = cga::Vector3<double>;
 struct ViewRay {
 	Vector origin; // the eye, or a point on the screen plane in an orthogonal view
 	Vector direction; // any length except zero
-	Vector view; // normal of the planes in which handles move freely: the view direction, or up to keep the height
+	Vector view; // normal of the drag plane of Motion::FREE: the view direction, or the up vector to keep the height
 };
 
 } // namespace playground::handles
