@@ -135,7 +135,7 @@ std::optional<CodecFault> read_header(BitReader &reader, Grid &grid, size_t &cou
 	if (grid.rotor_bits < MIN_ROTOR_BITS || grid.rotor_bits > MAX_ROTOR_BITS) {
 		return CodecFault::ROTOR_SIZE_OUT_OF_RANGE;
 	}
-	// This also bounds what a forged count can make the receiver allocate.
+	// This also bounds the memory that a forged count can make the receiver allocate.
 	if (count > reader.bits_left() / record_bits) {
 		return CodecFault::TOO_SHORT_FOR_COUNT;
 	}

@@ -11,7 +11,7 @@
 
 namespace net {
 
-/// One body's pose under its network id.
+/// A body's pose and network id.
 struct BodyPose {
 	uint32_t id = 0;
 	cga::Pose<float> pose;
@@ -42,18 +42,18 @@ enum class CodecFault : uint8_t {
 	TRAILING_BYTES,
 };
 
-/// The fault as a clause without a period.
+/// Describes the fault as a clause without a period.
 [[nodiscard]] const char *describe(CodecFault fault);
 
 struct CodecError {
 	CodecFault fault;
-	size_t index; ///< of the body or record; 0 if the fault is not in one
+	size_t index; ///< of the faulty body or record; 0 if the fault is elsewhere
 };
 
 using CodecResult = cga::Result<void, CodecError>;
 
-/// Version of the packet format. A packet holds the absolute, quantized poses of several bodies and can be decoded without
-/// any other. A byte-aligned header, then one bit-packed record for each body:
+/// Version of the packet format. A packet holds the absolute, quantized poses of several bodies and can be decoded on its
+/// own. It consists of a byte-aligned header and one bit-packed record per body:
 ///
 ///   u8       FORMAT_VERSION
 ///   varint   count of bodies

@@ -23,7 +23,7 @@ public:
 		}
 	}
 
-	/// LEB128: groups of 7 bits of the value, low bits first, each followed by a bit that is 1 if another group follows.
+	/// LEB128: groups of 7 bits, low bits first; the high bit of each byte is 1 if another group follows.
 	void write_varint(uint64_t value) {
 		while (value >= 0x80) {
 			write((value & 0x7f) | 0x80, 8);
@@ -44,7 +44,7 @@ private:
 	int _filled = 0;
 };
 
-/// Reads the output of BitWriter. Past the end it returns zeros and `failed()` stays true, so a decoder can check once after a
+/// Reads the output of BitWriter. Past the end, reads return 0 and `failed()` stays true, so a decoder can check once after a
 /// group of fields.
 class BitReader {
 public:
@@ -104,7 +104,7 @@ private:
 	return int64_t(code >> 1) ^ -int64_t(code & 1);
 }
 
-/// Number of bits that represent any value from 0 to `max`.
+/// Number of bits needed to represent any value from 0 to `max`.
 [[nodiscard]] constexpr int bit_width(uint64_t max) {
 	int bits = 0;
 	while (max != 0) {

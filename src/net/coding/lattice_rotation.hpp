@@ -10,7 +10,7 @@ namespace net {
 /// A unit quaternion as its three smallest components, quantized to 2^-17 (8 microradians). All machines dequantize it to
 /// the same doubles.
 struct LatticeRotation {
-	static constexpr int BITS = 18; ///< of a level, sign included
+	static constexpr int BITS = 18; ///< bits per level, including the sign
 	static constexpr double STEPS = 131072.0;
 	static constexpr int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
 

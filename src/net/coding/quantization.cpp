@@ -6,7 +6,7 @@ namespace {
 
 constexpr double SQRT_HALF = 0.70710678118654752440;
 
-/// n for which levels from -n to n are stored as 0 to 2n.
+/// The maximum level n. Levels -n to n are stored as 0 to 2n.
 uint32_t half_range(int bits) {
 	return (uint32_t(1) << (bits - 1)) - 1;
 }

@@ -16,7 +16,7 @@ public:
 	constexpr explicit AdaptiveBit(uint16_t zero) :
 			_fast(zero), _slow(zero) {}
 
-	/// The probability of 0, in 1/4096: from 16 to 4,080.
+	/// The probability of 0, in units of 1/4096; range 16 to 4080.
 	[[nodiscard]] uint32_t probability() const {
 		const uint32_t mean = (uint32_t(_fast) + _slow) >> 5;
 		return mean < 16 ? 16 : (mean > 4080 ? 4080 : mean);
@@ -77,7 +77,7 @@ public:
 	}
 
 	void finish() {
-		// Of the values in [low, low + range), all of which decode alike, choose the one with the most trailing zero bits.
+		// All values in [low, low + range) decode to the same bits. Choose the one with the most trailing zero bits.
 		for (int k = 32; k >= 0; --k) {
 			const uint64_t mask = (uint64_t(1) << k) - 1;
 			const uint64_t candidate = (_low + mask) & ~mask;
@@ -123,9 +123,9 @@ private:
 	size_t _begin;
 	uint64_t _low = 0;
 	uint32_t _range = 0xffffffffu;
-	size_t _pending = 0; // bytes 0xff after _cache, through which a carry would propagate
+	size_t _pending = 0; // number of 0xff bytes after _cache, through which a carry would propagate
 	uint8_t _cache = 0; // the last byte that a carry may still increment
-	bool _first = true; // the first byte is always 0 and not written
+	bool _first = true; // the first byte is always 0 and is not written
 };
 
 /// Decodes the output of RangeEncoder. Past the end it reads zeros. Any bytes are safe input.
@@ -191,7 +191,7 @@ private:
 	uint32_t _code = 0;
 };
 
-/// Sums the cost of coding, in 1/256 bit, without adapting the models.
+/// Sums the coding cost, in units of 1/256 bit, without adapting the models.
 class CostMeter {
 public:
 	void bit(const AdaptiveBit &model, bool value) {

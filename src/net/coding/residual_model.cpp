@@ -6,7 +6,7 @@ namespace net {
 
 namespace {
 
-/// Expected magnitudes of the contexts in 1/256, each a little over 1.6 times the previous one.
+/// Expected magnitude of each context, in units of 1/256. Each is about 1.6 times the previous one.
 constexpr int32_t CONTEXT_MEANS[ResidualModel::CONTEXTS] = { 16, 26, 43, 70, 115, 188, 308, 505, 828, 1357, 2225, 3649, 5984, 9813 };
 
 /// The probability that a bit is 0, in 1/65536.
@@ -29,7 +29,7 @@ ResidualModel::ResidualModel() {
 }
 
 int ResidualModel::context_of(int32_t expected) {
-	// The context whose mean is nearest by ratio; the boundary is at 1.25 times the lower mean.
+	// Select the context whose mean is nearest by ratio. The boundary is at 1.25 times the lower mean.
 	int context = 0;
 	while (context < CONTEXTS - 1 && expected * 4 > CONTEXT_MEANS[context] * 5) {
 		++context;

@@ -7,7 +7,7 @@
 
 namespace net {
 
-/// A running mean of the magnitudes of integers, in 1/256: the expected magnitude of the next one.
+/// An exponential moving average of integer magnitudes, in units of 1/256. It predicts the magnitude of the next integer.
 class MeanMagnitude {
 public:
 	constexpr explicit MeanMagnitude(int32_t start) :
@@ -20,26 +20,26 @@ public:
 	[[nodiscard]] int32_t value() const { return _mean; }
 	void set_value(int32_t mean) { _mean = mean; }
 
-	static constexpr int32_t MAX = 1024; ///< larger magnitudes count as this
+	static constexpr int32_t MAX = 1024; ///< larger magnitudes are clamped
 
 private:
 	int32_t _mean;
 };
 
 /// Codes a residual, an integer close to zero, as adaptive bits: "is zero", a plain sign bit, the magnitude in unary up to
-/// MAX_UNARY, and the rest in an exponential Golomb code. The range of the expected magnitude selects the context, that is,
-/// the set of adaptive bits. They are initialized to the two-sided geometric distribution with that mean.
+/// MAX_UNARY, and the rest in an exponential Golomb code. The expected magnitude selects the context, that is,
+/// the set of adaptive bits. The bits of a context are initialized to the two-sided geometric distribution with its mean.
 class ResidualModel {
 public:
 	static constexpr int CONTEXTS = 14;
 	static constexpr int MAX_UNARY = 11;
 	static constexpr int MAX_EXPONENT = 22;
-	static constexpr int32_t MAX_MAGNITUDE = 1 << 21; ///< of a decoded residual, whatever the bytes
+	static constexpr int32_t MAX_MAGNITUDE = 1 << 21; ///< of a decoded residual, even for malformed input
 
 	ResidualModel();
 
-	/// `Coder` is a RangeEncoder, a RangeDecoder, which sets `value`, or a CostMeter. `expected` is the expected magnitude, in
-	/// 1/256.
+	/// `Coder` is a RangeEncoder, a RangeDecoder (which sets `value`) or a CostMeter. `expected` is the expected magnitude in
+	/// units of 1/256.
 	template <class Coder>
 	void code(Coder &coder, int32_t &value, int32_t expected) {
 		const int context = context_of(expected);

@@ -8,9 +8,9 @@
 
 namespace net {
 
-/// The rotation of a rotation vector of at most about 8 radians. It uses only additions, multiplications and divisions by
-/// constants, so that all machines compute the same bits: sine and cosine of a quarter of the half angle as series, then the
-/// angle is doubled twice.
+/// Exponential map of a rotation vector of at most about 8 radians. It uses only additions, multiplications and divisions by
+/// constants, so that all machines compute the same bits: Taylor series at a quarter of the half angle, and then the
+/// double-angle formulas twice.
 [[nodiscard]] inline cga::Quaternion<double> exp_rotation(const cga::Vector3<double> &vector) {
 	const cga::Vector3<double> quarter = vector * 0.125;
 	const double x = quarter.x * quarter.x + quarter.y * quarter.y + quarter.z * quarter.z;
@@ -23,7 +23,7 @@ namespace net {
 	return cga::Quaternion<double>(w, quarter.x * scale, quarter.y * scale, quarter.z * scale);
 }
 
-/// The shortest rotation vector of a unit quaternion.
+/// Logarithm map of a unit quaternion: its shortest rotation vector.
 [[nodiscard]] inline cga::Vector3<double> log_rotation(const cga::Quaternion<double> &q) {
 	const double x = q.x * q.x + q.y * q.y + q.z * q.z;
 	double factor = 0.0;
@@ -63,8 +63,8 @@ inline void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
 	m[7] = b * v.y * v.z - a * v.x;
 }
 
-/// Unwraps a rotation vector: of the vectors of the same rotation, returns the one nearest to `previous`. So a fast rotation
-/// continues beyond half a turn.
+/// Unwraps a rotation vector: of all vectors of the same rotation, returns the one nearest to `previous`, so that a rotation can
+/// continue beyond half a turn.
 [[nodiscard]] inline cga::Vector3<double> unwrapped(const cga::Vector3<double> &vector, const cga::Vector3<double> &previous) {
 	const double angle = glm::length(vector);
 	if (angle < 1.0) {

@@ -9,18 +9,18 @@ namespace net {
 /// The quantization steps of a stream. Sender and receivers derive them from the same float32 tolerances.
 ///
 /// A step of rotation moves a point at the lever arm as far as a step of position moves the body, so that one bound covers
-/// both: with the error d of the center and r of the rotation vector, |d| and |d + lever_arm (r x e_i)| stay within the
-/// position tolerance for the three axes e_i. For one of them |r x e_i| >= sqrt(2/3) |r|. So with
+/// both: if d is the error of the center and r that of the rotation vector, |d| and |d + lever_arm (r x e_i)| stay within the
+/// position tolerance for the three axes e_i. For at least one axis, |r x e_i| >= sqrt(2/3) |r|. Therefore, with
 /// lever_arm = sqrt(3/2) position_tolerance / rotation_tolerance, |r| stays within the rotation tolerance.
 struct StreamGrid {
-	/// Quantization of the end of a segment, in steps: usually, and in segments marked fine.
+	/// Quantization of the end of a segment, in steps: COARSE by default, FINE in segments marked fine.
 	static constexpr int COARSE = 8;
 	static constexpr int FINE = 4;
-	/// Quantization of a curvature, in steps. In the middle of a segment, a quarter of it is displacement, elsewhere less.
+	/// Quantization of a curvature, in steps. It displaces the middle of a segment by a quarter of its value, other points by less.
 	static constexpr int CURVATURE = 28;
 	/// The tolerance in steps. The maximum rounding error of a fine end, (sqrt(3) + sqrt(2)) / 2 fine steps, is below it.
 	static constexpr double TOLERANCE = COARSE / 0.9;
-	/// Share of the tolerances that the encoder may use. The rest is reserved for clocks and float rounding.
+	/// Fraction of the tolerances that the encoder may use. The rest is reserved for clock error and float rounding.
 	static constexpr double USABLE_SHARE = 0.95;
 
 	double position_step = 0.0; ///< meters

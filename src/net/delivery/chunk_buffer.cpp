@@ -11,8 +11,8 @@ void ChunkBuffer::empty(Slot &slot) {
 }
 
 void ChunkBuffer::restart(uint8_t next) {
-	// Chunks after the snapshot may have arrived before it: keep them. Drop those before `next`: their numbers will be
-	// used again.
+	// Chunks after the snapshot may have arrived before it: keep them. Drop chunks before `next`, as their numbers will be
+	// reused.
 	const uint8_t forward = uint8_t(next - _next);
 	const int skipped = _started && forward < 256 - AHEAD / 2 ? forward : 0;
 	for (int i = 0; i < 256; ++i) {
@@ -36,7 +36,7 @@ void ChunkBuffer::forget() {
 std::optional<uint8_t> ChunkBuffer::add(const ChunkItem &chunk) {
 	uint8_t number = chunk.number;
 	if (chunk.is_short) {
-		// The only number within SHORT_REACH with these low bits.
+		// Exactly one number within SHORT_REACH of the first missing chunk has these low bits.
 		const uint8_t lowest = uint8_t(first_missing() - ChunkItem::SHORT_REACH);
 		number = uint8_t(lowest + ((chunk.number - lowest) & 15));
 	}

@@ -11,22 +11,22 @@
 
 namespace net {
 
-/// Reorders chunks until their windows are complete.
+/// Reorders chunks and reassembles windows from them.
 class ChunkBuffer {
 public:
-	/// Chunks ahead of the next one that the buffer keeps.
+	/// Receive window: the number of chunks that the buffer keeps, from the next one on.
 	static constexpr uint8_t AHEAD = 128;
 
-	/// The next chunk of the stream is `next`. Chunks after it that have arrived are kept.
+	/// Continues the stream at chunk `next`. Keeps later chunks that have already arrived.
 	void restart(uint8_t next);
-	/// Drops everything. Until `restart` the buffer keeps all chunks, as it does not know which comes next.
+	/// Drops all chunks. Until `restart`, the buffer keeps every new chunk, as it does not know which one comes next.
 	void forget();
-	/// The chunk's number with all 8 bits. Nothing if the chunk has arrived before, is too far ahead, or is short and comes
+	/// Stores a chunk and returns its full 8-bit number; std::nullopt if it is a duplicate, too far ahead, or short and arrives
 	/// before `restart`.
 	std::optional<uint8_t> add(const ChunkItem &chunk);
 	/// If the next window is complete, replaces `window` with it, advances past it, and returns its checksum.
 	std::optional<WindowCheck> take_window(std::vector<uint8_t> &window);
-	/// True if the next chunks do not form a window: the first is not marked first, or a later one is.
+	/// True if the next chunks do not form a window: the first one is not marked `first`, or a later one is.
 	[[nodiscard]] bool is_broken() const { return _broken; }
 	[[nodiscard]] AckItem ack() const;
 

@@ -5,7 +5,7 @@
 namespace net {
 
 void ChunkRing::push_window(const std::vector<uint8_t> &window, uint8_t check) {
-	// A packet has room for a chunk and a round trip.
+	// A packet must have room for a chunk of maximum size and a round-trip item.
 	constexpr size_t MAX_SIZE = size_t(MAX_PACKET_BYTES) - CHUNK_HEADER - ROUND_TRIP_BYTES;
 	size_t at = 0;
 	do {

@@ -10,23 +10,23 @@ namespace {
 // Retransmission timeout, in seconds.
 constexpr double INITIAL_RTO = 0.2; // before the first round-trip sample
 constexpr double MIN_RTO = 0.03;
-constexpr double MAX_RTO = 0.5; // unless the round trip itself is longer
-constexpr double MIN_DEVIATION = 0.005; // frames and ticks at both ends
-/// After so many retransmissions of a chunk, or so many chunks behind, the receiver gets a snapshot instead.
+constexpr double MAX_RTO = 0.5; // raised to 1.25 round trips on slow connections
+constexpr double MIN_DEVIATION = 0.005; // covers the frame and tick intervals at both ends
+/// A receiver gets a new snapshot after this many retransmissions of one chunk, or if it is this many chunks behind.
 constexpr int MAX_REPEATS = 8;
-constexpr double STUCK_TIME = 1.5; // seconds; shorter times may be an unexpectedly long round trip
+constexpr double STUCK_TIME = 1.5; // seconds; below this, the round trip may merely be longer than estimated
 constexpr uint32_t MAX_CHUNKS_BEHIND = 100;
-/// The same limit while a snapshot is in flight: earlier chunks are about to leave the ring.
+/// Absolute limit, also while a snapshot is in flight: beyond it, unacknowledged chunks would soon leave the ring.
 constexpr uint32_t MAX_CHUNKS_KEPT = 200;
 constexpr double SNAPSHOT_INTERVAL = 0.5; // seconds
-/// Retransmissions without back-off.
+/// Number of retransmissions before back-off starts.
 constexpr int PROMPT_REPEATS = 3;
-/// Loss above HIGH_LOSS shortens the timeout, with this slope.
+/// Loss above HIGH_LOSS shortens the timeout linearly, with slope LOSS_SLOPE.
 constexpr double HIGH_LOSS = 0.15;
 constexpr double LOSS_SLOPE = 4.0;
-/// After so many ambiguous acknowledgements in a row the next one gives a round-trip sample.
+/// After this many consecutive ambiguous acknowledgements, an ambiguous one is used as a round-trip sample.
 constexpr int MAX_AMBIGUOUS = 8;
-/// Weight of a chunk in the estimate of loss.
+/// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 
 } // namespace
@@ -58,7 +58,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		return;
 	}
 	const double timeout = rto();
-	// At high loss, waiting for a whole timeout before each retransmission takes too long.
+	// At high loss, waiting a full timeout before each retransmission would take too long.
 	const double shortening = std::clamp(1.0 - LOSS_SLOPE * (_loss - HIGH_LOSS), 0.25, 1.0);
 	const auto is_due = [&](Sent &sent) {
 		if (sent.arrived) {
@@ -70,7 +70,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 			sent.lost = true;
 			_loss += (1.0 - _loss) * LOSS_WEIGHT;
 		}
-		// Back off.
+		// The interval backs off linearly, up to 4 timeouts.
 		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_REPEATS, 1, 4)) {
 			return false;
 		}
@@ -123,10 +123,10 @@ void Delivery::accept(const PacketContent &acks, const ChunkRing &ring, double t
 void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) {
 	const uint8_t ahead = uint8_t(ack.next - uint8_t(_first_missing));
 	if (_needs_snapshot || ring.next() - _first_missing > MAX_CHUNKS_KEPT || ahead > ring.next() - _first_missing) {
-		return; // stale, or of another stream
+		return; // stale, or from another stream
 	}
 	if (_snapshot != nullptr && ack.next == uint8_t(_first_missing) && ack.later == 0 && !_fragments.empty()) {
-		return; // fragments of the snapshot have acknowledgements of their own
+		return; // snapshot fragments are acknowledged separately
 	}
 	const uint32_t next = _first_missing + ahead;
 	// The newest chunk caused this acknowledgement. Others may have arrived earlier, if an acknowledgement was lost.
@@ -154,7 +154,7 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 }
 
 bool Delivery::can_be_short(uint32_t number) const {
-	// At the first transmission the receiver lacks this chunk and has all before the first missing one, so 4 bits identify it.
+	// At first transmission, the receiver's first missing chunk is between ours and this chunk, so 4 bits identify the number.
 	return _snapshot == nullptr && _sent[number % ChunkRing::RING].times == 1 && number - _first_missing < ChunkItem::SHORT_REACH;
 }
 
@@ -180,8 +180,8 @@ void Delivery::chunk_arrived(uint32_t number, double time, bool is_newest) {
 		return;
 	}
 	sent.arrived = true;
-	// Karn's algorithm: a repeated chunk gives no round-trip sample, unless the acknowledgement comes too soon to belong to
-	// the repeat. If all are ambiguous for long, the timeout is too short and most belong to the first transmission.
+	// Karn's algorithm: a retransmitted chunk gives no round-trip sample, unless its acknowledgement comes too soon to belong to
+	// the retransmission. A long run of ambiguous ones means that the RTO is too short: most belong to the first transmission.
 	if (is_newest) {
 		const bool is_unambiguous = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * _round_trip);
 		_ambiguous = is_unambiguous ? 0 : _ambiguous + 1;

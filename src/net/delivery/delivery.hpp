@@ -17,25 +17,25 @@ namespace net {
 /// seconds.
 class Delivery {
 public:
-	/// The receiver counts as heard at `time`.
+	/// Creates a delivery at `time`. The silence timer starts there.
 	explicit Delivery(double time) :
 			_heard(time) {}
 
 	[[nodiscard]] bool needs_snapshot() const { return _needs_snapshot; }
-	/// Marks a snapshot as needed, unless the last one is too recent.
+	/// Marks a snapshot as needed, unless the last request is too recent.
 	void request_snapshot(double time);
 	void start_snapshot(std::shared_ptr<const Snapshot> snapshot);
 
-	/// Appends packets with everything that is due to `bytes` and calls packet_done(begin, size) for each.
+	/// Appends all packets that are due to `bytes` and calls packet_done(begin, size) for each.
 	template <class PacketDone>
 	void send(const ChunkRing &ring, double time, std::vector<uint8_t> &bytes, PacketDone &&packet_done);
-	/// Processes the acknowledgements of a packet from the receiver.
+	/// Processes the acknowledgements and the snapshot request in a packet from the receiver.
 	void accept(const PacketContent &acks, const ChunkRing &ring, double time);
 
-	/// Loss assumed on a line that has not been measured yet.
+	/// Loss assumed before any chunk has been acknowledged.
 	static constexpr double INITIAL_PRIOR_LOSS = 0.015;
 	/// After this many seconds without a packet from the receiver, the sender only probes it, at PROBE_INTERVAL. (A receiver
-	/// without any state does not know where to send its request.)
+	/// that has not received any packet does not request a snapshot.)
 	static constexpr double SILENCE = 3.0;
 	static constexpr double PROBE_INTERVAL = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
@@ -66,8 +66,8 @@ private:
 
 	double _heard;
 	bool _needs_snapshot = true;
-	double _snapshot_time = -1e9; // of the last request
-	std::shared_ptr<const Snapshot> _snapshot; // until all of it has arrived
+	double _snapshot_time = -1e9; // time of the last request
+	std::shared_ptr<const Snapshot> _snapshot; // the snapshot in flight; null once it is acknowledged
 	std::vector<Sent> _fragments;
 	uint32_t _first_missing = 0;
 	std::array<Sent, ChunkRing::RING> _sent;
@@ -76,8 +76,8 @@ private:
 	std::vector<uint32_t> _due_chunks;
 	double _round_trip = 0.0;
 	double _deviation = 0.0;
-	double _round_trip_sent = -1e9; // time
-	double _probed = -1e9; // time
+	double _round_trip_sent = -1e9; // time of the last round-trip item
+	double _probed = -1e9; // time of the last probe
 	double _loss = 0.0;
 	double _prior_loss = INITIAL_PRIOR_LOSS; // decays as chunks arrive
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample

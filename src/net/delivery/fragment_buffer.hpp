@@ -8,7 +8,7 @@
 
 namespace net {
 
-/// A snapshot at its sender: everything a receiver needs to decode from chunk `next_chunk` on.
+/// An outgoing snapshot: the state that a receiver needs to decode the stream from chunk `next_chunk` on.
 struct Snapshot {
 	static constexpr size_t FRAGMENT_BYTES = 1280;
 	uint8_t number = 0;
@@ -18,23 +18,23 @@ struct Snapshot {
 	[[nodiscard]] size_t fragment_count() const { return (bytes.size() + FRAGMENT_BYTES - 1) / FRAGMENT_BYTES; }
 };
 
-/// A snapshot at its receiver: collects its fragments, in any order.
+/// Reassembles an incoming snapshot from its fragments, which may arrive in any order.
 class FragmentBuffer {
 public:
-	/// Begins with the snapshot that `fragment` belongs to and drops the one before.
+	/// Starts reassembling the snapshot that `fragment` belongs to and drops the previous one.
 	void start(const FragmentItem &fragment);
-	/// Adds a fragment of that snapshot. False if it has arrived before.
+	/// Adds a fragment of the current snapshot. Returns false for a duplicate.
 	bool add(const FragmentItem &fragment);
 
-	/// True from `start` to `finish`.
+	/// True between `start` and `finish`.
 	[[nodiscard]] bool is_open() const { return _open; }
 	[[nodiscard]] bool is_complete() const { return _open && _missing == 0; }
 	[[nodiscard]] bool belongs(const FragmentItem &fragment) const { return _open && fragment.snapshot == _number && fragment.count == _fragments.size(); }
 	[[nodiscard]] uint8_t number() const { return _number; }
 	[[nodiscard]] uint8_t next_chunk() const { return _next_chunk; }
-	/// Replaces `bytes` with the snapshot and stops collecting.
+	/// Replaces `bytes` with the reassembled snapshot and closes it.
 	void finish(std::vector<uint8_t> &bytes);
-	/// The fragments that have arrived; all of them if the snapshot `is_done`, that is, has been decoded.
+	/// Acknowledges the fragments that have arrived, or all of them if the snapshot has been decoded (`is_done`).
 	[[nodiscard]] SnapshotAckItem ack(bool is_done) const;
 
 private:

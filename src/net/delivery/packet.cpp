@@ -23,7 +23,7 @@ constexpr uint8_t ACK_WITH_LATER = 0xc1;
 constexpr uint8_t SNAPSHOT_REQUEST = 0xc2;
 constexpr uint8_t SNAPSHOT_ACK = 0xc3;
 
-constexpr double ROUND_TRIP_STEPS = 10000.0; // a second
+constexpr double ROUND_TRIP_STEPS = 10000.0; // per second
 
 void put(std::vector<uint8_t> &packet, uint64_t value, int bytes) {
 	for (int i = 0; i < bytes; ++i) {
@@ -31,7 +31,7 @@ void put(std::vector<uint8_t> &packet, uint64_t value, int bytes) {
 	}
 }
 
-/// Reads little-endian numbers. Past the end it returns zeros and stays failed.
+/// Reads little-endian numbers. Past the end, reads return 0 and `failed()` stays true.
 class ByteReader {
 public:
 	ByteReader(const uint8_t *bytes, size_t size) :
@@ -135,7 +135,7 @@ void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
 	packet.push_back(ack.later != 0 ? ACK_WITH_LATER : ACK);
 	packet.push_back(ack.next);
 	if (ack.later != 0) {
-		// As many bytes as the highest bit needs.
+		// Omit leading zero bytes.
 		int bytes = 0;
 		while (bytes < 8 && (ack.later >> (8 * bytes)) != 0) {
 			++bytes;

@@ -12,16 +12,16 @@ namespace net {
 
 /// A piece of a window. Chunks are numbered in the order of the stream.
 struct ChunkItem {
-	/// A chunk may use the short form while its number is less than this away from the first chunk the receiver lacks.
+	/// Maximum distance (exclusive) of a chunk in short form from the receiver's first missing chunk.
 	static constexpr uint8_t SHORT_REACH = 8;
 
 	uint8_t number = 0; ///< the low 8 bits; in the short form the low 4
-	bool first = false; ///< of its window
-	bool last = false; ///< of its window
-	uint8_t check = 0; ///< checksum of the stream's state after the window: 8 bits, in the short form 3; 0 but in the last chunk
+	bool first = false; ///< first chunk of its window
+	bool last = false; ///< last chunk of its window
+	uint8_t check = 0; ///< checksum of the state after the window: 8 bits, or 3 in the short form; 0 except in the last chunk
 	const uint8_t *bytes = nullptr;
 	size_t size = 0;
-	bool is_short = false; ///< a whole window behind a header of one byte
+	bool is_short = false; ///< a whole window with a one-byte header
 };
 
 /// A piece of a snapshot.
@@ -29,25 +29,25 @@ struct FragmentItem {
 	uint8_t snapshot = 0; ///< number of the snapshot
 	uint8_t next_chunk = 0; ///< the first chunk after the snapshot
 	uint16_t index = 0;
-	uint16_t count = 0; ///< of the snapshot's fragments
+	uint16_t count = 0; ///< number of fragments in the snapshot
 	const uint8_t *bytes = nullptr;
 	size_t size = 0;
 };
 
-/// The chunks that have arrived: all before `next`, not `next` itself, and next + 1 + i for each bit i of `later`.
+/// Selective acknowledgement: chunks before `next` have arrived, `next` has not; bit i of `later` stands for next + 1 + i.
 struct AckItem {
 	uint8_t next = 0;
 	uint64_t later = 0;
 };
 
-/// The fragments of a snapshot that have arrived, in the same form.
+/// Selective acknowledgement of a snapshot's fragments, in the same form.
 struct SnapshotAckItem {
 	uint8_t snapshot = 0;
 	uint16_t next = 0;
 	uint32_t later = 0;
 };
 
-/// The items of one packet. Pointers lead into the packet.
+/// The items of one packet. Pointers point into the packet's bytes.
 struct PacketContent {
 	std::vector<ChunkItem> chunks;
 	std::vector<FragmentItem> fragments;
@@ -63,7 +63,7 @@ inline constexpr size_t FRAGMENT_HEADER = 9;
 /// Size of a round-trip item, in bytes.
 inline constexpr size_t ROUND_TRIP_BYTES = 3;
 
-/// Each appends an item. Only a packet's last chunk omits its length, and only that one may be short.
+/// These append an item. Only the last chunk of a packet omits its length, and only that chunk may be short.
 void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_last_item);
 void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment);
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack);

@@ -8,10 +8,10 @@ namespace {
 
 /// Time constant with which playback approaches its target, in seconds.
 constexpr double TIME_CONSTANT = 0.4;
-/// Maximum change of speed, as a share, to catch up and to fall back.
+/// Maximum relative change of the playback rate, to catch up and to fall back.
 constexpr double MAX_SPEEDUP = 0.15;
 constexpr double MAX_SLOWDOWN = 0.4;
-/// Farther behind its target than this, in seconds, playback jumps ahead.
+/// If playback is farther behind its target than this, in seconds, it jumps to the target.
 constexpr double MAX_BEHIND = 0.75;
 
 } // namespace
@@ -55,7 +55,7 @@ double PlaybackClock::target_delay() const {
 
 double PlaybackClock::rate(double now, double step) const {
 	const double behind = now - _offset.value() - target_delay() - (_position + step);
-	// In a step longer than the time constant, correct no more than the deviation.
+	// A step longer than the time constant must not overshoot the target.
 	return 1.0 + std::clamp(behind / std::max(TIME_CONSTANT, step), -MAX_SLOWDOWN, MAX_SPEEDUP);
 }
 

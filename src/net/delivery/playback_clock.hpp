@@ -2,7 +2,7 @@
 
 namespace net {
 
-/// The maximum or minimum of recent values: those of the current span of time and the one before.
+/// The maximum or minimum of recent values, over the current time span and the previous one.
 class RecentExtreme {
 public:
 	/// `sign` 1 for the maximum, -1 for the minimum; `span` in seconds.
@@ -27,11 +27,11 @@ private:
 /// backwards. Times in seconds.
 class PlaybackClock {
 public:
-	/// Starts at `now`, with motion known up to media time `end`, `delay` behind it.
+	/// Starts at `now`. Motion is known up to media time `end`; playback starts at `end - delay`.
 	void start(double end, double delay, double now);
-	/// A window arrived at `now` that ends at media time `end`.
+	/// Records that a window ending at media time `end` arrived at `now`.
 	void observe(double end, double now);
-	/// The window's motion begins at `begin`, which playback should not have reached yet.
+	/// Records that motion beginning at media time `begin` arrived at `now`. Playback should not have reached `begin` yet.
 	void observe_motion(double begin, double now) { _required_delay.add(now - begin - _offset.value(), now); }
 	/// Advances playback to `now`.
 	void advance(double now);
@@ -39,11 +39,11 @@ public:
 	[[nodiscard]] bool is_running() const { return _running; }
 	[[nodiscard]] double media_time() const { return _position; }
 	[[nodiscard]] double media_time_at(double now) const;
-	/// The delay playback aims at, behind the newest media time that can have arrived.
+	/// The target delay behind the newest media time that can have arrived.
 	[[nodiscard]] double target_delay() const;
-	/// The delay that playback has at `now`.
+	/// The actual delay at `now`.
 	[[nodiscard]] double delay_at(double now) const;
-	/// Spread between the earliest and the latest of the recent arrivals.
+	/// Spread between the earliest and the latest recent arrivals, in seconds.
 	[[nodiscard]] double jitter() const;
 
 	/// Limits of the delay.
@@ -60,8 +60,8 @@ private:
 	double _last = 0.0;
 	double _min_delay = 0.0;
 	double _max_delay = 0.2;
-	RecentExtreme _offset{ -1.0, 4.0 }; // local minus media time at arrival
-	RecentExtreme _required_delay{ 1.0, 6.0 }; // from the beginning of motion to its arrival, in local time
+	RecentExtreme _offset{ -1.0, 4.0 }; // local time minus media time, at arrival
+	RecentExtreme _required_delay{ 1.0, 6.0 }; // from the begin of a motion to its arrival, in local time
 	RecentExtreme _lateness{ 1.0, 2.0 };
 };
 

@@ -7,19 +7,19 @@ namespace net {
 
 namespace {
 
-/// After this many seconds without progress the receiver requests a snapshot, and repeats that at REQUEST_INTERVAL.
+/// After this many seconds without progress, the receiver requests a snapshot every REQUEST_INTERVAL.
 constexpr double SILENCE = 1.5;
 constexpr double REQUEST_INTERVAL = 0.25;
-/// While fragments of a snapshot keep arriving within this time, the receiver waits for the rest.
+/// The receiver waits for the rest of a snapshot while the gaps between its fragments are shorter than this.
 constexpr double FRAGMENT_TIMEOUT = 0.75;
-/// A snapshot older than the last one is a late duplicate, unless the stream has been silent for so long: then the sender
+/// A snapshot older than the last one is a late duplicate, unless the stream has been silent for this long: then the sender
 /// has restarted.
 constexpr double RESTART_SILENCE = 1.0;
 /// A snapshot whose number is further ahead than this and whose time is earlier comes from another sender.
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
-/// Weight of a chunk in the estimate of loss.
+/// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
-/// Maximum size of a body in a snapshot, and of the models.
+/// Maximum size of one body in a snapshot, and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
 
@@ -66,7 +66,7 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 }
 
 void Receiver::count_loss(uint8_t number) {
-	// A chunk that arrives after a later one was lost, or overtaken.
+	// A chunk that arrives after a newer one was retransmitted or reordered.
 	const bool is_late = int8_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
 	_newest_chunk = is_late ? _newest_chunk : number;
@@ -148,7 +148,7 @@ void Receiver::show_snapshot(bool continues) {
 		motion.segment.begin = _window_end;
 		motion.segment.start = _decoder->pose(i);
 		const auto track = _tracks.find(motion.id);
-		// At the first snapshot all bodies have existed before. Later, an unknown one has appeared.
+		// Bodies in the first snapshot already existed. An unknown body in a later snapshot is new.
 		motion.appears = continues && (track == _tracks.end() || track->second.is_empty());
 		present.insert(motion.id);
 		show(motion);
@@ -169,7 +169,7 @@ bool Receiver::is_next_snapshot() const {
 }
 
 bool Receiver::is_behind(const SnapshotHeader &next) const {
-	// It came so late that the windows after it have been decoded already.
+	// The snapshot arrived so late that the windows after it have already been decoded.
 	return is_ready() && !_broken && is_next_snapshot() && double(next.tick) <= _window_end && double(next.tick) >= _window_end - MAX_TICKS &&
 			next.settings.is_same_stream(_header.settings);
 }
@@ -214,7 +214,7 @@ void Receiver::decode_windows(double now) {
 	}
 	_broken = _broken || _chunks.is_broken() || _tracks.size() > 2 * _max_bodies + 64;
 	if (_events.size() > 8 * _max_bodies + 64) {
-		// The caller does not take them. Drop the older half.
+		// The caller does not take the events: drop the older half.
 		_events.erase(_events.begin(), _events.begin() + ptrdiff_t(_events.size() / 2));
 	}
 	if (_broken) {

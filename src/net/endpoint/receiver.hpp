@@ -20,11 +20,11 @@ struct StreamStatistics {
 	uint64_t bytes_received = 0;
 	uint64_t packets_received = 0;
 	uint64_t packets_rejected = 0;
-	uint64_t late_windows = 0; ///< windows that arrived after playback had reached their motion
+	uint64_t late_windows = 0; ///< windows that arrived after playback had reached their begin
 	double playback_delay = 0.0; ///< seconds behind the newest media time that can have arrived
-	double jitter = 0.0; ///< seconds between the earliest and the latest of the recent arrivals
+	double jitter = 0.0; ///< seconds between the earliest and the latest recent arrivals
 	double round_trip = 0.0; ///< seconds, as measured by the sender; 0 before it reports one
-	double loss = 0.0; ///< recent share of chunks that did not arrive at the first transmission
+	double loss = 0.0; ///< recent fraction of chunks that arrived after a newer one
 };
 
 struct BodyEvent {
@@ -37,16 +37,16 @@ struct BodyEvent {
 };
 
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
-/// one media time. It does no input or output of its own. `now` is in seconds on the receiver's own clock.
+/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock.
 class Receiver {
 public:
 	/// Rejects streams with more than `max_bodies` bodies.
 	explicit Receiver(size_t max_bodies = 65536) :
 			_max_bodies(max_bodies) {}
 
-	/// Processes a packet. If it is rejected, nothing has changed. Duplicates are fine.
+	/// Processes a packet. A rejected packet leaves the decoded motion unchanged. Duplicates are allowed.
 	PacketResult accept(const uint8_t *packet, size_t size, double now);
-	/// Replaces `packet` with an acknowledgement for the sender, or clears it if none is due. Call it once a frame, after the
+	/// Replaces `packet` with acknowledgements and requests, or clears it if none are due. Call it once per frame, after the
 	/// frame's packets.
 	void take_ack(std::vector<uint8_t> &packet, double now);
 
@@ -61,7 +61,7 @@ public:
 	/// The media time up to which all motion has arrived.
 	[[nodiscard]] double known_time() const { return _window_end * tick(); }
 
-	/// The pose of a body as shown. Nothing if the body does not exist at that time.
+	/// The pose of a body at media_time(). Returns std::nullopt if the body does not exist then.
 	[[nodiscard]] std::optional<cga::Pose<double>> pose(uint32_t id) const { return pose_at(id, media_time()); }
 	/// The pose of a body at another media time, not before media_time().
 	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(uint32_t id, double media_time) const;
@@ -70,8 +70,8 @@ public:
 	/// Replaces `events` with the bodies that were added and removed since the last call, in order.
 	void take_events(std::vector<BodyEvent> &events);
 
-	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. Before this is
-	/// called `max` is the stream's max_latency.
+	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
+	/// `max` is the stream's max_latency.
 	void set_margin_limits(double min, double max);
 	[[nodiscard]] const StreamSettings &settings() const { return _header.settings; }
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
@@ -88,14 +88,14 @@ private:
 	void decode_windows(double now);
 	void show(const BodyMotion &motion);
 	void set_limits();
-	/// The delay that the sender's max_latency asks for, whatever the line needs at the moment.
+	/// The delay implied by the sender's max_latency, regardless of current network conditions.
 	[[nodiscard]] double usual_delay() const;
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
 	PacketContent _content;
 	ChunkBuffer _chunks;
-	std::optional<StreamDecoder> _decoder; // from the first snapshot on
+	std::optional<StreamDecoder> _decoder; // set by the first snapshot
 	SnapshotHeader _header;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
@@ -104,15 +104,15 @@ private:
 	std::vector<BodyMotion> _motions;
 	std::vector<uint8_t> _window;
 
-	FragmentBuffer _fragments; // of the snapshot that is arriving, or of the last one
-	bool _snapshot_done = false; // the last one has been decoded
-	uint8_t _last_snapshot = 0; // number of the one before
-	bool _broken = false; // the stream cannot go on without a new snapshot
+	FragmentBuffer _fragments; // the snapshot being received, or the last one
+	bool _snapshot_done = false; // the last snapshot has been decoded, or skipped as late
+	uint8_t _last_snapshot = 0; // number of the last decoded snapshot
+	bool _broken = false; // decoding cannot continue without a new snapshot
 	bool _ack_due = false;
 	bool _snapshot_ack_due = false;
 	bool _has_heard = false;
-	double _progress_time = 0.0; // when a window or a fragment last arrived, or anything at first
-	double _fragment_time = -1e9; // when a missing fragment of the open snapshot last arrived
+	double _progress_time = 0.0; // when a window was last decoded or a new fragment arrived; initially the first packet
+	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
 	uint8_t _newest_chunk = 0;
 	double _min_margin = 0.0;

@@ -10,18 +10,18 @@ namespace net {
 
 namespace {
 
-/// Maximum length of a window in which nothing moves, in seconds. It is the stream's keep-alive.
+/// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
 constexpr double IDLE_WINDOW = 0.5;
-/// Minimum share of max_latency that is left for the window, whatever the network needs.
+/// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
 constexpr double MIN_WINDOW = 0.25;
-/// Loss from which a window has to leave time for a retransmission.
+/// Above this loss, windows are shortened to leave time for a retransmission.
 constexpr double NOTABLE_LOSS = 0.004;
-/// Longer steps between two flushes, in ticks, are pauses and do not count.
+/// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
 /// Times that differ by less, in ticks, are the same tick.
 constexpr double SAME_TICK = 1e-5;
 
-/// A pseudorandom number, the same for the same time.
+/// A pseudorandom number, determined by `time`.
 uint8_t number_from(double time) {
 	uint64_t bits = 0;
 	std::memcpy(&bits, &time, sizeof(bits));
@@ -127,7 +127,7 @@ void Sender::stop_encoder() {
 }
 
 double Sender::max_window() const {
-	// Maximum time over all receivers that a chunk may take to arrive after its window has ended.
+	// The maximum time, over all receivers, from the end of a window to the arrival of its last chunk.
 	double network = FRAME;
 	for (const auto &peer : _peers) {
 		const Delivery &delivery = peer.second.delivery;
@@ -211,7 +211,7 @@ void Sender::flush(double time) {
 	_time = std::max(time, _time);
 	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
 	if (now > _last_flush) {
-		// The maximum of the recent steps, slowly decaying: a window has to end before it would be too long.
+		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
 		_step = std::clamp(double(now - _last_flush), 0.9 * _step, MAX_STEP);
 	}
 	const int64_t before = _last_flush;

@@ -16,7 +16,7 @@ namespace net {
 /// A packet for one receiver.
 struct OutgoingPacket {
 	uint32_t receiver = 0;
-	size_t begin = 0; ///< in Sender::bytes()
+	size_t begin = 0; ///< offset in Sender::bytes()
 	size_t size = 0;
 };
 
@@ -24,15 +24,15 @@ struct ReceiverStatistics {
 	uint64_t bytes_sent = 0;
 	uint64_t packets_sent = 0;
 	uint64_t chunks_repeated = 0;
-	double loss = 0.0; ///< recent share of chunks that had to be repeated
+	double loss = 0.0; ///< recent fraction of chunks that had to be retransmitted
 	double round_trip = 0.0; ///< seconds, smoothed; 0 before the first acknowledgement
 };
 
-/// Sends the poses of one authority's bodies to any number of receivers. It does no input or output of its own: the caller
+/// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller
 /// takes packets after `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
 ///
-/// Each window is encoded once for all receivers, against the window before it. A receiver that lacks a window gets it
-/// again; one that is new or too far behind gets a snapshot.
+/// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are
+/// retransmitted; a receiver that is new or too far behind gets a snapshot.
 class Sender {
 public:
 	explicit Sender(const StreamSettings &settings) :
@@ -44,19 +44,19 @@ public:
 	[[nodiscard]] bool has_body(uint32_t id) const;
 	[[nodiscard]] size_t body_count() const;
 
-	/// The pose of a body at a time, not before the body's last one. False, with nothing changed, if there is no such body or
+	/// Records the pose of a body at `time`; times must not decrease. False, with no change, if the body does not exist or
 	/// the pose is not finite or out of range.
 	bool observe(uint32_t id, double time, const cga::Pose<double> &pose);
-	/// The body is still at its last pose. False if there is no such body.
+	/// Records that the body is still at its last pose. Returns false if the body does not exist.
 	bool observe(uint32_t id, double time);
-	/// The body jumps to its next observed pose instead of moving there.
+	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
 	bool teleport(uint32_t id);
 
 	void add_receiver(uint32_t receiver, double time);
 	void remove_receiver(uint32_t receiver);
 	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
 
-	/// Makes the packets that are due. Call it every tick, after all poses up to `time` have been observed.
+	/// Builds the packets that are due. Call it every tick, after all poses up to `time` have been observed.
 	void flush(double time);
 	/// The packets of the last flush, valid until the next.
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
@@ -65,11 +65,11 @@ public:
 	/// Processes a packet from a receiver.
 	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
 
-	/// New settings apply from the next window on. All but the send rate restart the stream.
+	/// New settings apply from the next window on. A change of any setting but the send rate restarts the stream.
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
-	/// The media time (see Receiver::media_time) of a time on the sender's clock; 0 before the first flush.
+	/// Converts a time on the sender's clock to media time (see Receiver::media_time); 0 before the first observation or flush.
 	[[nodiscard]] double media_time(double time) const { return _has_origin ? time - _origin : 0.0; }
 	/// Number of bodies that moved in the last window.
 	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
@@ -95,7 +95,7 @@ private:
 
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
-	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // the bodies while there is no encoder
+	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // last poses, while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;
 	std::vector<uint8_t> _window;

@@ -14,9 +14,9 @@ namespace net {
 /// body's axes at the start of the segment; they form the groups 0 and 1.
 struct SegmentCode {
 	int ticks = 1;
-	bool fine = false; ///< the residuals of the end count fine steps instead of coarse ones
-	int32_t residual[6] = { 0, 0, 0, 0, 0, 0 }; ///< of the end: actual minus predicted
-	bool curved[2] = { false, false }; ///< by group: the curvature is not zero
+	bool fine = false; ///< the residuals are in units of StreamGrid::FINE instead of COARSE
+	int32_t residual[6] = { 0, 0, 0, 0, 0, 0 }; ///< actual end minus predicted end
+	bool curved[2] = { false, false }; ///< per group: the curvature is not zero
 	int32_t curvature[6] = { 0, 0, 0, 0, 0, 0 }; ///< in units of StreamGrid::CURVATURE
 	bool scaled = false; ///< the scale changes
 	int32_t scale_change = 0; ///< in levels
@@ -39,7 +39,7 @@ struct SegmentSteps {
 
 /// The adaptive models of a stream of motion.
 struct MotionModels {
-	static constexpr int MAX_BITS = 1024; ///< upper bound of the adaptive bits that `visit` visits
+	static constexpr int MAX_BITS = 1024; ///< upper bound of the number of adaptive bits
 
 	ResidualModel residual[2];
 	ResidualModel curvature[2];
@@ -75,18 +75,18 @@ struct MotionModels {
 	}
 };
 
-/// The state of a body between two windows, from which sender and receiver predict the next segment. All integers, so that
-/// both predict the same.
+/// The state of a body between two windows, from which both ends predict the next segment. It uses only integers, so that
+/// they predict the same segment.
 class BodyState {
 public:
-	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< of a coordinate of the position
+	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< bound of each position coordinate
 	static constexpr int32_t MAX_SCALE = MAX_SCALE_LEVEL + 1;
 	static constexpr double MIN_SCALE = 1.0 / 65536.0;
 	static constexpr double SCALE_LEVELS = SCALE_LEVELS_PER_OCTAVE;
 
 	/// True if a pose is finite and at most 2^46 steps from the origin, with a non-zero rotation and a scale from 2^-16 to 2^16.
 	[[nodiscard]] static bool is_in_range(const cga::Pose<double> &pose, const StreamGrid &grid);
-	/// Sets the state nearest to a pose, at rest. False, with nothing changed, if the pose is out of range.
+	/// Quantizes a pose and puts the body at rest there. Returns false and changes nothing if the pose is out of range.
 	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
 	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;
 	/// Resets velocity, curvature and the predictors' statistics: the body is at rest.
@@ -97,13 +97,13 @@ public:
 	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
 	/// The segment that starts in this state.
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
-	/// Advances to the end of a segment. False, with nothing changed, if that is out of range.
+	/// Advances to the end of a segment. Returns false and changes nothing if the end is out of range.
 	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
-	/// Adds `correction`, in steps, to the pose of a body that has come to rest: the error that the tolerance left. False, with
-	/// nothing changed, if the result is out of range.
+	/// Adds `correction`, the remaining quantization error in steps, to the pose of a body at rest. Returns false and
+	/// changes nothing if the result is out of range.
 	[[nodiscard]] bool correct_rest(const int32_t correction[6], const StreamGrid &grid);
 
-	/// Codes a segment that starts in this state.
+	/// Encodes, decodes or measures a segment that starts in this state, depending on `Coder`.
 	template <class Coder>
 	void code(Coder &coder, MotionModels &models, SegmentCode &code) const;
 
@@ -114,7 +114,7 @@ public:
 	[[nodiscard]] uint32_t hash() const;
 
 	bool active = false; ///< moved in the last window
-	bool rest_corrected = true; ///< at rest, to within a step of its last sample
+	bool rest_corrected = true; ///< at rest, and its last sample is matched to within a step
 
 private:
 	enum Predictor {
@@ -130,15 +130,15 @@ private:
 
 	int64_t _position[3] = { 0, 0, 0 };
 	LatticeRotation _rotation;
-	int32_t _scale = 0; // log2 in 1 / SCALE_LEVELS
+	int32_t _scale = 0; // log2 of the scale, in units of 1 / SCALE_LEVELS
 	int32_t _velocity[6] = { 0, 0, 0, 0, 0, 0 }; // 1/256 step per tick
 	int32_t _curvature[6] = { 0, 0, 0, 0, 0, 0 }; // of the last segment, in steps
 	int32_t _ticks = 1; // of the last segment
-	int32_t _running_error[2][PREDICTOR_COUNT] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // of predictors, in 1/16 step
+	int32_t _running_error[2][PREDICTOR_COUNT] = { { 0, 0, 0, 0 }, { 0, 0, 0, 0 } }; // of each predictor, in units of 1/16 step
 	MeanMagnitude _residual_mean[2] = { MeanMagnitude(512), MeanMagnitude(512) };
 	MeanMagnitude _curvature_mean[2] = { MeanMagnitude(256), MeanMagnitude(256) };
-	bool _curved[2] = { false, false }; // the last segment was
-	bool _scaled = false; // the last segment was
+	bool _curved[2] = { false, false }; // whether the last segment was curved, per group
+	bool _scaled = false; // whether the last segment was scaled
 };
 
 template <class Coder>
@@ -146,7 +146,7 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 	coder.bit(models.fine, code.fine);
 	for (int group = 0; group < 2; ++group) {
 		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
-		int32_t magnitudes = 0; // of the preceding coordinates
+		int32_t magnitudes = 0; // sum over the preceding coordinates
 		for (int i = 0; i < 3; ++i) {
 			int32_t &value = code.residual[3 * group + i];
 			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);

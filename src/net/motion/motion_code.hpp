@@ -20,8 +20,8 @@ struct MotionCode {
 	std::array<SegmentCode, MAX_TICKS> segments;
 };
 
-/// Codes a body's motion over `ticks` from tick `begin`, and advances its state. `Coder` is a RangeEncoder, or a RangeDecoder,
-/// which fills `motion`. Calls on_segment(state, code, steps, begin) for each segment before the state advances. False if the
+/// Codes a body's motion over `ticks` from tick `begin` and advances its state. `Coder` is a RangeEncoder or a RangeDecoder,
+/// which fills `motion`. Calls on_segment(state, code, steps, begin) before the state advances past each segment. False if the
 /// input is malformed.
 template <class Coder, class OnSegment>
 bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const StreamGrid &grid, double begin, int ticks, bool previous_active, MotionCode &motion, OnSegment &&on_segment) {

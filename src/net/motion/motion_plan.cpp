@@ -9,10 +9,10 @@ namespace net {
 
 namespace {
 
-/// Shares of the tolerance within which a moving body comes to rest, and a resting body stays at rest.
+/// Fractions of the tolerance within which a moving body comes to rest and a resting body stays at rest.
 constexpr double COMES_TO_REST = 0.6;
 constexpr double STAYS_AT_REST = 0.9;
-/// A body whose samples differ by no more than this share of the tolerance has stopped. It rests as soon as it is within the
+/// A body has stopped if its samples differ by at most this fraction of the tolerance. It comes to rest once it is within the
 /// tolerance (and 1 % for rounding), and a rest correction follows.
 constexpr double MAX_STOPPED_MOTION = 0.1;
 constexpr double STOPPED = 1.01;
@@ -89,7 +89,7 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 }
 
 std::optional<SegmentCode> MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models) {
-	// Bisection between the first sample and the end: a curve that fits over some ticks mostly fits over fewer.
+	// Bisect between the first sample and the end: if a curve fits over some length, one usually fits over a shorter length.
 	const int min_ticks = std::max(1, int(std::ceil(samples[0].time - begin - SAME_TIME)));
 	std::optional<SegmentCode> longest;
 	int fitting = min_ticks - 1;

@@ -5,15 +5,15 @@
 
 namespace net {
 
-/// Chooses the segments of a body's motion: one, if it passes all samples within the tolerance; otherwise the longest that
-/// does, and so on from its end. Each starts in the state that the decoder will have, so errors do not accumulate.
+/// Splits a body's motion into segments: a single one if it passes all samples within the tolerance, otherwise the longest that
+/// does, repeated from its end. Each segment starts in the state that the decoder will have, so errors do not accumulate.
 class MotionPlanner {
 public:
 	MotionPlanner(const StreamGrid &grid, cga::Mode mode) :
 			_grid(grid), _fit(grid, mode) {}
 
 	/// Replaces `motion`. The first `count` samples have times in (begin, begin + ticks]; those up to `available` are
-	/// look-ahead. False if the motion is out of range: then the body has to jump.
+	/// look-ahead. Returns false if the motion is out of range: the body must then jump.
 	[[nodiscard]] bool plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion);
 
 private:

@@ -6,7 +6,7 @@
 namespace net {
 
 double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm) {
-	// The rotation tolerance is an angle, independent of size. So the lever arm is not scaled.
+	// The rotation tolerance is an angle and does not depend on the body's scale, so the lever arm is not scaled.
 	const cga::Vector3<double> offset = a.translation - b.translation;
 	const glm::dmat3 difference = glm::mat3_cast(a.rotation) - glm::mat3_cast(b.rotation);
 	double max_squared = glm::dot(offset, offset);

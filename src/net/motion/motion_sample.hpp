@@ -11,7 +11,7 @@ struct MotionSample {
 };
 
 /// The distance between two poses of a body, in meters: the maximum over its center and the points on its axes at
-/// the lever arm, computed with scale 1, plus the lever arm times the difference of the scales.
+/// the lever arm (ignoring scale), plus the lever arm times the difference of the scales.
 [[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm);
 
 } // namespace net

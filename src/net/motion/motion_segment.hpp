@@ -12,7 +12,7 @@ namespace net {
 ///   rotation     start exp(rotation u + rotation_curvature w)       (rotation vectors in the body's axes at the start)
 ///   scale        start scale_ratio^u
 ///
-/// In the modes LINEAR and SCREW, the path from start to end is that of cga::interpolate, and the curvature terms are added.
+/// In the modes LINEAR and SCREW, cga::interpolate gives the path from start to end, and the curvature terms are added to it.
 struct MotionSegment {
 	double begin = 0.0; ///< ticks
 	double length = 1.0; ///< ticks

@@ -6,7 +6,7 @@ namespace net {
 
 namespace {
 
-/// Usual number of segments: two windows of a few segments.
+/// Typical number of segments: two windows of a few segments each.
 constexpr size_t INITIAL_CAPACITY = 8;
 
 } // namespace

@@ -9,24 +9,24 @@
 
 namespace net {
 
-/// The jitter buffer of one body: its segments in order of time, from the one being shown on.
+/// The jitter buffer of one body: its segments in chronological order, starting with the one being shown.
 class MotionTrack {
 public:
 	/// Maximum number of segments. If more arrive, the oldest is dropped.
 	static constexpr size_t MAX_SEGMENTS = size_t(4) * MAX_TICKS;
 
-	/// Appends a motion, which replaces all motion known from its beginning on.
+	/// Appends a motion and discards known motion that begins at the same time or later.
 	void add(const BodyMotion &motion);
 	/// Drops the segments before the one shown at `tick`.
 	void forget_before(double tick);
-	/// The pose at a time, in ticks. Nothing if the body does not exist then.
+	/// The pose at `tick`. Returns std::nullopt if the body does not exist then.
 	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(double tick) const;
 	/// True if the body exists neither at `tick` nor later.
 	[[nodiscard]] bool is_over(double tick) const;
 	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
 
 private:
-	std::vector<BodyMotion> _motions; // from _first on; those before are dropped
+	std::vector<BodyMotion> _motions; // entries before _first are dropped
 	size_t _first = 0;
 };
 

@@ -19,8 +19,8 @@ struct SegmentErrorInput {
 	float curvature[6];
 };
 
-/// The maximum error over all samples, in steps: of the body's center and of the points at the lever arm. Above `limit` it may
-/// stop early and return less, but more than `limit`. All machines compute the same bits.
+/// The maximum error of the body's center and of the points at the lever arm, over all samples, in steps. If it exceeds `limit`,
+/// the result may be any lower bound above `limit` (early exit). All machines compute the same bits.
 [[nodiscard]] float segment_error(const SegmentErrorInput &input, float limit) noexcept;
 
 /// segment_error() compiled for AVX2, on x86-64 only.

@@ -15,7 +15,7 @@ namespace {
 constexpr double MAX_UNOBSERVED_END = 0.25;
 constexpr double LAST_SAMPLE_WEIGHT = 0.2;
 constexpr double MAX_ROTATION = 6.0; // of a segment, in radians
-/// Codes whose error exceeds the tolerance by no more than this factor are improved by single steps.
+/// Single steps try to improve codes whose error is less than this multiple of the tolerance.
 constexpr float MAX_IMPROVABLE_ERROR = 1.15f;
 constexpr float NO_LIMIT = 1e18f;
 constexpr int32_t MAX_CODE = ResidualModel::MAX_MAGNITUDE / 2;
@@ -27,7 +27,7 @@ int32_t &coefficient(SegmentCode &code, int index) {
 
 } // namespace
 
-/// The sums over the samples (u, w, y) from which the least-squares solution of y = end u + curvature w follows.
+/// Sums over the samples (u, w, y) for the normal equations of the least-squares problem y = end u + curvature w.
 struct SegmentFit::LeastSquares {
 	double uu = 0.0;
 	double uw = 0.0;
@@ -69,7 +69,7 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 		const cga::Vector3<double> translation = (pose.translation - _start.translation) / _grid.position_step;
 		const cga::Vector3<double> rotation = unwrapped(log_rotation(inverse_start * pose.rotation), previous);
 		previous = rotation;
-		const glm::dmat3 body_axes = glm::mat3_cast(pose.rotation); // as columns, the rows of the inverse
+		const glm::dmat3 body_axes = glm::mat3_cast(pose.rotation); // its columns are the rows of the inverse
 		double jacobian[9];
 		right_jacobian(rotation, jacobian);
 		for (size_t i = 0; i < 3; ++i) {
@@ -132,7 +132,7 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 }
 
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
-	// What the mode's path adds to u times its end: an estimate, as `steps` is an estimate of the end.
+	// Subtract the deviation of the mode's path from u times its end. It is approximate, as `steps` only estimates the end.
 	SegmentCode code;
 	code.ticks = ticks;
 	const MotionSegment path = state.segment(code, steps, _grid, 0.0, _mode);
@@ -204,7 +204,7 @@ void SegmentFit::improve_error(Candidate &best) const {
 }
 
 void SegmentFit::improve_cost(Candidate &best) const {
-	// A coefficient nearer to zero is cheaper. Computing the cost would rarely change the choice.
+	// Assume that a coefficient nearer to zero is cheaper. Computing the cost would rarely change the choice.
 	for (int i = 0; i < COEFFICIENTS; ++i) {
 		const int32_t value = coefficient(best.code, i);
 		if (value == 0) {
@@ -273,7 +273,7 @@ void SegmentFit::search_curved(const BodyState &state, const SegmentCode &straig
 		curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / StreamGrid::CURVATURE), double(-MAX_CODE), double(MAX_CODE)));
 	}
 	uint32_t min_cost = 0;
-	// The bits of `groups`: curvature of the translation, of the rotation.
+	// Bits of `groups`: 1 for curvature of the translation, 2 for curvature of the rotation.
 	for (int groups = thorough ? 1 : 3; groups <= 3; ++groups) {
 		SegmentCode code = straight;
 		for (int i = 0; i < 6; ++i) {

@@ -12,7 +12,7 @@ namespace net {
 
 /// Searches for the cheapest code of a segment that passes all samples within the tolerance.
 ///
-/// The right Jacobian at each sample makes the path linear in its coefficients. Least squares give the coefficients, rounding
+/// The right Jacobian at each sample linearizes the path in its coefficients. Least squares gives the coefficients, rounding
 /// them gives a code, and single quantization steps then bring it within the tolerance and make it cheaper.
 class SegmentFit {
 public:
@@ -24,10 +24,10 @@ public:
 	/// Loads the samples for segments that start in `state` at `begin`: `count` to pass; those up to `available` are
 	/// look-ahead.
 	void begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available);
-	/// A code that passes the first `count` samples, whose times are in (begin, begin + ticks], within the tolerance; nothing if
-	/// none was found. A search that is not `thorough` is faster, finds fewer codes, and does not look for the cheapest.
+	/// Finds a code that passes the first `count` samples, at times in (begin, begin + ticks], within the tolerance; std::nullopt if
+	/// there is none. A search that is not `thorough` is faster, succeeds less often, and does not minimize the cost.
 	std::optional<SegmentCode> fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models);
-	/// A code that ends as near to sample `index` as possible, whatever the error at other samples; nothing if that is out of
+	/// Returns the code that ends nearest to sample `index`, ignoring all other samples; std::nullopt if the end is out of
 	/// range.
 	std::optional<SegmentCode> reach(const BodyState &state, int ticks, size_t index);
 
@@ -45,14 +45,14 @@ private:
 	void round_end(const double end[6], SegmentCode &code) const;
 	[[nodiscard]] Candidate evaluate(const SegmentCode &code, float limit) const;
 	[[nodiscard]] bool is_within(const Candidate &candidate) const { return candidate.error <= _tolerance; }
-	/// Close enough to the tolerance that single steps may bring it within.
+	/// True if single steps may bring the error within the tolerance.
 	[[nodiscard]] bool is_nearly_within(const Candidate &candidate) const;
-	/// In 1/256 bit.
+	/// The coding cost, in units of 1/256 bit.
 	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
 	void improve_error(Candidate &best) const;
 	void improve_cost(Candidate &best) const;
 	std::optional<SegmentCode> search(const BodyState &state, int ticks, bool thorough, MotionModels &models) const;
-	/// Replaces `best`, which is not within the tolerance, with the cheapest code with curvature that is, if there is one.
+	/// Replaces `best`, which exceeds the tolerance, with the cheapest curved code within the tolerance, if there is one.
 	void search_curved(const BodyState &state, const SegmentCode &straight, const LeastSquares &sums, bool thorough, MotionModels &models, Candidate &best) const;
 
 	using Row = SegmentErrorInput::Row;
@@ -66,12 +66,12 @@ private:
 	size_t _available = 0;
 	double _begin = 0.0;
 	cga::Pose<double> _start;
-	Row _target[6] = {}; // the rows of SegmentErrorInput; in the padding any numbers
+	Row _target[6] = {}; // the rows of SegmentErrorInput; the padding is arbitrary
 	Row _to_body[9] = {};
 	Row _jacobian[9] = {};
 	Row _saved_target[6]; // _target before the base path was subtracted
 
-	// The segment to be fitted.
+	// The segment being fitted.
 	int _count = 0;
 	int _padded = 0;
 	Row _u;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-// The header of each packet of a session. It tells sessions apart that share a transport, and their packets from a game's.
+// The header of each session packet. It distinguishes sessions that share a transport, and session packets from game packets.
 //
 //   u8   0x40 | ENVELOPE_VERSION << 2 | kind
 //   u16  key of the session, the same on all peers, little-endian
@@ -20,7 +20,7 @@ enum class PacketKind : uint8_t {
 	ACK,
 };
 
-/// The end that closes a stream.
+/// The endpoint that closes a stream.
 enum class CloseRole : uint8_t {
 	RECEIVER,
 	SENDER,
@@ -30,7 +30,7 @@ struct Envelope {
 	PacketKind kind = PacketKind::OPEN;
 	uint16_t key = 0;
 	uint8_t link = 0;
-	uint8_t version = 0; ///< of the peer that sent it
+	uint8_t version = 0; ///< protocol version of the sending peer
 };
 
 inline constexpr size_t ENVELOPE_BYTES = 4;
@@ -38,7 +38,7 @@ inline constexpr uint8_t ENVELOPE_VERSION = 1; ///< 0 to 3
 
 /// Writes ENVELOPE_BYTES bytes, with ENVELOPE_VERSION.
 void write_envelope(const Envelope &envelope, uint8_t *bytes);
-/// Nothing if the packet does not begin with an envelope: it belongs to the game.
+/// Returns std::nullopt if the packet does not begin with an envelope and thus belongs to the game.
 [[nodiscard]] std::optional<Envelope> read_envelope(const uint8_t *bytes, size_t size);
 
 } // namespace net

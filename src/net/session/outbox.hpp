@@ -8,7 +8,7 @@ namespace net {
 
 using PeerId = int32_t;
 
-/// The packets that a session wants to send. The caller drains it: a transport may call back into the session.
+/// Queue of outgoing packets. The caller drains it, because a transport may call back into the session while sending.
 class Outbox {
 public:
 	struct Packet {
@@ -18,7 +18,7 @@ public:
 		size_t size;
 	};
 
-	/// Adds a packet of `size` bytes and returns where to write it, until the next call.
+	/// Adds a packet of `size` bytes and returns a pointer to its bytes, valid until the next call.
 	[[nodiscard]] uint8_t *add(PeerId peer, bool reliable, size_t size) {
 		const size_t begin = _bytes.size();
 		_packets.push_back({ peer, reliable, begin, size });
@@ -26,7 +26,7 @@ public:
 		return _bytes.data() + begin;
 	}
 
-	/// Calls send(packet, bytes) for each packet and empties the outbox. `send` may add further packets: they stay.
+	/// Calls send(packet, bytes) for each packet and empties the outbox. Packets added by `send` remain queued.
 	template <class Send>
 	void drain(Send &&send) {
 		std::vector<Packet> packets;
@@ -37,7 +37,7 @@ public:
 			send(packet, bytes.data() + packet.begin);
 		}
 		if (_packets.empty()) {
-			// Keep the memory: a steady stream does not allocate.
+			// Reuse the memory, so that a steady stream does not allocate.
 			packets.clear();
 			bytes.clear();
 			packets.swap(_packets);

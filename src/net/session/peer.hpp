@@ -11,9 +11,9 @@
 
 namespace net {
 
-/// What a session knows of one connected peer.
+/// A session's state for one connected peer.
 struct Peer {
-	/// Packets of a stream that has ended may arrive for so long, in seconds, without counting as rejected.
+	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double AFTERMATH = 2.0;
 
 	TrafficMeter sent;
@@ -23,7 +23,7 @@ struct Peer {
 
 	// Our stream to the peer.
 	bool subscribed = false;
-	uint8_t subscription = 0; ///< its link
+	uint8_t subscription = 0; ///< link of the stream
 	double subscribed_at = -1e9;
 
 	// The peer's stream to us.
@@ -35,7 +35,7 @@ struct Peer {
 
 	[[nodiscard]] bool is_aftermath(double now) const { return now - ended_at < AFTERMATH; }
 
-	/// Without what the sender knows of the peer.
+	/// Statistics of this peer, without those of the sender.
 	[[nodiscard]] SessionStatistics statistics(double now) {
 		SessionStatistics result;
 		result.sent_bytes = sent.bytes_per_second(now);

@@ -7,12 +7,12 @@
 
 namespace net {
 
-/// Counts the packets of one peer that were rejected, and limits how often they are reported. Counting is cheap: a hostile
-/// peer can cause it at any rate.
+/// Counts the rejected packets of one peer and rate-limits their reports. Counting must be cheap, as a hostile
+/// peer can trigger it at any rate.
 class Rejections {
 public:
 	struct Report {
-		PacketError error; ///< of the last one
+		PacketError error; ///< of the last rejected packet
 		uint64_t count; ///< since the last report
 	};
 
@@ -22,7 +22,7 @@ public:
 		++_unreported;
 	}
 	[[nodiscard]] uint64_t count() const { return _count; }
-	/// What has not been reported yet, at most once an INTERVAL.
+	/// Returns the unreported rejections, at most once per INTERVAL.
 	[[nodiscard]] std::optional<Report> take_report(double now) {
 		if (_unreported == 0 || now - _reported_at < INTERVAL) {
 			return std::nullopt;

@@ -10,15 +10,15 @@ namespace {
 
 /// Seconds between two OPEN packets, until the stream arrives.
 constexpr double OPEN_INTERVAL = 0.25;
-/// After so many seconds without a packet the owner may have lost the subscription: OPEN is sent again.
+/// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
 /// Minimum seconds between two subscriptions of a peer, so that it cannot make us start a stream every tick.
 constexpr double SUBSCRIPTION_INTERVAL = 0.2;
-/// Room for bodies that do not exist here yet. It bounds the memory that a peer can make us use.
+/// Capacity for bodies that do not exist here yet. It bounds the memory that a peer can make us allocate.
 constexpr size_t SPARE_BODIES = 4096;
 
-/// One sequence for all sessions of a process, from a random start, so that packets in flight to an earlier stream are not
-/// taken for packets of a new one.
+/// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
+/// mistaken for packets of a new one.
 uint8_t next_link(double now) {
 	static uint8_t last_link = uint8_t(int64_t(now * 1e3));
 	return ++last_link;
@@ -124,7 +124,7 @@ void Session::remove_body(uint32_t body) {
 void Session::begin_tick(double now, double length) {
 	_now = _tick_time = now;
 	if (length != _settings.tick) {
-		// The sender, too, counts whole ticks of the new length from here.
+		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
 		_tick = 0;
 		_settings.tick = length;
@@ -256,8 +256,8 @@ void Session::advance(double now) {
 	}
 }
 
-/// A body in the stream of a peer that does not own it is not shown. It is not an error: while a body changes its owner,
-/// peers learn of it at different times.
+/// Bodies in the stream of a peer that does not own them are not shown. This is not an error: when a body changes its owner,
+/// peers are notified at different times.
 void Session::count_unauthorized(PeerId id, Peer &peer) {
 	peer.stream->take_events(_events);
 	for (const BodyEvent &event : _events) {
@@ -346,7 +346,7 @@ PacketResult Session::accept_ack(PeerId id, Peer *peer, uint8_t link, const uint
 		}
 		return PacketError::NOT_SUBSCRIBED;
 	}
-	// Time passes between two ticks: without this, round trips would be whole ticks.
+	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
 	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
 	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
 }
@@ -360,7 +360,7 @@ PacketResult Session::accept_close(PeerId id, Peer *peer, uint8_t link, const ui
 		return {};
 	}
 	if (role == CloseRole::SENDER && peer->stream && peer->link == link) {
-		// It may come back: a new stream is requested until it does.
+		// The sender may return: request a new stream until it does.
 		end_stream(*peer);
 		_streams_stale = true;
 	} else if (role == CloseRole::RECEIVER && peer->subscribed && peer->subscription == link) {

@@ -18,70 +18,70 @@ namespace net {
 ///
 /// A session holds one Sender for the bodies that its own peer owns, and one Receiver for each peer that owns others. The
 /// receiving side opens a stream with an OPEN packet and repeats it until the stream arrives, so it does not matter which
-/// side starts first. The receiver numbers each stream (its link), which tells packets of a stream from those of an earlier
+/// side starts first. The receiver numbers each stream (its link), which distinguishes its packets from those of an earlier
 /// one that are still in flight. Either side ends a stream with a CLOSE packet.
 ///
-/// The session knows no transport: the caller passes packets to `accept` and drains `outbox`. Nothing that arrives is
+/// The session is independent of the transport: the caller passes packets to `accept` and drains `outbox`. No input is
 /// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock.
 class Session {
 public:
 	explicit Session(const StreamSettings &settings) :
 			_settings(settings) {}
 
-	/// Starts over as peer `self`, without peers and bodies and without sending anything. 0: not connected.
+	/// Resets the session to local peer `self` (0: not connected), without peers and bodies. Sends no packets.
 	void connect(PeerId self, uint16_t key);
 	[[nodiscard]] bool is_connected() const { return _self != 0; }
 	[[nodiscard]] PeerId self() const { return _self; }
 	[[nodiscard]] uint16_t key() const { return _key; }
-	/// The peers that are connected now, in ascending order. Returns those that have left.
+	/// Sets the connected peers, in ascending order. Returns those that have left.
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
 	[[nodiscard]] bool has_peer(PeerId peer) const;
-	/// Closes all streams, with a CLOSE packet for each.
+	/// Queues a CLOSE packet for each stream.
 	void close(double now);
 
-	/// Settings of the own stream. The tick is set by begin_tick.
+	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
 	void set_settings(const StreamSettings &settings);
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
-	/// Adds a body, or gives it to another owner.
+	/// Adds a body, or changes its owner.
 	void set_owner(uint32_t body, PeerId owner);
 	void remove_body(uint32_t body);
 
-	/// Begins a tick of `length` seconds: media time advances by that.
+	/// Begins a tick and advances media time by `length` seconds.
 	void begin_tick(double now, double length);
-	/// True while a peer receives the own stream. Only then bodies need to be observed, once a tick.
+	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }
-	/// The pose of an own body at this tick. False if it is not finite or out of range: peers then see the last one.
+	/// Records the pose of an owned body at this tick. Returns false if the pose is invalid: peers then see the last one.
 	bool observe(uint32_t body, const cga::Pose<double> &pose);
-	/// The body is still at its last pose. False if the current stream has none yet.
+	/// Records that the body is still at its last pose. Returns false if the current stream has no pose of it yet.
 	bool observe(uint32_t body);
-	/// An own body jumps to its next pose.
+	/// Makes an owned body jump to its next pose without interpolation.
 	void teleport(uint32_t body);
-	/// Ends the tick: opens and closes streams as ownership demands, and makes the packets that are due.
+	/// Ends the tick: opens and closes streams according to ownership and queues the packets that are due.
 	void end_tick();
 
-	/// Advances playback to `now`; once a frame.
+	/// Advances playback to `now` and queues acknowledgements. Call it once per frame.
 	void advance(double now);
-	/// The stream of a peer, null before its first snapshot has arrived.
+	/// The incoming stream of a peer; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
-	/// The media time of the own stream, or the one shown of another peer's; 0 if there is none.
+	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
 
 	/// Processes a packet from a connected peer. Packets without this session's envelope are ignored.
 	void accept(PeerId peer, const uint8_t *bytes, size_t size, double now);
 	[[nodiscard]] Outbox &outbox() { return _outbox; }
 
-	/// Calls report(peer, report) for peers whose packets were rejected, at most every half second for each.
+	/// Calls report(peer, report) for peers whose packets were rejected, at most every half second per peer.
 	template <class ReportTo>
 	void report_rejections(ReportTo &&report);
 	[[nodiscard]] SessionStatistics statistics(PeerId peer, double now);
-	/// Of all peers, including those that have left.
+	/// Totals over all peers. The counts of late and rejected packets include peers that have left.
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
-	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds on the own stream
+	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void count_owner(PeerId owner, int change);
 	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
 	void update_streams();
@@ -102,18 +102,18 @@ private:
 	uint16_t _key = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // a subset of _connected
-	std::unordered_map<uint32_t, PeerId> _owners; // by body
-	std::map<PeerId, size_t> _body_count; // by owner
+	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
+	std::map<PeerId, size_t> _body_count; // keyed by owner
 	bool _streams_stale = false;
 	std::optional<Sender> _sender; // while a peer is subscribed
-	double _first_tick = 0.0; // where ticks of this length began, on the own stream
-	int64_t _tick = 0; // since then
+	double _first_tick = 0.0; // time() when the tick length last changed
+	int64_t _tick = 0; // ticks since _first_tick
 	double _tick_time = 0.0; // local time of the last tick
-	double _now = 0.0; // of the last tick or frame
+	double _now = 0.0; // local time of the last call
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
-	uint64_t _rejected = 0; // in all
-	uint64_t _late = 0; // of streams that have ended
+	uint64_t _rejected = 0; // total over all peers
+	uint64_t _late = 0; // late windows of streams that have ended
 	Outbox _outbox;
 	std::vector<uint8_t> _ack;
 	std::vector<BodyEvent> _events;
@@ -121,7 +121,7 @@ private:
 
 template <class ReportTo>
 void Session::report_rejections(ReportTo &&report) {
-	// The callee may change the session.
+	// Collect the reports first, as the callee may change the session.
 	std::vector<std::pair<PeerId, Rejections::Report>> reports;
 	for (auto &[id, peer] : _peers) {
 		if (const auto due = peer.rejections.take_report(_now)) {

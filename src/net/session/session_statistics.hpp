@@ -5,16 +5,16 @@
 
 namespace net {
 
-/// Statistics of the traffic with one peer, or with all.
+/// Traffic statistics for one peer or for all peers.
 struct SessionStatistics {
-	double sent_bytes = 0.0; ///< a second, like the next three
+	double sent_bytes = 0.0; ///< per second, as are the next three
 	double sent_packets = 0.0;
 	double received_bytes = 0.0;
 	double received_packets = 0.0;
-	double loss = 0.0; ///< share; of several peers the maximum, like the next two
+	double loss = 0.0; ///< fraction; totals take the maximum over peers, also of the next two
 	double round_trip = 0.0; ///< seconds
 	double playback_delay = 0.0; ///< seconds
-	uint64_t late = 0; ///< windows that arrived after playback had reached them
+	uint64_t late = 0; ///< windows that arrived after playback had reached their begin
 	uint64_t rejected = 0; ///< packets
 	uint64_t unauthorized = 0; ///< bodies that a peer sent without being their authority
 

@@ -6,7 +6,7 @@
 
 namespace net {
 
-/// Bytes and packets a second, over the last second.
+/// Measures bytes and packets per second over the last second.
 class TrafficMeter {
 public:
 	void add(uint64_t bytes, double now) {
@@ -25,7 +25,7 @@ private:
 	};
 
 	static constexpr int64_t SLOTS_PER_SECOND = 8;
-	static constexpr int64_t SLOTS = SLOTS_PER_SECOND + 1; // those of a second, and the one being filled
+	static constexpr int64_t SLOTS = SLOTS_PER_SECOND + 1; // one second of complete slots, and the slot being filled
 
 	void advance_to(double now) {
 		const int64_t wanted = int64_t(std::floor(now * SLOTS_PER_SECOND));

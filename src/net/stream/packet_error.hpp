@@ -6,7 +6,7 @@
 
 namespace net {
 
-/// Why a packet was rejected. A rejected packet changes nothing.
+/// Why a packet was rejected. A rejected packet leaves the decoded motion unchanged.
 enum class PacketError : uint8_t {
 	// Detected by senders and receivers.
 	EMPTY,
@@ -32,7 +32,7 @@ enum class PacketError : uint8_t {
 	NOT_SUBSCRIBED,
 };
 
-/// The reason as a clause without a period.
+/// Describes the reason as a clause without a period.
 [[nodiscard]] const char *describe(PacketError error);
 
 /// Success, or why a packet was rejected.

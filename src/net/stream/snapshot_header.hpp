@@ -18,11 +18,11 @@ struct SnapshotHeader {
 
 	StreamSettings settings; ///< send_rate is not transmitted
 	uint32_t tick = 0; ///< the snapshot's media time
-	float window = 0.0f; ///< usual length of a window, in seconds
+	float window = 0.0f; ///< the sender's maximum window length, in seconds
 };
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);
-/// Parses `header`.
+/// Parses a header at the start of `bytes`. Fails if it is truncated or out of range.
 PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
 
 } // namespace net

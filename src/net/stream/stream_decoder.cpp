@@ -18,7 +18,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	_new_models = MotionModels();
 	code_models(coder, _new_models);
 	coder.bits(count, INDEX_BITS);
-	// A body at rest takes at least a byte: a short snapshot cannot make the decoder allocate many.
+	// Each body takes at least one byte, so a short snapshot cannot make the decoder allocate many bodies.
 	if (ticks > MAX_TICKS || count > size) {
 		return PacketError::UNREADABLE_SNAPSHOT;
 	}

@@ -20,8 +20,8 @@ public:
 
 	/// Reads the output of StreamEncoder::encode_snapshot.
 	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
-	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its segments, of each body in order of
-	/// time. Returns the window's length in ticks; nothing if it cannot be decoded or its checksum differs.
+	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its segments, those of each body in order of
+	/// time. Returns the window's length in ticks; std::nullopt if it cannot be decoded or its checksum differs.
 	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);
 
 	/// The bodies at the end of the last window.
@@ -57,7 +57,7 @@ private:
 	MotionModels _models;
 	MotionModels _new_models;
 	std::vector<Body> _bodies;
-	std::vector<Body> _new_bodies; // of the window being read
+	std::vector<Body> _new_bodies; // working copy while a window is decoded
 	MotionCode _motion;
 	bool _previous_active = false; // the previous body in the list moves in this window
 	int _last_ticks = 0;

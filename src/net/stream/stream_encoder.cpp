@@ -7,10 +7,10 @@ namespace net {
 
 namespace {
 
-/// A gap in the samples that is longer than both is not interpolated: the body rests, then jumps.
+/// A gap between samples that exceeds both limits is not interpolated: the body rests, then jumps.
 constexpr double MAX_GAP_WINDOWS = 1.5;
 constexpr double MAX_GAP_TICKS = 6.0;
-/// Share of the tolerance within which a body stays at rest.
+/// Fraction of the tolerance within which a body stays at rest.
 constexpr double MAX_REST_DEVIATION = 0.9;
 /// Samples closer together than this, in ticks, are dropped.
 constexpr double MIN_STEP = 0.12;
@@ -102,7 +102,7 @@ bool StreamEncoder::observe(Body &body, double time) {
 	if (body.jump_next) {
 		body.jump_next = false;
 		_changed = true;
-		// Merge the jumps of a window: at the time of the first, to the pose of the last.
+		// Merge all jumps of a window into one: at the time of the first, to the pose of the last.
 		const double first = body.jumped ? body.event_time : time;
 		body.jumped = true;
 		body.event_time = first;
@@ -179,7 +179,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 	const double end = begin + ticks + 1e-6;
 	const auto is_added = [end](const Body &body) { return body.added && body.event_time <= end; };
 	const auto is_jumped = [end](const Body &body) { return body.jumped && body.event_time <= end; };
-	// Receivers never learn of a body that was added after the end and has been removed again.
+	// A body that was added after the end and has already been removed is never sent.
 	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
 	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
 	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
@@ -231,7 +231,7 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 	int from = 0;
 	size_t first = 0;
 	if (body.added && body.event_time > end) {
-		return; // a later window adds it
+		return; // a later window adds the body
 	}
 	if ((body.added || body.jumped) && body.event_time <= end) {
 		from = std::min(tick_in_window(body.event_time, begin, ticks), last);
@@ -274,7 +274,7 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	} else {
 		body.encoded_until = count == 0 ? body.encoded_until : samples[count - 1].time;
 		if (!_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion)) {
-			// The motion is out of range: the body rests, and jumps to its next pose.
+			// The motion is out of range: the body rests, then jumps to its next pose.
 			_motion.active = false;
 			_motion.has_rest_correction = false;
 			body.jump_next = true;

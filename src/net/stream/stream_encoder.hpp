@@ -10,7 +10,7 @@
 
 namespace net {
 
-/// Encodes the poses of many bodies into windows, each against the previous one. Times in ticks.
+/// Encodes the poses of many bodies into windows, each as a delta from the previous one. Times are in ticks.
 class StreamEncoder {
 public:
 	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode);
@@ -22,9 +22,9 @@ public:
 	[[nodiscard]] size_t body_count() const { return _index.size(); }
 	/// False if there is no such body or the pose is not finite or out of range.
 	bool observe(uint32_t id, double time, const cga::Pose<double> &pose);
-	/// The body is still at its last pose. False if there is no such body.
+	/// Records that the body is still at its last pose. Returns false if the body does not exist.
 	bool observe(uint32_t id, double time);
-	/// The body jumps to its next pose instead of moving there.
+	/// Makes the body jump to its next pose without interpolation. Returns false if the body does not exist.
 	bool jump(uint32_t id);
 	/// Calls visit(id, last pose) for each body.
 	template <class Visit>
@@ -39,7 +39,7 @@ public:
 	void encode_window(double begin, int ticks, std::vector<uint8_t> &bytes);
 	/// Eight-bit checksum of the state of all bodies after the last window.
 	[[nodiscard]] uint8_t check() const { return check_bits(_check); }
-	/// Appends what a receiver needs to decode the next window: the models and all bodies.
+	/// Appends the state that a receiver needs to decode the next window: the models and all bodies.
 	void encode_snapshot(std::vector<uint8_t> &bytes);
 
 	[[nodiscard]] const StreamGrid &grid() const { return _grid; }
@@ -49,14 +49,14 @@ private:
 		uint32_t id = 0;
 		BodyState state;
 		cga::Pose<double> latest; // the last pose observed
-		std::vector<MotionSample> samples; // that no window contains yet
-		bool added = false; // in this window, at `event_time`
+		std::vector<MotionSample> samples; // samples not yet encoded
+		bool added = false; // pending, at `event_time`
 		bool jump_next = false;
-		bool jumped = false; // in this window, at `event_time`
+		bool jumped = false; // pending, at `event_time`
 		bool removed = false;
 		double event_time = 0.0;
 		double removal_time = 0.0;
-		double encoded_until = 0.0; // time of the last sample that a window contains
+		double encoded_until = 0.0; // time of the last encoded sample
 	};
 
 	bool observe(Body &body, double time);

@@ -18,7 +18,7 @@ struct WindowCheck {
 	uint8_t mask = 255;
 };
 
-/// Folds the hash of a stream's state to a checksum.
+/// Folds the 32-bit hash of a stream's state into an 8-bit checksum.
 [[nodiscard]] inline uint8_t check_bits(uint32_t hash) {
 	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
 }

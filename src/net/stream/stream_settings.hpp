@@ -6,7 +6,7 @@
 
 namespace net {
 
-/// Settings of a stream of poses. The sender chooses them; receivers learn them from snapshots.
+/// Settings of a stream of poses. The sender chooses them; snapshots carry them to receivers.
 struct StreamSettings {
 	/// Maximum distance between a body as shown and as it was, in meters: at its center, and on its axes at the lever arm,
 	/// which StreamGrid derives from the two tolerances.
@@ -15,7 +15,7 @@ struct StreamSettings {
 	double rotation_tolerance = 1.4;
 	/// Playback delay of receivers, in seconds, without the delay of the network.
 	double max_latency = 0.2;
-	/// Maximum number of windows a second. Longer windows cost fewer bytes.
+	/// Maximum number of windows per second. Longer windows cost fewer bytes.
 	double send_rate = 20.0;
 	/// The base path of a segment, to which its curvature is added.
 	cga::Mode mode = cga::Mode::SEPARATE;
