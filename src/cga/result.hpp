@@ -16,7 +16,7 @@ namespace cga {
 //   }
 //
 // E is an enum with a function `describe`, or a struct with a message. Where there is only one reason, use
-// std::optional instead. A Result that is ignored is a warning.
+// std::optional instead. Ignoring a Result is a compiler warning.
 template <class T, class E>
 class [[nodiscard]] Result {
 	static_assert(!std::is_same_v<T, E>, "A value and an error of the same type are indistinguishable");
@@ -26,7 +26,7 @@ public:
 			_value(std::move(value)) {}
 	constexpr Result(E error) :
 			_error(std::move(error)) {}
-	// An error converts where its type does.
+	// Converts from a Result whose error type converts to E.
 	template <class F, class = std::enable_if_t<std::is_convertible_v<F, E>>>
 	constexpr Result(const Result<T, F> &other) :
 			_value(other ? std::optional<T>(*other) : std::nullopt), _error(other ? std::nullopt : std::optional<E>(other.error())) {}
@@ -49,7 +49,7 @@ private:
 	std::optional<E> _error;
 };
 
-// Success without a value, which `return {};` makes, or an error.
+// Success without a value (`return {};`), or an error.
 template <class E>
 class [[nodiscard]] Result<void, E> {
 public:

@@ -4,8 +4,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-// src/cga takes and returns GLM's vectors and quaternions. Quaternions are Hamilton's, constructed (w, x, y, z), acting as
-// q v q*.
+// src/cga takes and returns GLM's vectors and quaternions. Quaternions follow Hamilton's convention, are constructed as
+// (w, x, y, z) and rotate a vector v to q v q*.
 
 namespace cga {
 

@@ -10,7 +10,7 @@ class Multivector;
 enum class AlgebraError {
 	NOT_FINITE, // a coefficient or coordinate
 	EXPONENT_NOT_FINITE,
-	// Of versors.
+	// Versors: inverse, norm, exponential, logarithm, power.
 	ZERO_HAS_NO_INVERSE,
 	SINGULAR,
 	INVERSE_OVERFLOW,
@@ -25,7 +25,7 @@ enum class AlgebraError {
 	FRACTIONAL_POWER,
 	EXPONENT_TOO_LARGE,
 	POWER_OVERFLOW,
-	// Of objects.
+	// Objects: construction, meet, join, projection, reflection.
 	ZERO_DIRECTION,
 	RADIUS_NOT_POSITIVE,
 	COINCIDENT_POINTS,
@@ -39,7 +39,7 @@ enum class AlgebraError {
 	RESULT_OVERFLOW,
 };
 
-// What was wrong and what to do, without a final period: to follow "Multivector.inverse: ".
+// What was wrong and what to do, without a final period; callers put "Multivector.inverse: " or the like in front.
 [[nodiscard]] const char *describe(AlgebraError error) noexcept;
 
 // A multivector, or why there is none.

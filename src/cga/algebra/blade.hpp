@@ -19,7 +19,7 @@ inline constexpr int BLADE_COUNT = 1 << DIMENSION;
 // The bits of e4 and e5, which span the null vectors e_inf and e_o.
 inline constexpr unsigned E4_BIT = 0b01000;
 inline constexpr unsigned E5_BIT = 0b10000;
-// The bits of vectors that square to -1.
+// The bits of the basis vectors that square to -1.
 inline constexpr unsigned NEGATIVE_VECTORS = E5_BIT;
 
 [[nodiscard]] constexpr int grade_of_bitmap(unsigned bitmap) {
@@ -37,14 +37,14 @@ inline constexpr unsigned NEGATIVE_VECTORS = E5_BIT;
 	for (unsigned passed = left >> 1; passed != 0; passed >>= 1) {
 		swaps += grade_of_bitmap(passed & right);
 	}
-	// Vectors in both factors square to a sign.
+	// Each vector that is in both factors squares to +1 or -1.
 	swaps += grade_of_bitmap(left & right & NEGATIVE_VECTORS);
 	return (swaps & 1) == 0 ? 1 : -1;
 }
 
 namespace detail {
 
-// With e1 as the highest bit: larger numbers come first among blades of one grade.
+// The bits in reverse order, e1 highest: within a grade, blades are ordered by decreasing mirrored bitmap.
 [[nodiscard]] constexpr unsigned mirrored(unsigned bitmap) {
 	unsigned result = 0;
 	for (int bit = 0; bit < DIMENSION; ++bit) {

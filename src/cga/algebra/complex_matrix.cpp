@@ -23,7 +23,7 @@ constexpr Monomial operator*(const Monomial &left, const Monomial &right) {
 	return product;
 }
 
-// The vectors, with Pauli's matrices s1, s2, s3 and the Kronecker product (x): e1, e2, e3 = s1 (x) s1, s1 (x) s2,
+// The basis vectors, with the Pauli matrices s1, s2, s3 and the Kronecker product (x): e1, e2, e3 = s1 (x) s1, s1 (x) s2,
 // s1 (x) s3; e4 = s2 (x) 1; e5 = i e1 e2 e3 e4. They anticommute; the first four square to 1 and the fifth to -1.
 constexpr std::array<Monomial, DIMENSION> vector_matrices() {
 	std::array<Monomial, DIMENSION> vectors = { {
@@ -139,7 +139,7 @@ std::optional<ComplexMatrix> inverse_matrix(const ComplexMatrix &matrix) {
 			}
 		}
 	}
-	// Swapped columns are swapped rows of the inverse.
+	// A column swap in the matrix is a row swap in its inverse.
 	ComplexMatrix inverse;
 	for (size_t i = 0; i < 4; ++i) {
 		inverse[column_order[i]] = right[i];

@@ -10,12 +10,12 @@
 
 // The geometric product four coefficients at a time, in the order of bitmaps: with l, m bitmaps, m = 4 c + j,
 //   result[4 c + j] = sum over l of sign[l][4 c + j] a[l] b[l ^ (4 c + j)]
-// The four coefficients of chunk c read one chunk of b, c ^ (l / 4), permuted as l % 4 says: 4 permutations of 8 chunks.
+// The four coefficients of chunk c read one chunk of b, c ^ (l / 4), permuted by l % 4: 4 permutations of 8 chunks.
 // The signs are a bilinear form, so that those of a chunk are the lanes' signs times one sign,
 //   sign[l][4 c + j] = sign[l][j] (sign[l][4 c] sign[l][0])
-// The lanes' signs go into a[l], once for all chunks; the chunk's sign selects addition or subtraction at compile time.
+// The lanes' signs are multiplied into a[l] once for all chunks; the chunk's sign selects addition or subtraction at compile time.
 //
-// Terms are added in pairs and in the order of multiply(), without FMA: the same bits.
+// Terms are added in pairs, in the order of multiply() and without FMA, so that the results agree bit for bit.
 
 namespace cga {
 
@@ -78,7 +78,7 @@ CGA_ALWAYS_INLINE void add_left(__m256d (&sums)[CHUNKS], const double *a, const 
 	(add_pair<LEFT, CHUNK>(sums[CHUNK], one, other, b), ...);
 }
 
-// LEFT is one blade of each pair whose blades differ in e4 and e5.
+// LEFT holds one blade of each pair of blades that differ in e4 and e5.
 template <size_t... LEFT>
 CGA_ALWAYS_INLINE void add_all(__m256d (&sums)[CHUNKS], const double *a, const Permutations &b, std::index_sequence<LEFT...>) noexcept {
 	(add_left<LEFT>(sums, a, b, std::make_index_sequence<CHUNKS>()), ...);

@@ -9,7 +9,7 @@ namespace cga {
 [[nodiscard]] std::optional<int> single_grade(const Multivector &x, double tolerance = 1e-10);
 
 // Whether `x` is an outer product of vectors: of one grade, and of grades 2 and 3 only if X ^ X = 0 (of grade 3 for
-// its dual) within `tolerance` times max_abs squared. Null blades are blades, so is any number, zero included.
+// its dual) within `tolerance` times max_abs squared. Null blades are blades, and so is every scalar.
 [[nodiscard]] bool is_blade(const Multivector &x, double tolerance = 1e-10);
 
 } // namespace cga

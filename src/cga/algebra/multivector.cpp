@@ -20,7 +20,7 @@ constexpr double ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
 // The pseudoscalar I as a bitmap.
 constexpr unsigned PSEUDOSCALAR = BLADE_COUNT - 1;
 
-// I^2, a sign.
+// I^2 = -1.
 constexpr int PSEUDOSCALAR_SQUARED = product_sign(PSEUDOSCALAR, PSEUDOSCALAR);
 
 // X I times a sign: each blade becomes its complement.
@@ -213,7 +213,7 @@ std::optional<Multivector> Multivector::inverse_of_versor(double tolerance) cons
 	if (!(max_abs() > 0.0) || !is_finite()) {
 		return std::nullopt;
 	}
-	// At unit size, squares neither overflow nor vanish.
+	// At unit size, squares neither overflow nor underflow.
 	const int exponent = std::ilogb(max_abs());
 	const Multivector unit = times_power_of_two(-exponent);
 	const Multivector square = unit.geometric_product(unit.reverse());

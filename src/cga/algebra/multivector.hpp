@@ -35,11 +35,11 @@ public:
 
 	[[nodiscard]] Multivector geometric_product(const Multivector &right) const;
 	[[nodiscard]] Multivector outer_product(const Multivector &right) const;
-	// The fat dot: of the parts of grades i and j the part of grade |i - j|, scalars included.
+	// The fat dot product: for parts of grades i and j, grade |i - j| of their geometric product, scalars included.
 	[[nodiscard]] Multivector inner_product(const Multivector &right) const;
-	// The part of grade j - i.
+	// Likewise grade j - i.
 	[[nodiscard]] Multivector left_contraction(const Multivector &right) const;
-	// The part of grade i - j.
+	// Likewise grade i - j.
 	[[nodiscard]] Multivector right_contraction(const Multivector &right) const;
 	// A & B, dual to the outer product: undual(dual(A) ^ dual(B)). The meet of blades that together span the whole space.
 	[[nodiscard]] Multivector regressive_product(const Multivector &right) const;
@@ -67,17 +67,17 @@ public:
 	[[nodiscard]] double norm() const;
 	// X 2^exponent, without rounding within the range of double.
 	[[nodiscard]] Multivector times_power_of_two(int exponent) const;
-	// The largest absolute coefficient: tolerances are relative to it.
+	// The largest absolute value of a coefficient. Tolerances are relative to it.
 	[[nodiscard]] double max_abs() const;
 
-	// X^-1 = X~ / (X X~) if X X~ is a number other than zero, as for all versors and all blades that are not null. Empty
+	// X^-1 = X~ / (X X~) if X X~ is a nonzero scalar, as for all versors and all blades that are not null. Empty
 	// otherwise; versor/inverse.hpp has the inverse of any element.
 	[[nodiscard]] std::optional<Multivector> inverse_of_versor(double tolerance = 1e-10) const;
 	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection keeps the
 	// orientation of elements that it leaves in place. Empty if V is neither or has no inverse.
 	[[nodiscard]] std::optional<Multivector> sandwich(const Multivector &x, double tolerance = 1e-10) const;
 
-	// Every coefficient within `tolerance` of the other's.
+	// Whether corresponding coefficients differ by at most `tolerance` (absolute).
 	[[nodiscard]] bool is_equal_approx(const Multivector &other, double tolerance = 1e-9) const;
 	[[nodiscard]] bool is_finite() const;
 	// Whether all coefficients of odd (for is_odd: even) grade are at most `tolerance` times max_abs.

@@ -8,13 +8,13 @@
 
 // A product of two multivectors, unrolled at compile time from its sign table:
 //   result[m] = sum over l of sign[l][m] left[l] right[l ^ m]     (l, m bitmaps)
-// Only terms of the product generate code: 1,024 in the geometric product, 243 in the outer product and in each contraction.
+// Terms with sign 0 generate no code: 1,024 remain in the geometric product, 243 in the outer product and each contraction.
 
 namespace cga {
 
 namespace detail {
 
-// The product of the coefficients of a left blade and of the right blade that completes it to the result.
+// left[LEFT] right[LEFT ^ RESULT] (bitmaps): the term of one left blade in the coefficient of RESULT, without its sign.
 template <size_t RESULT, size_t LEFT>
 CGA_ALWAYS_INLINE double term(const Multivector &a, const Multivector &b) {
 	constexpr int LEFT_INDEX = BLADE_INDICES[LEFT];

@@ -4,7 +4,7 @@
 
 // A multivector's coefficients with e_inf in the place of e4 and e_o in the place of e5:
 //   a4 e4 + a5 e5 = (a4 + a5)/2 e_inf + (a5 - a4) e_o,     e4 ^ e5 = e_inf ^ e_o
-// and likewise after any of e1, e2, e3. Index i stands for the blade at i with e4 and e5 replaced:
+// and likewise multiplied by e1, e2, e3 from the left. Index i stands for the blade at i with e4 and e5 replaced:
 // e14 is e1 ^ e_inf, e125 is e12 ^ e_o, e1245 is e12 ^ e_inf ^ e_o.
 
 namespace cga {
@@ -21,7 +21,7 @@ constexpr void for_each_null_pair(Multivector::Coefficients &coefficients, Chang
 
 } // namespace detail
 
-// A difference of coefficients above 8e307 may overflow.
+// May overflow if coefficients exceed 8e307.
 [[nodiscard]] constexpr Multivector::Coefficients to_null_coefficients(const Multivector &x) {
 	Multivector::Coefficients coefficients = x.coefficients();
 	detail::for_each_null_pair(coefficients, [](double &fourth, double &fifth) {

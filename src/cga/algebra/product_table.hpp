@@ -31,7 +31,7 @@ enum class Product {
 		case Product::RIGHT_CONTRACTION:
 			return k == i - j;
 		case Product::COMMUTATOR:
-			// Blades with n vectors in common swap with the sign (-1)^(i j - n), and k = i + j - 2 n.
+			// Blades with n vectors in common satisfy A B = (-1)^(i j - n) B A, and k = i + j - 2 n.
 			return (i * j - (i + j - k) / 2) % 2 != 0;
 		case Product::SCALAR:
 			return k == 0;

@@ -71,7 +71,7 @@ CGA_ALWAYS_INLINE SinCos sin_cos(float x) noexcept {
 	const float r2 = r * r;
 	const float sine = r + r * r2 * (((r2 * (1.0f / 362880.0f) - 1.0f / 5040.0f) * r2 + 1.0f / 120.0f) * r2 - 1.0f / 6.0f);
 	const float cosine = 1.0f + r2 * (((r2 * (1.0f / 40320.0f) - 1.0f / 720.0f) * r2 + 1.0f / 24.0f) * r2 - 0.5f);
-	// The quadrant swaps and negates.
+	// The quadrant decides whether to swap sine and cosine, and their signs.
 	const int32_t quadrant = int32_t(k);
 	const bool swaps = (quadrant & 1) != 0;
 	const float plain_sine = swaps ? cosine : sine;

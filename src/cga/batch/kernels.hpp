@@ -10,8 +10,8 @@ namespace cga::kernel {
 //
 // One source, kernels.inl, is compiled once for each set, by kernels_<set>.cpp with the compiler's options for that set
 // (SConstruct and CMakeLists.txt choose them by the file's name). There, everything but the table has internal linkage and
-// nothing calls an inline function of another header: otherwise the linker could keep one compiled for AVX2 for the whole
-// program, which then fails on older processors. A test reads the objects' symbols (tests/package).
+// nothing calls an inline function of another header: otherwise the linker could keep a copy compiled for AVX2 for the whole
+// program, which then fails on older processors. A test checks the symbols of the object files (tests/package).
 struct Kernels {
 	void (*interpolate_blocks)(const PoseBlock *blocks, size_t body_count, const float *weights, float weight, Mode mode, float *rows) noexcept;
 	void (*compose_blocks)(const MotorBlock *first, const MotorBlock *second, size_t block_count, MotorBlock *products) noexcept;
@@ -26,7 +26,7 @@ extern const Kernels SCALAR_KERNELS;
 extern const Kernels BASELINE_KERNELS;
 extern const Kernels AVX2_FMA_KERNELS; // defined on x86-64 only
 
-// BASELINE's where this machine does not support `set`.
+// The kernels of `set`, or those of BASELINE if this machine does not support it.
 [[nodiscard]] const Kernels &kernels_of(InstructionSet set) noexcept;
 
 } // namespace cga::kernel

@@ -13,8 +13,8 @@ namespace {
 
 constexpr size_t POINT_FLOATS = 3;
 
-// Writes the rows of `body_count` bodies. `kernel.compute(block, count, columns)` computes those of one block, of which the
-// first `count` are wanted.
+// Writes the rows of `body_count` bodies. `kernel.compute(block, count, columns)` computes those of one block; only the
+// first `count` are used.
 template <class Kernel>
 CGA_ALWAYS_INLINE void write_each_row(const Kernel &kernel, size_t body_count, float *rows) noexcept {
 	alignas(64) RowColumns columns;
@@ -84,7 +84,7 @@ void compose_blocks(const MotorBlock *first, const MotorBlock *second, size_t bl
 }
 
 void transform_by_matrix(const float *matrix, const float *points, size_t count, float *images) noexcept {
-	float m[ROW_FLOATS]; // a copy that no store to `images` can change
+	float m[ROW_FLOATS]; // a copy, which `images` cannot alias
 	std::memcpy(m, matrix, sizeof(m));
 	CGA_INDEPENDENT_ITERATIONS
 	for (size_t i = 0; i < count; ++i) {

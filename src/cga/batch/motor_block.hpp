@@ -15,7 +15,7 @@ struct alignas(64) MotorBlock {
 	Row b[4];
 	Row v[4];
 
-	// 8 identities.
+	// All motors are the identity.
 	MotorBlock() noexcept;
 
 	// `lane` 0..7.
@@ -32,11 +32,11 @@ void compose_blocks(const MotorBlock *first, const MotorBlock *second, size_t bl
 // The images of `count` points, 3 floats each, under one motor, whose weight must not be zero. `images` may be `points`.
 void transform_points(const Motor<float> &motor, const float *points, size_t count, float *images, InstructionSet set = best_instruction_set()) noexcept;
 
-// The image of point i under motor i, for `count` motors. A motor of weight zero carries its point to the origin.
+// The image of point i under motor i, for `count` motors. A motor of weight zero maps its point to the origin.
 void transform_points(const MotorBlock *motors, const float *points, size_t count, float *images, InstructionSet set = best_instruction_set()) noexcept;
 
 // The poses of the first `body_count` motors, of any weight, as rows of 12 floats (interpolate_blocks()). A motor of weight
-// zero gives zeros, which draw nothing.
+// zero gives zeros, which renders nothing.
 void extract_blocks(const MotorBlock *motors, size_t body_count, float *rows, InstructionSet set = best_instruction_set()) noexcept;
 
 // The motors of unit weight of `body_count` such rows, in block_count(body_count) blocks; unused lanes of the last one get

@@ -128,7 +128,7 @@ CGA_ALWAYS_INLINE void extract_block(const MotorBlock &motors, RowColumns &colum
 // With R the basis divided by its scale s, 4 q q^T is symmetric with
 //   4 w^2 = 1 + R11 + R22 + R33     4 x^2 = 1 + R11 - R22 - R33     and so on
 //   4 w x = R32 - R23               4 x y = R21 + R12               and so on
-// Its row with the largest diagonal entry is q times a number of at least 1, without cancellation.
+// Row i with the largest diagonal entry is 4 q_i q with |q_i| >= 1/2, and loses no digits to cancellation.
 //   a = q / sqrt(s)     b = q sqrt(s)     v = -(1/2) t a
 CGA_ALWAYS_INLINE void motors_from_columns(const RowColumns &columns, MotorBlock &motors) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {

@@ -32,7 +32,7 @@ void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	block.hemisphere[lane] = hemisphere;
 }
 
-// 1 / (exp(z) - 1); where z is too small for float to tell the power from a plain weight, the factor of that weight.
+// The factor 1 / (exp(z) - 1) of exp(a z) - 1. For tiny z, the quotient is the weight a within rounding of float: linear = 1.
 struct PowerFactor {
 	std::complex<double> factor{ 0.0 };
 	double linear = 0.0;

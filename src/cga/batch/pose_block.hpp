@@ -30,11 +30,11 @@ struct alignas(64) PoseBlock {
 
 	// LINEAR.
 	Row to_rotation[4]; // w, x, y, z; the one of q_to and -q_to that is nearer to q_from
-	Row shortening; // 2 - 2 r_w: how much shorter than 1 a blend of the rotations is
+	Row shortening; // 2 - 2 r_w: the blend with weight w has the squared length 1 - w (1 - w) shortening
 	Row curvature[3]; // r_w d + d x r_v, d the displacement
 
-	// SCREW and SEPARATE. lambda = sigma + i theta is the logarithm of scale and rotation; see screw_lane() in
-	// pose_kernel.hpp for what the last five are factors of.
+	// SCREW and SEPARATE. lambda = sigma + i theta is the logarithm of scale and rotation; screw_lane() in
+	// pose_kernel.hpp multiplies by the last five rows.
 	Row axis[3]; // of the rotation; 0 without one
 	Row half_angle; // theta / 2, 0..pi/2
 	Row log_scale; // sigma; 0 if a scale is not positive

@@ -9,7 +9,7 @@
 //   void write_rows(const RowColumns &columns, float *rows)
 //   void read_rows(const float *rows, RowColumns &columns)
 //
-// `columns` are aligned as a block is. Compilers find no shuffles for such loops, hence the intrinsics.
+// `columns` have the alignment of a PoseBlock. Compilers do not turn such loops into shuffles, hence the intrinsics.
 
 namespace cga::kernel {
 

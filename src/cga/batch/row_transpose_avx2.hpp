@@ -8,7 +8,7 @@ namespace cga::kernel {
 
 namespace {
 
-// Transposes each half of the registers by itself: bodies 0 to 3 in the low halves, 4 to 7 in the high ones.
+// Transposes 4 x 4 floats in each 128-bit half of the registers: bodies 0 to 3 in the low halves, 4 to 7 in the high ones.
 CGA_ALWAYS_INLINE void transpose_halves(__m256 &first, __m256 &second, __m256 &third, __m256 &fourth) noexcept {
 	const __m256 low_left = _mm256_unpacklo_ps(first, second);
 	const __m256 high_left = _mm256_unpackhi_ps(first, second);
@@ -20,14 +20,14 @@ CGA_ALWAYS_INLINE void transpose_halves(__m256 &first, __m256 &second, __m256 &t
 	fourth = _mm256_shuffle_ps(high_left, high_right, 0xee);
 }
 
-// To a body's row and to that of the body 4 lanes on.
+// Stores the low half to a body's row and the high half to the row of the body 4 lanes later.
 CGA_ALWAYS_INLINE void store_halves(float *row, __m256 value) noexcept {
 	_mm_storeu_ps(row, _mm256_castps256_ps128(value));
 	_mm_storeu_ps(row + 4 * ROW_FLOATS, _mm256_extractf128_ps(value, 1));
 }
 
-// Loads whole registers, so that the compiler keeps the columns in registers. Stores 16 bytes and not 32: joining two bodies
-// costs a shuffle more for each, and a register.
+// Loads whole registers, so that the compiler keeps the columns in registers. Stores 16 bytes at a time: 32-byte stores would
+// need an extra shuffle each, and another register.
 CGA_ALWAYS_INLINE void write_rows(const RowColumns &columns, float *rows) noexcept {
 	for (size_t column = 0; column < ROW_FLOATS; column += 4) {
 		__m256 first = _mm256_load_ps(columns[column]);

@@ -9,7 +9,7 @@ namespace cga {
 
 namespace detail {
 
-// Length without overflow or underflow of the squares, and for float with one rounding.
+// The length, without overflow or underflow of the squares. The float version rounds only once.
 [[nodiscard]] inline float length(const Vector3<float> &vector) noexcept {
 	const Vector3<double> wide(vector);
 	return float(std::sqrt(glm::dot(wide, wide)));

@@ -13,15 +13,15 @@ namespace cga {
 namespace {
 
 constexpr int HALVINGS = 30;
-// Paths have few maxima: with this many samples, the golden-section search starts near the largest.
+// The deviation has few maxima: with this many samples, the golden-section search starts near the largest.
 constexpr int STEPS = 64;
 constexpr int SECTIONS = 32;
 constexpr double GOLDEN = 0.61803398874989485;
 // Paths are often symmetric: a later maximum replaces an equal one only if it is larger beyond rounding.
 constexpr double LARGER = 1.0 + 1e-9;
 
-// The largest length of (along + flat c, across + round s) with c^2 + s^2 = 1; all above or at 0, flat <= round.
-// With c > 0 the derivative is, up to the factor 2 c, concave in the angle and not below 0 where s = 0, so that it has
+// The largest length of (along + flat c, across + round s) with c^2 + s^2 = 1; all nonnegative, flat <= round.
+// With c > 0 the derivative is, up to the factor 2 c, concave in the angle and nonnegative at s = 0, so that it has
 // one zero.
 double farthest(double along, double across, double flat, double round) {
 	double low_c = 1.0, low_s = 0.0; // where the length still grows

@@ -4,7 +4,7 @@
 
 namespace cga {
 
-// How far apart two poses place a body.
+// The difference between two poses of a body.
 struct Deviation {
 	double distance = 0.0; // meters
 	double angle = 0.0; // radians, 0..pi

@@ -18,7 +18,7 @@ enum class MatrixError {
 // What is wrong with the transform and what to do, as the end of a sentence: "has scale zero ...".
 [[nodiscard]] const char *describe(MatrixError error) noexcept;
 
-// The relative difference in length of columns, and the cosine of their angles, that still count as a uniform scale: far above
+// The tolerance of a uniform scale, on relative differences of column lengths and on cosines between columns: far above
 // the rounding errors that float matrices accumulate, and below any intended non-uniform scale.
 inline constexpr double UNIFORMITY = 1e-3;
 

@@ -14,7 +14,7 @@ namespace cga {
 //   B   = the same with minus
 //   V_1 = m_14        V_2  = m_24             V_3  = m_34             V_123 = m_1234
 //
-// nothing is lost. Packed as quaternions (w, x, y, z):
+// A, B and V determine the motor. Packed as quaternions (w, x, y, z):
 //
 //   a = (A_0, -A_23, A_13, -A_12)     b = (B_0, -B_23, B_13, -B_12)     v = (V_123, V_1, V_2, V_3)
 //
@@ -22,7 +22,7 @@ namespace cga {
 //
 //   a = q / sqrt(s)     b = q sqrt(s)     v = -(1/2) t a     (t the quaternion (0, t1, t2, t3))
 //
-// Invariants of a motor: a and b are parallel, Re(v conj(b)) = 0. A motor times any non-zero number acts the same.
+// Invariants of a motor: a and b are parallel, Re(v conj(b)) = 0. All nonzero multiples of a motor act the same.
 template <class T>
 struct Motor {
 	Quaternion<T> a{ T(1), T(0), T(0), T(0) };
@@ -48,7 +48,7 @@ struct Motor {
 	[[nodiscard]] std::optional<Motor> normalized() const noexcept;
 	// The scalar part of M M~; 1 for unit weight.
 	[[nodiscard]] T norm_squared() const noexcept;
-	// Where the motor carries a point; the weight must not be zero.
+	// The image of a point; the weight must not be zero.
 	[[nodiscard]] Vector3<T> transform_point(const Vector3<T> &point) const noexcept;
 };
 

@@ -13,7 +13,7 @@ namespace cga {
 
 namespace detail {
 
-// (n . v) n of a unit (or zero) n.
+// (n . v) n for a unit (or zero) n.
 template <class T>
 [[nodiscard]] inline Vector3<T> along(const Vector3<T> &axis, const Vector3<T> &vector) noexcept {
 	return axis * glm::dot(axis, vector);

@@ -79,7 +79,7 @@ std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
 		return std::nullopt;
 	}
 
-	// M M~ = (a conj(b), b conj(a), v conj(b) + b conj(v)): positive, and nothing beside the number a . b.
+	// M M~ = (a conj(b), b conj(a), v conj(b) + b conj(v)): a positive scalar a . b and no other part.
 	const Quaternion<double> product = (motor.a / size_a) * glm::conjugate(motor.b / size_b);
 	const double square_residue = largest({ 0.0, product.x, product.y, product.z });
 	const double cross_residue = size_v > 0.0 ? std::abs(glm::dot(motor.v / size_v, motor.b / size_b)) : 0.0;

@@ -4,7 +4,7 @@
 #include "cga/motor/motor.hpp"
 #include "cga/motor/motor_exp.hpp"
 
-// Between the minimal form of a motor and the general multivector.
+// Conversions between the minimal form of a motor and the general multivector.
 
 namespace cga {
 

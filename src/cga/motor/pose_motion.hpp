@@ -27,7 +27,7 @@ template <class T>
 	return { pose.translation, unit_rotation(pose.rotation), pose.scale };
 }
 
-// The motion from one pose to another, in the world's axes and relative to the first position: its precision does not depend
+// The motion from one pose to another, in world axes and relative to the first position: its precision does not depend
 // on the distance from the origin. All modes apply the hemisphere rule through it.
 struct PoseMotion {
 	Quaternion<double> rotation; // q_to q_from* or its negative, so that w >= 0

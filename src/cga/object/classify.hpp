@@ -20,7 +20,7 @@ enum class Kind {
 	PLANE,
 	DIRECTION, // the meet of parallel lines or planes; also e_inf, which has no direction vector
 	TANGENT, // a round of radius zero: a point with a direction or a normal
-	ROTOR, // about an axis through the origin; about others it is a motor
+	ROTOR, // a rotation about an axis through the origin; about any other axis it is a MOTOR
 	TRANSLATOR,
 	DILATOR,
 	MOTOR,
@@ -30,7 +30,7 @@ enum class Kind {
 // The geometric interpretation of an element. Only fields that apply have a value; lengths in meters, directions of unit length.
 struct Classification {
 	Kind kind = Kind::NONE;
-	// The convention in which the element is that object: the requested one, unless the element has a meaning only in the other
+	// The representation in which the element is that object: the requested one, unless only the other has a meaning
 	// (n + k e_inf is a plane in IPNS, and not a set of points in OPNS).
 	bool ipns = false;
 	bool imaginary = false; // the squared radius is negative

@@ -4,9 +4,9 @@
 #include "cga/vector.hpp"
 
 // Decomposes a blade into Euclidean blades, and composes one from its geometric parameters. The coefficients of e4 and e5,
-// (p^2 -+ 1) / 2 for a point p, are never formed in between, so that no digits are lost to their size.
+// (p^2 -+ 1) / 2 for a point p, never occur as intermediate results: their rounding would lose digits of Q and R.
 //
-//   X = A + Q ^ e_inf + R ^ e_o + D ^ E,     A, Q, R, D of e1, e2, e3 only
+//   X = A + Q ^ e_inf + R ^ e_o + D ^ E,     A, Q, R, D in the algebra of e1, e2, e3
 //
 // A round with center c, attitude E_k (a Euclidean k-blade) and squared radius s is
 // (e_o + c + b e_inf) ^ T_c[E_k] with b = (c^2 + s) / 2, so that
@@ -24,8 +24,8 @@ struct ConformalParts {
 
 [[nodiscard]] ConformalParts parts_of(const Multivector &x);
 [[nodiscard]] Multivector from_parts(const ConformalParts &parts);
-// The same for an element in the null basis (null_coefficients.hpp), where Q and R keep their digits however different their
-// sizes. Outer products of such elements are valid; inner products are not.
+// The same for an element in the null basis (null_coefficients.hpp), which preserves the digits of Q and R whatever their
+// relative size. Outer products of such elements are valid; inner products are not.
 [[nodiscard]] ConformalParts parts_of_null(const Multivector &null);
 [[nodiscard]] Multivector null_of_parts(const ConformalParts &parts);
 
@@ -39,7 +39,7 @@ struct ConformalParts {
 [[nodiscard]] bool is_round(const ConformalParts &parts);
 
 // The parameters of a round of grade k + 1: Q = (-1)^k (h E_k - across ^ (along . E_k)). Instead of s they hold
-// 2 h = s - along^2 + across^2: near the surface of a large round, s and the squares are large and their difference counts.
+// 2 h = s - along^2 + across^2: near the surface of a large round, s and the squares are large and nearly cancel.
 struct RoundParameters {
 	Vector3<double> along, across; // the parts of c in E_k and across it
 	Multivector attitude; // E_k
@@ -55,7 +55,7 @@ struct RoundParameters {
 [[nodiscard]] RoundParameters with_radius_zero(const RoundParameters &parameters);
 [[nodiscard]] RoundParameters resized(const RoundParameters &parameters, double factor);
 [[nodiscard]] ConformalParts round_parts(const RoundParameters &parameters);
-// A bound of the error of r^2 from rounding of the coefficients. Those of e4 and e5 hold 2 Q / R, about c^2 far from the
+// A bound on the error of r^2 due to rounding of the coefficients. Those of e4 and e5 hold 2 Q / R, about c^2 far from the
 // origin, and their difference is the weight R; r^2 is a difference of squares.
 [[nodiscard]] double squared_radius_rounding(const ConformalParts &parts, const RoundParameters &parameters);
 // The parameters of a flat of grade k + 2: the point nearest to the origin, p = Q F^-1, and the attitude. D must not be zero.

@@ -50,7 +50,7 @@ Multivector volume() {
 	return Multivector::basis_blade(E123);
 }
 
-// The round with this attitude, or why there is none.
+// The round with this attitude, or the error.
 template <class Attitude>
 MultivectorResult round_of(const Vector &center, const Vector &axis, double radius, double sign, Attitude attitude) {
 	const std::optional<Vector> u = unit(axis);
@@ -84,7 +84,7 @@ Multivector along(const Vector &u) {
 	return euclidean(u);
 }
 
-// A bound of the rounding error of u x v, u and v being differences of points near a.
+// A bound on the rounding error of u x v, u and v being differences of points near a.
 double area_rounding(const Vector &a, const Vector &u, const Vector &v) {
 	const double size = std::max(largest(u), largest(v));
 	return ROUNDING * size * (largest(a) + size);

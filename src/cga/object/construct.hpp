@@ -5,7 +5,7 @@
 #include "cga/motor/motor_factors.hpp"
 
 // Objects from parameters and through points, in OPNS: X contains the points p with point(p) ^ X = 0 (null_basis.hpp). Lengths
-// in meters; directions and normals of any length but zero, which is ignored.
+// in meters; directions and normals of any nonzero length, which is ignored.
 //
 // Objects from parameters have unit weight; objects through points are the outer products of the points: line_through(a, b) =
 // a ^ b ^ e_inf, circle_through(a, b, c) = a ^ b ^ c. All are computed from center and radius, not by multiplying points, which
@@ -28,7 +28,7 @@ MultivectorResult circle(const Vector3<double> &center, const Vector3<double> &n
 // Three collinear points give the line, a circle of infinite radius, directed from the first to the farthest of them.
 MultivectorResult circle_through(const Vector3<double> &a, const Vector3<double> &b, const Vector3<double> &c);
 
-// All p with n . p = distance; `distance` in meters along the unit normal, also negative.
+// All p with n . p = distance; `distance` in meters along the unit normal; it may be negative.
 MultivectorResult plane(const Vector3<double> &normal, double distance);
 // The normal is (b - a) x (c - a). Collinear points are an error.
 MultivectorResult plane_through(const Vector3<double> &a, const Vector3<double> &b, const Vector3<double> &c);

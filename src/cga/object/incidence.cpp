@@ -93,8 +93,8 @@ Multivector with_sign_of(const Multivector &wanted, const Multivector &x) {
 	return unit(product < 0.0 ? -x : x);
 }
 
-// The same at once, without the rounding of the steps: what is in the other as it is, else (B . J) . A and A ^ (M . B).
-// Where nothing is shared or all is spanned, these are sums of products of single coefficients, which no unit changes.
+// Recomputes a span in one step, without the rounding of the iteration: M = (B . J) . A and J = A ^ (M . B), or the blades
+// themselves if one contains the other. For a scalar M or a pseudoscalar J, the result does not depend on the unit of length.
 Span at_once(const Blades &blades, Span span) {
 	const Multivector b = unit(blades.b), meet = contraction(contraction(b, span.join.reverse()), blades.a).grade(span.meet_grade);
 	if (length(meet) > 0.0) {
@@ -143,8 +143,8 @@ bool touches(const RoundParameters &round, double touching) {
 	return std::abs(round.squared_radius()) <= 2.0 * touching;
 }
 
-// A blade of the frame without the parts that are rounding: a round of a radius beyond all digits becomes a flat, one whose
-// radius is rounding a tangent, an infinitely distant flat a direction.
+// Removes the parts of a blade that are only rounding errors: a round with too large a radius to resolve becomes a flat, one
+// with a radius of zero within rounding a tangent, and an infinitely distant flat a direction.
 ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double rounding, double touching) {
 	if (grade == 0 || grade == DIMENSION) {
 		parts.origin = {};

@@ -23,11 +23,11 @@ MultivectorResult join(const Multivector &a, const Multivector &b);
 
 // (X . B) B^-1, the part of X in B. An error if B is null (a point, tangent or direction) and has no inverse.
 MultivectorResult project_onto(const Multivector &x, const Multivector &onto);
-// (X ^ B) B^-1, the part of X orthogonal to B. The same error.
+// (X ^ B) B^-1, the part of X orthogonal to B. Fails as project_onto() does.
 MultivectorResult reject_from(const Multivector &x, const Multivector &from);
 // The reflection of X in a plane, line (a half turn about it), circle or point pair, or its inversion in a sphere. With the
-// dual M* of the mirror, M* X M*^-1, with the grade involution of X if M* is odd, so that points keep a positive weight. The
-// same error.
+// dual M* of the mirror, M* X M*^-1, with the grade involution of X if M* is odd, so that points keep a positive weight. Fails
+// as project_onto() does.
 MultivectorResult reflect_in(const Multivector &x, const Multivector &mirror);
 
 } // namespace cga

@@ -19,7 +19,7 @@ constexpr double EPSILON = std::numeric_limits<double>::epsilon();
 constexpr double ALWAYS = 1e-10;
 // The relative error of the coefficients of the input.
 constexpr double ROUNDINGS = 16.0 * EPSILON;
-// A part is known if its rounding error is at most this share of it.
+// A part is significant if its rounding error is at most this fraction of it.
 constexpr double CLEAR = 1.0 / 64.0;
 
 // The sizes of the parts of an object, or of their rounding errors, relative to a given origin.
@@ -57,8 +57,8 @@ struct LocalFrame::Object {
 	ConformalParts parts;
 	bool is_round;
 	std::optional<Vector3<double>> place;
-	double radius = 0.0; // also of imaginary ones; 0 within rounding
-	double squares = 0.0; // of center and radius
+	double radius = 0.0; // of real and imaginary rounds; exactly 0 if zero within rounding
+	double squares = 0.0; // c^2 + |r^2|
 	// Relative to the frame's origin.
 	Extent seen{}, rounding{};
 
@@ -120,7 +120,7 @@ LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivec
 		size = glm::length(_place - *other.place);
 	}
 	size = std::max({ size, main.least_unit(), other.least_unit() });
-	// A power of two is exact.
+	// Scaling by a power of two is exact.
 	_unit = std::isfinite(size) && size > 0.0 ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
 	_rounding = ALWAYS + std::max(main.rounding_in(_unit), other.rounding_in(_unit));
 	// A large round is nearly flat at the scale of a small one.

@@ -8,7 +8,7 @@
 #define CGA_ARM64 1
 #endif
 
-// A function that is always inlined: kernels that vectorize, or become straight-line code, only as a whole.
+// Forces inlining, for kernels that vectorize or become straight-line code only if all their functions are inlined.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define CGA_ALWAYS_INLINE __forceinline
 #else

@@ -26,7 +26,7 @@ namespace cga {
 // - an object with the keys "0".."31" in any order, each with a number: JSON.stringify writes a ganja.js element, which
 //   is a typed array, like this.
 // White space is allowed as in JSON. Anything else is an error. Numbers follow JSON: no NaN, no hexadecimal, no leading
-// plus. A number too large for a double is an error; one too small is zero. At most 65,536 bytes.
+// plus. Overflow of double is an error; underflow gives zero. At most 65,536 bytes.
 [[nodiscard]] TextResult<Multivector> from_json(std::string_view text);
 
 } // namespace cga

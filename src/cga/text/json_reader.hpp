@@ -11,8 +11,8 @@
 
 namespace cga {
 
-// The first error is kept, and every call after it fails. The text may contain invalid UTF-8; strings read from it do
-// not.
+// The reader keeps the first error, and every call after it fails. The text may contain invalid UTF-8; returned strings
+// never do.
 class JsonReader {
 public:
 	explicit JsonReader(std::string_view text) :
@@ -21,7 +21,7 @@ public:
 	// In bytes from the start of the text.
 	[[nodiscard]] size_t position() const { return _position; }
 	[[nodiscard]] const std::optional<TextError> &error() const { return _error; }
-	// Clears the error and continues at another place.
+	// Clears the error and continues at `position`.
 	void restart_at(size_t position);
 
 	// Skips white space and returns the next character without consuming it; 0 at the end.

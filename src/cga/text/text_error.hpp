@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-// Errors of reading text, with their place.
+// Parse errors with their position.
 
 namespace cga {
 

@@ -15,7 +15,7 @@ namespace cga {
 struct Character {
 	uint32_t code = 0;
 	size_t length = 1; // bytes
-	bool is_valid = true; // false: a single byte that starts no valid character
+	bool is_valid = true; // false for a single byte that does not start a valid character
 };
 
 // The character at a byte offset. Precondition: offset < text.size().

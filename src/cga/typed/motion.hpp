@@ -49,7 +49,7 @@ template <class T>
 	return detail::unpacked(motor, std::make_index_sequence<4>());
 }
 
-// M x M^-1 of a motor of any weight but zero.
+// M x M^-1. The weight of the motor must not be zero.
 template <BladeSet BLADES, class T>
 [[nodiscard]] Sparse<BLADES, T> moved(const Sparse<BLADES, T> &x, const Motor<T> &motor) noexcept {
 	static_assert(moves_into_itself(BLADES), "motors do not preserve this type; use a Round or a Flat");

@@ -3,16 +3,16 @@
 #include "cga/algebra/product_table.hpp"
 
 // The products of null blades: basis blades with e_inf in the place of e4 and e_o in that of e5, at the same indices
-// (null_coefficients.hpp). The product of two is one null blade or two, each with a sign: e_inf e_o = -1 + E.
+// (null_coefficients.hpp). The product of two is zero, a signed null blade, or a sum of two: e_inf e_o = -1 + E.
 
 namespace cga::typed {
 
-// Left index, right index, index in the result: the sign there, in {-1, 0, 1}.
+// table[left][right][result], by blade index: the sign of the blade `result` in the product, -1, 0 or 1.
 using NullTable = std::array<std::array<std::array<int, BLADE_COUNT>, BLADE_COUNT>, BLADE_COUNT>;
 
 namespace detail {
 
-// A null blade is a blade of e1, e2, e3 times one of 1, e_inf, e_o, E: the bits of e4 and e5, as a number 0..3.
+// A null blade is a blade of e1, e2, e3 times one of 1, e_inf, e_o, E, which the bits of e4 and e5 number 0..3.
 inline constexpr int NULL_SHIFT = 3;
 inline constexpr unsigned EUCLIDEAN_BITS = (1u << NULL_SHIFT) - 1u;
 

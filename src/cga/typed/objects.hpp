@@ -8,7 +8,7 @@
 //   Point<> a = point(x), b = point(y);            5 coefficients each
 //   a.outer_product(b)                             a PointPair<>
 //   a.outer_product(b).outer_product(infinity())   a Line<>
-//   squared_distance(a, b)                         5 multiplications, and the weights
+//   squared_distance(a, b)                         5 multiplications, and a division by the weights
 //   s.regressive_product(t)                        the Circle<> in which two spheres meet, real or imaginary
 //   moved(line, motor)                             a Line<> again (motion.hpp)
 //
@@ -56,7 +56,7 @@ template <class T = double>
 	return { { T(1) } };
 }
 
-// e_o + c + (c^2 - r^2)/2 e_inf: minus the dual of a sphere; a point if r = 0.
+// e_o + c + (c^2 - r^2)/2 e_inf: the negated dual of a sphere; a point if r = 0.
 template <class T>
 [[nodiscard]] constexpr Round<1, T> dual_sphere(const Vector3<T> &center, T radius) noexcept {
 	Round<1, T> result;
@@ -79,7 +79,7 @@ template <class T>
 	return dual_sphere(center, radius).dual();
 }
 
-// All p with n . p = distance; `normal` of unit length. Its dual is minus n + distance e_inf.
+// All p with n . p = distance; `normal` of unit length. Its dual is -(n + distance e_inf).
 template <class T>
 [[nodiscard]] constexpr Plane<T> plane(const Vector3<T> &normal, T distance) noexcept {
 	decltype(Plane<T>().dual()) dual;
@@ -96,7 +96,7 @@ template <class T>
 	return Vector3<T>(point.template at<E1>(), point.template at<E2>(), point.template at<E3>()) / point.template at<E5>();
 }
 
-// -2 a . b, for points of any weight but zero. Far from the origin it loses digits: it is a difference of squares.
+// -2 a . b for points of any nonzero weight. Loses digits far from the origin, where the squares in a . b cancel.
 template <class T>
 [[nodiscard]] constexpr T squared_distance(const Point<T> &a, const Point<T> &b) noexcept {
 	return T(-2) * a.scalar_product(b) / (a.template at<E5>() * b.template at<E5>());

@@ -9,10 +9,10 @@
 #include <optional>
 #include <utility>
 
-// Multivectors that store only the coefficients of their type: a line 6, a sphere 5, a motor 12 of the 32.
+// Multivectors that store only the coefficients of their type: of the 32, a line has 6, a sphere 5 and a motor 12.
 //
 // The type of a product follows from the types of its factors, and its code is straight-line: one multiplication for each term
-// that can be other than zero, no branch, no loop. Coefficients are those of e_inf and e_o, not of e4 and e5: flats are then
+// that can be nonzero, no branch, no loop. Coefficients are those of e_inf and e_o, not of e4 and e5: flats are then
 // sparse, and objects far from the origin keep their precision.
 //
 // Methods have the names of Multivector's; every element converts to and from Multivector.

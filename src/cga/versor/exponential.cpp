@@ -13,7 +13,7 @@ namespace {
 
 constexpr double EPSILON = std::numeric_limits<double>::epsilon();
 
-// exp(B) = even + odd B of a bivector B.
+// exp(B) = even + odd B for a bivector B.
 struct Parts {
 	StudyNumber even;
 	StudyNumber odd;
@@ -119,7 +119,7 @@ MultivectorResult exp(const Multivector &x) {
 	if (!x.is_finite()) {
 		return AlgebraError::NOT_FINITE;
 	}
-	// A number commutes with everything: exp(k + X) = exp(k) exp(X).
+	// Scalars commute with all elements: exp(k + X) = exp(k) exp(X).
 	const double number = x[0];
 	Multivector rest = x;
 	rest[0] = 0.0;

@@ -15,7 +15,7 @@ namespace cga {
 // Precision: 1e-14 of the largest coefficient for motors; for other bivectors about 1e-15 K^2, K being the largest coefficient
 // (1e-13 for coefficients of the order of 1).
 //
-// The exponential of a bivector is a versor of unit weight. An error where X is not finite or exp(X) leaves the range
+// The exponential of a bivector is a versor of unit weight. Fails if X is not finite or exp(X) leaves the range
 // of double.
 MultivectorResult exp(const Multivector &x);
 

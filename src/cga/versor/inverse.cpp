@@ -9,7 +9,7 @@ namespace cga {
 
 namespace {
 
-// Of |X| |X^-1|.
+// The limit of the condition number |X| |X^-1|.
 constexpr double MAX_CONDITION = 1e13;
 
 double euclidean_norm(const Multivector &x) {
@@ -43,7 +43,7 @@ MultivectorResult inverse(const Multivector &x) {
 	if (!(x.max_abs() > 0.0)) {
 		return AlgebraError::ZERO_HAS_NO_INVERSE;
 	}
-	// At unit size, squares neither overflow nor vanish.
+	// At unit size, squares neither overflow nor underflow.
 	const int exponent = std::ilogb(x.max_abs());
 	const Multivector scaled = x.times_power_of_two(-exponent);
 	std::optional<Multivector> inverse = scaled.inverse_of_versor(0.0);
@@ -51,7 +51,7 @@ MultivectorResult inverse(const Multivector &x) {
 		inverse = inverse_by_matrix(scaled);
 	}
 	if (!inverse) {
-		// Motors with a large translation have large coefficients that cancel: only the minimal form tells them from null elements.
+		// Motors with a large translation have large coefficients that cancel: only the minimal form separates them from null ones.
 		if (const std::optional<Motor<double>> motor = to_motor(scaled)) {
 			if (const std::optional<Motor<double>> reverse = motor->inverse()) {
 				inverse = to_multivector(*reverse);

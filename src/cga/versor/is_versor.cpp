@@ -6,7 +6,7 @@ namespace cga {
 
 bool is_versor(const Multivector &x, double tolerance) {
 	const bool of_one_parity = x.is_even(tolerance) || x.is_odd(tolerance);
-	// Motors with a large translation have large coefficients that cancel: only the minimal form tells them from null elements.
+	// Motors with a large translation have large coefficients that cancel: only the minimal form separates them from null ones.
 	return (of_one_parity && x.inverse_of_versor(tolerance)) || is_motor(x, tolerance);
 }
 

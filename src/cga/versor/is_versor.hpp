@@ -4,8 +4,8 @@
 
 namespace cga {
 
-// Whether `x` is a product of vectors that are not null: even or odd, with X X~ a number other than zero, which is sufficient in
-// five dimensions. `tolerance` is relative to X X~. Numbers other than zero are versors, null blades are not.
+// Whether `x` is a product of non-null vectors. In five dimensions, it is one if it is even or odd and X X~ is a nonzero scalar.
+// `tolerance` is relative to X X~. Nonzero scalars are versors, null blades are not.
 [[nodiscard]] bool is_versor(const Multivector &x, double tolerance = 1e-10);
 
 // Whether `x` is a motor T R D of positive scale and any weight but zero, as to_motor() accepts it.

@@ -34,7 +34,7 @@ double log_of_weight(double weight, int exponent) {
 std::array<Multivector, 3> planes_of(const Multivector &j) {
 	const Multivector normal = j.dual();
 	const bool along_e5 = normal == normal[E5] * Multivector::basis_blade(E5);
-	const double x = along_e5 ? 1.0 : normal[E1]; // any vectors do then
+	const double x = along_e5 ? 1.0 : normal[E1]; // then any three vectors will do
 	const double y = normal[E2];
 	const double z = normal[E3];
 	const double w = normal[E4];
@@ -48,8 +48,8 @@ std::array<Multivector, 3> planes_of(const Multivector &j) {
 	return { first.outer_product(second) * (1.0 / squared), first.outer_product(third) * (1.0 / squared), second.outer_product(third) * (1.0 / squared) };
 }
 
-// Of M = J + a little, J = M_4 / |M_4|, where h(M_0 + M_4) is near its pole. M_2 falls apart into its halves
-// K = M_2 (1 +- J) / 2, and with cos(v), cos(u) = M_0 +- |M_4| the logarithm into v K_v / sin(v) + u K_u / sin(u).
+// The logarithm of M near J = M_4 / |M_4|, where h(M_0 + M_4) is near its pole. With K_v, K_u = M_2 (1 +- J) / 2 and
+// cos(v), cos(u) = M_0 +- |M_4|, M_2 = K_v + K_u and log(M) = v K_v / sin(v) + u K_u / sin(u).
 //
 // sin(u) is small, so that K_u is recomposed from the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
 // sin(u) = |c|. Rounding of c then rotates the planes of rotation, which matters little, but keeps them planes. For c = 0, any
@@ -73,7 +73,7 @@ Multivector log_near_double_half_turn(double number, const Multivector &bivector
 	return half_v * arccosine_ratio(number + length) + direction * std::atan2(sine, number - length);
 }
 
-// log(M) = M_2 h(M_0 + M_4) of unit weight and M_0 >= 0.
+// log(M) = M_2 h(M_0 + M_4) for unit weight and M_0 >= 0.
 Multivector log_of_unit_versor(const Multivector &versor) {
 	const double number = versor[0];
 	const Multivector bivector = versor.grade(2);
@@ -95,7 +95,7 @@ MultivectorResult log(const Multivector &versor) {
 	if (!(versor.max_abs() > 0.0)) {
 		return AlgebraError::ZERO_HAS_NO_LOGARITHM;
 	}
-	// At unit size, squares neither overflow nor vanish.
+	// At unit size, squares neither overflow nor underflow.
 	const int exponent = std::ilogb(versor.max_abs());
 	const Multivector scaled = versor.times_power_of_two(-exponent);
 	const bool is_a_versor = is_versor(scaled);

@@ -17,10 +17,10 @@ namespace cga {
 //   function picks one pair.
 //
 // Relative precision: 1e-13 for motors of any translation; for other versors about 1e-15 K^2, K being the largest coefficient at
-// unit weight, since its rounding limits how well the weight is known. (Inversions in spheres of radius 1 that are 3 m from the
+// unit weight, since its rounding limits the precision of the weight. (Inversions in spheres of radius 1 that are 3 m from the
 // origin give K of about 600.)
 //
-// Every such versor has a logarithm. An error for odd versors and even ones with M M~ < 0, which no continuous motion reaches,
+// Every such versor has a logarithm. Fails for odd versors and even ones with M M~ < 0, which no continuous motion reaches,
 // for elements that are not versors, and for elements that are not finite.
 MultivectorResult log(const Multivector &versor);
 

@@ -4,7 +4,7 @@
 #include "cga/motor/motor_multivector.hpp"
 
 // exp and log of motors as general multivectors, by motor_exp.hpp. The dilation is not computed from the scale or from a and b
-// of Motor, which would lose the digits of one near 0.
+// of Motor, which would lose digits of a dilation near 0.
 
 namespace cga {
 

@@ -34,7 +34,7 @@ MultivectorResult normalized(const Multivector &x) {
 	if (!(x.max_abs() > 0.0)) {
 		return AlgebraError::ZERO_HAS_NO_NORM;
 	}
-	// At unit size, squares neither overflow nor vanish.
+	// At unit size, squares neither overflow nor underflow.
 	const Multivector unit = x.times_power_of_two(-std::ilogb(x.max_abs()));
 	const Multivector square = unit.geometric_product(unit.reverse());
 	const double weight = square[0];

@@ -12,7 +12,7 @@ namespace cga {
 
 namespace {
 
-// All integers beyond this are even, and a product of so many factors has no correct digits.
+// The limit of |n| in V^n: the rounding error grows with n. Within the range of a 32-bit long.
 constexpr double MAX_WHOLE_EXPONENT = 1e9;
 
 // V^n by repeated squaring, n >= 0.

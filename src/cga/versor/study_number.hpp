@@ -4,7 +4,7 @@
 
 namespace cga {
 
-// A number k + f W, where W is an element of grade 4, given by the context, whose square is a number. Study numbers commute
+// A Study number k + f W. The context gives W, an element of grade 4 whose square is a scalar. Study numbers commute
 // with each other and with the bivectors they come from: the even powers of a bivector B are Study numbers.
 struct StudyNumber {
 	double number = 0.0; // k
