@@ -8,7 +8,7 @@ extends SceneTree
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
 const KINDS := 8
-## The first byte of an envelope, without the kind (src/net/delivery/envelope.hpp).
+## The first byte of an envelope, without the kind (src/net/session/envelope.hpp).
 const MARK := 0x44
 const CLOSE := 1
 const MOTION := 2
