@@ -1,50 +1,39 @@
 #pragma once
 
+#include "net/delivery/arrival_line.hpp"
+
 namespace net {
 
-/// The maximum or minimum of recent values, over the current time span and the previous one.
-class RecentExtreme {
-public:
-	/// `sign` 1 for the maximum, -1 for the minimum; `span` in seconds.
-	RecentExtreme(double sign, double span) :
-			_sign(sign), _span(span) {}
-
-	void add(double value, double now);
-	[[nodiscard]] double value() const;
-	[[nodiscard]] bool is_empty() const { return _empty; }
-
-private:
-	double _sign;
-	double _span;
-	double _current = 0.0;
-	double _previous = 0.0;
-	double _begin = 0.0;
-	bool _empty = true;
-};
-
-/// Maps a receiver's local time to the media time it shows. The earliest recent arrivals estimate the sender's clock; the
-/// lateness of recent arrivals sets the playback delay. Playback follows by running a little faster or slower, never
-/// backwards. Times in seconds.
+/// Maps a receiver's local time to the media time it shows.
+///
+/// An ArrivalLine estimates up to which media time motion can have arrived, and how fast the sender's media time runs; the
+/// lateness of recent motion sets the playback delay. Playback follows by running a little faster or slower than the sender.
+/// It goes back only if the sender itself has stopped or slowed down: to the begin of the first motion that was not shown.
+/// Times in seconds.
 class PlaybackClock {
 public:
 	/// Starts at `now`. Motion is known up to media time `end`; playback starts at `end - delay`.
 	void start(double end, double delay, double now);
-	/// Records that a window ending at media time `end` arrived at `now`.
-	void observe(double end, double now);
-	/// Records that motion beginning at media time `begin` arrived at `now`. Playback should not have reached `begin` yet.
-	void observe_motion(double begin, double now) { _required_delay.add(now - begin - _offset.value(), now); }
+	/// Records that a packet arrived.
+	void observe_packet(double now);
+	/// Records that motion from media time `begin` to `end` arrived at `now`. If nothing moves, `begin` is `end`.
+	void observe(double begin, double end, double now);
+	/// Records that a chunk arrived that had been lost or overtaken. `loss` is the recent fraction of such chunks.
+	void observe_loss(double loss, double now);
 	/// Advances playback to `now`.
 	void advance(double now);
 
 	[[nodiscard]] bool is_running() const { return _running; }
 	[[nodiscard]] double media_time() const { return _position; }
 	[[nodiscard]] double media_time_at(double now) const;
-	/// The target delay behind the newest media time that can have arrived.
+	/// The target delay behind the newest media time that can have arrived, in media time.
 	[[nodiscard]] double target_delay() const;
-	/// The actual delay at `now`.
+	/// The actual delay at `now`, in local time. While nothing arrives, it grows.
 	[[nodiscard]] double delay_at(double now) const;
-	/// Spread between the earliest and the latest recent arrivals, in seconds.
-	[[nodiscard]] double jitter() const;
+	/// Spread between the earliest and the latest recent arrivals.
+	[[nodiscard]] double jitter() const { return _line.jitter(); }
+	/// Media seconds of the sender per local second.
+	[[nodiscard]] double sender_rate() const { return _line.rate(); }
 
 	/// Limits of the delay.
 	void set_limits(double min_delay, double max_delay) {
@@ -53,16 +42,35 @@ public:
 	}
 
 private:
-	[[nodiscard]] double rate(double now, double step) const;
+	/// Arrivals that are processed at one instant.
+	struct Batch {
+		double time = 0.0;
+		double begin = 0.0; // earliest motion
+		double end = 0.0; // latest known media time
+		bool is_after_silence = false;
+		bool is_open = false;
+	};
+
+	void close_batch();
+	[[nodiscard]] double speed(double now, double step) const;
+	[[nodiscard]] double target(double now) const { return _line.newest_at(now) - target_delay(); }
 
 	bool _running = false;
 	double _position = 0.0;
 	double _last = 0.0;
 	double _min_delay = 0.0;
 	double _max_delay = 0.2;
-	RecentExtreme _offset{ -1.0, 4.0 }; // local time minus media time, at arrival
-	RecentExtreme _required_delay{ 1.0, 6.0 }; // from the begin of a motion to its arrival, in local time
-	RecentExtreme _lateness{ 1.0, 2.0 };
+	double _losses_until = -1e9;
+	ArrivalLine _line;
+	RecentExtreme _required_delay{ 1.0, 6.0 }; // media time from the begin of a motion to its arrival
+	double _suspect_delay = 0.0; // required by the last arrival, if that was suspect
+	Batch _batch;
+	double _known = 0.0; // media time
+	double _known_at = 0.0;
+	double _packet_time = 0.0;
+	double _packet_interval = 0.1; // moving average
+	double _silence_end = -1e9; // when a packet last arrived after unusual silence
+	bool _is_silence_over = false; // the packets of this instant are the first after unusual silence
 };
 
 } // namespace net

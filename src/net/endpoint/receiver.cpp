@@ -34,6 +34,7 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 		++_statistics.packets_rejected;
 		return result;
 	}
+	_clock.observe_packet(now);
 	_statistics.bytes_received += size;
 	++_statistics.packets_received;
 	if (!_has_heard) {
@@ -46,7 +47,7 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	for (const ChunkItem &chunk : _content.chunks) {
 		_ack_due = true;
 		if (const auto number = _chunks.add(chunk)) {
-			count_loss(*number);
+			count_loss(*number, now);
 		}
 	}
 	for (const FragmentItem &fragment : _content.fragments) {
@@ -65,11 +66,15 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	return {};
 }
 
-void Receiver::count_loss(uint8_t number) {
+void Receiver::count_loss(uint8_t number, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
 	const bool is_late = int8_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
-	_newest_chunk = is_late ? _newest_chunk : number;
+	if (is_late) {
+		_clock.observe_loss(_statistics.loss, now);
+	} else {
+		_newest_chunk = number;
+	}
 }
 
 PacketResult Receiver::check_fragments() const {
@@ -130,7 +135,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 		}
 	}
 	set_limits();
-	_clock.observe(known_time(), now);
+	_clock.observe(known_time(), known_time(), now);
 	_chunks.restart(_fragments.next_chunk());
 	if (!continues || int8_t(_newest_chunk - _fragments.next_chunk()) < 0) {
 		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
@@ -199,14 +204,13 @@ void Receiver::decode_windows(double now) {
 		_progress_time = now;
 		const double begin = _window_end;
 		_window_end += *ticks;
-		_clock.observe(known_time(), now);
 		double moves_from = _window_end;
 		for (const BodyMotion &motion : _motions) {
 			moves_from = std::min(moves_from, motion.segment.begin);
 			show(motion);
 		}
+		_clock.observe(moves_from * tick(), known_time(), now);
 		if (!_motions.empty()) {
-			_clock.observe_motion(moves_from * tick(), now);
 			if (_clock.media_time() > begin * tick()) {
 				++_statistics.late_windows;
 			}

@@ -52,7 +52,7 @@ public:
 
 	/// True once a snapshot has arrived.
 	[[nodiscard]] bool is_ready() const { return _decoder.has_value(); }
-	/// Advances playback to `now`. Media time never runs backwards.
+	/// Advances playback to `now`. Media time runs backwards only after the sender stood still.
 	void advance(double now);
 	/// The media time shown: seconds on the sender's clock since its stream began.
 	[[nodiscard]] double media_time() const { return _clock.media_time(); }
@@ -77,7 +77,7 @@ public:
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
 private:
-	void count_loss(uint8_t number);
+	void count_loss(uint8_t number, double now);
 	PacketResult check_fragments() const;
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);

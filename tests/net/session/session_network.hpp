@@ -31,6 +31,10 @@ public:
 		std::vector<std::pair<PeerId, net::Rejections::Report>> reports;
 		double origin = 0.0; // virtual time at which the media time of its stream is 0
 		int poses_rejected = 0;
+		double held_until = 0.0; // virtual time until which it makes no ticks
+		double tick_share = 1.0; // fraction of its ticks that it makes
+		double due_ticks = 0.0;
+		int64_t ticks = 0;
 	};
 
 	struct SentPacket {
@@ -173,6 +177,12 @@ private:
 	}
 
 	void step_tick(PeerId id, Peer &peer) {
+		peer.due_ticks += now < peer.held_until ? 0.0 : peer.tick_share;
+		if (peer.due_ticks < 1.0 - 1e-9) {
+			return;
+		}
+		peer.due_ticks -= 1.0;
+		++peer.ticks;
 		peer.session.begin_tick(local(id), tick);
 		for (const auto &[body, owner] : peer.owners) {
 			const auto path = paths.find(body);

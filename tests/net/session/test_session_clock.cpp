@@ -1,0 +1,99 @@
+#include "session_network.hpp"
+
+using namespace net;
+using namespace net_test;
+
+namespace {
+
+constexpr double SPEED = 2.0; // m/s in the sender's time
+
+/// A server and a client that shows one body, which moves SPEED / 60 meters in each tick that the server makes.
+struct MovingBody {
+	SessionNetwork network;
+	double shown = 0.0;
+	double max_step_back = 0.0;
+	int frames = 0;
+	int frozen = 0;
+
+	explicit MovingBody(const LinkSettings &link = { 0.02 }) :
+			network(link) {
+		network.frames_per_tick = 2;
+		network.join(1);
+		network.join(2);
+		network.paths[5] = [this](double) {
+			PoseD pose;
+			pose.translation.x = SPEED * double(network.peers.at(1).ticks) * network.tick;
+			return pose;
+		};
+		network.set_owner(5, 1);
+	}
+
+	/// Counts the frames in which the body moves less than a tenth of `speed`.
+	void run(double seconds, double speed = SPEED) {
+		frames = frozen = 0;
+		const double frame = network.tick / network.frames_per_tick;
+		network.run(seconds, [&] {
+			const Receiver *stream = network.session(2).stream(1);
+			const auto pose = stream != nullptr ? stream->pose(5) : std::nullopt;
+			if (!pose) {
+				return;
+			}
+			const double step = pose->translation.x - shown;
+			shown = pose->translation.x;
+			++frames;
+			frozen += step < 0.1 * speed * frame * network.frames_per_tick ? 1 : 0;
+			max_step_back = std::max(max_step_back, -step);
+		});
+	}
+
+	[[nodiscard]] double delay() { return network.statistics(1, 2).playback_delay; }
+	/// How far the body is behind the server's, in seconds of its motion.
+	[[nodiscard]] double lag() { return double(network.peers.at(1).ticks) * network.tick - shown / SPEED; }
+};
+
+} // namespace
+
+TEST_CASE("session: after a server stood still, clients see smooth motion within 0.5 s and the usual delay within 2 s") {
+	for (const double max_latency : { 0.05, 0.1, 0.2 }) {
+		for (const double seconds : { 0.2, 0.5, 1.0, 3.0, 10.0, 60.0 }) {
+			for (const double loss : { 0.0, 0.02 }) {
+				CAPTURE(max_latency);
+				CAPTURE(seconds);
+				CAPTURE(loss);
+				LinkSettings link{ 0.02 };
+				link.loss = loss;
+				MovingBody body(link);
+				StreamSettings settings;
+				settings.max_latency = max_latency;
+				body.network.session(1).set_settings(settings);
+				body.run(5.0);
+				const double delay = body.delay();
+				body.network.peers.at(1).held_until = body.network.now + seconds;
+				body.run(seconds + 0.5);
+				body.run(1.5);
+				CHECK(body.frozen <= (loss == 0.0 ? body.frames / 50 : body.frames / 10));
+				CHECK(body.delay() < delay + (loss == 0.0 ? 0.02 : 0.15));
+				CHECK(body.delay() == doctest::Approx(body.lag() - 0.02).epsilon(0.3));
+				CHECK(body.max_step_back < 0.05);
+			}
+		}
+	}
+}
+
+TEST_CASE("session: a server that drops ticks is shown smoothly at its own rate") {
+	for (const double rate : { 57.0 / 60.0, 54.0 / 60.0, 40.0 / 60.0, 24.0 / 60.0 }) {
+		for (const double max_latency : { 0.05, 0.1, 0.2 }) {
+			CAPTURE(rate);
+			CAPTURE(max_latency);
+			MovingBody body;
+			StreamSettings settings;
+			settings.max_latency = max_latency;
+			body.network.session(1).set_settings(settings);
+			body.network.peers.at(1).tick_share = rate;
+			body.run(3.0, SPEED * rate);
+			body.run(6.0, SPEED * rate);
+			CHECK(body.frozen <= body.frames / 50);
+			CHECK(body.delay() == doctest::Approx(body.lag() / rate - 0.02).epsilon(0.3));
+		}
+	}
+}
