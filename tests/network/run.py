@@ -21,12 +21,14 @@ import bad_network_cases  # noqa: E402
 import cases  # noqa: E402
 import guide_case  # noqa: E402
 import hostile_case  # noqa: E402
+import situation_cases  # noqa: E402
 import checkout  # noqa: E402
 import project  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
-CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, guide_case.guide_project_moves_smoothly)
+CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
+         guide_case.guide_project_moves_smoothly)
 LONG_SECONDS = "60"
 
 

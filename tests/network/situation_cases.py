@@ -1,0 +1,7 @@
+"""Situations of real games (situations/*.gd), each measured on processes over ENet on this machine."""
+
+import situation_time_cases
+
+CASES = (
+    *situation_time_cases.CASES,
+)
