@@ -1,7 +1,9 @@
 """Situations of real games (situations/*.gd), each measured on processes over ENet on this machine."""
 
+import situation_life_cases
 import situation_time_cases
 
 CASES = (
     *situation_time_cases.CASES,
+    *situation_life_cases.CASES,
 )

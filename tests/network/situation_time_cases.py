@@ -53,7 +53,23 @@ def slow_server_and_other_tick_rates_play_smoothly(run):
     findings.raise_failures()
 
 
+def nodes_moved_in_frames_play_smoothly(run):
+    """The server moves its bodies in _process: XR, menus, tweens."""
+    sessions = [Session(f"moved at {rate} fps", "motion", seconds=5.0, moves_in_frames=True, server_fps=rate)
+                for rate in (20, 30, 45, 72, 144)]
+    run_together(run, sessions)
+    findings = Findings(sessions)
+    for session in sessions:
+        truth, shown = truth_of(session, "A", in_frames=True), session.clients[0].record
+        begin, end = shown.begin + SETTLING, truth.samples[-1].wall
+        samples = shown.shown("A", begin, end)
+        findings.smooth(session.name, samples)
+        findings.even(session.name, samples)
+    findings.raise_failures()
+
+
 CASES = (
     motion_continues_after_the_server_stops,
     slow_server_and_other_tick_rates_play_smoothly,
+    nodes_moved_in_frames_play_smoothly,
 )

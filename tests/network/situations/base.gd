@@ -113,8 +113,9 @@ func _move(body: Node, delta: float) -> void:
 		return
 	var node := body as Node3D
 	var x := node.position.x + speed_of(body) * delta
-	node.position = Vector3(x, 0.2 * sin(x), node.position.z)
-	node.rotation.y = 0.3 * sin(x)
+	# At once: an AnimatableBody3D keeps only one change in a tick.
+	var turn := Basis(Vector3.UP, 0.3 * sin(x))
+	node.transform = Transform3D(turn, Vector3(x, 0.2 * sin(x), node.position.z))
 
 
 ## Wraps the transport.
@@ -193,6 +194,8 @@ func _end_everywhere() -> void:
 			await get_tree().process_frame
 	else:
 		multiplayer.server_disconnected.disconnect(_on_disconnected)
+		# One after the other: the server tells the others of each client that leaves.
+		await get_tree().create_timer(0.1 * index).timeout
 	multiplayer.multiplayer_peer.close()
 	get_tree().quit()
 

@@ -1,6 +1,6 @@
 extends "base.gd"
 ## A projectile "P" flies and ends by free_target. Then a body "Q" is freed and another of the same
-## name spawned in the next tick, on another lane.
+## name spawned on another lane, in the same tick; and a body "R" and another, in the next tick.
 
 const SPEED_OF_PROJECTILE := 40.0
 const SPEED_OF_BODY := 10.0
@@ -11,9 +11,11 @@ const LANE := 5.0
 var _plan: Array[Array] = [
 	[1.5, _spawn.bind("P", "P", 0.0)],
 	[1.5 + FLIGHT, _end_projectile],
-	[3.0, _spawn.bind("Q", "Q1", 0.0)],
+	[2.6, _spawn.bind("Q", "Q1", 0.0)],
+	[3.2, _replace_body],
+	[3.2, _spawn.bind("R", "R1", 0.0)],
 	[3.8, _free_body],
-	[3.8, _spawn.bind("Q", "Q2", LANE)],
+	[3.8, _spawn.bind("R", "R2", LANE)],
 ]
 var _spawner := MultiplayerSpawner.new()
 
@@ -30,7 +32,10 @@ func _build() -> void:
 
 
 func _tick(_delta: float) -> void:
-	if is_server and not _plan.is_empty() and time > _plan[0][0]:
+	if not is_server or _plan.is_empty():
+		return
+	var due: float = _plan[0][0]
+	if time > due:
 		var action: Callable = _plan.pop_front()[1]
 		action.call()
 
@@ -41,9 +46,10 @@ func _move(body: Node, delta: float) -> void:
 
 
 func _report(report: Dictionary) -> void:
-	report["left"] = []
+	var left: Array[String] = []
 	for body: Node in get_tree().get_nodes_in_group(&"recorded"):
-		report["left"].append(body.get_meta(&"label"))
+		left.append(body.get_meta(&"label"))
+	report["left"] = left
 
 
 func _spawn(body_name: String, label: String, lane: float) -> void:
@@ -62,7 +68,6 @@ func _make(data: Dictionary) -> Node:
 
 func _end_projectile() -> void:
 	var body := world.get_node(^"P") as Node3D
-	# It has not moved in this tick; it ends where the recorder saw it last.
 	recorder.mark("end")
 	if synchronizer.has_method(&"free_target"):
 		synchronizer.call(&"free_target", body)
@@ -72,8 +77,14 @@ func _end_projectile() -> void:
 		body.queue_free()
 
 
+## Without a tick between the two.
+func _replace_body() -> void:
+	world.get_node(^"Q").free()
+	_spawn("Q", "Q2", LANE)
+
+
 func _free_body() -> void:
-	world.get_node(^"Q").queue_free()
+	world.get_node(^"R").queue_free()
 
 
 func _on_target_ended(body: Node) -> void:
