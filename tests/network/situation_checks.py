@@ -1,5 +1,6 @@
 """Collects what a situation measured and where it fails."""
 
+import engine_log
 from pose_error import percentile
 from situation_record import Truth, delays, frozen_share, largest_jump, longest_stand, speeds
 
@@ -18,11 +19,12 @@ class Findings:
         self._sessions = sessions
         for session in sessions:
             for process in session.processes():
-                process.check_log()
+                problems = engine_log.problems_of(process.log())
+                if problems:
+                    self.failures.append(f"{session.name}: {process.name}: {problems[0]} ({len(problems)} such lines)")
                 missing = sorted({line.split()[1] for line in process.log().splitlines() if line.startswith("MISSING ")})
                 if missing:
                     self.failures.append(f"{session.name}: MotorSynchronizer has no {', '.join(missing)}")
-                    break
 
     def check(self, condition, message):
         if not condition:
@@ -68,6 +70,11 @@ class Findings:
             self.check(abs(shown - reported) <= reported_within,
                        f"{name}: the delay is {shown * 1000:.0f} ms, but {reported * 1000:.0f} ms are reported")
         return shown
+
+
+def warnings_of(process):
+    """The texts of the warnings that a process has printed."""
+    return [line.split("WARNING:", 1)[1].strip() for line in process.log().splitlines() if "WARNING:" in line]
 
 
 def truth_of(session, label, in_frames=False):

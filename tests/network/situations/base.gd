@@ -27,6 +27,7 @@ var time := -1.0
 
 var _enet: ENetMultiplayerPeer
 var _began := -1.0
+var _counted_from := -1.0
 var _is_ready := false
 
 
@@ -74,6 +75,10 @@ func _process(delta: float) -> void:
 		if flag("moves_in_frames") and not get_tree().paused:
 			_move_all(delta)
 		_frame(delta)
+	if _counted_from < 0.0 and time > number("count_from"):
+		_counted_from = time
+		_enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)
+		_enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)
 	if is_server and time > number("seconds"):
 		_end_everywhere.rpc()
 	if Time.get_ticks_msec() > DEADLINE * 1000.0:
@@ -180,7 +185,8 @@ func _end_everywhere() -> void:
 	set_physics_process(false)
 	recorder.close()
 	var report := {
-		"seconds": maxf(time, 0.0),
+		# What the transport has sent since `count_from`, with ENet's overhead.
+		"seconds": time - _counted_from,
 		"bytes": _enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA),
 		"datagrams": _enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS),
 		"warnings": Array(synchronizer.get_setup_warnings()),
@@ -247,8 +253,6 @@ func _begin_everywhere(all_ids: Dictionary) -> void:
 	_began = now()
 	time = 0.0
 	recorder.mark("begin")
-	_enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_DATA)
-	_enet.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS)
 	_begin()
 
 

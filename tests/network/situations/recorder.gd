@@ -7,8 +7,10 @@ extends Node
 ## time: of the server's stream, -1 if unknown.
 
 const RECORDED := &"recorded"
-## The third coordinate of a Node2D is the way of a point at this distance, in pixels.
-const LEVER_ARM_2D := 20.0
+## Node2D: pixels that count as a meter, and the radius, in meters, at which the rotation is recorded
+## as the third coordinate.
+const PIXELS_PER_METER := 100.0
+const LEVER_ARM_2D := 0.2
 
 var _file: FileAccess
 var _synchronizer: MotorSynchronizer
@@ -61,7 +63,7 @@ func _write(kind: String, is_owned_only: bool) -> void:
 func _state(node: Node, is_owned: bool) -> Array:
 	var item := node as Node2D
 	if item != null:
-		var at := item.global_position
+		var at := item.global_position / PIXELS_PER_METER
 		var turn := LEVER_ARM_2D * item.global_rotation
 		return [at.x, at.y, turn, item.is_visible_in_tree(), is_owned]
 	var body := node as Node3D
