@@ -40,7 +40,8 @@ class Findings:
         if len(samples) <= 30:
             return
         frozen, jump = frozen_share(samples, speed), largest_jump(samples, speed)
-        print(f"   {name}: {frozen:.1%} of {len(samples)} frames frozen, standing up to {longest_stand(samples, speed) * 1000:.0f} ms, "
+        stand = longest_stand(samples, speed)
+        print(f"   {name}: {frozen:.1%} of {len(samples)} frames frozen, standing up to {stand * 1000:.0f} ms, "
               f"largest jump {jump * 1000:.0f} mm", flush=True)
         self.check(frozen <= max_frozen, f"{name}: {frozen:.0%} of the frames are frozen")
         self.check(jump <= max_jump, f"{name}: the body jumps by {jump * 1000:.0f} mm")

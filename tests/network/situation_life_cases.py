@@ -83,8 +83,15 @@ def spawned_bodies_are_never_shown_elsewhere(run):
     """The position is set before add_child on the server only."""
     sessions = [Session("spawner", "spawn", seconds=4.5),
                 Session("spawner and spawn-only synchronizer", "spawn", seconds=4.5, spawn_synchronizer=True)]
-    run_together(run, sessions)
-    findings = Findings(sessions)
+    waiting = Session("not hidden", "spawn", seconds=4.5, properties={"hide_until_known": False})
+    run_together(run, [*sessions, waiting])
+    findings = Findings([*sessions, waiting])
+    for label in (f"B{number}" for number in range(4)):
+        shown = waiting.clients[0].record.shown(label)
+        findings.check(shown and shown[0].position == (0.0, 0.0, 0.0), f"hide_until_known false: {label} does not stay at its place")
+        moved = [sample for sample in shown if sample.position != (0.0, 0.0, 0.0)]
+        worst = max((truth_of(waiting, label).distance(sample.position) for sample in moved), default=float("inf"))
+        findings.check(worst <= TOLERANCE, f"hide_until_known false: {label} is shown {worst * 1000:.0f} mm beside its path")
     for session in sessions:
         shown = session.clients[0].record
         for label in (f"B{number}" for number in range(4)):

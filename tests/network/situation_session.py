@@ -20,6 +20,7 @@ class Session:
         self.server = None
         self.clients = []
         self.seconds = seconds
+        self.properties = config.get("properties", {})
         self._situation = situation
         self._count = clients
         self._config = {**config, "clients": clients, "seconds": seconds}

@@ -1,5 +1,7 @@
 """Situations in which the server's clock stops or runs slow, and poses that are set between ticks."""
 
+import os
+
 from situation_checks import Findings, median_delay, truth_of
 from situation_session import Session, run_together
 
@@ -15,13 +17,26 @@ DELAY_SLACK = 0.05
 def motion_continues_after_the_server_stops(run):
     """The server's process is blocked or its tree is paused."""
     holds = [("block", 0.2), ("block", 1.0), ("block", 3.0), ("pause", 1.0), ("pause", 3.0)]
+    if "GA_GODOT_SESSION_SECONDS" in os.environ:  # --long of run.py
+        holds += [("pause", 10.0), ("pause", float(os.environ["GA_GODOT_SESSION_SECONDS"]))]
+    check_holds(run, holds, client_holds=False)
+
+
+def motion_continues_after_a_client_stops(run):
+    """A client's process is blocked, as when it loads a scene, or its tree is paused, as in a menu."""
+    check_holds(run, [("block", 1.0), ("block", 3.0), ("pause", 1.0), ("pause", 3.0)], client_holds=True)
+
+
+def check_holds(run, holds, client_holds):
     sessions = [Session(f"{hold} of {seconds:g} s", "stall", seconds=HOLD_AT + seconds + WATCHED + 0.5,
-                        hold=hold, hold_seconds=seconds, hold_at=HOLD_AT) for hold, seconds in holds]
+                        hold=hold, hold_seconds=seconds, hold_at=HOLD_AT, client_holds=client_holds)
+                for hold, seconds in holds]
     run_together(run, sessions)
     findings = Findings(sessions)
     for session in sessions:
         truth, shown = truth_of(session, "A"), session.clients[0].record
-        begin, end = (session.server.record.events[event] for event in ("hold_begin", "hold_end"))
+        holder = shown if client_holds else session.server.record
+        begin, end = (holder.events[event] for event in ("hold_begin", "hold_end"))
         before = shown.shown("A", shown.begin + SETTLING, begin)
         normal = median_delay(before, truth)
         findings.delay(f"before the {session.name}", before, truth, 0.0, 0.3, DELAY_SLACK)
@@ -70,6 +85,7 @@ def nodes_moved_in_frames_play_smoothly(run):
 
 CASES = (
     motion_continues_after_the_server_stops,
+    motion_continues_after_a_client_stops,
     slow_server_and_other_tick_rates_play_smoothly,
     nodes_moved_in_frames_play_smoothly,
 )

@@ -68,6 +68,7 @@ func _make(data: Dictionary) -> Node:
 
 func _end_projectile() -> void:
 	var body := world.get_node(^"P") as Node3D
+	body.remove_from_group(MOVING)
 	recorder.mark("end")
 	if synchronizer.has_method(&"free_target"):
 		synchronizer.call(&"free_target", body)

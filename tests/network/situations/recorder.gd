@@ -7,8 +7,8 @@ extends Node
 ## time: of the server's stream, -1 if unknown.
 
 const RECORDED := &"recorded"
-## Node2D: pixels that count as a meter, and the radius, in meters, at which the rotation is recorded
-## as the third coordinate.
+## Node2D: pixels that count as a meter, and the radius, in meters, at which the rotation is
+## recorded as the third coordinate.
 const PIXELS_PER_METER := 100.0
 const LEVER_ARM_2D := 0.2
 

@@ -1,7 +1,7 @@
 extends "motion.gd"
-## The server's clock stops or runs slow. `hold` names how it stops: "block" blocks the process,
-## "pause" pauses the tree, for `hold_seconds` from `hold_at` on. `steps` limits the physics steps
-## of each frame: with fewer frames than ticks, physics runs slow.
+## The server (with `client_holds` the client) stops for `hold_seconds` from `hold_at` on: `hold`
+## "block" blocks the process, "pause" pauses the tree. `steps` limits the physics steps of each
+## frame of the server: with fewer frames than ticks, its physics runs slow.
 
 var _hold_end := -1.0
 var _has_held := false
@@ -14,7 +14,9 @@ func _build() -> void:
 
 
 func _tick(_delta: float) -> void:
-	if not is_server or _has_held or not config.has("hold") or time < number("hold_at"):
+	if is_server == flag("client_holds") or _has_held or not config.has("hold"):
+		return
+	if time < number("hold_at"):
 		return
 	_has_held = true
 	recorder.mark("hold_begin")
