@@ -1,8 +1,8 @@
-"""Multi-process tests: the multiplayer demo over ENet on this machine.
+"""Multi-process tests: the multiplayer demo and situations of games (situations/*.gd), over ENet on this machine.
 
 Usage: tests/network/run.py [--engine COMMAND] [--case NAME] [--long]
 
-Each case starts a server and clients and compares the poses that the clients showed with those that the server
+Each case starts servers and clients and compares the poses that the clients showed with those that their owners
 simulated. Ends with `[network] N passed, N failed`.
 """
 
@@ -21,19 +21,21 @@ import bad_network_cases  # noqa: E402
 import cases  # noqa: E402
 import guide_case  # noqa: E402
 import hostile_case  # noqa: E402
+import situation_cases  # noqa: E402
 import checkout  # noqa: E402
 import project  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
-CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, guide_case.guide_project_moves_smoothly)
+CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
+         guide_case.guide_project_moves_smoothly)
 LONG_SECONDS = "60"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--engine", metavar="COMMAND", help="command that starts Godot (the one that tools/setup provides)")
-    parser.add_argument("--case", metavar="NAME", help="run only the cases whose name contains NAME")
+    parser.add_argument("--case", metavar="NAME", help="run only the cases whose name, or whose file's, contains NAME")
     parser.add_argument("--long", action="store_true", help=f"sessions in which players join and leave last {LONG_SECONDS} s")
     options = parser.parse_args()
     if options.long:
@@ -48,7 +50,7 @@ def main():
     passed = failed = 0
     for case in CASES:
         name = case.__name__
-        if options.case and options.case not in name:
+        if options.case and options.case not in f"{case.__module__}.{name}":
             continue
         start = time.monotonic()
         problem = run_case(case, engine)

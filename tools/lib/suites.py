@@ -63,5 +63,5 @@ SUITES = (
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
           lambda: runner("screenshots", seconds=360), display=True),
-    Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=400)),
+    Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=700)),
 )
