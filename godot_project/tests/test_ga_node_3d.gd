@@ -223,7 +223,7 @@ func test_distances_on_the_screen() -> void:
 
 func test_errors_are_reported() -> void:
 	_build()
-	expect_error("GANode3D.line_width: 0.0 is not a width in pixels above 0 and up to 100.")
+	expect_error("GANode3D.line_width: the width must be above 0 and at most 100 pixels, not 0.0.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
 	expect_error(

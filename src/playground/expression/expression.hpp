@@ -27,7 +27,7 @@ enum class NodeKind : uint8_t {
 	LEFT_CONTRACTION,
 	RIGHT_CONTRACTION,
 	REGRESSIVE,
-	CALL, // `index` into functions() (functions.hpp); its `arguments` begin at argument_offsets()[first_argument]...
+	CALL, // `index` into functions() (functions.hpp); argument_offsets()[first_argument] is the first of `arguments` offsets
 };
 
 // One step of the evaluation. `offset` and `length` (bytes) locate the literal, name or operator, for errors.
@@ -67,8 +67,6 @@ public:
 	[[nodiscard]] int stack_size() const { return _stack_size; }
 
 	[[nodiscard]] bool refers_to(std::string_view variable) const;
-	// The text with each occurrence of variable `from` renamed; everything else stays as typed.
-	[[nodiscard]] std::string renamed(std::string_view from, std::string_view to) const;
 
 private:
 	friend class Parser;
@@ -81,5 +79,9 @@ private:
 	std::vector<uint32_t> _argument_offsets;
 	int _stack_size = 0;
 };
+
+// The text with each occurrence of variable `from` renamed; everything else stays as typed. In a text that does not parse,
+// renames every name except those of calls, up to the first invalid token.
+[[nodiscard]] std::string with_variable_renamed(std::string_view text, std::string_view from, std::string_view to);
 
 } // namespace playground
