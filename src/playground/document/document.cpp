@@ -287,7 +287,7 @@ cga::TextResult<cga::Multivector> Document::evaluate(std::string_view text) cons
 	for (const std::string &name : expression->variables()) {
 		const Entry *entry = find(name);
 		if (!entry || !entry->value) {
-			return cga::text_error(text, expression->first_use(values.size()).offset, entry ? "'" + name + "' has an error; " + entry->value.error().message : missing_entry(name, _index));
+			return cga::text_error(text, expression->first_use(values.size()), entry ? "'" + name + "' has an error; " + entry->value.error().message : missing_entry(name, _index));
 		}
 		values.push_back(&*entry->value);
 	}

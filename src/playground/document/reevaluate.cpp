@@ -27,7 +27,7 @@ EntryError own_error(const Entry &entry, const cga::TextError &error) {
 
 // An error located at the first occurrence of a variable.
 EntryError error_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
-	return { cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
+	return { cga::text_error(entry.text, entry.expression->first_use(variable), std::move(message)).describe(), cause, false };
 }
 
 EntryValue evaluated(const Entry &entry, const EntryIndex &index) {

@@ -10,8 +10,8 @@ bool Expression::refers_to(std::string_view variable) const {
 	return std::find(_variables.begin(), _variables.end(), variable) != _variables.end();
 }
 
-const NameUse &Expression::first_use(size_t variable) const {
-	return *std::find_if(_uses.begin(), _uses.end(), [variable](const NameUse &use) { return use.variable == variable; });
+size_t Expression::first_use(size_t variable) const {
+	return std::find_if(_nodes.begin(), _nodes.end(), [variable](const Node &node) { return node.kind == NodeKind::VARIABLE && node.index == variable; })->offset;
 }
 
 std::string with_variable_renamed(std::string_view text, std::string_view from, std::string_view to) {

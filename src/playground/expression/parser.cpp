@@ -1,7 +1,6 @@
 #include "playground/expression/parser.hpp"
 
 #include "cga/text/json.hpp"
-#include "cga/text/utf8.hpp"
 #include "playground/expression/functions.hpp"
 #include "playground/expression/lexer.hpp"
 #include "playground/expression/names.hpp"
@@ -176,7 +175,6 @@ private:
 		} else {
 			Node node = node_at(NodeKind::VARIABLE, token);
 			node.index = variable_index(name);
-			_expression._uses.push_back({ node.index, node.offset, column_at(token.offset) });
 			_expression._nodes.push_back(node);
 		}
 		_expects_operand = false;
@@ -189,16 +187,6 @@ private:
 			names.push_back(name);
 		}
 		return found->second;
-	}
-
-	// The column at an offset. Offsets must not decrease from call to call, so that each character is counted once.
-	int column_at(size_t offset) {
-		while (_counted < offset) {
-			const cga::Character character = cga::character_at(_expression._text, _counted);
-			_column = character.code == '\n' ? 1 : _column + 1;
-			_counted += character.length;
-		}
-		return _column;
 	}
 
 	// At the '(' after a name.
@@ -318,8 +306,6 @@ private:
 	std::vector<Pending> _pending;
 	std::optional<cga::TextError> _error;
 	std::map<std::string, uint16_t> _variable_indices;
-	size_t _counted = 0;
-	int _column = 1;
 	bool _expects_operand = true;
 	bool _is_complete = false;
 };

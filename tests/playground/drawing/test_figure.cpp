@@ -203,7 +203,7 @@ TEST_CASE("placements are composed") {
 	CHECK(glm::length(apart) < 1e-12);
 }
 
-TEST_CASE("merged boxes contain both") {
+TEST_CASE("the merged box contains both boxes") {
 	const Box a{ { -1.0, 0.0, 2.0 }, { 0.0, 1.0, 3.0 } }, b{ { -0.5, -4.0, 2.5 }, { 6.0, 0.5, 2.6 } };
 	const Box both = merged(a, b);
 	CHECK(contains(both, a));

@@ -50,7 +50,7 @@ TEST_CASE("the distance to a curve is that to its nearest point") {
 	CHECK(pixels(*cga::point_pair({ -1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }), through({ 0.5, 0.03, 0.0 })) == doctest::Approx(3.0).epsilon(0.05));
 }
 
-TEST_CASE("a ray hits surfaces, or misses a sphere by the distance to its outline") {
+TEST_CASE("the distance to a surface is 0 on it, and beside a sphere that to its outline") {
 	const Figure sphere = figure_of(*cga::sphere({ 0.0, 0.0, 0.0 }, 2.0));
 	const PickHit inside = *pick(sphere, through({ 0.5, 0.0, 0.0 }));
 	CHECK(inside.on_surface);

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 
 using namespace playground;
@@ -63,6 +65,20 @@ std::string structure(const Expression &expression) {
 	}
 	REQUIRE(stack.size() == 1);
 	return stack.back();
+}
+
+std::vector<Node> variable_nodes(const Expression &expression) {
+	std::vector<Node> found;
+	std::copy_if(expression.nodes().begin(), expression.nodes().end(), std::back_inserter(found), [](const Node &node) { return node.kind == NodeKind::VARIABLE; });
+	return found;
+}
+
+std::vector<int> columns_of(const Expression &expression) {
+	std::vector<int> columns;
+	for (const Node &node : variable_nodes(expression)) {
+		columns.push_back(cga::text_error(expression.text(), node.offset, {}).column);
+	}
+	return columns;
 }
 
 std::string structure(std::string_view text) {
@@ -255,19 +271,17 @@ TEST_CASE("texts that are too deep or too long are refused quickly") {
 TEST_CASE("an expression lists its variables and where they occur") {
 	const Expression expression = *parse("ä + sphere2 * ä | e1 - sin(b)^dual");
 	CHECK(expression.variables() == std::vector<std::string>{ "ä", "sphere2", "b", "dual" });
-	REQUIRE(expression.uses().size() == 5);
-	const std::vector<int> columns = { 1, 5, 15, 28, 31 };
-	for (size_t index = 0; index < columns.size(); ++index) {
-		CHECK(expression.uses()[index].column == columns[index]);
-	}
-	CHECK(expression.uses()[2].variable == 0);
-	CHECK(expression.uses()[2].offset == 15);
+	const std::vector<Node> uses = variable_nodes(expression);
+	CHECK(columns_of(expression) == std::vector<int>{ 1, 5, 15, 28, 31 });
+	CHECK(uses[2].index == 0);
+	CHECK(uses[2].offset == 15);
+	CHECK(expression.first_use(0) == 0);
+	CHECK(expression.first_use(1) == 5);
 	CHECK(expression.refers_to("dual"));
 	CHECK_FALSE(expression.refers_to("sin"));
 	CHECK_FALSE(expression.refers_to("e1"));
 	CHECK(parse("1 + e1 * pi")->variables().empty());
-	CHECK(parse("a +\n  ä + b")->uses()[1].column == 3);
-	CHECK(parse("a +\n  ä + b")->uses()[2].column == 7);
+	CHECK(columns_of(*parse("a +\n  ä + b")) == std::vector<int>{ 1, 3, 7 });
 }
 
 TEST_CASE("renaming a variable leaves the rest of the text unchanged") {

@@ -128,7 +128,7 @@ TEST_CASE("the only literal coordinate of a point can be dragged") {
 	CHECK(document.find("x")->text == "point(t, -1.5, t + 1)");
 }
 
-TEST_CASE("repeated drags with a step do not accumulate: the plane is that of the start") {
+TEST_CASE("repeated drags of a handle to one ray, with a step, give the same position") {
 	Document document;
 	REQUIRE(document.add("x", "point(1, 2, 3)"));
 	const Handle start = *find(document, "x", "position");
