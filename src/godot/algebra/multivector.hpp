@@ -80,11 +80,11 @@ public:
 	Handle reject_from(const Handle &from) const;
 	Handle reflect_in(const Handle &mirror) const;
 
-	Handle reverse() const;
-	Handle grade_involution() const;
-	Handle clifford_conjugate() const;
-	Handle dual() const;
-	Handle undual() const;
+	Handle reverse() const { return make(_value.reverse()); }
+	Handle grade_involution() const { return make(_value.grade_involution()); }
+	Handle clifford_conjugate() const { return make(_value.clifford_conjugate()); }
+	Handle dual() const { return make(_value.dual()); }
+	Handle undual() const { return make(_value.undual()); }
 	Handle grade(int64_t grade) const;
 
 	double norm() const;

@@ -65,8 +65,9 @@ private:
 		TO,
 	};
 
-	Slot *find_slot(int64_t index);
-	void report_invalid_index(const char *method, int64_t index) const;
+	/// Returns null and prints an error if acquire() has not returned the index or its body was released.
+	const Slot *find_slot(const char *method, int64_t index) const;
+	void free_slot(uint32_t slot);
 	void close_gaps();
 	cga::PoseBlock &block_of(uint32_t row) { return _blocks[row / cga::PoseBlock::LANES]; }
 	static int lane_of(uint32_t row) { return int(row % cga::PoseBlock::LANES); }

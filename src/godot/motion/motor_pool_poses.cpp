@@ -41,9 +41,8 @@ void MotorPool::put_end(End end, uint32_t row, const cga::Pose<float> &pose) {
 }
 
 void MotorPool::set_end(End end, const char *method, int64_t index, const Transform3D &transform) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot(method, index);
 	if (slot == nullptr) {
-		report_invalid_index(method, index);
 		return;
 	}
 	const PoseResult pose = pose_from_transform(transform);
@@ -134,18 +133,16 @@ void MotorPool::advance() {
 }
 
 Transform3D MotorPool::get_transform(int64_t index) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot("get_transform", index);
 	if (slot == nullptr) {
-		report_invalid_index("get_transform", index);
 		return Transform3D();
 	}
 	return transform_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);
 }
 
 Ref<Multivector> MotorPool::get_motor(int64_t index) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot("get_motor", index);
 	if (slot == nullptr) {
-		report_invalid_index("get_motor", index);
 		return Ref<Multivector>();
 	}
 	const cga::Pose<float> pose = cga::pose_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);

@@ -30,30 +30,30 @@ public:
 	static godot::Transform3D interpolate_transform(const godot::Transform3D &from, const godot::Transform3D &to, double weight, Mode mode);
 	static godot::Dictionary measure_deviation(const godot::Ref<Multivector> &from, const godot::Ref<Multivector> &to, Mode first, Mode second, double lever_arm);
 
-	void set_start(const godot::NodePath &path);
-	godot::NodePath get_start() const;
-	void set_end(const godot::NodePath &path);
-	godot::NodePath get_end() const;
-	void set_target(const godot::NodePath &path);
-	godot::NodePath get_target() const;
-	void set_start_motor(const godot::Ref<Multivector> &motor);
-	godot::Ref<Multivector> get_start_motor() const;
-	void set_end_motor(const godot::Ref<Multivector> &motor);
-	godot::Ref<Multivector> get_end_motor() const;
+	void set_start(const godot::NodePath &path) { set_path(_start, path); }
+	godot::NodePath get_start() const { return _start.path; }
+	void set_end(const godot::NodePath &path) { set_path(_end, path); }
+	godot::NodePath get_end() const { return _end.path; }
+	void set_target(const godot::NodePath &path) { set_path(_target, path); }
+	godot::NodePath get_target() const { return _target.path; }
+	void set_start_motor(const godot::Ref<Multivector> &motor) { set_motor(_start, motor); }
+	godot::Ref<Multivector> get_start_motor() const { return _start.motor; }
+	void set_end_motor(const godot::Ref<Multivector> &motor) { set_motor(_end, motor); }
+	godot::Ref<Multivector> get_end_motor() const { return _end.motor; }
 	void set_factor(double factor);
-	double get_factor() const;
+	double get_factor() const { return _factor; }
 	void set_mode(Mode mode);
-	Mode get_mode() const;
+	Mode get_mode() const { return _mode; }
 	void set_local(bool local);
-	bool is_local() const;
-	void set_auto_play(bool auto_play);
-	bool is_auto_play() const;
+	bool is_local() const { return _local; }
+	void set_auto_play(bool auto_play) { _auto_play = auto_play; }
+	bool is_auto_play() const { return _auto_play; }
 	void set_duration(double seconds);
-	double get_duration() const;
+	double get_duration() const { return _duration; }
 
 	void play();
-	void stop();
-	bool is_playing() const;
+	void stop() { _playing = false; }
+	bool is_playing() const { return _playing; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
@@ -82,6 +82,7 @@ private:
 	};
 
 	void set_path(NodeLink &link, const godot::NodePath &path);
+	void set_motor(End &end, const godot::Ref<Multivector> &motor);
 	void refresh();
 	godot::Node3D *find_node(NodeLink &link, const char *name);
 	bool update_end(End &end, const char *name);

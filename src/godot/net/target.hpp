@@ -1,6 +1,7 @@
 #pragma once
 
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
@@ -13,6 +14,8 @@ namespace ga_godot {
 
 /// The node with an instance id; null if it has been freed or is not a Node3D.
 [[nodiscard]] godot::Node3D *find_node(uint64_t id);
+/// The node at a path; null if there is none or it is not a Node3D.
+[[nodiscard]] godot::Node3D *find_node(const godot::Node &from, const godot::NodePath &path);
 
 /// A node that a MotorSynchronizer replicates and that is in the tree.
 class Target {
