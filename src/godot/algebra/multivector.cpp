@@ -110,34 +110,6 @@ Multivector::Handle Multivector::scaled(double factor) const {
 	return make(_value * factor);
 }
 
-Multivector::Handle Multivector::geometric_product(const Handle &right) const {
-	return binary(&cga::Multivector::geometric_product, right, "geometric_product");
-}
-
-Multivector::Handle Multivector::outer_product(const Handle &right) const {
-	return binary(&cga::Multivector::outer_product, right, "outer_product");
-}
-
-Multivector::Handle Multivector::inner_product(const Handle &right) const {
-	return binary(&cga::Multivector::inner_product, right, "inner_product");
-}
-
-Multivector::Handle Multivector::left_contraction(const Handle &right) const {
-	return binary(&cga::Multivector::left_contraction, right, "left_contraction");
-}
-
-Multivector::Handle Multivector::right_contraction(const Handle &right) const {
-	return binary(&cga::Multivector::right_contraction, right, "right_contraction");
-}
-
-Multivector::Handle Multivector::regressive_product(const Handle &right) const {
-	return binary(&cga::Multivector::regressive_product, right, "regressive_product");
-}
-
-Multivector::Handle Multivector::commutator_product(const Handle &right) const {
-	return binary(&cga::Multivector::commutator_product, right, "commutator_product");
-}
-
 static double finite_or_zero(double value, const char *method) {
 	ERR_FAIL_COND_V_MSG(!std::isfinite(value), 0.0, vformat("Multivector.%s: the result is beyond the range of 64-bit floats.", method));
 	return value;

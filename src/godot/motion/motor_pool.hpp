@@ -31,13 +31,13 @@ public:
 	int64_t get_count() const;
 	void clear();
 
-	void set_from(int64_t index, const godot::Transform3D &transform);
-	void set_to(int64_t index, const godot::Transform3D &transform);
-	void set_from_all(const godot::TypedArray<godot::Transform3D> &transforms);
-	void set_to_all(const godot::TypedArray<godot::Transform3D> &transforms);
+	void set_from(int64_t index, const godot::Transform3D &transform) { set_end(End::FROM, "set_from", index, transform); }
+	void set_to(int64_t index, const godot::Transform3D &transform) { set_end(End::TO, "set_to", index, transform); }
+	void set_from_all(const godot::TypedArray<godot::Transform3D> &transforms) { set_end_all(End::FROM, "set_from_all", transforms); }
+	void set_to_all(const godot::TypedArray<godot::Transform3D> &transforms) { set_end_all(End::TO, "set_to_all", transforms); }
 
-	void set_from_buffer(const godot::PackedFloat32Array &buffer);
-	void set_to_buffer(const godot::PackedFloat32Array &buffer);
+	void set_from_buffer(const godot::PackedFloat32Array &buffer) { set_end_buffer(End::FROM, "set_from_buffer", buffer); }
+	void set_to_buffer(const godot::PackedFloat32Array &buffer) { set_end_buffer(End::TO, "set_to_buffer", buffer); }
 	void advance();
 
 	void interpolate(double weight, MultivectorLerp::Mode mode);

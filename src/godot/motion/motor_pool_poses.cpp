@@ -99,30 +99,6 @@ void MotorPool::set_end_buffer(End end, const char *method, const PackedFloat32A
 	put_end_all(end, method, "rows", size / ROW_FLOATS, [&](uint32_t row) { return transform_from_row(rows + row * ROW_FLOATS); });
 }
 
-void MotorPool::set_from(int64_t index, const Transform3D &transform) {
-	set_end(End::FROM, "set_from", index, transform);
-}
-
-void MotorPool::set_to(int64_t index, const Transform3D &transform) {
-	set_end(End::TO, "set_to", index, transform);
-}
-
-void MotorPool::set_from_all(const TypedArray<Transform3D> &transforms) {
-	set_end_all(End::FROM, "set_from_all", transforms);
-}
-
-void MotorPool::set_to_all(const TypedArray<Transform3D> &transforms) {
-	set_end_all(End::TO, "set_to_all", transforms);
-}
-
-void MotorPool::set_from_buffer(const PackedFloat32Array &buffer) {
-	set_end_buffer(End::FROM, "set_from_buffer", buffer);
-}
-
-void MotorPool::set_to_buffer(const PackedFloat32Array &buffer) {
-	set_end_buffer(End::TO, "set_to_buffer", buffer);
-}
-
 void MotorPool::advance() {
 	close_gaps();
 	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t first, uint32_t rows) {

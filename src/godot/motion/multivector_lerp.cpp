@@ -118,7 +118,7 @@ void MultivectorLerp::set_motor(End &end, const Ref<Multivector> &motor) {
 	refresh();
 }
 
-// Called when an end or the target changes. Errors that persist are reported again.
+// Called when an end or the target changes. Errors that persist are printed again.
 void MultivectorLerp::refresh() {
 	for (End *end : { &_start, &_end }) {
 		end->known = false;

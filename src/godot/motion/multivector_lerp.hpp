@@ -19,7 +19,7 @@ class MultivectorLerp : public godot::Node {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	/// The values of cga::Mode. The underlying type is fixed, because a script may pass any int, which the error message shows.
+	/// The values of cga::Mode. The underlying type is fixed, so that it can hold any int that a script passes.
 	enum Mode : int {
 		LINEAR,
 		SCREW,
@@ -68,7 +68,7 @@ private:
 		godot::NodePath path;
 		uint64_t id = 0; // 0 if not resolved
 		godot::Node3D *node = nullptr; // valid only while the engine knows the id
-		bool lost = false; // could not be resolved, which was reported
+		bool lost = false; // could not be resolved; the error has been printed
 	};
 
 	/// One end of the motion: the motor if it is set, else the node. An end at rest costs one comparison per frame.
@@ -77,8 +77,8 @@ private:
 		uint64_t motor_revision = 0;
 		godot::Transform3D transform;
 		cga::Pose<double> pose;
-		bool known = false; // transform or motor_revision was read into pose
-		bool faulty = false; // it has no pose, which was reported
+		bool known = false; // pose is that of transform or motor_revision
+		bool faulty = false; // has no pose; the error has been printed
 	};
 
 	void set_path(NodeLink &link, const godot::NodePath &path);

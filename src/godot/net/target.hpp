@@ -31,11 +31,12 @@ public:
 	void forget_transform() { _is_sampled = false; }
 	/// True if the node is where it was at the last `read_pose`.
 	[[nodiscard]] bool is_unchanged(const godot::Transform3D &transform) const { return _is_sampled && transform == _transform; }
-	/// The pose of the node's current transform. Reports, once each, a transform that is not a pose, and a non-uniform scale.
+	/// The pose of a transform of the node. Prints an error if it has no pose, and a warning if the scale is non-uniform;
+	/// each once.
 	[[nodiscard]] std::optional<cga::Pose<double>> read_pose(const godot::Transform3D &transform, const godot::String &synchronizer);
-	/// Reports once that the pose is out of range for a stream.
+	/// Prints once that the pose is out of range for a stream.
 	void report_out_of_range(const godot::String &synchronizer);
-	/// Call when the stream accepts a pose, so that the next fault is reported again.
+	/// Call when the stream accepts a pose, so that the next error is printed again.
 	void clear_fault() { _is_faulty = false; }
 
 	/// Sets the node's transform to the one shown by its stream.
@@ -48,8 +49,8 @@ private:
 
 	godot::Transform3D _transform; // of the last sample
 	bool _is_sampled = false;
-	bool _is_faulty = false; // a fault of the transform has been reported
-	bool _is_non_uniform = false; // a non-uniform scale has been reported
+	bool _is_faulty = false; // an error of the transform has been printed
+	bool _is_non_uniform = false; // the warning about a non-uniform scale has been printed
 	int32_t _own_interpolation = -1; // physics_interpolation_mode before the stream moved the node
 };
 
