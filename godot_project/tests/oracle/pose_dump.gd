@@ -1,5 +1,5 @@
 extends Node
-## Writes pairs of poses and what the extension makes of them to a file, for tests/oracle/run.py
+## Writes pairs of poses and their interpolations by the extension to a file for tests/oracle/run.py
 ## (its README has the format). Ends the program.
 
 const Poses := preload("res://tests/framework/poses.gd")

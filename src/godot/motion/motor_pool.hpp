@@ -18,7 +18,7 @@ namespace ga_godot {
 
 /// Interpolates the poses of many bodies together. Documented in doc_classes/MotorPool.xml.
 ///
-/// The index that acquire() returns holds a slot (low 32 bits) and the slot's generation; the slot holds the body's row.
+/// The index that acquire() returns consists of a slot (low 32 bits) and the slot's generation. A slot stores the body's row.
 /// Rows are dense and in the order of acquire(): row r is lane r % 8 of block r / 8 and floats 12 r .. 12 r + 11 of the
 /// buffer. release() only marks the row as a gap; the next call that uses the order of rows closes all gaps.
 class MotorPool : public godot::RefCounted {

@@ -12,11 +12,9 @@
 
 namespace ga_godot {
 
-using godot::Array;
 using godot::Dictionary;
 using godot::PackedByteArray;
 using godot::PackedInt32Array;
-using godot::String;
 using godot::Transform3D;
 using godot::TypedArray;
 using godot::vformat;

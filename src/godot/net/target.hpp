@@ -29,7 +29,7 @@ public:
 
 	/// Forgets the last transform, so that the next one counts as changed.
 	void forget_transform() { _is_sampled = false; }
-	/// True if the node is where it was at the last `read_pose`.
+	/// True if the transform is that of the last `read_pose`.
 	[[nodiscard]] bool is_unchanged(const godot::Transform3D &transform) const { return _is_sampled && transform == _transform; }
 	/// The pose of a transform of the node. Prints an error if it has no pose, and a warning if the scale is non-uniform;
 	/// each once.
