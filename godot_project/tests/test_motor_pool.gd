@@ -266,7 +266,7 @@ func _random_poses(count: int, seed_number: int) -> Array[Transform3D]:
 	return poses
 
 
-## The pool computes in single precision. At a rotation by pi, both directions of rotation are correct.
+## The pool computes in single precision. For a rotation by pi, both directions are correct.
 func _expect_agreement(
 	pose: Transform3D, from: Transform3D, to: Transform3D, mode: MultivectorLerp.Mode
 ) -> void:
