@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cga/algebra/algebra_error.hpp"
-#include "cga/algebra/multivector.hpp"
 
 // Meet, join, projection and reflection of two OPNS blades of any weight and sign, at any distance from the origin; an error
 // says which of the two is not a blade. Sizes may differ by any factor: the meet of a circle of 1 mm with a sphere of 100 km is
