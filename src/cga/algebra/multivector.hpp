@@ -65,6 +65,8 @@ public:
 	[[nodiscard]] double norm_squared() const;
 	// sqrt(|norm_squared|); zero for null elements.
 	[[nodiscard]] double norm() const;
+	// The sum of the squares of the coefficients.
+	[[nodiscard]] double sum_of_squares() const;
 	// X 2^exponent, without rounding within the range of double.
 	[[nodiscard]] Multivector times_power_of_two(int exponent) const;
 	// The largest absolute value of a coefficient. Tolerances are relative to it.

@@ -63,11 +63,7 @@ Multivector contraction(const Multivector &left, const Multivector &right) {
 
 // The norm in that metric.
 double length(const Multivector &x) {
-	double sum = 0.0;
-	for (double coefficient : x.coefficients()) {
-		sum += coefficient * coefficient;
-	}
-	return std::sqrt(sum);
+	return std::sqrt(x.sum_of_squares());
 }
 
 Multivector unit(const Multivector &x) {
