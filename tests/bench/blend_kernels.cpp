@@ -108,18 +108,18 @@ struct GlmDualQuaternionScrew {
 struct EigenSlerp {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
-				from(rotation_of(pair.from)), to(rotation_of(pair.to)), from_place(place_of(pair.from)), to_place(place_of(pair.to)), from_scale(pair.from.scale), to_scale(pair.to.scale) {}
+				from(rotation_of(pair.from)), to(rotation_of(pair.to)), from_position(position_of(pair.from)), to_position(position_of(pair.to)), from_scale(pair.from.scale), to_scale(pair.to.scale) {}
 		static Eigen::Quaternionf rotation_of(const Posef &pose) { return { pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z }; }
-		static Eigen::Vector3f place_of(const Posef &pose) { return { pose.translation.x, pose.translation.y, pose.translation.z }; }
+		static Eigen::Vector3f position_of(const Posef &pose) { return { pose.translation.x, pose.translation.y, pose.translation.z }; }
 		Eigen::Quaternionf from, to;
-		Eigen::Vector3f from_place, to_place;
+		Eigen::Vector3f from_position, to_position;
 		float from_scale, to_scale;
 	};
 	static void blend(const Prepared &pair, float weight, float *row) {
 		Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>> out(row);
 		const float scale = glm::mix(pair.from_scale, pair.to_scale, weight);
 		out.leftCols<3>() = scale * pair.from.slerp(weight, pair.to).toRotationMatrix();
-		out.col(3) = (1.0f - weight) * pair.from_place + weight * pair.to_place;
+		out.col(3) = (1.0f - weight) * pair.from_position + weight * pair.to_position;
 	}
 };
 #endif

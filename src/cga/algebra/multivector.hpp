@@ -76,7 +76,7 @@ public:
 	// otherwise; versor/inverse.hpp has the inverse of any element.
 	[[nodiscard]] std::optional<Multivector> inverse_of_versor(double tolerance = 1e-10) const;
 	// This versor V applied to x: V x V^-1 if V is even, V gradeinv(x) V^-1 if it is odd, so that a reflection keeps the
-	// orientation of elements that it leaves in place. Empty if V is neither or has no inverse.
+	// orientation of elements that it maps to themselves. Empty if V is neither or has no inverse.
 	[[nodiscard]] std::optional<Multivector> sandwich(const Multivector &x, double tolerance = 1e-10) const;
 
 	// Whether corresponding coefficients differ by at most `tolerance` (absolute).
@@ -90,7 +90,7 @@ public:
 	friend bool operator!=(const Multivector &left, const Multivector &right) { return !(left == right); }
 
 private:
-	// For results whose coefficients are all assigned: setting 256 bytes to zero takes a fifth of a geometric product.
+	// For results whose coefficients are all assigned: setting 256 bytes to zero takes a fifth of the time of a geometric product.
 	struct Uninitialized {};
 	explicit Multivector(Uninitialized) noexcept {}
 	[[nodiscard]] Multivector multiply_with_avx2(const Multivector &right) const;

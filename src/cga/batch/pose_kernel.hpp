@@ -51,11 +51,11 @@ CGA_ALWAYS_INLINE LanePose separate_lane(const PoseBlock &block, int lane, float
 	};
 }
 
-// x clamped so that doubling it stays within the range of float. NaN (inf - inf) is clamped, too: comparisons with it are
+// x clamped so that twice its value is within the range of float. NaN (inf - inf) becomes the limit: comparisons with it are
 // false.
 CGA_ALWAYS_INLINE float saturated(float x) noexcept {
-	constexpr float LARGEST = std::numeric_limits<float>::max() / 4.0f;
-	return float_math::max(float_math::min(x, LARGEST), -LARGEST);
+	constexpr float LIMIT = std::numeric_limits<float>::max() / 4.0f;
+	return float_math::max(float_math::min(x, LIMIT), -LIMIT);
 }
 
 // With N = exp(a lambda) - 1 and c = N / (exp(lambda) - 1), the same with sigma along the axis n:
@@ -101,9 +101,9 @@ CGA_ALWAYS_INLINE LanePose lane_pose(const PoseBlock &block, int lane, float a) 
 // The weight, clamped to 0..1; for SCREW, to the range in which sin_cos() is precise.
 template <Mode MODE>
 CGA_ALWAYS_INLINE float clamped_weight(float weight) noexcept {
-	constexpr float LOWEST = MODE == Mode::SCREW ? -1000.0f : 0.0f;
-	constexpr float HIGHEST = MODE == Mode::SCREW ? 1000.0f : 1.0f;
-	return float_math::max(LOWEST, float_math::min(HIGHEST, weight));
+	constexpr float MIN_WEIGHT = MODE == Mode::SCREW ? -1000.0f : 0.0f;
+	constexpr float MAX_WEIGHT = MODE == Mode::SCREW ? 1000.0f : 1.0f;
+	return float_math::max(MIN_WEIGHT, float_math::min(MAX_WEIGHT, weight));
 }
 
 // Only extrapolation can leave the range of float.

@@ -57,7 +57,7 @@ Result<Pose<double>, MatrixError> matrix_to_nearest_pose(const glm::dmat3 &linea
 	// The rotation R of the polar decomposition linear = R P, by Newton's iteration (Higham, 1986), which converges for any
 	// matrix of positive determinant; then the scale s that minimizes |linear - s R| is R : linear / 3.
 	glm::dmat3 rotation = linear / std::cbrt(glm::determinant(linear));
-	for (int i = 0; i < 60; i++) {
+	for (int i = 0; i < 60; ++i) {
 		const glm::dmat3 next = (rotation + glm::inverse(glm::transpose(rotation))) / 2.0;
 		const glm::dmat3 step = next - rotation;
 		rotation = next;

@@ -15,7 +15,7 @@ enum class MatrixError {
 	NON_UNIFORM, // scaled differently along its axes, or sheared
 };
 
-// What is wrong with the transform and what to do, as the end of a sentence: "has scale zero ...".
+// What is wrong with the transform and what to do, as the end of a sentence: "has zero scale ...".
 [[nodiscard]] const char *describe(MatrixError error) noexcept;
 
 // The tolerance of a uniform scale, on relative differences of column lengths and on cosines between columns: far above

@@ -120,11 +120,11 @@ MultivectorResult exp(const Multivector &x) {
 		return AlgebraError::NOT_FINITE;
 	}
 	// Scalars commute with all elements: exp(k + X) = exp(k) exp(X).
-	const double number = x[0];
+	const double scalar = x[0];
 	Multivector rest = x;
 	rest[0] = 0.0;
-	const Multivector without_number = rest == rest.grade(2) ? exp_of_bivector(rest) : exp_by_series(rest);
-	const Multivector result = number == 0.0 ? without_number : without_number * std::exp(number);
+	const Multivector exp_of_rest = rest == rest.grade(2) ? exp_of_bivector(rest) : exp_by_series(rest);
+	const Multivector result = scalar == 0.0 ? exp_of_rest : exp_of_rest * std::exp(scalar);
 	if (!result.is_finite()) {
 		return AlgebraError::EXPONENTIAL_OVERFLOW;
 	}
