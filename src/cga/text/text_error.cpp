@@ -7,8 +7,8 @@
 namespace cga {
 
 std::string TextError::describe() const {
-	const std::string position = "column " + std::to_string(column) + ": " + message;
-	return line > 1 ? "line " + std::to_string(line) + ", " + position : place;
+	const std::string in_line = "column " + std::to_string(column) + ": " + message;
+	return line > 1 ? "line " + std::to_string(line) + ", " + in_line : in_line;
 }
 
 TextError text_error(std::string_view text, size_t offset, std::string message) {
