@@ -1,4 +1,4 @@
-// Blends of n pose pairs: ours and typical code with GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
+// Blends of n pose pairs, compared with typical code that uses GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
 // floats (a MultiMesh's transforms).
 
 #include "kernel_input.hpp"
@@ -23,7 +23,7 @@ namespace kernels_bench {
 
 namespace {
 
-/// The method of engines: lerp of position and scale, slerp of rotation.
+// The method of engines: lerp of position and scale, slerp of rotation.
 struct GlmSlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -33,7 +33,7 @@ struct GlmSlerp {
 	}
 };
 
-/// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
+// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
 struct GlmNlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -54,7 +54,7 @@ void write_row(const glm::dualquat &pose, float scale, float *row) {
 	}
 }
 
-/// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
+// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
 struct GlmDualQuaternion {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -69,8 +69,9 @@ struct GlmDualQuaternion {
 	}
 };
 
-/// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
-/// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in ours; the scale separately, geometric.
+// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
+// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in this library. The scale is
+// interpolated separately, geometrically.
 struct GlmDualQuaternionScrew {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :

@@ -14,7 +14,7 @@ namespace cga {
 
 namespace {
 
-// The error that earlier operations may have left, for objects near the origin.
+// The relative error that earlier operations may have left in objects near the origin.
 constexpr double PRIOR_ERROR = 1e-10;
 // The relative error of the coefficients of the input.
 constexpr double INPUT_ROUNDING = 16.0 * std::numeric_limits<double>::epsilon();
@@ -58,8 +58,8 @@ struct LocalFrame::Object {
 	std::optional<Vector3<double>> position; // the center, or the point nearest to the origin
 	double radius = 0.0; // of real and imaginary rounds; exactly 0 if zero within rounding
 	double squares = 0.0; // c^2 + |r^2|
-	// Relative to the frame's origin.
-	Extent seen{}, rounding{};
+	// Relative to the origin of the frame.
+	Extent extent{}, rounding{};
 
 	Object(const Multivector &blade, int k) :
 			grade(k), parts(parts_of(blade.grade(k))), is_round(cga::is_round(parts)) {
@@ -81,22 +81,22 @@ struct LocalFrame::Object {
 		return is_round ? round_parts(resized(translated(round_parameters(parts, grade - 1), t), factor)) : resized(translated(parts, t, grade), factor);
 	}
 
-	void measure_from(const Vector3<double> &at) {
-		seen = extent_of(moved(-at, 1.0));
-		rounding = rounding_of(extent_of(parts), glm::length(at), squares);
+	void measure_from(const Vector3<double> &origin) {
+		extent = extent_of(moved(-origin, 1.0));
+		rounding = rounding_of(extent_of(parts), glm::length(origin), squares);
 	}
 
 	[[nodiscard]] double distance() const { return position ? glm::length(*position) : 0.0; }
 
-	// In a smaller unit, Q would be little more than rounding compared with R, or with A and D.
+	// The smallest unit in which the rounding error of Q is insignificant beside R, or beside A and D.
 	[[nodiscard]] double min_unit() const {
-		const double round = std::sqrt(rounding.infinity / (MAX_ROUNDING * seen.origin));
-		const double flat = rounding.infinity / (MAX_ROUNDING * std::max(seen.euclidean, seen.both));
+		const double round = std::sqrt(rounding.infinity / (MAX_ROUNDING * extent.origin));
+		const double flat = rounding.infinity / (MAX_ROUNDING * std::max(extent.euclidean, extent.both));
 		const double unit = std::min(round, flat);
 		return std::isfinite(unit) ? unit : 0.0;
 	}
 
-	[[nodiscard]] double rounding_in(double unit) const { return rounding.largest(unit) / seen.largest(unit); }
+	[[nodiscard]] double rounding_in(double unit) const { return rounding.largest(unit) / extent.largest(unit); }
 };
 
 LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose) {
@@ -111,7 +111,7 @@ LocalFrame::LocalFrame(const Multivector &first, int first_grade, const Multivec
 	if (main.is_round && other.is_round) {
 		// A point has no size of its own.
 		const bool is_point = main.radius == 0.0 && purpose == Purpose::INCIDENCE;
-		size = std::max(is_point ? other.radius : main.radius, other.seen.gap());
+		size = std::max(is_point ? other.radius : main.radius, other.extent.gap());
 	} else if (!main.is_round) {
 		size = std::max(main.distance(), other.distance());
 		size = size > 0.0 ? size : 1.0;
