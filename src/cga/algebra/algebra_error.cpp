@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::pair<AlgebraError, const char *> TEXTS[] = {
 	{ AlgebraError::NOT_FINITE, "a coefficient or coordinate is not finite; pass finite numbers" },
-	{ AlgebraError::EXPONENT_NOT_FINITE, "the exponent is not finite" },
+	{ AlgebraError::EXPONENT_NOT_FINITE, "the exponent is not finite; pass a finite number" },
 	{ AlgebraError::ZERO_HAS_NO_INVERSE, "zero has no inverse" },
 	{ AlgebraError::SINGULAR, "the multivector has no inverse: it is null or a zero divisor, or too close to one for double precision" },
 	{ AlgebraError::INVERSE_OVERFLOW, "the inverse is outside the range of double; scale the multivector up first" },

@@ -265,24 +265,4 @@ bool Multivector::is_odd(double tolerance) const {
 	return max_abs_of_parity(*this, 0) <= tolerance * max_abs();
 }
 
-Multivector operator+(Multivector left, const Multivector &right) {
-	return left += right;
-}
-
-Multivector operator-(Multivector left, const Multivector &right) {
-	return left -= right;
-}
-
-Multivector operator-(Multivector operand) {
-	return operand *= -1.0;
-}
-
-Multivector operator*(Multivector left, double factor) {
-	return left *= factor;
-}
-
-Multivector operator*(double factor, Multivector right) {
-	return right *= factor;
-}
-
 } // namespace cga

@@ -86,6 +86,11 @@ public:
 	[[nodiscard]] bool is_even(double tolerance = 1e-10) const;
 	[[nodiscard]] bool is_odd(double tolerance = 1e-10) const;
 
+	[[nodiscard]] friend Multivector operator+(Multivector left, const Multivector &right) { return left += right; }
+	[[nodiscard]] friend Multivector operator-(Multivector left, const Multivector &right) { return left -= right; }
+	[[nodiscard]] friend Multivector operator-(Multivector operand) { return operand *= -1.0; }
+	[[nodiscard]] friend Multivector operator*(Multivector left, double factor) { return left *= factor; }
+	[[nodiscard]] friend Multivector operator*(double factor, Multivector right) { return right *= factor; }
 	friend bool operator==(const Multivector &left, const Multivector &right) { return left._coefficients == right._coefficients; }
 	friend bool operator!=(const Multivector &left, const Multivector &right) { return !(left == right); }
 
@@ -97,11 +102,5 @@ private:
 
 	Coefficients _coefficients;
 };
-
-[[nodiscard]] Multivector operator+(Multivector left, const Multivector &right);
-[[nodiscard]] Multivector operator-(Multivector left, const Multivector &right);
-[[nodiscard]] Multivector operator-(Multivector operand);
-[[nodiscard]] Multivector operator*(Multivector left, double factor);
-[[nodiscard]] Multivector operator*(double factor, Multivector right);
 
 } // namespace cga

@@ -63,8 +63,8 @@ Classification round(const ConformalParts &parts, int grade) {
 		found.ipns = k == 3;
 		return found;
 	}
-	constexpr Kind KINDS[] = { Kind::SPHERE, Kind::POINT_PAIR, Kind::CIRCLE, Kind::SPHERE };
-	found.kind = KINDS[k];
+	constexpr Kind KIND_OF_K[] = { Kind::SPHERE, Kind::POINT_PAIR, Kind::CIRCLE, Kind::SPHERE };
+	found.kind = KIND_OF_K[k];
 	// A vector that is not null, e_o + c + (c^2 - r^2)/2 e_inf, is a sphere in IPNS.
 	found.ipns = k == 0;
 	found.imaginary = k == 0 ? squared_radius > 0.0 : squared_radius < 0.0;
@@ -110,13 +110,13 @@ Kind kind_of(const Motor<double> &motor) {
 	if (!pose) {
 		return Kind::NONE;
 	}
-	const bool turns = glm::length(vector_part(pose->rotation)) > ROUNDING;
-	const bool moves = glm::length(pose->translation) > 0.0;
+	const bool rotates = glm::length(vector_part(pose->rotation)) > ROUNDING;
+	const bool translates = glm::length(pose->translation) > 0.0;
 	const bool scales = std::abs(pose->scale - 1.0) > ROUNDING;
-	if (int(turns) + int(moves) + int(scales) > 1) {
+	if (int(rotates) + int(translates) + int(scales) > 1) {
 		return Kind::MOTOR;
 	}
-	return turns ? Kind::ROTOR : (scales ? Kind::DILATOR : Kind::TRANSLATOR);
+	return rotates ? Kind::ROTOR : (scales ? Kind::DILATOR : Kind::TRANSLATOR);
 }
 
 } // namespace

@@ -38,7 +38,7 @@ Multivector volume() {
 	return Multivector::basis_blade(E123);
 }
 
-// `construct` of the unit vector of `axis`, or the error. `other`, the rest of the input, must be finite, too.
+// The result of `construct` for the unit vector along `axis`, or the error. `other` is the rest of the input: it must be finite.
 template <class Construct>
 MultivectorResult with_unit(const Vector &axis, const Vector &other, Construct construct) {
 	if (!are_finite(axis, other)) {
