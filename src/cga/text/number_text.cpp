@@ -49,7 +49,7 @@ std::optional<double> read_number_by_stream(std::string_view decimal) {
 	stream.imbue(std::locale::classic());
 	double value = 0.0;
 	stream >> value;
-	// Overflow makes the stream fail, in some libraries underflow, too.
+	// The stream fails on overflow and, in some libraries, on underflow.
 	return stream.fail() && std::abs(value) > 1.0 ? std::nullopt : std::optional(value);
 }
 

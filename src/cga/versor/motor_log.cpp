@@ -10,8 +10,8 @@ namespace cga {
 
 namespace {
 
-// Whether the coefficients that are equal in pairs in a motor are equal, relative to themselves: a small transversion must not
-// be mistaken for the rounding of a motor.
+// Whether the pairs of coefficients that are equal in a motor are equal in `x`, relative to themselves: a small transversion must
+// not be mistaken for the rounding of a motor.
 bool is_equal_in_pairs(const Multivector &x, double tolerance) {
 	double largest = 0.0;
 	double residue = 0.0;
