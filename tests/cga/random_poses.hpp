@@ -68,7 +68,7 @@ inline Vector3D transformed(const PoseD &pose, const Vector3D &point) {
 }
 
 template <class T>
-bool has_finite_values(const cga::Pose<T> &pose) {
+bool is_finite(const cga::Pose<T> &pose) {
 	for (int axis = 0; axis < 3; ++axis) {
 		if (!std::isfinite(pose.translation[axis])) {
 			return false;

@@ -235,7 +235,7 @@ TEST_CASE_TEMPLATE("finite input gives a finite pose of unit rotation", T, float
 			for (const Mode mode : MODES) {
 				for (const T weight : { T(0), T(0.5), T(1), T(0.999999), denormal, T(-3), T(40), T(-1e30), largest }) {
 					const Pose<T> pose = interpolate(from, to, weight, mode);
-					bad += has_finite_values(pose) ? 0 : 1;
+					bad += cga_test::is_finite(pose) ? 0 : 1;
 					not_unit += std::abs(glm::dot(pose.rotation, pose.rotation) - T(1)) < T(1e-6) ? 0 : 1;
 				}
 			}
