@@ -166,9 +166,9 @@ std::optional<uint32_t> JsonReader::read_escape() {
 
 std::optional<uint32_t> JsonReader::read_hexadecimal() {
 	const std::string_view digits = _text.substr(_position, 4);
-	const char *end = digits.data() + digits.size();
 	uint32_t code = 0;
-	if (digits.size() < 4 || std::from_chars(digits.data(), end, code, 16).ptr != end) {
+	const char *end = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16).ptr;
+	if (digits.size() < 4 || end != digits.data() + digits.size()) {
 		return std::nullopt;
 	}
 	_position += 4;
