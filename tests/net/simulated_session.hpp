@@ -56,7 +56,7 @@ public:
 		CHECK(sender->add_body(id, path(now)));
 	}
 
-	/// The same link each way; by default 30 ms of delay.
+	/// The same link settings in both directions; by default 30 ms of delay.
 	RemoteEnd &add_receiver(uint32_t id, const LinkSettings &link = { 0.03 }) {
 		auto &end = ends[id];
 		end = std::make_unique<RemoteEnd>(id * 17 + 5, link);

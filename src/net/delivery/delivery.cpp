@@ -74,7 +74,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_RETRANSMISSIONS, 1, 4)) {
 			return false;
 		}
-		_repeated += sent.times > 0 ? 1 : 0;
+		_retransmissions += sent.times > 0 ? 1 : 0;
 		sent.times = uint8_t(std::min<int>(sent.times + 1, 255));
 		sent.time = time;
 		return true;

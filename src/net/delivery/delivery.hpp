@@ -47,7 +47,7 @@ public:
 	/// loss() plus the prior, which decays as chunks arrive.
 	[[nodiscard]] double expected_loss() const { return _loss + _prior_loss; }
 	/// Number of retransmissions of chunks and fragments.
-	[[nodiscard]] uint64_t repeated() const { return _repeated; }
+	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
 private:
 	struct Sent {
@@ -83,7 +83,7 @@ private:
 	double _loss = 0.0;
 	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
-	uint64_t _repeated = 0;
+	uint64_t _retransmissions = 0;
 };
 
 template <class PacketDone>

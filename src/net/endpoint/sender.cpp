@@ -246,7 +246,7 @@ ReceiverStatistics Sender::statistics(uint32_t receiver) const {
 		return {};
 	}
 	const Peer &peer = found->second;
-	return { peer.bytes_sent, peer.packets_sent, peer.delivery.repeated(), peer.delivery.loss(), peer.delivery.round_trip() };
+	return { peer.bytes_sent, peer.packets_sent, peer.delivery.retransmissions(), peer.delivery.loss(), peer.delivery.round_trip() };
 }
 
 } // namespace net

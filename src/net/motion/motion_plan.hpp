@@ -6,7 +6,7 @@
 namespace net {
 
 /// Splits a body's motion into segments: a single one if it passes all samples within the tolerance, otherwise the longest that
-/// does, repeated from its end. Each segment starts in the state that the decoder will have, so errors do not accumulate.
+/// does, then the same from its end. Each segment starts in the state that the decoder will have, so errors do not accumulate.
 class MotionPlanner {
 public:
 	MotionPlanner(const StreamGrid &grid, cga::Mode mode) :

@@ -75,7 +75,7 @@ TEST_CASE("delivery: fragments are retransmitted after a timeout until they have
 	CHECK(retransmitted.fragments[0].index == 0);
 	CHECK(retransmitted.fragments[1].index == 2);
 	CHECK(retransmitted.fragments[1].size == Snapshot::FRAGMENT_BYTES - 5);
-	CHECK(line.delivery.repeated() == 2);
+	CHECK(line.delivery.retransmissions() == 2);
 	line.accept_snapshot_ack(3, 3, 0, 0.3);
 	CHECK(line.send(1.0).fragments.empty());
 }
