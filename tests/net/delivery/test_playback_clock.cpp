@@ -57,7 +57,7 @@ TEST_CASE("recent extreme: it covers the current span and the one before") {
 	largest.add(5.0, 0.0);
 	largest.add(3.0, 1.0);
 	CHECK(largest.value() == 5.0);
-	largest.add(1.0, 2.5); // a new span: the last one still counts
+	largest.add(1.0, 2.5); // a new span: the previous one still counts
 	CHECK(largest.value() == 5.0);
 	largest.add(2.0, 5.0);
 	CHECK(largest.value() == 2.0);
@@ -67,7 +67,7 @@ TEST_CASE("recent extreme: it covers the current span and the one before") {
 	CHECK(smallest.value() == -1.0);
 }
 
-TEST_CASE("playback clock: before it is started it does not move") {
+TEST_CASE("playback clock: it does not advance before it is started") {
 	PlaybackClock clock;
 	clock.advance(5.0);
 	CHECK_FALSE(clock.is_running());
@@ -113,7 +113,7 @@ TEST_CASE("playback clock: limits hold, and the delay decreases again when the j
 TEST_CASE("playback clock: after silence it jumps ahead once, not back") {
 	Stream stream;
 	stream.run(5.0, 0.05, 0.01);
-	stream.now += 5.0; // no frames, no arrivals: a machine that slept
+	stream.now += 5.0; // no frames and no arrivals, as when a machine was suspended
 	stream.media += 5.0;
 	const double before = stream.clock.media_time();
 	stream.clock.observe(stream.media, stream.media + stream.offset + 0.05);
