@@ -1,14 +1,11 @@
-"""What the engine says about itself, in the words of C++: its classes, their methods, and how types are spelled.
-
-generate.py writes the bindings from it.
-"""
+"""The engine's API description in terms of C++: classes, methods and types, from which generate.py writes the bindings."""
 
 import re
 import sys
 
-BUILD_CONFIGURATION = "float_64"  # single precision, 64-bit pointers: the only one supported
+BUILD_CONFIGURATION = "float_64"  # single precision, 64-bit pointers; others are not supported
 
-# C++ types of JSON types that are numbers, by their "meta" where they have one.
+# C++ types of the numeric types in the JSON; a "meta" overrides the type.
 NUMBERS = {"bool": "bool", "int": "int64_t", "float": "double"}
 INTEGERS = [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)]
 METAS = {**{name: name + "_t" for name in INTEGERS}, "float": "float", "double": "double"}
@@ -17,9 +14,9 @@ PLAIN = {*NUMBERS.values(), *METAS.values()}
 # Built-in types written by hand, in include/godot_cpp/variant/.
 HAND_WRITTEN = ("Vector2", "Vector3", "Quaternion", "AABB", "Basis", "Transform3D", "Color", "RID", "Variant")
 
-# Built-in types that are handles to engine memory. The class with the methods is generated; what makes it pleasant to
-# use from C++ is its hand-written base: (header of the base, base). Other built-in types are not in the subset, and
-# neither is any method that takes or returns one.
+# Built-in types that are handles to engine memory: (header of the base class, base class). The class with the engine's
+# methods is generated; its hand-written base class adds operators and conversions. Other built-in types, and methods
+# that take or return one, are not in the subset.
 INDEX = "gdextension_interface::{file}_operator_index"
 
 
@@ -44,14 +41,14 @@ HANDLES = {
     "PackedColorArray": packed("Color"),
 }
 
-# Operators of built-in types with an operand of the same type, or of the types given below it.
+# Operators of built-in types. The right operand has the same type, or one of those in RIGHT_TYPES.
 OPERATORS = {"==": "EQUAL", "!=": "NOT_EQUAL", "<": "LESS", "+": "ADD", "%": "MODULE"}
 RIGHT_TYPES = {("String", "+"): ("String", "StringName"), ("String", "%"): ("Array",)}
 RIGHT_TYPES.update({("StringName", "=="): (), ("StringName", "!="): ()})  # written by hand
 
 UTILITY_FUNCTIONS = ("print", "push_error", "push_warning")
 
-# Members that godot-cpp has beside the engine's own, and engine methods that it gives another name to make room.
+# Members that godot-cpp adds to engine classes, and engine methods that it renames to avoid a conflict with these.
 RENAMED_METHODS = {("Node", "get_node"): "get_node_internal"}
 EXTRA_MEMBERS = {
     "NodePath": """
@@ -87,7 +84,7 @@ def variant_type(name):
 
 
 class Api:
-    """The part of the engine's description that the profile asks for, and how its types are spelled in C++."""
+    """The part of the engine's API that the profile selects, and the C++ names of its types."""
 
     def __init__(self, description, profile):
         self.builtins = {entry["name"]: entry for entry in description["builtin_classes"]}
@@ -101,14 +98,14 @@ class Api:
         wanted = {"Object", "RefCounted", *profile["enabled_classes"]}
         unknown = ", ".join(sorted(wanted - known.keys()))
         if unknown:
-            sys.exit(f"generate.py: the build profile names classes that this engine does not have: {unknown}")
+            sys.exit(f"generate.py: build_profile.json lists classes that this engine does not have: {unknown}; remove them")
         lines = {name: lineage(known, name) for name in known}
         wanted.update(*(lines[name] for name in list(wanted)))
         # Parents come before their children.
         self.classes = {name: known[name] for name in sorted(wanted, key=lambda name: (len(lines[name]), name))}
 
     def spell(self, json_type, meta=None):
-        """The C++ type of a value, or None where it is not in the subset."""
+        """The C++ type of a value; None if it is not in the subset."""
         if json_type in NUMBERS:
             return METAS.get(meta, NUMBERS[json_type])
         if json_type in HAND_WRITTEN or json_type in HANDLES:
@@ -127,7 +124,7 @@ class Api:
         return None
 
     def default(self, json_type, text):
-        """A default argument in C++, from the way the engine writes it in its own script language."""
+        """A default argument in C++, converted from its GDScript form."""
         spelled = self.spell(json_type)
         if json_type in NUMBERS or json_type in ("Vector2", "Vector3", "Transform3D", "Color"):
             return text
@@ -139,13 +136,13 @@ class Api:
             return f"{spelled}()"
         if json_type in ("String", "StringName") and re.fullmatch(r'&?"[^"\\]*"', text):
             return text.lstrip("&")
-        return sys.exit(f"generate.py: no C++ form is known for the default value {text} of type {json_type}")
+        return sys.exit(f"generate.py: cannot convert the default value {text} of type {json_type} to C++; add it to Api.default")
 
     def methods(self, owner, entries):
-        """Those methods that need no type outside the subset."""
+        """The methods whose types are all in the subset."""
         found = []
         for entry in entries:
-            # Built-in types and classes differ in how they tell a result.
+            # Classes describe a result in "return_value", built-in types in "return_type".
             value = entry.get("return_value") or ({"type": entry["return_type"]} if "return_type" in entry else None)
             result = self.spell(value["type"], value.get("meta")) if value else "void"
             arguments = entry.get("arguments", [])
@@ -162,7 +159,7 @@ class Api:
         return self.methods(name, [entry for entry in entries if entry["is_virtual"] == virtual])
 
     def constructors(self, name):
-        """Constructors beyond the default and the copying one: (index, parameters, names of the arguments)."""
+        """Constructors except the default and the copy constructor: (index, parameters, names of the arguments)."""
         for constructor in self.builtins[name]["constructors"][2:]:
             types = [self.spell(argument["type"]) for argument in constructor["arguments"]]
             names = ["p_" + argument["name"] for argument in constructor["arguments"]]
@@ -184,14 +181,14 @@ def lineage(known, name):
 
 
 def parameter(spelled, name):
-    """How a function declares an argument."""
+    """The declaration of a parameter."""
     if spelled in PLAIN:
         return f"{spelled} {name}"
     return f"{spelled}{name}" if spelled.endswith("*") else f"const {spelled} &{name}"
 
 
 class Method:
-    """A method of a built-in type or of an engine class, in the words of C++."""
+    """A method of a built-in type or of an engine class, as C++ code."""
 
     def __init__(self, api, owner, entry, result, arguments):
         self.owner = owner
@@ -229,10 +226,10 @@ class Method:
         return ", ".join(["method", "nullptr" if self.static else instance] + self.names)
 
     def lookup(self):
-        """How an engine class's method finds itself in the engine."""
+        """The statement that looks up a method of an engine class."""
         find = f'internal::find_method("{self.owner}", "{self.engine_name}", {self.hash})'
         return f"static const GDExtensionMethodBindPtr method = {find};"
 
     def text(self):
-        """What to search for the types that it names."""
+        """All types in the signature, to be searched for names."""
         return " ".join([self.result, *self.types])

@@ -5,7 +5,7 @@ import os
 
 def embed(target, source, env):
     """SCons action: writes a C++ source that holds each XML file as a string."""
-    lines = ['#include "godot/editor_help.hpp"', "", "namespace ga_godot {", "", "const char *const EDITOR_HELP[] = {"]
+    lines = ["namespace ga_godot {", "", "extern const char *const EDITOR_HELP[] = {"]
     for node in sorted(source, key=str):
         with open(str(node), encoding="utf-8") as file:
             lines.append("\t// " + os.path.basename(str(node)))

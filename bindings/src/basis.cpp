@@ -20,7 +20,7 @@ Basis Basis::operator*(const Basis &p_right) const {
 }
 
 Quaternion Basis::get_quaternion() const {
-	// The largest component first: it is at least 1/2, so that nothing is divided by a small number.
+	// Compute the largest component first. It is at least 1/2, so no division is by a small number.
 	const real_t trace = rows[0].x + rows[1].y + rows[2].z;
 	if (trace > 0) {
 		const real_t root = std::sqrt(trace + 1);

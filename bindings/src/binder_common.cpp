@@ -2,7 +2,7 @@
 
 namespace godot::internal {
 
-// Where the last components of a name begin that are separated by "::".
+// The start of the last components of a name, which are separated by "::".
 static const char *last_component(const char *p_qualified, int p_components) {
 	const char *start = p_qualified + strlen(p_qualified);
 	while (start > p_qualified && (start[-1] != ':' || --p_components > 0)) {

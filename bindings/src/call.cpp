@@ -5,7 +5,7 @@
 namespace godot::internal {
 
 static void report_missing(const char *p_what, const String &p_name) {
-	ERR_PRINT(vformat("This engine has no %s %s with the signature that the extension was built with; calls to it do nothing.", p_what, p_name));
+	ERR_PRINT(vformat("This engine does not have the %s %s with the signature that the extension was built for; calls to it do nothing.", p_what, p_name));
 }
 
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash) {

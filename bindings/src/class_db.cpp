@@ -11,8 +11,8 @@ using internal::ClassInfo;
 
 GDExtensionInitializationLevel ClassDB::current_level = GDEXTENSION_INITIALIZATION_CORE;
 
-// In the order of registration. On the heap, and empty before the library goes, because a destructor that runs after
-// that would call an engine that is no longer there.
+// In the order of registration. On the heap, and emptied before the library is unloaded: a static destructor would run
+// after the engine has shut down.
 static std::vector<std::unique_ptr<ClassInfo>> *classes = nullptr;
 
 static ClassInfo *find_class(const StringName &p_name) {

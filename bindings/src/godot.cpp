@@ -59,7 +59,7 @@ void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(Mo
 GDExtensionBool GDExtensionBinding::InitObject::init() const {
 	if (const char *missing = gdextension_interface::load(_get_proc_address)) {
 		// The engine's print_error may not have been loaded.
-		fprintf(stderr, "ERROR: this extension needs a newer Godot: the engine has no function %s.\n", missing);
+		fprintf(stderr, "ERROR: this extension requires a newer version of Godot: the engine does not have the function %s.\n", missing);
 		return false;
 	}
 	internal::find_builtin_functions();

@@ -12,31 +12,31 @@
 
 namespace {
 
-// A quarter turn about z, then 1 m along x.
-const cga::Pose<double> QUARTER_TURN = { { 1.0, 0.0, 0.0 }, { std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5) }, 1.0 };
+// A rotation by 90 degrees about z, then a translation by 1 m along x.
+const cga::Pose<double> POSE = { { 1.0, 0.0, 0.0 }, { std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5) }, 1.0 };
 
-// The types of products follow from the types of their factors: two spheres share a Circle, a moved Circle stays one.
+// The type of a product follows from the types of its factors: the meet of two Spheres is a Circle, and so is a moved Circle.
 void intersect_spheres() {
 	using namespace cga::typed;
 	const Circle<> circle = sphere<double>({ 0.0, 0.0, 0.0 }, 1.0).regressive_product(sphere<double>({ 1.0, 0.0, 0.0 }, 1.0));
-	const Circle<> moved_circle = moved(circle, cga::Motor<double>::from_pose(QUARTER_TURN));
-	const cga::Vector3<double> at = center(moved_circle);
-	std::printf("circle: center (%.3f, %.3f, %.3f), radius %.3f\n", at.x, at.y, at.z, std::sqrt(squared_radius(moved_circle)));
+	const Circle<> moved_circle = moved(circle, cga::Motor<double>::from_pose(POSE));
+	const cga::Vector3<double> position = center(moved_circle);
+	std::printf("circle: center (%.3f, %.3f, %.3f), radius %.3f\n", position.x, position.y, position.z, std::sqrt(squared_radius(moved_circle)));
 }
 
-// Eight motors and eight points in one call, with the widest registers that this machine has.
+// Transforms eight points by eight motors in one call, with the fastest instruction set of this machine.
 void transform_block() {
 	cga::MotorBlock motors;
 	std::vector<float> points;
 	for (int lane = 0; lane < cga::MotorBlock::LANES; ++lane) {
-		motors.set(lane, cga::Motor<float>::from_pose(cga::pose_cast<float>(QUARTER_TURN)));
+		motors.set(lane, cga::Motor<float>::from_pose(cga::pose_cast<float>(POSE)));
 		points.insert(points.end(), { float(lane), 0.0f, 0.0f });
 	}
 	cga::transform_points(&motors, points.data(), cga::MotorBlock::LANES, points.data());
 	std::printf("point 7: (%.3f, %.3f, %.3f)\n", double(points[21]), double(points[22]), double(points[23]));
 }
 
-// A body moves at 1 m/s for 2 s; its packets go straight from the sender to the receiver.
+// A body moves at 1 m/s for 2 s. The receiver gets each packet immediately.
 void replicate_body() {
 	constexpr uint32_t BODY = 1, PEER = 2;
 	const net::StreamSettings settings;

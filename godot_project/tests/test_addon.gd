@@ -30,7 +30,7 @@ func test_the_script_of_the_plugin_file_exists() -> void:
 
 func test_the_project_enables_the_plugin() -> void:
 	var enabled: PackedStringArray = ProjectSettings.get_setting("editor_plugins/enabled")
-	expect_true(enabled.has(FOLDER.path_join("plugin.cfg")), "the plugin being enabled")
+	expect_true(enabled.has(FOLDER.path_join("plugin.cfg")), "the plugin is enabled")
 
 
 func test_the_extension_file() -> void:
@@ -52,7 +52,7 @@ func test_every_class_has_an_icon() -> void:
 			image.load_svg_from_string(FileAccess.get_file_as_string(path)), OK, "drawing %s" % path
 		)
 		expect_equal(image.get_size(), Vector2i(16, 16), "size of %s" % path)
-		expect_true(not image.is_invisible(), "something to see in %s" % path)
+		expect_true(not image.is_invisible(), "a visible pixel in %s" % path)
 
 
 func test_the_loaded_library_is_the_listed_one() -> void:
@@ -62,7 +62,7 @@ func test_the_loaded_library_is_the_listed_one() -> void:
 	expect_true(FileAccess.file_exists(path), "existence of %s" % path)
 	expect_true(
 		GDExtensionManager.is_extension_loaded(FOLDER.path_join("ga_godot.gdextension")),
-		"the extension being loaded"
+		"the extension is loaded"
 	)
 
 
@@ -75,25 +75,25 @@ func test_every_method_is_tested() -> void:
 	for type: StringName in CLASSES:
 		var methods := ClassDB.class_get_method_list(type, true)
 		expect_true(methods.size() >= 6, "a list of methods of %s" % type)
-		var words := _words_of_methods(type)
-		for word in words:
-			expect_true(tests.contains(word), "use of %s%s in a test" % [type, word])
+		var calls := _calls_of_methods(type)
+		for call_text in calls:
+			expect_true(tests.contains(call_text), "use of %s%s in a test" % [type, call_text])
 
 
 ## How a script uses each method: `.name(`, or `.property` for a setter or getter.
-func _words_of_methods(type: StringName) -> PackedStringArray:
+func _calls_of_methods(type: StringName) -> PackedStringArray:
 	var accessors: Dictionary[String, String] = {}
 	for property in ClassDB.class_get_property_list(type, true):
 		var property_name: String = property["name"]
 		accessors[ClassDB.class_get_property_getter(type, property_name)] = ".%s" % property_name
 		accessors[ClassDB.class_get_property_setter(type, property_name)] = ".%s" % property_name
-	var words := PackedStringArray()
+	var calls := PackedStringArray()
 	for method in ClassDB.class_get_method_list(type, true):
 		var method_name: String = method["name"]
 		if not method_name.begins_with("_"):
 			var word: String = accessors.get(method_name, ".%s(" % method_name)
-			words.append(word)
-	return words
+			calls.append(word)
+	return calls
 
 
 func _load_description() -> ConfigFile:

@@ -37,7 +37,7 @@ func test_it_follows_changes_in_place() -> void:
 	value.coefficients = Multivector.point(Vector3(1, 0, 0)).coefficients
 	await wait_frames(1)
 	expect_near(_distance_to(Vector3(1, 0, 0)), 0.0, 0.5, "distance of the moved point")
-	expect_true(_distance_to(Vector3.ZERO) > 20.0, "nothing is left where it was")
+	expect_true(_distance_to(Vector3.ZERO) > 20.0, "nothing is drawn at the old position")
 
 
 func test_an_entry_of_a_scene() -> void:
@@ -73,7 +73,7 @@ func test_attributes_of_an_entry() -> void:
 	expect_true(_node.describe().begins_with("dual point"), _node.describe())
 	scene.set_entry_attribute("a", "color", "#ff8000")
 	await wait_frames(1)
-	expect_equal(_node.color, Color(0.35, 0.7, 1.0), "the node's own color stays")
+	expect_equal(_node.color, Color(0.35, 0.7, 1.0), "the node's color does not change")
 
 
 func test_a_drawn_entry_that_changes_name_goes_and_comes() -> void:
@@ -208,14 +208,14 @@ func test_distances_on_the_screen() -> void:
 	expect_near(_distance_to(Vector3(0, 2, 0)), 0.0, 0.5, "on the circle, twice as large")
 	_node.scale = Vector3.ONE
 	_camera.set_orthogonal(5.0, 0.1, 100.0)
-	expect_near(_distance_to(Vector3(0, 1, 0)), 0.0, 0.5, "in a parallel view")
+	expect_near(_distance_to(Vector3(0, 1, 0)), 0.0, 0.5, "in an orthogonal view")
 	expect_near(
 		_node.get_screen_distance(
 			_camera, _camera.unproject_position(Vector3(1, 0, 0)) + Vector2(7, 0)
 		),
 		7.0,
 		0.5,
-		"beside it in a parallel view"
+		"beside it in an orthogonal view"
 	)
 	_node.multivector = Multivector.point(Vector3(0, 0, 50))
 	expect_equal(_distance_to(Vector3.ZERO), INF, "behind the camera")
@@ -223,7 +223,7 @@ func test_distances_on_the_screen() -> void:
 
 func test_errors_are_reported() -> void:
 	_build()
-	expect_error("GANode3D.line_width: 0.0 is not a width in pixels above 0 and up to 100.")
+	expect_error("GANode3D.line_width: the width must be above 0 and at most 100 pixels, not 0.0.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
 	expect_error(

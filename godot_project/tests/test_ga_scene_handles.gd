@@ -101,7 +101,7 @@ func test_rays_that_no_handle_can_follow() -> void:
 	expect_equal(
 		_drag("p", _scene.get_handles("p")[0], Vector3(1, 0, 0), 1.0),
 		ERR_SKIP,
-		"two points in one place"
+		"two points at one position"
 	)
 	expect_equal(_scene.get_expression("s"), "sphere(e1, 2)", "expression")
 	expect_equal(
@@ -113,7 +113,7 @@ func test_invalid_arguments() -> void:
 	_scene.add_entry("s", "sphere(e1, 2)")
 	var handle: Dictionary = _scene.get_handles("s")[1]
 	expect_error('GAScene.get_handles: there is no entry "x"; get_names() lists the entries.')
-	expect_equal(_scene.get_handles("x").size(), 0, "handles of nothing")
+	expect_equal(_scene.get_handles("x").size(), 0, "handles of an unknown entry")
 	expect_error('GAScene.drag_handle: there is no entry "x"; get_names() lists the entries.')
 	expect_equal(_drag("x", handle, Vector3.ZERO, 0.0), ERR_INVALID_PARAMETER, "dragging nothing")
 	for wrong: Dictionary in [

@@ -42,7 +42,7 @@ func test_dragging_rewrites_the_literals() -> void:
 	expect_vector_near(
 		_scene.get_value("s").classify().center as Vector3, Vector3(1.1, 2, -0.3), 1e-6
 	)
-	expect_equal(_scene.set_parameter("s", "radius", 2), OK, "setting a whole number")
+	expect_equal(_scene.set_parameter("s", "radius", 2), OK, "setting an integer")
 	expect_equal(_scene.get_expression("s"), "sphere(p, 2)", "expression")
 
 

@@ -72,7 +72,7 @@ func test_space_plays_back_and_forth() -> void:
 		await tree.process_frame
 		highest = maxf(highest, lerp_node.factor)
 		turned = highest > 0.99 and lerp_node.factor < highest - 0.05
-	expect_true(turned, "turning round at the end (highest factor %s)" % highest)
+	expect_true(turned, "the playback reverses at the end (highest factor %s)" % highest)
 	_press(KEY_SPACE)
 	await wait_frames(2)
 	var stopped_at := lerp_node.factor
@@ -111,7 +111,7 @@ func test_ghosts_lie_on_the_path() -> void:
 
 func test_deviations_in_millimeters_and_degrees() -> void:
 	_open()
-	# A half turn of a body 1.8 m from the axis: the arc of the screw path rises 1.8 m over the
+	# A rotation by pi of a body 1.8 m from the axis: the arc of the screw path rises 1.8 m over the
 	# straight line.
 	_demo.choose_preset(1)
 	var deviations: GridContainer = _demo.find_child("Deviations", true, false)
@@ -133,7 +133,10 @@ func test_deviations_in_millimeters_and_degrees() -> void:
 		expect_near(shown.text.to_float(), farthest * 1000.0, 1.0, "distance of pair %d in mm" % i)
 	var angle: Label = deviations.get_child(5)
 	expect_near(
-		angle.text.to_float(), 8.2, 0.1, "largest angle between linear and screw at a half turn"
+		angle.text.to_float(),
+		8.2,
+		0.1,
+		"largest angle between linear and screw at a rotation by pi"
 	)
 
 

@@ -11,9 +11,9 @@ const BUDGET := 2.0
 
 func test_folded_it_does_nothing_and_unfolded_it_takes_the_first_two_motors() -> void:
 	_open({"S": "sphere(e1, 2)", "k": "0.5", "A": A, "B": B, "C": "translator(e1)"}, false)
-	expect_true(_lab_panel.folded, "being folded at first")
+	expect_true(_lab_panel.folded, "the panel is folded at first")
 	expect_equal(_lab.is_open, false, "open")
-	expect_null(_lab.poses.from, "pose without being open")
+	expect_null(_lab.poses.from, "pose while the panel is closed")
 	_lab_panel.expand()
 	await wait_frames(2)
 	expect_equal(_lab.poses.from_name, "A", "from")
@@ -22,17 +22,15 @@ func test_folded_it_does_nothing_and_unfolded_it_takes_the_first_two_motors() ->
 	expect_equal(
 		_scene().get_scene_attributes().size(), 0, "number of attributes, as nothing was chosen"
 	)
-	expect_equal(
-		_choice("From").get_item_text(_choice("From").selected), "A", "what is shown as from"
-	)
+	expect_equal(_choice("From").get_item_text(_choice("From").selected), "A", "the choice of from")
 
 
 func test_the_selection_is_used_by_a_click_and_undone() -> void:
 	_open({"A": A, "S": "sphere(e1, 1)", "B": B, "C": "rotor(e3, 1)"})
 	await wait_frames(8)
-	expect_true(_button("UseSelection").disabled, "use of no selection being disabled")
+	expect_true(_button("UseSelection").disabled, "the button is disabled without a selection")
 	_panel.list.select(["S", "A"])
-	expect_true(_button("UseSelection").disabled, "use of a sphere being disabled")
+	expect_true(_button("UseSelection").disabled, "the button is disabled for a sphere")
 	_panel.list.select(["C", "A"])
 	await _click(_button("UseSelection"))
 	expect_equal(_setting("from"), "C", "attribute from")
@@ -65,26 +63,24 @@ func test_a_drag_of_the_slider_is_one_action() -> void:
 		place.position + place.size * Vector2(0.5, 0.5),
 		place.position + place.size * Vector2(0.9, 0.5)
 	)
-	expect_true(_lab.t > 0.8, "t near the end, being %s" % _lab.t)
+	expect_true(_lab.t > 0.8, "t, %s, is near the end" % _lab.t)
 	expect_equal(_setting("t"), _lab.t, "attribute t")
-	var words: Label = _lab_panel.find_child("Screw", true, false).find_child(
-		"Message", true, false
-	)
+	var text: Label = _lab_panel.find_child("Screw", true, false).find_child("Message", true, false)
 	var pose := MultivectorLerp.interpolate(
 		_scene().get_value("A"), _scene().get_value("B"), _lab.t, MultivectorLerp.SCREW
 	)
-	expect_equal(words.text, LabText.pose(pose), "pose in words")
+	expect_equal(text.text, LabText.pose(pose), "text of the pose")
 	expect_true(
 		(
-			words.text.begins_with("at (")
-			and words.text.contains("rotated")
-			and words.text.contains("scale")
+			text.text.begins_with("at (")
+			and text.text.contains("rotated")
+			and text.text.contains("scale")
 		),
-		words.text
+		text.text
 	)
 	_host.own_history.undo()
 	expect_equal(_lab.t, 0.5, "t, undone")
-	expect_equal(_host.own_history.has_undo(), false, "more to undo")
+	expect_equal(_host.own_history.has_undo(), false, "another action to undo")
 
 
 func test_deviations_are_those_of_the_paths() -> void:
@@ -109,16 +105,16 @@ func test_deviations_are_those_of_the_paths() -> void:
 		var measured: float = found["distance"]
 		expect_true(
 			measured > distance * (1.0 - 1e-5) and measured < distance * 1.05,
-			"distance %s being the largest of many points, %s" % [measured, distance]
+			"distance %s is the largest of many points, %s" % [measured, distance]
 		)
 		expect_near(found["angle"] as float, angle, 1e-3, "angle")
 		var row: Node = _lab_panel.find_child(
 			"Linear" if mode == MultivectorLerp.LINEAR else "Separate", true, false
 		)
-		var words: Label = row.find_child("Message", true, false)
+		var text: Label = row.find_child("Message", true, false)
 		expect_true(
-			words.text.ends_with("\n" + LabText.deviation(found)),
-			"deviation in words: %s" % words.text
+			text.text.ends_with("\n" + LabText.deviation(found)),
+			"text of the deviation: %s" % text.text
 		)
 	expect_equal(
 		LabText.deviation(
@@ -154,7 +150,7 @@ func test_it_plays_ping_pong_loop_and_once() -> void:
 	_lab.advance(0.5)
 	expect_near(_lab.t, 0.75, 1e-12, "t after a quarter")
 	_lab.advance(1.0)
-	expect_near(_lab.t, 0.75, 1e-12, "t on the way back")
+	expect_near(_lab.t, 0.75, 1e-12, "t while playing backward")
 	_lab.stop()
 	expect_equal(_setting("t"), null, "attribute t, which playing does not change")
 	_lab.set_setting(&"repeat", "loop")
@@ -192,7 +188,7 @@ func test_it_fits_into_a_narrow_panel() -> void:
 	await wait_frames(8)
 	expect_true(
 		_lab_panel.get_combined_minimum_size().x <= 250.0,
-		"least width %s" % _lab_panel.get_combined_minimum_size().x
+		"minimum width %s" % _lab_panel.get_combined_minimum_size().x
 	)
 	var scroll: ScrollContainer = _panel.find_child("Lower", true, false)
 	for height: float in [700.0, 500.0, 1600.0]:
@@ -201,7 +197,7 @@ func test_it_fits_into_a_narrow_panel() -> void:
 		expect_equal(_panel.size.y, height, "height of the panel")
 		expect_true(
 			_panel.list.size.y >= EntryList.MIN_HEIGHT,
-			"room for the list in %s: %s" % [height, _panel.list.size.y]
+			"height of the list in %s: %s" % [height, _panel.list.size.y]
 		)
 		var content: Control = scroll.get_child(0)
 		expect_equal(scroll.size.y < content.size.y, height < 1000.0, "scrolling in %s" % height)
@@ -218,7 +214,7 @@ func test_a_dragged_pose_is_shown_within_the_budget() -> void:
 		_lab.changed.emit()
 		best = minf(best, (Time.get_ticks_usec() - start) / 1000.0)
 	print("[lab] panel and drawing after a change of a pose %.3f ms" % best)
-	expect_true(best < BUDGET, "a change of a pose within %s ms, being %s" % [BUDGET, best])
+	expect_true(best < BUDGET, "a change of a pose takes less than %s ms: %s ms" % [BUDGET, best])
 
 
 static func _on_sphere(index: int, count: int) -> Vector3:

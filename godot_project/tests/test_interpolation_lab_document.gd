@@ -50,7 +50,9 @@ func test_it_is_added_as_an_entry_that_others_can_depend_on() -> void:
 	_scene().remove_entry("t")
 	_lab.end_move()
 	expect_equal(
-		_panel.document.is_in_gesture(), false, "being in a gesture after its entry was removed"
+		_panel.document.is_in_gesture(),
+		false,
+		"whether a gesture continues after its entry was removed"
 	)
 
 
@@ -70,7 +72,7 @@ func test_playback_moves_dependents_and_is_one_action() -> void:
 	_panel.document.change("Delete t", func(scene: GAScene) -> void: scene.remove_entry("t"))
 	expect_equal(_lab.get_t_entry(), "", "entry of t after it was deleted")
 	_lab.move(0.3)
-	expect_equal(_lab.t, 0.3, "t by itself")
+	expect_equal(_lab.t, 0.3, "t without an entry")
 
 
 func test_renamed_entries_are_followed_and_reported() -> void:
@@ -79,8 +81,8 @@ func test_renamed_entries_are_followed_and_reported() -> void:
 	_panel.edits.rename("A", "start")
 	expect_equal(_lab.poses.from_name, "start", "from")
 	expect_equal(_setting("from"), "start", "attribute from")
-	expect_equal(_words(), "A was renamed to start.", "words")
-	expect_true(_lab.poses.is_complete(), "poses being there")
+	expect_equal(_message(), "A was renamed to start.", "message")
+	expect_true(_lab.poses.is_complete(), "both poses exist")
 	_host.own_history.undo()
 	expect_equal(_lab.poses.from_name, "A", "from, undone")
 	_host.own_history.redo()
@@ -89,46 +91,48 @@ func test_renamed_entries_are_followed_and_reported() -> void:
 	_panel.edits.rename("B", "finish")
 	expect_equal(_lab.poses.to_name, "finish", "to, after it was moved")
 	_panel.edits.set_expression("finish", "motor(e1, 1)")
-	expect_equal(_words(), "", "words after the next change")
+	expect_equal(_message(), "", "message after the next change")
 
 
 func test_deleted_entries_and_entries_that_are_not_poses() -> void:
 	_open({"A": A, "B": B, "C": "rotor(e3, 1)"})
 	_lab.choose("A", "B")
 	_panel.edits.remove(["B"])
-	expect_equal(_words(), "B no longer exists. Choose another entry, or undo.", "words")
-	expect_equal(_lab.poses.is_complete(), false, "poses being there")
+	expect_equal(_message(), "B no longer exists. Choose another entry, or undo.", "message")
+	expect_equal(_lab.poses.is_complete(), false, "both poses exist")
 	_host.own_history.undo()
-	expect_equal(_words(), "", "words after undoing")
-	expect_true(_lab.poses.is_complete(), "poses being there again")
+	expect_equal(_message(), "", "message after undo")
+	expect_true(_lab.poses.is_complete(), "both poses exist again")
 	_panel.edits.set_expression("B", "sphere(e1, 2)")
 	expect_equal(
-		_words(),
+		_message(),
 		"B is not a motor. Choose a product of translators, rotors and dilators.",
-		"words of a sphere"
+		"message for a sphere"
 	)
 	_panel.edits.set_expression("B", "meet(A")
 	expect_true(
-		_words().begins_with("B has no value: column 7: expected ')'"),
-		"words of an error: %s" % _words()
+		_message().begins_with("B has no value: column 7: expected ')'"),
+		"message for an error: %s" % _message()
 	)
 	_choose("To", "C")
-	expect_equal(_words(), "", "words after another was chosen")
-	expect_true(_lab.poses.is_complete(), "poses being there again")
+	expect_equal(_message(), "", "message after another entry was chosen")
+	expect_true(_lab.poses.is_complete(), "both poses exist again")
 	_panel.edits.remove(["A", "B", "C"])
 	expect_true(
-		_words().contains("A no longer exists") and _words().contains("C no longer exists"),
-		"words with nothing left: %s" % _words()
+		_message().contains("A no longer exists") and _message().contains("C no longer exists"),
+		"message without both entries: %s" % _message()
 	)
 	_panel.document.show_scene(GAScene.new(), "")
 	_lab_panel.expand()
-	expect_true(_words().begins_with("Add two motors"), "words of an empty document: %s" % _words())
+	expect_true(
+		_message().begins_with("Add two motors"), "message for an empty document: %s" % _message()
+	)
 
 
 func test_an_identity_motor_is_a_pose() -> void:
 	_open({"A": "motor(0 e1, rotor(e3, 0), 1)", "B": B})
 	expect_equal(_lab.poses.from_name, "A", "from")
-	expect_true(_lab.poses.is_complete(), "poses being there")
+	expect_true(_lab.poses.is_complete(), "both poses exist")
 
 
 func test_settings_are_stored_unless_they_are_defaults() -> void:

@@ -48,7 +48,7 @@ func test_poses_that_are_hard_to_interpolate() -> void:
 	]:
 		_document.scene.set_expression("A", pair[0] as String)
 		_document.scene.set_expression("B", pair[1] as String)
-		expect_true(_drawing.visible, "being drawn: %s, %s" % pair)
+		expect_true(_drawing.visible, "the drawing is visible: %s, %s" % pair)
 		_expect_all_at_their_places(9)
 
 
@@ -59,7 +59,7 @@ func test_it_draws_what_is_chosen() -> void:
 		expect_equal(
 			_drawing.get_path_of(mode).visible,
 			mode != MultivectorLerp.SEPARATE,
-			"mode %d being drawn" % mode
+			"visibility of mode %d" % mode
 		)
 	_lab.set_setting(&"ghosts", false)
 	expect_equal(
@@ -73,22 +73,22 @@ func test_it_draws_what_is_chosen() -> void:
 	expect_true(with_frame.get_center().x > 0.2, "axes to one side")
 	_lab.set_setting(&"path", false)
 	var path: MeshInstance3D = _drawing.get_path_of(MultivectorLerp.SCREW).get_node(^"Path")
-	expect_equal(path.visible, false, "path being drawn")
+	expect_equal(path.visible, false, "visibility of the path")
 	_lab.set_setting(&"path", true)
-	expect_equal(path.visible, true, "path being drawn")
+	expect_equal(path.visible, true, "visibility of the path")
 	_expect_path(MultivectorLerp.SCREW)
 
 
 func test_nothing_is_drawn_without_poses_or_while_it_is_closed() -> void:
 	_open()
-	expect_true(_drawing.visible, "being drawn")
+	expect_true(_drawing.visible, "the drawing is visible")
 	_document.scene.remove_entry("B")
-	expect_equal(_drawing.visible, false, "being drawn without a pose")
+	expect_equal(_drawing.visible, false, "visibility without a pose")
 	_document.scene.add_entry("B", B)
-	expect_true(_drawing.visible, "being drawn again")
+	expect_true(_drawing.visible, "the drawing is visible again")
 	_expect_all_at_their_places(9)
 	_lab.is_open = false
-	expect_equal(_drawing.visible, false, "being drawn while closed")
+	expect_equal(_drawing.visible, false, "visibility while closed")
 	_document.scene.set_parameter("B", "translation", Vector3(5, 5, 5))
 	_lab.is_open = true
 	_expect_all_at_their_places(9)
@@ -140,7 +140,7 @@ func test_a_dragged_pose_is_followed_within_the_budget() -> void:
 			% [best, whole, moment]
 		)
 	)
-	expect_true(whole < BUDGET, "a change of a pose within %s ms, being %s" % [BUDGET, whole])
+	expect_true(whole < BUDGET, "a change of a pose takes less than %s ms: %s ms" % [BUDGET, whole])
 
 
 func _open() -> void:

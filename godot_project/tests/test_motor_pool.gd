@@ -113,7 +113,7 @@ func test_the_buffer_has_12_floats_a_body_row_by_row() -> void:
 	_pool.interpolate(0.0, MultivectorLerp.LINEAR)
 	var buffer := _pool.get_buffer()
 	expect_equal(buffer.size(), 24, "size of the buffer")
-	# A quarter turn about y takes x to -z and z to x.
+	# A rotation by pi / 2 about y takes x to -z and z to x.
 	var row: Array[float] = [0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7]
 	for i in 12:
 		expect_near(buffer[12 + i], row[i], 1e-6, "float %d of the second body" % i)
@@ -266,7 +266,7 @@ func _random_poses(count: int, seed_number: int) -> Array[Transform3D]:
 	return poses
 
 
-## The pool computes in single precision. At half a turn, both directions of rotation are correct.
+## The pool computes in single precision. For a rotation by pi, both directions are correct.
 func _expect_agreement(
 	pose: Transform3D, from: Transform3D, to: Transform3D, mode: MultivectorLerp.Mode
 ) -> void:

@@ -135,7 +135,7 @@ func test_teleport_is_not_interpolated() -> void:
 		)
 		var x := branches[1].get_body(0).position.x
 		between += int(x > 2.0 and x < 998.0)
-	expect_equal(between, 0, "frames between the two places")
+	expect_equal(between, 0, "frames between the two positions")
 	expect_true(branches[1].get_body(0).position.x > 998.0, "the body has arrived")
 
 

@@ -291,5 +291,7 @@ func _expect_no_motion(branch: NetworkBranch, index: int) -> void:
 	var place := branch.get_body(index).position
 	await move(branches[0], 0.3)
 	expect_equal(
-		branch.get_body(index).position, place, "place of body %d of %s" % [index, branch.root.name]
+		branch.get_body(index).position,
+		place,
+		"position of body %d of %s" % [index, branch.root.name]
 	)

@@ -65,7 +65,7 @@ class FakeLink:
 func test_truth_survives_serialization() -> void:
 	var truth := _probe_truth(30)
 	var bytes := truth.to_bytes()
-	expect_true(bytes.size() < 800, "a truth of %d bytes" % bytes.size())
+	expect_true(bytes.size() < 800, "the ground truth has %d bytes, less than 800" % bytes.size())
 	var copy := Truth.from_bytes(bytes, BODIES)
 	expect_equal(copy.tick, truth.tick, "tick")
 	expect_equal(copy.ids, truth.ids, "numbers")
@@ -77,10 +77,10 @@ func test_truth_survives_serialization() -> void:
 
 func test_invalid_bytes_are_rejected() -> void:
 	var bytes := _probe_truth(30).to_bytes()
-	expect_null(Truth.from_bytes(bytes.slice(0, -1), BODIES), "truth of truncated bytes")
-	expect_null(Truth.from_bytes(PackedByteArray(), BODIES), "truth of no bytes")
+	expect_null(Truth.from_bytes(bytes.slice(0, -1), BODIES), "ground truth of truncated bytes")
+	expect_null(Truth.from_bytes(PackedByteArray(), BODIES), "ground truth of no bytes")
 	bytes.encode_u16(Truth.HEADER, BODIES)
-	expect_null(Truth.from_bytes(bytes, BODIES), "truth of a body that does not exist")
+	expect_null(Truth.from_bytes(bytes, BODIES), "ground truth of a body that does not exist")
 
 
 func test_probe_samples_distinct_moving_bodies_and_nothing_without_watchers() -> void:
@@ -91,7 +91,7 @@ func test_probe_samples_distinct_moving_bodies_and_nothing_without_watchers() ->
 		expect_equal(truth.ids.count(truth.ids[i]), 1, "occurrences of body %d" % truth.ids[i])
 	var unwatched := TruthProbe.new()
 	for tick: int in 60:
-		expect_null(unwatched.observe(tick, _poses(tick)), "truth without watchers")
+		expect_null(unwatched.observe(tick, _poses(tick)), "ground truth without watchers")
 
 
 func test_gauge_measures_the_error_at_the_shown_time() -> void:
@@ -128,7 +128,7 @@ func test_gauge_holds_a_bounded_number_of_truths() -> void:
 		gauge.take(_probe_truth(30), link)
 	link.show_tick(31.0)
 	gauge.update(link)
-	expect_true(gauge.has_errors(), "errors of the last truths")
+	expect_true(gauge.has_errors(), "errors relative to the latest ground truths")
 	gauge.clear()
 	expect_true(not gauge.has_errors(), "no errors after clear()")
 

@@ -72,12 +72,12 @@ func test_reordering_has_the_configured_probability() -> void:
 	var conditions := LineConditions.new()
 	conditions.delay = 0.02
 	conditions.reorder = 0.1
-	var overtaken := 0
+	var reordered := 0
 	var newest := -1.0
 	for arrival: Vector2 in _run(conditions, 3, 5000):
-		overtaken += int(arrival.x < newest)
+		reordered += int(arrival.x < newest)
 		newest = maxf(newest, arrival.x)
-	expect_near(overtaken / 5000.0, 0.1, 0.015, "part of the packets that was overtaken")
+	expect_near(reordered / 5000.0, 0.1, 0.015, "share of reordered packets")
 
 
 func test_duplication_has_the_configured_probability() -> void:

@@ -66,7 +66,7 @@ func test_a_sandwich_in_an_expression() -> void:
 	)
 	expect_true(
 		moved.is_equal_approx(motor.sandwich(Multivector.point(Vector3(4, 5, 6)))),
-		"M X ~M being the sandwich"
+		"M X ~M is the sandwich product"
 	)
 
 

@@ -125,7 +125,7 @@ func test_exp_of_bivectors() -> void:
 	var translation := Multivector.basis("e1").outer_product(Multivector.basis("einf")).scaled(-1.5)
 	expect_true(
 		translation.exp().is_equal_approx(Multivector.translator(Vector3(3, 0, 0))),
-		"exp of -t einf / 2 being the translator"
+		"exp(-t einf / 2) is the translator"
 	)
 
 
@@ -151,11 +151,11 @@ func test_exp_inverts_log() -> void:
 		# log is that of M or -M, whichever has the smaller rotation.
 		if same.scalar_product(motor.reverse()) < 0.0:
 			same = same.scaled(-1.0)
-		expect_true(same.is_equal_approx(motor), "exp(log(M)) being M: %s" % title)
+		expect_true(same.is_equal_approx(motor), "exp(log(M)) is M: %s" % title)
 
 
 func test_log_of_special_motors() -> void:
-	# A pure translation, the identity, half a turn, and a motor and its negative.
+	# A pure translation, the identity, a rotation by pi, and a motor and its negative.
 	expect_coefficients(Multivector.translator(Vector3(0, 0, 4)).log(), {13: -2.0, 14: -2.0}, 1e-15)
 	expect_coefficients(Multivector.scalar(1.0).log(), {}, 0.0)
 	expect_coefficients(Multivector.basis("e12").log(), {E12: PI / 2.0}, 1e-15)
@@ -187,16 +187,14 @@ func test_sqrt_and_power_of_motors() -> void:
 		Vector3(1, -2, 3), Quaternion(Vector3(1, 2, 2) / 3.0, 2.5), 0.4
 	)
 	var half := motor.sqrt()
-	expect_true(
-		half.geometric_product(half).is_equal_approx(motor), "the square of the root being M"
-	)
-	expect_true(motor.power(0.5).is_equal_approx(half), "power 1/2 being the root")
+	expect_true(half.geometric_product(half).is_equal_approx(motor), "the square of the root is M")
+	expect_true(motor.power(0.5).is_equal_approx(half), "power 1/2 is the root")
 	var third := motor.power(1.0 / 3.0)
 	expect_true(
 		third.geometric_product(third).geometric_product(third).is_equal_approx(motor),
-		"the cube of the third part being M"
+		"the cube of power 1/3 is M"
 	)
-	expect_true(motor.power(-1.0).is_equal_approx(motor.inverse()), "power -1 being the inverse")
+	expect_true(motor.power(-1.0).is_equal_approx(motor.inverse()), "power -1 is the inverse")
 	expect_coefficients(motor.power(0.0), {0: 1.0}, 1e-15)
 
 
@@ -217,10 +215,10 @@ func test_reflections_have_integer_powers_only() -> void:
 
 func test_is_blade() -> void:
 	for name: String in ["1", "e3", "e12", "e345", "e1245", "I", "eo"]:
-		expect_true(Multivector.basis(name).is_blade(), "%s being a blade" % name)
-	expect_true(_sum({E12: 1.0, 7: 1.0}).is_blade(), "e12 + e13 being a blade")
-	expect_true(not _sum({E12: 1.0, 13: 1.0}).is_blade(), "e12 + e34 being none")
-	expect_true(not _sum({E1: 1.0, E12: 1.0}).is_blade(), "e1 + e12 being none")
+		expect_true(Multivector.basis(name).is_blade(), "%s is a blade" % name)
+	expect_true(_sum({E12: 1.0, 7: 1.0}).is_blade(), "e12 + e13 is a blade")
+	expect_true(not _sum({E12: 1.0, 13: 1.0}).is_blade(), "e12 + e34 is not a blade")
+	expect_true(not _sum({E1: 1.0, E12: 1.0}).is_blade(), "e1 + e12 is not a blade")
 
 
 func test_is_versor() -> void:
@@ -232,25 +230,25 @@ func test_is_versor() -> void:
 		Multivector.basis("e12"),
 		Multivector.scalar(2.0)
 	]:
-		expect_true(versor.is_versor(), "%s being a versor" % versor.to_text())
+		expect_true(versor.is_versor(), "%s is a versor" % versor.to_text())
 	for element: Multivector in [
 		Multivector.new(),
 		Multivector.basis("eo"),
 		_sum({0: 1.0, E1: 2.0}),
 		Multivector.point(Vector3.ONE)
 	]:
-		expect_true(not element.is_versor(), "%s being none" % element.to_text())
+		expect_true(not element.is_versor(), "%s is not a versor" % element.to_text())
 
 
 func test_is_motor() -> void:
-	expect_true(Multivector.dilator(0.01).scaled(-2.0).is_motor(), "a dilator being a motor")
+	expect_true(Multivector.dilator(0.01).scaled(-2.0).is_motor(), "a dilator is a motor")
 	for element: Multivector in [
 		Multivector.new(),
 		Multivector.basis("e1"),
 		Multivector.basis("e45"),
 		_sum({0: 1.0, E3: 1.0})
 	]:
-		expect_true(not element.is_motor(), "%s being none" % element.to_text())
+		expect_true(not element.is_motor(), "%s is not a motor" % element.to_text())
 
 
 func test_functions_change_no_operand() -> void:

@@ -17,7 +17,7 @@ func test_line_and_plane() -> void:
 	)
 	expect_equal(found["kind"], "flat_point")
 	expect_vector_near(found["center"] as Vector3, Vector3(2, 1, 3), 1e-6)
-	# In the plane, the line itself; along it, what they have at infinity.
+	# A line in the plane meets it in the line, a parallel line in their common direction.
 	var inside := Multivector.line(Vector3(0, 1, 0), Vector3.RIGHT)
 	expect_equal(ground.meet(inside).classify()["kind"], "line")
 	expect_equal(

@@ -31,7 +31,7 @@ func test_deviation_of_two_modes() -> void:
 	_free_unused()
 	var from := Multivector.motor_from(Vector3.ZERO, Quaternion.IDENTITY, 1.0)
 	var to := Multivector.motor_from(Vector3(2, 0, 0), Quaternion(Vector3.UP, PI / 2.0), 1.0)
-	# The arc over a chord of 2 m and a quarter turn rises by tan(22.5 degrees).
+	# The arc of a rotation by pi / 2 over a chord of 2 m rises by tan(22.5 degrees).
 	var found := MultivectorLerp.measure_deviation(
 		from, to, MultivectorLerp.SCREW, MultivectorLerp.SEPARATE, 0.0
 	)
@@ -42,7 +42,10 @@ func test_deviation_of_two_modes() -> void:
 		from, to, MultivectorLerp.LINEAR, MultivectorLerp.SCREW
 	)
 	expect_near(
-		rad_to_deg(with_lever_arm["angle"] as float), 0.92, 0.02, "largest angle at a quarter turn"
+		rad_to_deg(with_lever_arm["angle"] as float),
+		0.92,
+		0.02,
+		"largest angle at a rotation by pi / 2"
 	)
 	expect_true(
 		(

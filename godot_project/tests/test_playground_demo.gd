@@ -108,7 +108,7 @@ func test_an_example_is_opened_from_its_menu() -> void:
 	await _open_empty()
 	Hands.click(_demo.panel.toolbar.get_node(^"ExamplesButton") as Control)
 	var examples := _demo.panel.toolbar.find_child("Examples", true, false) as PopupMenu
-	expect_true(examples.visible, "the menu being open")
+	expect_true(examples.visible, "the menu is open")
 	examples.hide()
 	examples.id_pressed.emit(0)
 	expect_equal(

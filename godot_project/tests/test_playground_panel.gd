@@ -112,7 +112,7 @@ func test_a_row_is_dragged_to_another_place() -> void:
 	for row in _demo.panel.list.get_rows():
 		expect_true(
 			(row.find_child("Message", true, false) as Control).size.y < 30.0,
-			"words of %s within their row" % row.entry
+			"the description of %s fits its row" % row.entry
 		)
 
 
@@ -146,7 +146,7 @@ func test_the_range_of_a_slider_is_set_in_one_action() -> void:
 		"From must be less than To.",
 		"error"
 	)
-	expect_true(dialog.get_ok_button().disabled, "the OK button being disabled")
+	expect_true(dialog.get_ok_button().disabled, "the OK button is disabled")
 	(dialog.find_child("From", true, false) as LineEdit).text = "1"
 	(dialog.find_child("Step", true, false) as LineEdit).text = "0.5"
 	(dialog.find_child("Step", true, false) as LineEdit).text_changed.emit("0.5")

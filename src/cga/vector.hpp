@@ -4,6 +4,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
+
 // src/cga takes and returns GLM's vectors and quaternions. Quaternions follow Hamilton's convention, are constructed as
 // (w, x, y, z) and rotate a vector v to q v q*.
 
@@ -24,6 +26,11 @@ template <class T>
 template <class T>
 [[nodiscard]] constexpr Vector3<T> vector_part(const Quaternion<T> &quaternion) noexcept {
 	return { quaternion.x, quaternion.y, quaternion.z };
+}
+
+template <class T>
+[[nodiscard]] bool is_finite(const Vector3<T> &vector) noexcept {
+	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
 } // namespace cga

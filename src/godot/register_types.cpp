@@ -1,6 +1,5 @@
 #include "godot/algebra/multivector.hpp"
 #include "godot/drawing/ga_node_3d.hpp"
-#include "godot/editor_help.hpp"
 #include "godot/motion/motor_pool.hpp"
 #include "godot/motion/multivector_lerp.hpp"
 #include "godot/net/motor_codec.hpp"
@@ -14,6 +13,9 @@
 
 namespace ga_godot {
 
+/// The XML text of each class in doc_classes/, null-terminated; generated at build time.
+extern const char *const EDITOR_HELP[];
+
 static void initialize(godot::ModuleInitializationLevel level) {
 	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(Multivector);
@@ -26,7 +28,9 @@ static void initialize(godot::ModuleInitializationLevel level) {
 		GDREGISTER_CLASS(MotorReceiver);
 		GDREGISTER_CLASS(MotorSynchronizer);
 	} else if (level == godot::MODULE_INITIALIZATION_LEVEL_EDITOR) {
-		load_editor_help();
+		for (const char *const *xml = EDITOR_HELP; *xml != nullptr; xml++) {
+			godot::gdextension_interface::editor_help_load_xml_from_utf8_chars(*xml);
+		}
 	}
 }
 

@@ -2,8 +2,10 @@
 
 #include "net/coding/bit_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace net {
 
@@ -58,15 +60,9 @@ Grid enclosing_grid(const BodyPose *bodies, size_t count, const Tolerance &toler
 	grid.step = position_step(tolerance.position);
 	grid.rotor_bits = rotor_bits(tolerance.rotation);
 	for (int axis = 0; axis < 3 && count > 0; ++axis) {
-		int64_t lowest = grid_index(bodies[0].pose.translation[axis], grid.step);
-		int64_t highest = lowest;
-		for (size_t i = 1; i < count; ++i) {
-			const int64_t index = grid_index(bodies[i].pose.translation[axis], grid.step);
-			lowest = index < lowest ? index : lowest;
-			highest = index > highest ? index : highest;
-		}
-		grid.origin[axis] = lowest;
-		grid.bits[axis] = bit_width(uint64_t(highest - lowest));
+		const auto [lowest, highest] = std::minmax_element(bodies, bodies + count, [axis](const BodyPose &a, const BodyPose &b) { return a.pose.translation[axis] < b.pose.translation[axis]; });
+		grid.origin[axis] = grid_index(lowest->pose.translation[axis], grid.step);
+		grid.bits[axis] = bit_width(uint64_t(grid_index(highest->pose.translation[axis], grid.step) - grid.origin[axis]));
 	}
 	return grid;
 }
@@ -186,47 +182,30 @@ std::optional<CodecFault> read_body(BitReader &reader, const Grid &grid, int64_t
 } // namespace
 
 const char *describe(CodecFault fault) {
-	switch (fault) {
-		case CodecFault::ID_OUT_OF_RANGE:
-			return "the id is negative or above 2147483647";
-		case CodecFault::POSE_NOT_FINITE:
-			return "the pose is not finite";
-		case CodecFault::POSITION_TOO_FAR:
-			return "the position is too far from the origin for this position_tolerance";
-		case CodecFault::ROTATION_NOT_UNIT:
-			return "the rotation is not a unit quaternion";
-		case CodecFault::SCALE_OUT_OF_RANGE:
-			return "the scale is not between 1/65000 and 65000";
-		case CodecFault::POSITION_TOLERANCE_OUT_OF_RANGE:
-			return "position_tolerance is not positive and finite";
-		case CodecFault::ROTATION_TOLERANCE_OUT_OF_RANGE:
-			return "rotation_tolerance is not finite and at least 0.000017 degrees";
-		case CodecFault::OTHER_FORMAT_VERSION:
-			return "the packet is of another format version";
-		case CodecFault::HEADER_POSITION_OUT_OF_RANGE:
-			return "the packet's header has positions out of range";
-		case CodecFault::HEADER_TRUNCATED:
-			return "the packet is truncated in its header";
-		case CodecFault::GRID_STEP_NOT_POSITIVE:
-			return "the packet's header has a grid step that is not positive";
-		case CodecFault::ROTOR_SIZE_OUT_OF_RANGE:
-			return "the packet's header has a rotor size out of range";
-		case CodecFault::TOO_SHORT_FOR_COUNT:
-			return "the packet is too short for its number of bodies";
-		case CodecFault::BODY_POSITION_NOT_FINITE:
-			return "the body has a position that is not finite";
-		case CodecFault::TRUNCATED:
-			return "the packet is truncated";
-		case CodecFault::BODY_ID_OUT_OF_RANGE:
-			return "the body has an id out of range";
-		case CodecFault::BODY_ROTOR_NOT_UNIT:
-			return "the body has a rotor that is not of unit length";
-		case CodecFault::BODY_SCALE_OUT_OF_RANGE:
-			return "the body has a scale out of range";
-		case CodecFault::TRAILING_BYTES:
-			return "the packet has bytes after its last body";
-	}
-	return "unknown error";
+	// In the order of the enumerators.
+	static constexpr const char *DESCRIPTIONS[] = {
+		"the id is negative or above 2147483647",
+		"the pose is not finite",
+		"the position is too far from the origin for this position_tolerance",
+		"the rotation is not a unit quaternion",
+		"the scale is not between 1/65000 and 65000",
+		"position_tolerance is not positive and finite",
+		"rotation_tolerance is not finite and at least 0.000017 degrees",
+		"the packet is of another format version",
+		"the packet's header has positions out of range",
+		"the packet is truncated in its header",
+		"the packet's header has a grid step that is not positive",
+		"the packet's header has a rotor size out of range",
+		"the packet is too short for its number of bodies",
+		"the body has a position that is not finite",
+		"the packet is truncated",
+		"the body has an id out of range",
+		"the body has a rotor that is not of unit length",
+		"the body has a scale out of range",
+		"the packet has bytes after its last body",
+	};
+	static_assert(std::size(DESCRIPTIONS) == size_t(CodecFault::TRAILING_BYTES) + 1);
+	return DESCRIPTIONS[size_t(fault)];
 }
 
 CodecResult encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet) {

@@ -1,4 +1,4 @@
-// Blends of n pose pairs: ours and typical code with GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
+// Blends of n pose pairs, compared with typical code that uses GLM or Eigen. Input: n pose pairs and one weight; output: n rows of 12
 // floats (a MultiMesh's transforms).
 
 #include "kernel_input.hpp"
@@ -23,7 +23,7 @@ namespace kernels_bench {
 
 namespace {
 
-/// The method of engines: lerp of position and scale, slerp of rotation.
+// The method of engines: lerp of position and scale, slerp of rotation.
 struct GlmSlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -33,7 +33,7 @@ struct GlmSlerp {
 	}
 };
 
-/// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
+// The cheapest correct blend of separate parts: normalized lerp along the shorter rotation.
 struct GlmNlerp {
 	using Prepared = PosePair;
 	static void blend(const Prepared &pair, float weight, float *row) {
@@ -54,7 +54,7 @@ void write_row(const glm::dualquat &pose, float scale, float *row) {
 	}
 }
 
-/// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
+// GLM's coupled path: dual quaternions, computed when the poses are set, blended linearly; the scale separately.
 struct GlmDualQuaternion {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -69,8 +69,9 @@ struct GlmDualQuaternion {
 	}
 };
 
-/// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
-/// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in ours; the scale separately, geometric.
+// Screw interpolation with GLM's dual quaternions: from exp(a log(from^-1 to)), which GLM itself lacks. The logarithm (the
+// half angle and pitch, axis and moment of the screw) is computed when the poses are set, as in this library. The scale is
+// interpolated separately, geometrically.
 struct GlmDualQuaternionScrew {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
@@ -108,18 +109,18 @@ struct GlmDualQuaternionScrew {
 struct EigenSlerp {
 	struct Prepared {
 		explicit Prepared(const PosePair &pair) :
-				from(rotation_of(pair.from)), to(rotation_of(pair.to)), from_place(place_of(pair.from)), to_place(place_of(pair.to)), from_scale(pair.from.scale), to_scale(pair.to.scale) {}
+				from(rotation_of(pair.from)), to(rotation_of(pair.to)), from_position(position_of(pair.from)), to_position(position_of(pair.to)), from_scale(pair.from.scale), to_scale(pair.to.scale) {}
 		static Eigen::Quaternionf rotation_of(const Posef &pose) { return { pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z }; }
-		static Eigen::Vector3f place_of(const Posef &pose) { return { pose.translation.x, pose.translation.y, pose.translation.z }; }
+		static Eigen::Vector3f position_of(const Posef &pose) { return { pose.translation.x, pose.translation.y, pose.translation.z }; }
 		Eigen::Quaternionf from, to;
-		Eigen::Vector3f from_place, to_place;
+		Eigen::Vector3f from_position, to_position;
 		float from_scale, to_scale;
 	};
 	static void blend(const Prepared &pair, float weight, float *row) {
 		Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>> out(row);
 		const float scale = glm::mix(pair.from_scale, pair.to_scale, weight);
 		out.leftCols<3>() = scale * pair.from.slerp(weight, pair.to).toRotationMatrix();
-		out.col(3) = (1.0f - weight) * pair.from_place + weight * pair.to_place;
+		out.col(3) = (1.0f - weight) * pair.from_position + weight * pair.to_position;
 	}
 };
 #endif

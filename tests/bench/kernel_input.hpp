@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-// Shared by the kernel benchmarks: the input of all subjects, and how a subject is measured.
+// The input of the kernel benchmarks, and the measurement of a subject.
 //
-// Every subject of a case does the same job on the same input on one core, compiled with the same flags. Names read
-// case/subject/n; tools/bench turns the medians into rows.
+// All subjects of a case do the same work on the same input on one core, compiled with the same flags. A name is
+// case/subject/n; tools/bench writes the medians as rows.
 
 namespace kernels_bench {
 
@@ -34,12 +34,12 @@ public:
 		result.scale = std::exp(_log_scale(_random));
 		return result;
 	}
-	glm::vec3 point() { return { _place(_random), _place(_random), _place(_random) }; }
+	glm::vec3 point() { return { _coordinate(_random), _coordinate(_random), _coordinate(_random) }; }
 
 private:
 	std::mt19937 _random{ 2026 };
 	std::normal_distribution<float> _normal;
-	std::uniform_real_distribution<float> _place{ -10.0f, 10.0f };
+	std::uniform_real_distribution<float> _coordinate{ -10.0f, 10.0f };
 	std::uniform_real_distribution<float> _log_scale{ -0.7f, 0.7f };
 };
 

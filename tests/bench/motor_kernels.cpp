@@ -73,7 +73,7 @@ struct GlmQuaternionVector {
 	static void extract(const Form &form, float *row) { write_row(glm::mat3_cast(form.rotation), form.scale, form.translation, row); }
 };
 
-// Our own motors, one at a time.
+// This library's motors, one at a time.
 struct OneMotor {
 	using Form = Motorf;
 	static Form make(const Posef &pose) { return Motorf::from_pose(pose); }

@@ -41,8 +41,8 @@ struct Library {
 	size_t bytes_read;
 };
 
-// Whether the library computes the same bases as ours.
-bool is_right(const Library &library, const std::vector<PosePair> &pairs, const void *made, float *rows) {
+// Whether the library computes the same bases as this one.
+bool agrees(const Library &library, const std::vector<PosePair> &pairs, const void *made, float *rows) {
 	library.blend(made, 0.3f, rows);
 	for (size_t i = 0; i < pairs.size(); ++i) {
 		float expected[cga::ROW_FLOATS];
@@ -66,8 +66,8 @@ void rust(benchmark::State &state, Library library) {
 	}
 	void *made = library.make(poses.data(), count);
 	std::vector<float> rows(cga::block_count(count) * cga::PoseBlock::LANES * cga::ROW_FLOATS);
-	if (!is_right(library, pairs, made, rows.data())) {
-		state.SkipWithError("its rows are not ours");
+	if (!agrees(library, pairs, made, rows.data())) {
+		state.SkipWithError("its rows differ from those of this library");
 	}
 	float weight = 0.0f;
 	measure(state, count, library.bytes_read + sizeof(float) * cga::ROW_FLOATS, [&] {

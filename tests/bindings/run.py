@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Builds the sample extension against bindings/ and runs its checks in the engine.
 
-With --godot-cpp also against a built godot-cpp, where the same checks must hold. Prints "[bindings] N passed, N failed"
-as the last line; the exit code is 0 only if every check passed and the engine printed no error and leaked nothing.
+With --godot-cpp, builds it against godot-cpp too; the same checks must pass. Prints "[bindings] N passed, N failed"
+as the last line; the exit code is 0 only if all checks passed and the engine reported no error and no leak.
 """
 
 import argparse
@@ -27,25 +27,25 @@ from engine_log import problems_of  # noqa: E402
 FLAGS = ["-std=c++17", "-O1", "-fPIC", "-fno-exceptions", "-fno-gnu-unique", "-Wall", "-Wextra", "-Werror"]
 FLAGS += ["-fvisibility=hidden", "-fvisibility-inlines-hidden"]
 LINK_FLAGS = ["-shared", "-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL", "-Wl,--no-undefined"]
-TELLING = re.compile(r"\[expect\]|FAIL|.*ERROR|.*[Ll]eaked|.*[Oo]rphan|\s+at: ")
+RELEVANT = re.compile(r"\[expect\]|FAIL|.*ERROR|.*[Ll]eaked|.*[Oo]rphan|\s+at: ")
 RESULT = re.compile(r"^\[bindings\] (\d+) passed, (\d+) failed$", re.M)
 
 
 def fail(message):
-    """Ends the run: nothing can be checked."""
+    """Exits, because nothing can be checked."""
     print(f"{message}\n[bindings] 0 passed, 1 failed")
     sys.exit(1)
 
 
 def run(command, **options):
-    """A program's exit code and all it printed."""
+    """Runs a program; returns its exit code and its output."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "errors": "replace"}
     done = subprocess.run(command, **pipes, **options)
     return done.returncode, done.stdout
 
 
 class Sample:
-    """The sample extension, built in one way into one folder."""
+    """The sample extension, built against one implementation of the bindings."""
 
     def __init__(self, name, folder, flags, libraries):
         self.name = name
@@ -57,7 +57,7 @@ class Sample:
         self.project = os.path.join(self.folder, "project")
 
     def build(self):
-        """Compiles what changed since the last build, and links."""
+        """Compiles changed sources, and links."""
         started = time.monotonic()
         compiler = os.environ.get("CXX", "g++")
         headers = digest(self.headers, " ".join([compiler] + self.flags))
@@ -89,26 +89,26 @@ class Sample:
         print(f"{self.name}: {len(stale)} of {len(jobs)} files compiled in {seconds:.1f} s, {size} KiB", flush=True)
 
     def check(self, engine):
-        """Runs the checks; (passed, failed)."""
-        # Without this line the first import of a project with an extension aborts.
+        """Runs the checks; returns (passed, failed)."""
+        # Without this file, the first import of a project with an extension aborts.
         os.makedirs(os.path.join(self.project, ".godot"))
         with open(os.path.join(self.project, ".godot", "extension_list.cfg"), "w", encoding="utf-8") as file:
             file.write("res://sample.gdextension\n")
         code, output = self.start(engine, "--editor", "--import")
-        problems = [f"the editor ended with {code}"] if code != 0 else []
+        problems = [f"the import failed with exit code {code}"] if code != 0 else []
         problems += problems_of(output)
         if problems:
             print(output)
         passed = failed = 0
         for script in ("checks.gd", "reload.gd"):
             code, output = self.start(engine, "--verbose", "--script", f"res://{script}")
-            # Verbose engines list what leaks; of the rest of what they tell only the checks' own lines matter.
-            print("\n".join(line for line in output.splitlines() if TELLING.match(line)))
+            # A verbose engine lists leaks. Print only these, errors, and the lines of the checks.
+            print("\n".join(line for line in output.splitlines() if RELEVANT.match(line)))
             problems += problems_of(output)
             counts = RESULT.findall(output)
             if not counts:
                 print(output)
-                problems.append(f"{script} did not come to its end (exit code {code})")
+                problems.append(f"{script} did not run to its end (exit code {code})")
             passed += sum(int(count[0]) for count in counts)
             failed += sum(int(count[1]) for count in counts)
         for problem in problems:
@@ -117,7 +117,7 @@ class Sample:
         return passed, failed + len(problems)
 
     def start(self, engine, *arguments):
-        """Runs the engine in the sample's project, with folders of its own for data and settings."""
+        """Runs the engine in the sample's project, with separate folders for data and settings."""
         places = {"XDG_DATA_HOME": self.folder, "XDG_CONFIG_HOME": self.folder}
         command = [*engine, "--headless", "--path", self.project, *arguments]
         try:
@@ -128,7 +128,7 @@ class Sample:
 
 
 def digest(paths, start=""):
-    """A hash of files' contents."""
+    """A hash of `start` and the contents of the files."""
     found = hashlib.sha256(start.encode())
     for path in sorted(paths):
         with open(path, "rb") as file:
@@ -137,7 +137,7 @@ def digest(paths, start=""):
 
 
 def generate(engine, folder):
-    """Lets the engine describe itself and generates the bindings from that; returns their folder."""
+    """Dumps the engine's API description, generates the bindings from it, and returns their folder."""
     dump = os.path.join(folder, "api")
     shutil.rmtree(dump, ignore_errors=True)
     os.makedirs(dump)
@@ -170,8 +170,8 @@ def against_bindings(engine, folder):
 def against_godot_cpp(folder, godot_cpp):
     libraries = glob.glob(os.path.join(godot_cpp, "bin", "libgodot-cpp.*template_debug*.a"))
     if not libraries:
-        fail(f"{godot_cpp} holds no built godot-cpp: bin/libgodot-cpp.*.a is missing")
-    # Its casts need RTTI; HOT_RELOAD_ENABLED is its default in debug builds and changes its classes.
+        fail(f"{godot_cpp} contains no built godot-cpp: bin/libgodot-cpp.*template_debug*.a does not exist; build it there with scons")
+    # godot-cpp's casts need RTTI. HOT_RELOAD_ENABLED, its default in debug builds, changes its classes.
     flags = [f"-D{name}_ENABLED" for name in ("DEBUG", "HOT_RELOAD", "THREADS", "LINUX", "UNIX")]
     flags += [f"-isystem{os.path.join(godot_cpp, include)}" for include in ("include", "gen/include")]
     return Sample("godot-cpp", folder, flags, libraries)
@@ -180,10 +180,10 @@ def against_godot_cpp(folder, godot_cpp):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("engine", nargs="?", default=os.path.join(ROOT, "tools", "godot"),
-                        help="the engine's command (default: tools/godot)")
+                        help="command that starts the engine (default: tools/godot)")
     parser.add_argument("build_dir", nargs="?", default=os.path.join(ROOT, "build", "bindings_sample"),
-                        help="where to build (default: build/bindings_sample)")
-    parser.add_argument("--godot-cpp", metavar="DIR", help="a built godot-cpp to check against too")
+                        help="build folder (default: build/bindings_sample)")
+    parser.add_argument("--godot-cpp", metavar="DIR", help="a built godot-cpp, to build and check the sample against it too")
     options = parser.parse_args()
     engine = shlex.split(options.engine)
     folder = os.path.abspath(options.build_dir)

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-// Random elements from a fixed seed, and distances between poses: what the tests of src/cga share.
+// Random elements from a fixed seed, and distances between poses, for the tests of src/cga.
 
 namespace cga_test {
 
@@ -52,8 +52,8 @@ inline QuaternionD axis_angle(const Vector3D &axis, double angle) {
 
 // The angle between two rotations, ignoring their signs.
 inline double angle_between(const QuaternionD &left, const QuaternionD &right) {
-	const QuaternionD turn = left * glm::conjugate(right);
-	return 2.0 * std::atan2(glm::length(cga::vector_part(turn)), std::abs(turn.w));
+	const QuaternionD rotation = left * glm::conjugate(right);
+	return 2.0 * std::atan2(glm::length(cga::vector_part(rotation)), std::abs(rotation.w));
 }
 
 // The maximum of the angle, the relative difference of scale and the distance relative to the positions.

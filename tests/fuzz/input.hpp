@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// What the fuzz targets of src/net share.
+// Common code of the fuzz targets of src/net.
 
 namespace fuzz {
 
@@ -37,7 +37,7 @@ inline cga::Pose<double> pose_at(uint32_t id, double time) {
 	return pose;
 }
 
-/// Splits an input into pieces: a length of two bytes, little-endian, then as many bytes, or what is left.
+/// Splits an input into pieces: a length of two bytes, little-endian, then as many bytes, or all that are left.
 struct Pieces {
 	const uint8_t *bytes;
 	size_t size;

@@ -1,6 +1,6 @@
-// Hostile texts for everything in src/playground that reads texts of others: expressions, and documents as JSON. As a program
-// it mutates right ones, from fixed seeds, so many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is
-// libFuzzer's target. What fails ends it: by a sanitizer, or by an abort where an answer is not as it must be, or late.
+// Fuzzes everything in src/playground that parses untrusted text: expressions, and documents as JSON. As a program it mutates
+// valid texts from a fixed seed, as many times as its argument says; with -DLIBFUZZER and -fsanitize=fuzzer it is a libFuzzer
+// target. A failure ends it: a sanitizer's report, a violated condition, or an input that takes longer than MAX_SECONDS.
 
 #include "mutation.hpp"
 
@@ -22,36 +22,36 @@ using fuzz::Bytes;
 
 constexpr double MAX_SECONDS = 5.0;
 
-void demand(bool condition, const char *what, const std::string &text) {
+void require(bool condition, const char *what, const std::string &text) {
 	if (!condition) {
 		std::fprintf(stderr, "playground_fuzz: %s\n%s\n", what, text.c_str());
 		std::abort();
 	}
 }
 
-void demand_sound(const playground::Document &document, const std::string &text) {
+void require_valid(const playground::Document &document, const std::string &text) {
 	for (size_t index = 0; index < document.size(); ++index) {
 		const playground::Entry &entry = document.at(index);
-		demand(entry.value || !entry.value.error().message.empty(), "neither a value nor an error", text);
-		demand(!entry.value || entry.value->is_finite(), "a value is not finite", text);
-		demand(!playground::describe(entry).empty(), "no description", text);
+		require(entry.value || !entry.value.error().message.empty(), "neither a value nor an error", text);
+		require(!entry.value || entry.value->is_finite(), "a value is not finite", text);
+		require(!playground::describe(entry).empty(), "no description", text);
 	}
 }
 
 // Evaluates, edits and renames in a document that defines the names of the seeds.
 void fuzz_expression(const std::string &text) {
 	playground::Document document;
-	demand(document.add("a", "point(1, 2, 3)") && document.add("r", "2") && document.add("x", text) && document.add("after", "x + a"), "an entry is refused", text);
-	demand_sound(document, text);
+	require(document.add("a", "point(1, 2, 3)") && document.add("r", "2") && document.add("x", text) && document.add("after", "x + a"), "a valid entry is rejected", text);
+	require_valid(document, text);
 	for (const playground::Parameter &parameter : playground::parameters_of(text)) {
 		const cga::Result<std::string, playground::Error> same = playground::with_parameter(text, parameter.name, parameter.literal.value);
-		demand(same && *same == text, "setting a parameter to what it is changes the text", text);
+		require(same && *same == text, "setting a parameter to its own value changes the text", text);
 	}
 	if (document.rename("a", "renamed")) {
-		demand(document.rename("renamed", "a").has_value(), "an entry cannot be renamed back", text);
+		require(document.rename("renamed", "a").has_value(), "an entry cannot be renamed back", text);
 	}
-	demand(document.find("x")->text == playground::pasted_expression(text), "renaming there and back changes the text", text);
-	demand_sound(document, text);
+	require(document.find("x")->text == playground::pasted_expression(text), "renaming an entry and back changes the text", text);
+	require_valid(document, text);
 }
 
 void fuzz_parameter(const std::string &text) {
@@ -63,26 +63,26 @@ void fuzz_parameter(const std::string &text) {
 			*vector = *vector * 0.3 + cga::Vector3<double>(-1.0, 0.0, 1e-5);
 		}
 		const cga::Result<std::string, playground::Error> changed = playground::with_parameter(text, parameter.name, value);
-		demand(changed || !changed.error().message.empty(), "neither a text nor an error", text);
+		require(changed || !changed.error().message.empty(), "neither a text nor an error", text);
 		if (changed) {
 			const size_t count = playground::parameters_of(*changed).size();
-			demand(count > 0, "a parameter was set, and is gone", text + "\n" + *changed);
+			require(count > 0, "after a parameter was set, the text has no parameters", text + "\n" + *changed);
 		}
 	}
 }
 
 void fuzz_document(const std::string &text) {
 	const playground::LoadedDocument loaded = playground::read_document(text);
-	demand(loaded.is_document || !loaded.errors.empty(), "no document, and no reason", text);
+	require(loaded.is_document || !loaded.errors.empty(), "neither a document nor an error", text);
 	playground::Document document;
-	demand(document.restore(loaded.state) && document.state() == loaded.state, "a document that was read is not taken as it is", text);
-	demand_sound(document, text);
+	require(document.restore(loaded.state) && document.state() == loaded.state, "restoring a document changes it", text);
+	require_valid(document, text);
 	const playground::LoadedDocument again = playground::read_document(playground::to_json(document.state()));
-	demand(again.errors.empty() && again.state == loaded.state, "a document that was written is read differently", text);
+	require(again.errors.empty() && again.state == loaded.state, "a document differs after it was written and read", text);
 	if (document.size() > 1) {
-		(void)document.rename(std::string(document.at(0).name), "renamed"); // refused if the name is taken
-		demand(document.remove(std::string(document.at(1).name)).has_value(), "an entry cannot be removed", text);
-		demand_sound(document, text);
+		(void)document.rename(std::string(document.at(0).name), "renamed"); // rejected if the name is taken
+		require(document.remove(std::string(document.at(1).name)).has_value(), "an entry cannot be removed", text);
+		require_valid(document, text);
 	}
 }
 
@@ -141,7 +141,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 		const std::string text(reinterpret_cast<const char *>(bytes) + 1, size - 1);
 		const auto start = std::chrono::steady_clock::now();
 		TARGETS[bytes[0] % TARGET_COUNT].run(text);
-		demand(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < MAX_SECONDS, "it took long", text);
+		require(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < MAX_SECONDS, "an input takes longer than MAX_SECONDS", text);
 	}
 	return 0;
 }
@@ -150,14 +150,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
 
 namespace {
 
-// What means something to a parser, in a place where it may not be expected.
-const char *const PIECES[] = { "(", ")", "[", "]", "{", "}", "\"", "\\", ",", ":", "deg(", "e1", "1e+999", "-", "point(", "a", "x", "\\ud800", "null", "1e-400", "vector(", "^", "{\"name\": \"", "sphere(", "0", "   " };
+// Tokens to insert at random positions.
+const char *const TOKENS[] = { "(", ")", "[", "]", "{", "}", "\"", "\\", ",", ":", "deg(", "e1", "1e+999", "-", "point(", "a", "x", "\\ud800", "null", "1e-400", "vector(", "^", "{\"name\": \"", "sphere(", "0", "   " };
 
 void mutate_text(std::string &text, std::mt19937 &random) {
 	const size_t at = random() % (text.size() + 1);
 	switch (random() % 4) {
 		case 0:
-			text.insert(at, PIECES[random() % (sizeof(PIECES) / sizeof(PIECES[0]))]);
+			text.insert(at, TOKENS[random() % (sizeof(TOKENS) / sizeof(TOKENS[0]))]);
 			break;
 		case 1:
 			text.erase(at, 1 + random() % 8);
@@ -183,7 +183,7 @@ int main(int count, char **arguments) {
 	for (size_t target = 0; target < TARGET_COUNT; ++target) {
 		for (int round = 0; round < rounds; ++round) {
 			std::string text = TARGETS[target].seeds[random() % TARGETS[target].seeds.size()];
-			for (size_t wrong = random() % 6; wrong > 0; --wrong) {
+			for (size_t mutations = random() % 6; mutations > 0; --mutations) {
 				mutate_text(text, random);
 			}
 			const std::string input = char(target) + text;

@@ -16,7 +16,7 @@ constexpr net::PeerId TESTED = 1;
 constexpr net::PeerId HONEST = 2;
 constexpr net::PeerId HOSTILE = 3;
 constexpr uint16_t SESSION_KEY = 0x1234;
-/// Stands in recorded packets for the link that the tested session chooses.
+/// Placeholder in recorded packets for the link that the tested session chooses.
 constexpr uint8_t CHOSEN_LINK = 0xa5;
 
 inline bool has_chosen_link(const Bytes &packet) {

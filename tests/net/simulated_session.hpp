@@ -56,7 +56,7 @@ public:
 		CHECK(sender->add_body(id, path(now)));
 	}
 
-	/// The same link each way; by default 30 ms of delay.
+	/// The same link settings in both directions; by default 30 ms of delay.
 	RemoteEnd &add_receiver(uint32_t id, const LinkSettings &link = { 0.03 }) {
 		auto &end = ends[id];
 		end = std::make_unique<RemoteEnd>(id * 17 + 5, link);
@@ -165,10 +165,10 @@ inline void add_smooth_bodies(SimulatedSession &session, uint32_t count) {
 	}
 	for (uint32_t id = 0; id < count; ++id) {
 		const Path path = smooth[id % smooth.size()].path;
-		const Vector3D place(double(id), 0.0, double(id % 7));
-		session.add_body(id, [path, place, id](double t) {
+		const Vector3D position(double(id), 0.0, double(id % 7));
+		session.add_body(id, [path, position, id](double t) {
 			PoseD pose = path(t - 100.0 + 0.37 * id);
-			pose.translation += place;
+			pose.translation += position;
 			return pose;
 		});
 	}

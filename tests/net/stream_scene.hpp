@@ -18,24 +18,24 @@ public:
 		bool is_new = true; // in the current window
 		Vector3D offset{ 0.0 }; // of the last jump
 		double jumped = -1e9; // time of the first jump in the current window
-		double settled_from = -1e9; // time of the last one: between the two, it is not shown where it is
+		double settled_from = -1e9; // time of the last one; between the two, the body is shown at its last target
 		PoseD last;
 	};
 
 	StreamScene(net::StreamEncoder &encoder, unsigned seed) :
 			_encoder(encoder), _random(seed), _motions(motions(Vector3D(0.0))) {}
 
-	/// All changes and poses of a tick. A body is added and one jumps with probability `turmoil`, and one is removed with half
-	/// of it.
-	void step(double tick, double turmoil) {
-		if (_random.uniform(0.0, 1.0) < turmoil) {
+	/// Applies all events and observes all poses of a tick. `event_probability` is the probability that a body is added and
+	/// that one jumps, and twice the probability that one is removed.
+	void step(double tick, double event_probability) {
+		if (_random.uniform(0.0, 1.0) < event_probability) {
 			add(uint32_t(_random.uniform(0.0, 40.0)), tick);
 		}
-		if (!bodies.empty() && _random.uniform(0.0, 1.0) < 0.5 * turmoil) {
-			remove(some_body(), tick);
+		if (!bodies.empty() && _random.uniform(0.0, 1.0) < 0.5 * event_probability) {
+			remove(random_body(), tick);
 		}
-		if (!bodies.empty() && _random.uniform(0.0, 1.0) < turmoil) {
-			jump(some_body(), tick);
+		if (!bodies.empty() && _random.uniform(0.0, 1.0) < event_probability) {
+			jump(random_body(), tick);
 		}
 		for (auto &entry : bodies) {
 			const PoseD pose = pose_of(entry.second, tick);
@@ -71,7 +71,7 @@ public:
 		body.settled_from = tick;
 	}
 
-	/// To call after each window.
+	/// Call it after each window.
 	void end_window() {
 		for (auto &entry : bodies) {
 			entry.second.jumped = -1e9;
@@ -88,7 +88,7 @@ public:
 	std::map<uint32_t, Body> bodies;
 
 private:
-	uint32_t some_body() {
+	uint32_t random_body() {
 		auto body = bodies.begin();
 		std::advance(body, ptrdiff_t(_random.uniform(0.0, double(bodies.size()) - 1e-9)));
 		return body->first;

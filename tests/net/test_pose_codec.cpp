@@ -17,12 +17,12 @@ using Packet = std::vector<uint8_t>;
 
 std::vector<BodyPose> random_bodies(size_t count, float extent, uint32_t seed) {
 	std::mt19937 random(seed);
-	std::uniform_real_distribution<float> place(-extent, extent);
+	std::uniform_real_distribution<float> coordinate(-extent, extent);
 	std::normal_distribution<float> normal;
 	std::vector<BodyPose> bodies(count);
 	for (size_t i = 0; i < count; ++i) {
 		bodies[i].id = uint32_t(i);
-		bodies[i].pose.translation = glm::vec3(place(random), place(random), place(random));
+		bodies[i].pose.translation = glm::vec3(coordinate(random), coordinate(random), coordinate(random));
 		bodies[i].pose.rotation = glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
 	}
 	return bodies;
@@ -72,7 +72,7 @@ TEST_CASE("pose codec: poses arrive within the tolerance, ids exactly") {
 	}
 }
 
-TEST_CASE("pose codec: about nine bytes a pose at the default tolerance, as the header says") {
+TEST_CASE("pose codec: about nine bytes per pose at the default tolerance") {
 	const std::vector<BodyPose> bodies = random_bodies(100, 20, 5);
 	Packet packet;
 	REQUIRE(encode(bodies.data(), bodies.size(), Tolerance{}, packet));
@@ -207,22 +207,22 @@ TEST_CASE("pose codec: random and mutated packets never give a pose that is not 
 	std::vector<BodyPose> received;
 	int rejected = 0;
 	for (int i = 0; i < 50000; ++i) {
-		Packet hostile = packet;
+		Packet corrupted = packet;
 		if (i % 2 == 0) {
-			hostile.resize(random() % 200);
-			for (uint8_t &byte : hostile) {
+			corrupted.resize(random() % 200);
+			for (uint8_t &byte : corrupted) {
 				byte = uint8_t(random());
 			}
-			if (!hostile.empty()) {
-				hostile[0] = FORMAT_VERSION;
+			if (!corrupted.empty()) {
+				corrupted[0] = FORMAT_VERSION;
 			}
 		} else {
 			for (int flips = 0; flips < 3; ++flips) {
-				hostile[random() % hostile.size()] ^= uint8_t(1u << (random() % 8));
+				corrupted[random() % corrupted.size()] ^= uint8_t(1u << (random() % 8));
 			}
 		}
-		rejected += decode(hostile.data(), hostile.size(), received) ? 0 : 1;
-		CHECK(received.size() <= hostile.size() * 8);
+		rejected += decode(corrupted.data(), corrupted.size(), received) ? 0 : 1;
+		CHECK(received.size() <= corrupted.size() * 8);
 		for (const BodyPose &body : received) {
 			const bool finite = std::isfinite(body.pose.translation.x) && std::isfinite(body.pose.translation.y) && std::isfinite(body.pose.translation.z) &&
 					std::isfinite(body.pose.rotation.w) && std::isfinite(body.pose.scale);

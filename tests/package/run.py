@@ -20,15 +20,15 @@ point 7: (1.000, 7.000, 0.000)
 body: shown, within tolerance
 """
 IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")
-# What exception handling adds to an object; it has no code for an instruction set.
-HARMLESS = ("DW.ref.__gxx_personality_v0", "__clang_call_terminate")
+# Symbols of exception handling, which do not depend on the instruction set.
+IGNORED_SYMBOLS = ("DW.ref.__gxx_personality_v0", "__clang_call_terminate")
 sys.path.insert(0, os.path.join(ROOT, "site_scons"))
 
 import instruction_sets  # noqa: E402
 
 
 def run(*command):
-    """What a program printed on stdout; raises RuntimeError with all it printed if it failed."""
+    """Runs a program and returns its stdout. Raises RuntimeError with its output if it fails."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(command)}\n{done.stdout}{done.stderr}")
@@ -51,8 +51,8 @@ def build(name, *targets):
     run("cmake", "--build", folder(name), "--parallel", str(os.cpu_count() or 1), *[f"--target={target}" for target in targets])
 
 
-def example_prints_what_it_should(name):
-    """Builds and runs the example in a configured folder."""
+def check_example(name):
+    """Builds and runs the example in a configured folder, and checks its output."""
     build(name, "core_example")
     printed = run(os.path.join(folder(name), "core_example"))
     if printed != EXPECTED:
@@ -66,24 +66,24 @@ def installed():
     shutil.rmtree(folder("prefix"), ignore_errors=True)
     run("cmake", "--install", folder("core"))
     configure(EXAMPLE, "example_of_package", "Debug", f"-DCMAKE_PREFIX_PATH={folder('prefix')}")
-    example_prints_what_it_should("example_of_package")
+    check_example("example_of_package")
 
 
 def subdirectory():
     """add_subdirectory() of the sources, optimized."""
     configure(EXAMPLE, "example_of_sources", "Release", f"-DGA_GODOT_CORE_SOURCE={ROOT}")
-    example_prints_what_it_should("example_of_sources")
+    check_example("example_of_sources")
 
 
 def no_shared_code(name):
-    """Objects for AVX2 define one symbol each: a shared one could replace the baseline's when they are linked."""
+    """Each object for AVX2 defines one symbol: the linker could use another one in place of the baseline's."""
     sources = glob.glob(os.path.join(ROOT, "src", "*", "*", "*_avx2*.cpp"))
     objects = glob.glob(os.path.join(folder(name), "**", "*_avx2*.o"), recursive=True)
     if not sources or len(objects) != len(sources):
         raise RuntimeError(f"{len(sources)} sources for AVX2, {len(objects)} objects: {objects}")
     for path in objects:
         lines = run("nm", "--demangle", "--defined-only", "--extern-only", path).splitlines()
-        symbols = [line.split(maxsplit=2) for line in lines if not line.endswith(HARMLESS)]
+        symbols = [line.split(maxsplit=2) for line in lines if not line.endswith(IGNORED_SYMBOLS)]
         if len(symbols) != (1 if IS_X86_64 else 0) or any(kind not in "TDR" for _, kind, _ in symbols):
             raise RuntimeError(f"{path} defines {symbols}; code in it must have internal linkage (see batch/kernels.hpp)")
 
@@ -108,7 +108,7 @@ CHECKS = (
 
 
 def main():
-    """Runs the checks; a failed one does not stop the next."""
+    """Runs all checks, even after failures."""
     failed = 0
     for name, check in CHECKS:
         try:

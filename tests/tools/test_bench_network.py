@@ -15,13 +15,13 @@ def method(bytes_per_second, p99):
 
 
 class ComparisonTest(unittest.TestCase):
-    def said(self, ours, **rivals):
-        methods = {"ga_godot": ours, **{f"pqs_float32_{rate}": values for rate, values in rivals.items()}}
+    def said(self, ours, **baselines):
+        methods = {"ga_godot": ours, **{f"pqs_float32_{rate}": values for rate, values in baselines.items()}}
         return bench_network_table.comparison(methods, "pqs_float32_", "the cheapest baseline")
 
     def test_cheapest_that_is_no_worse(self):
-        rivals = {"5hz": method(200, 5.1), "10hz": method(400, 5.0), "20hz": method(800, 2.0)}
-        self.assertEqual(self.said(method(40, 5.0), **rivals),
+        baselines = {"5hz": method(200, 5.1), "10hz": method(400, 5.0), "20hz": method(800, 2.0)}
+        self.assertEqual(self.said(method(40, 5.0), **baselines),
                          "ga_godot: 1/10.0 of the cheapest baseline whose p99 error is not larger (pqs_float32_10hz)")
 
     def test_none_is_as_good(self):

@@ -1,17 +1,17 @@
-"""tools/bench: measures time and bandwidth beside named baselines, on the same input in one run.
+"""tools/bench: measures time and bandwidth, compared with baselines on the same input in the same run.
 
 tools/bench kernels   blend of pose pairs, n from 1 to 1,000,000: C++ against GLM,
                       and MotorPool against Transform3D.interpolate_with in the engine
 tools/bench engine    50 to 10,000 cubes between two poses in each frame: the GA-Unity paper's two
                       methods, GLM, scripts, Tween, AnimationPlayer, MultivectorLerp, MotorPool
-tools/bench network   recorded motion over a simulated link: bytes, errors and delay beside
-                      fixed-rate poses and the GA-Unity paper's scheme; the load of a server
+tools/bench network   recorded motion over a simulated link: bytes, errors and delay, compared
+                      with fixed-rate poses and the GA-Unity paper's scheme; the load of a server
 tools/bench playground
-                      a drag in a document of 200 objects beside a full evaluation; 1,000 drawn
-                      objects beside the engine's primitives
-tools/bench all       every suite there is
+                      a drag in a document of 200 objects, compared with a full evaluation;
+                      1,000 drawn objects, compared with the engine's primitives
+tools/bench all       all suites
 
-A row says what one subject took; only ratios between rows of one run mean something.
+A row is the result of one subject. Compare only rows of the same run.
 """
 
 import argparse

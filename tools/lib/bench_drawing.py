@@ -1,4 +1,4 @@
-"""Frame time of 1,000 drawn objects, beside the engine's primitives: a part of the suite playground."""
+"""Frame time of 1,000 drawn objects, compared with the engine's primitives: a part of the suite playground."""
 
 import json
 import os
@@ -11,8 +11,8 @@ import display
 
 SCRIPT = "res://tests/bench/drawing.gd"
 SECONDS = 300
-# Where, Mesa's settings, sizes, frames. Mesa can skip the driver's work: the engine's own work for each object is left.
-# With it and without a graphics card, the processor also computes vertices and pixels.
+# Where, environment variables of Mesa, sizes, frames. With GALLIUM_NOOP the driver does nothing, which leaves the
+# engine's own work. Without it and without a graphics card, the CPU also processes vertices and pixels.
 RUNS = (
     ("no driver work", {"GALLIUM_NOOP": "1"}, "64x36", 60),
     ("drawn", {}, "64x36,1152x648", 12),

@@ -1,5 +1,5 @@
-"""The suite engine of tools/bench: the GA-Unity paper's benchmark. Cubes move between two poses, by the methods of the
-paper, the engine and this project, in turn in one run of the engine."""
+"""The suite engine of tools/bench: the GA-Unity paper's benchmark. In one run of the engine, the methods of the paper,
+the engine and this project take turns in moving cubes between two poses."""
 
 import json
 import os
@@ -15,11 +15,11 @@ from build import LIBRARY, build
 PARTS = ("build", "engine", "display", "graphics")
 SCRIPT = "res://tests/bench/engine/engine.gd"
 SHARING = "res://tests/bench/engine/sharing.gd"
-RIVALS = os.path.join("bench", "ga_godot_bench.gdextension")
+BASELINES = os.path.join("bench", "ga_godot_bench.gdextension")
 SECONDS = 900
 SIZES = (50, 100, 150, 200, 250, 1000, 10000)
 MEASURES = ("work", "work_p95", "frame", "frame_p95", "cost")
-# Without a graphics card the processor would also draw; Mesa can skip that.
+# With GALLIUM_NOOP the driver does nothing. Without a graphics card, the CPU would draw.
 DRAWN = {"GALLIUM_NOOP": "1"}
 DRAWN_SIZES = (250, 1000)
 # Where, n, subject, baseline, measure, and the goal: at most 1/N of the baseline.
@@ -58,8 +58,8 @@ def row_of(found, name):
 
 def run(where, arguments, settings, sizes, rounds):
     """The rows of one run of all methods."""
-    rivals = os.path.abspath(os.path.join(checkout.variant(), RIVALS))
-    options = [f"--rivals={rivals}", f"--sizes={','.join(map(str, sizes))}", f"--rounds={rounds}"]
+    baselines = os.path.abspath(os.path.join(checkout.variant(), BASELINES))
+    options = [f"--baselines={baselines}", f"--sizes={','.join(map(str, sizes))}", f"--rounds={rounds}"]
     rows = run_script(arguments, settings, SCRIPT, options, f"{', '.join(map(str, sizes))} cubes, {where}")
     for row in rows:
         row["where"] = where

@@ -1,4 +1,5 @@
-"""The suite kernels of tools/bench: blends, motors and products beside those of GLM, Eigen and the engine, and beside the memory bandwidth."""
+"""The suite kernels of tools/bench: blends, motors and products, compared with GLM, Eigen, the engine and the memory
+bandwidth."""
 
 import json
 import os
@@ -35,7 +36,7 @@ def native_rows(repetitions):
     for case, subject, n, run in runs:
         rows.append({"suite": "kernels", "case": case, "subject": subject, "n": n, "value": run["cpu_time"] / n,
                      "unit": "ns/pose", "where": "C++"})
-        # The paper's methods do not count the multivectors that they read elsewhere in memory.
+        # Not known for the paper's methods, which also read multivectors elsewhere in memory.
         if "bytes_per_second" in run:
             rows[-1]["bytes_per_second"] = run["bytes_per_second"]
     return rows

@@ -84,7 +84,7 @@ def measure(options):
     build("bench")
     traces = options.traces or sorted(glob.glob(os.path.join(TRACES, "*.csv")))
     if not traces:
-        print("tools/bench network: there are no recordings in ../shared/traces; give one with --trace FILE", file=sys.stderr)
+        print("tools/bench network: no recordings found in ../shared/traces; pass one with --trace FILE", file=sys.stderr)
     if options.rate_distortion:
         return measure_rate_distortion(options, traces)
     rows = []

@@ -39,18 +39,18 @@ def comparison(methods, prefix, name):
     ours = methods[OURS]
     if ours["error_p99"] is None:
         return f"{OURS} showed no moving body"
-    rivals = {subject: values for subject, values in methods.items()
+    baselines = {subject: values for subject, values in methods.items()
               if subject.startswith(prefix) and values["error_p99"] is not None}
-    if not rivals:
+    if not baselines:
         return f"{OURS}: {name} showed no moving body"
-    equals = [subject for subject, values in rivals.items() if values["error_p99"] <= ours["error_p99"]]
+    equals = [subject for subject, values in baselines.items() if values["error_p99"] <= ours["error_p99"]]
     if equals:
-        best = min(equals, key=lambda subject: rivals[subject]["bytes_per_second_per_body"])
+        best = min(equals, key=lambda subject: baselines[subject]["bytes_per_second_per_body"])
         meaning = f"{name} whose p99 error is not larger ({best})"
     else:
-        best = min(rivals, key=lambda subject: rivals[subject]["error_p99"])
+        best = min(baselines, key=lambda subject: baselines[subject]["error_p99"])
         meaning = f"{best}, whose p99 is the best of {prefix}* but worse than that of {OURS}"
-    return f"{OURS}: 1/{rivals[best]['bytes_per_second_per_body'] / ours['bytes_per_second_per_body']:.1f} of {meaning}"
+    return f"{OURS}: 1/{baselines[best]['bytes_per_second_per_body'] / ours['bytes_per_second_per_body']:.1f} of {meaning}"
 
 
 def print_server(rows, link):

@@ -1,4 +1,4 @@
-"""Paths in this checkout, and of what tools/setup installs outside it."""
+"""Paths in this checkout, and of dependencies that tools/setup installs outside it."""
 
 import os
 import platform

@@ -25,6 +25,6 @@ def version_of(command):
 
 
 def major_version(text):
-    """The major version in a clang tool's --version output; 0 if there is none."""
+    """The major version in a clang tool's --version output; 0 if it contains none."""
     match = re.search(r"version (\d+)\.", text)
     return int(match[1]) if match else 0

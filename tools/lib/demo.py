@@ -115,7 +115,7 @@ def play(engine, folder, options):
 
 
 def take_screenshot(engine, folder, options):
-    """Saves what a client's window shows while a second player drives in circles; starts a display if there is none."""
+    """Saves what a client's window shows while a second player drives in circles; starts a virtual display if necessary."""
     path = os.path.abspath(options.picture)
     with contextlib.ExitStack() as stack:
         if not os.environ.get("DISPLAY"):

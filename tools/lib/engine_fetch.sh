@@ -4,7 +4,7 @@
 # libraries and their own loader, so the system stays unchanged and no root is
 # needed.
 
-# What is unpacked with the engine: GL and Vulkan drivers, and the tool that
+# Packages unpacked with the engine: GL and Vulkan drivers, and the tool that
 # points the executable at its own loader and libraries.
 engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 libvulkan1 mesa-vulkan-drivers patchelf'
 

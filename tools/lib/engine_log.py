@@ -1,13 +1,13 @@
 """Finds problems in an engine's output that its exit code does not report.
 
-Godot exits with 0 after script errors, failed asserts and leaks. Every line of
-these is a problem, except an error that a test announced beforehand by a line
+Godot exits with 0 after script errors, failed asserts and leaks. Each of these is
+a problem, unless a test has announced the error by printing a line
 
     [expect] the exact message
 
-which stands for one error with that message. An announced error that does not
-come is a problem too. The order of the two lines does not matter: they travel
-by different streams.
+which permits one error with that message. An announced error that is not printed
+is a problem, too. The order of the two lines does not matter, because they are
+printed to different streams.
 """
 
 import re

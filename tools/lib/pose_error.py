@@ -117,9 +117,9 @@ def best_delay(server, moving, client, max_delay=MAX_DELAY):
 
 
 def rows_at(server, times, time):
-    """The server's rows at a time, interpolated linearly, and the index of the record at or after it; (None, 0) outside.
+    """The server's rows at a time, interpolated linearly, and the index of the record at or after it.
 
-    `times` are those of its records, on any clock; records at negative times are ignored.
+    `times` are the times of its records, on any clock; records at negative times are ignored. Returns (None, 0) outside.
     """
     index = bisect.bisect_left(times, time)
     if index == 0 or index >= len(times) or times[index - 1] < 0.0:

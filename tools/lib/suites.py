@@ -25,8 +25,8 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs, one for each folder of src/ that tests/ mirrors in C++ and two for the benchmarks' own code;
-    and the fuzz programs."""
+    """The doctest programs, one for each folder of src/ with C++ tests and two for the code of the benchmarks, and the
+    fuzz programs."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
     names = [name for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
@@ -37,7 +37,7 @@ def unit_programs(sanitizer=""):
 
 
 def engine_programs():
-    """The project's own runner inside the engine."""
+    """The tests that run inside the engine."""
     return [Program([checkout.ENGINE, "--headless", "--path", checkout.PROJECT, "--", "--test"], seconds=240)]
 
 

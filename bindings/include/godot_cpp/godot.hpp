@@ -25,7 +25,7 @@ class GDExtensionBinding {
 public:
 	using Callback = void (*)(ModuleInitializationLevel p_level);
 
-	// Used once, in the library's entry function, which returns the result of init().
+	// Create one in the library's entry function, which returns the result of init().
 	class InitObject {
 		GDExtensionInterfaceGetProcAddress _get_proc_address;
 		GDExtensionInitialization *_initialization;
@@ -37,7 +37,7 @@ public:
 		void register_terminator(Callback p_terminate) const;
 		void set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const;
 
-		// Prints an error and returns false if the engine lacks a function that the bindings use.
+		// Prints an error and returns false if the engine does not have a function that the bindings use.
 		GDExtensionBool init() const;
 	};
 

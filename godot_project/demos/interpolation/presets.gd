@@ -27,7 +27,7 @@ static func list() -> Array[Preset]:
 			DemoPose.new(Vector3(1.9, 1.25, -0.6), Vector3(20, 115, 0), 2.5)
 		),
 		Preset.new(
-			"Half Turn",
+			"Rotation by 180°",
 			"At 180° the linear and screw paths differ most, by up to 8.2°.",
 			DemoPose.new(Vector3(-1.8, 0.6, 0.6), Vector3(0, 0, 0), 1.8),
 			DemoPose.new(Vector3(1.8, 0.6, 0.6), Vector3(0, 180, 0), 1.8)

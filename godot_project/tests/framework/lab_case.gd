@@ -48,7 +48,7 @@ func _expect_kept(t: float) -> void:
 		_scene().get_value("A"), _scene().get_value("B"), t, MultivectorLerp.SCREW
 	)
 	expect_equal(
-		_scene().get_value("m1").coefficients, expected.coefficients, "what is kept, at %s" % t
+		_scene().get_value("m1").coefficients, expected.coefficients, "added pose at %s" % t
 	)
 
 
@@ -70,7 +70,7 @@ func _choose(title: String, entry: String) -> void:
 
 
 ## The text about the poses.
-func _words() -> String:
+func _message() -> String:
 	var label: Label = _lab_panel.find_child("Ends", true, false).find_child("Message", true, false)
 	return label.text if label.visible else ""
 

@@ -38,7 +38,7 @@ func connect_peers(clients: int, bodies: int, websocket := false) -> void:
 	await wait_until(
 		func() -> bool:
 			return branches.all(func(branch: NetworkBranch) -> bool: return branch.is_joined()),
-		"all peers being connected"
+		"all peers are connected"
 	)
 
 

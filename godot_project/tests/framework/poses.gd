@@ -15,12 +15,12 @@ static func degenerate() -> Dictionary[String, Transform3D]:
 	return {
 		"identity": Transform3D.IDENTITY,
 		"zero translation": make(Vector3.ZERO, Quaternion(Vector3.UP, 1.0), 1.5),
-		"half turn about x": make(Vector3(1, 2, 3), Quaternion(1, 0, 0, 0)),
-		"half turn about y": make(Vector3(-1, 2, 3), Quaternion(0, 1, 0, 0)),
-		"half turn about z": make(Vector3(1, -2, 3), Quaternion(0, 0, 1, 0)),
-		"half turn about a slanted axis":
+		"rotation by pi about x": make(Vector3(1, 2, 3), Quaternion(1, 0, 0, 0)),
+		"rotation by pi about y": make(Vector3(-1, 2, 3), Quaternion(0, 1, 0, 0)),
+		"rotation by pi about z": make(Vector3(1, -2, 3), Quaternion(0, 0, 1, 0)),
+		"rotation by pi about a slanted axis":
 		make(Vector3(1, 2, -3), Quaternion(Vector3(1, 1, 1).normalized(), PI)),
-		"almost a half turn":
+		"rotation by almost pi":
 		make(Vector3(4, 0, 0), Quaternion(Vector3(1, -2, 1).normalized(), PI - 1e-4)),
 		"tiny turn": make(Vector3(1, 0, 0), Quaternion(Vector3.RIGHT, 1e-5)),
 		"scale 0.01": make(Vector3(5, 6, 7), Quaternion(Vector3.BACK, 2.0), 0.01),

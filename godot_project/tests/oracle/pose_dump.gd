@@ -1,5 +1,5 @@
 extends Node
-## Writes pairs of poses and what the extension makes of them to a file, for tests/oracle/run.py
+## Writes pairs of poses and their interpolations by the extension to a file for tests/oracle/run.py
 ## (its README has the format). Ends the program.
 
 const Poses := preload("res://tests/framework/poses.gd")
@@ -7,7 +7,7 @@ const Poses := preload("res://tests/framework/poses.gd")
 const PAIRS := 10000
 const SEED := 2024
 const MODE_NAMES: Array[String] = ["LINEAR", "SCREW", "SEPARATE"]
-## Closer to half a turn than this (in the cosine of half the angle), both ways round are right.
+## If the cosine of half the angle is below this, both directions of rotation are correct.
 const MIN_COSINE := 1e-3
 const FILE_ERROR := "--dump-poses: %s cannot be written (%s)."
 

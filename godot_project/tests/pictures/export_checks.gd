@@ -40,7 +40,7 @@ func find_problems(reference: Image) -> PackedStringArray:
 	changed.set_entry_attribute("pair", "visible", false)
 	_expect(
 		not PictureComparison.compare(await _draw(SIZE, true, changed), reference).is_alike(),
-		"a pair that vanished is not noticed"
+		"the comparison does not detect a removed point pair"
 	)
 	_check_transparent(await _draw(SIZE, false), opaque)
 	await _check_larger(reference)
@@ -53,10 +53,10 @@ func _check_transparent(picture: Image, opaque: Image) -> void:
 		picture.get_size() == SIZE, "the size of the transparent picture is %s" % picture.get_size()
 	)
 	for corner: Vector2i in [Vector2i.ZERO, SIZE - Vector2i.ONE]:
-		_expect(picture.get_pixelv(corner).a == 0.0, "the corner %s is transparent" % corner)
+		_expect(picture.get_pixelv(corner).a == 0.0, "the corner %s is not transparent" % corner)
 	_expect(
 		picture.get_used_rect().size.x > SIZE.x / 3,
-		"there is something to see in %s" % picture.get_used_rect()
+		"nothing visible in %s" % picture.get_used_rect()
 	)
 	# Over the background it must equal the opaque picture.
 	var laid := Image.create_empty(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8)
@@ -75,7 +75,7 @@ func _check_larger(reference: Image) -> void:
 	var comparison := PictureComparison.compare(picture, reference)
 	_expect(
 		comparison.obstacle.is_empty() and comparison.share < 0.02 and comparison.mean < 1.0,
-		"the larger picture, made smaller: %s" % comparison.describe()
+		"the larger picture, scaled down: %s" % comparison.describe()
 	)
 
 
@@ -102,10 +102,12 @@ func _check_dialog() -> void:
 	var error := await dialog.export_picture()
 	_expect(
 		error.is_empty() and not dialog.visible and paths.size() == 1 and paths[0] == FILE,
-		"the dialog saves: %s, %s" % [error, paths]
+		"the dialog did not save: %s, %s" % [error, paths]
 	)
 	var written := Image.load_from_file(FILE)
-	_expect(written != null and written.get_size() == SIZE, "the file has the size that was chosen")
+	_expect(
+		written != null and written.get_size() == SIZE, "the file does not have the chosen size"
+	)
 	DirAccess.remove_absolute(FILE)
 	dialog.queue_free()
 

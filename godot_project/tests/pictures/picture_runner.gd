@@ -96,10 +96,10 @@ func _expect_alike(title: String, make_scene: Callable) -> void:
 	if comparison.is_alike():
 		_passed += 1
 		return
-	_fail("%s: does not look like the reference" % title)
+	_fail("%s: differs from the reference" % title)
 	if not _output.is_empty():
 		picture.save_png(_output.path_join(title + ".png"))
-		print("   what was drawn: %s" % _output.path_join(title + ".png"))
+		print("   screenshot: %s" % _output.path_join(title + ".png"))
 
 
 func _scenes() -> Dictionary[String, Callable]:
@@ -153,7 +153,7 @@ func _expect_same_after_changes() -> void:
 	if comparison.is_alike():
 		_passed += 1
 		return
-	_fail("objects after changes do not look as those that were made so")
+	_fail("objects after changes differ from those created in the final state")
 	if not _output.is_empty():
 		picture.save_png(_output.path_join("drawn_changes.png"))
 
@@ -167,7 +167,7 @@ func _expect_shared_draw_calls() -> void:
 	if one > 0 and _last_draw_calls == one:
 		_passed += 1
 	else:
-		_fail("a hundred circles are not drawn together")
+		_fail("a hundred circles are not drawn in one batch")
 
 
 func _with_circles(parent: Node, count: int) -> Node:

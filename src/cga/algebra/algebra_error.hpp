@@ -1,10 +1,9 @@
 #pragma once
 
+#include "cga/algebra/multivector.hpp"
 #include "cga/result.hpp"
 
 namespace cga {
-
-class Multivector;
 
 // Why an operation on multivectors has no result.
 enum class AlgebraError {

@@ -9,7 +9,8 @@
 // The 32 basis blades of Cl(4,1), computed at compile time: e1, e2, e3, e4 square to +1 and e5 to -1; blades are ordered by
 // grade, then lexicographically: 1, e1 .. e5, e12, e13 .. e45, e123 .. e12345.
 //
-// A blade is a bitmap (bit k - 1 stands for e_k) or an index in that order; products are simple on bitmaps.
+// A blade is represented by a bitmap, whose bit k - 1 stands for e_k, or by its index in that order. Products are computed with
+// bitmaps.
 
 namespace cga {
 
@@ -34,8 +35,8 @@ inline constexpr unsigned NEGATIVE_VECTORS = E5_BIT;
 [[nodiscard]] constexpr int product_sign(unsigned left, unsigned right) {
 	// To sort the product, each vector of `right` is swapped with every later vector of `left`.
 	int swaps = 0;
-	for (unsigned passed = left >> 1; passed != 0; passed >>= 1) {
-		swaps += grade_of_bitmap(passed & right);
+	for (unsigned later = left >> 1; later != 0; later >>= 1) {
+		swaps += grade_of_bitmap(later & right);
 	}
 	// Each vector that is in both factors squares to +1 or -1.
 	swaps += grade_of_bitmap(left & right & NEGATIVE_VECTORS);
@@ -108,7 +109,7 @@ struct BladeName {
 	return name;
 }
 
-// A basis blade with a sign, as a name can express it: e21 is -e12.
+// A basis blade with a sign: the name "e21" stands for -e12.
 struct SignedBlade {
 	int index = 0;
 	int sign = 1;

@@ -57,25 +57,25 @@ constexpr std::array<Monomial, BLADE_COUNT> BLADE_MATRICES = blade_matrices();
 constexpr double REAL_OF_PHASE[4] = { 1.0, 0.0, -1.0, 0.0 };
 constexpr double IMAGINARY_OF_PHASE[4] = { 0.0, 1.0, 0.0, -1.0 };
 
-struct Place {
+struct Position {
 	size_t row;
 	size_t column;
 };
 
-// The largest entry at or below and right of `start`.
-Place largest_entry(const ComplexMatrix &matrix, size_t start) {
-	Place place{ start, start };
+// The position of the largest entry in the rows and columns from `start` on.
+Position largest_entry(const ComplexMatrix &matrix, size_t start) {
+	Position position{ start, start };
 	double largest = -1.0;
 	for (size_t row = start; row < 4; ++row) {
 		for (size_t column = start; column < 4; ++column) {
 			const double size = std::norm(matrix[row][column]);
 			if (size > largest) {
 				largest = size;
-				place = { row, column };
+				position = { row, column };
 			}
 		}
 	}
-	return place;
+	return position;
 }
 
 } // namespace
@@ -115,7 +115,7 @@ std::optional<ComplexMatrix> inverse_matrix(const ComplexMatrix &matrix) {
 		right[i][i] = 1.0;
 	}
 	for (size_t step = 0; step < 4; ++step) {
-		const Place pivot = largest_entry(left, step);
+		const Position pivot = largest_entry(left, step);
 		if (!(std::norm(left[pivot.row][pivot.column]) > 0.0)) {
 			return std::nullopt;
 		}

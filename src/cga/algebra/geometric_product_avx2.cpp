@@ -73,12 +73,12 @@ CGA_ALWAYS_INLINE void add_pair(__m256d &sum, __m256d a, __m256d other_a, const 
 
 template <size_t LEFT, size_t... CHUNK>
 CGA_ALWAYS_INLINE void add_left(__m256d (&sums)[CHUNKS], const double *a, const Permutations &b, std::index_sequence<CHUNK...>) noexcept {
-	const __m256d one = signed_left<LEFT>(a);
+	const __m256d first = signed_left<LEFT>(a);
 	const __m256d other = signed_left<(LEFT ^ (E4_BIT | E5_BIT))>(a);
-	(add_pair<LEFT, CHUNK>(sums[CHUNK], one, other, b), ...);
+	(add_pair<LEFT, CHUNK>(sums[CHUNK], first, other, b), ...);
 }
 
-// LEFT holds one blade of each pair of blades that differ in e4 and e5.
+// `LEFT` are the bitmaps without e5: one of each pair that differs in e4 and e5.
 template <size_t... LEFT>
 CGA_ALWAYS_INLINE void add_all(__m256d (&sums)[CHUNKS], const double *a, const Permutations &b, std::index_sequence<LEFT...>) noexcept {
 	(add_left<LEFT>(sums, a, b, std::make_index_sequence<CHUNKS>()), ...);

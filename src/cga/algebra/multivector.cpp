@@ -197,6 +197,14 @@ double Multivector::norm() const {
 	return std::sqrt(std::abs(norm_squared()));
 }
 
+double Multivector::sum_of_squares() const {
+	double sum = 0.0;
+	for (const double coefficient : _coefficients) {
+		sum += coefficient * coefficient;
+	}
+	return sum;
+}
+
 Multivector Multivector::times_power_of_two(int exponent) const {
 	Multivector result;
 	for (int index = 0; index < BLADE_COUNT; ++index) {
@@ -218,20 +226,13 @@ std::optional<Multivector> Multivector::inverse_of_versor(double tolerance) cons
 	const Multivector unit = times_power_of_two(-exponent);
 	const Multivector square = unit.geometric_product(unit.reverse());
 	const double weight = square[0];
-	double sum_of_squares = 0.0;
-	for (const double coefficient : unit._coefficients) {
-		sum_of_squares += coefficient * coefficient;
-	}
-	const double rounding = ROUNDING * sum_of_squares;
+	const double rounding = ROUNDING * unit.sum_of_squares();
 	const double residue = (square - scalar(weight)).max_abs();
 	if (std::abs(weight) <= rounding || residue > std::max(rounding, tolerance * std::abs(weight))) {
 		return std::nullopt;
 	}
 	const Multivector inverse = (unit.reverse() * (1.0 / weight)).times_power_of_two(-exponent);
-	if (!inverse.is_finite()) {
-		return std::nullopt;
-	}
-	return inverse;
+	return inverse.is_finite() ? std::optional(inverse) : std::nullopt;
 }
 
 std::optional<Multivector> Multivector::sandwich(const Multivector &x, double tolerance) const {
@@ -262,26 +263,6 @@ bool Multivector::is_even(double tolerance) const {
 
 bool Multivector::is_odd(double tolerance) const {
 	return max_abs_of_parity(*this, 0) <= tolerance * max_abs();
-}
-
-Multivector operator+(Multivector left, const Multivector &right) {
-	return left += right;
-}
-
-Multivector operator-(Multivector left, const Multivector &right) {
-	return left -= right;
-}
-
-Multivector operator-(Multivector operand) {
-	return operand *= -1.0;
-}
-
-Multivector operator*(Multivector left, double factor) {
-	return left *= factor;
-}
-
-Multivector operator*(double factor, Multivector right) {
-	return right *= factor;
 }
 
 } // namespace cga

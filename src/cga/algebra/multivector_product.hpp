@@ -48,7 +48,7 @@ CGA_ALWAYS_INLINE void add_pair(double &sum, const Multivector &a, const Multive
 	}
 }
 
-// `LEFTS` are the blades without e5, one of each pair.
+// `LEFTS` are the bitmaps without e5: one of each pair.
 template <Product PRODUCT, size_t RESULT, size_t... LEFTS>
 CGA_ALWAYS_INLINE double sum_terms(const Multivector &a, const Multivector &b, std::index_sequence<LEFTS...>) {
 	double sum = 0.0;
@@ -58,9 +58,9 @@ CGA_ALWAYS_INLINE double sum_terms(const Multivector &a, const Multivector &b, s
 
 template <Product PRODUCT, size_t... RESULTS>
 CGA_ALWAYS_INLINE Multivector multiply_unrolled(const Multivector &a, const Multivector &b, std::index_sequence<RESULTS...>) {
-	Multivector whole;
-	((whole[BLADE_INDICES[RESULTS]] = sum_terms<PRODUCT, RESULTS>(a, b, std::make_index_sequence<BLADE_COUNT / 2>())), ...);
-	return whole;
+	Multivector product;
+	((product[BLADE_INDICES[RESULTS]] = sum_terms<PRODUCT, RESULTS>(a, b, std::make_index_sequence<BLADE_COUNT / 2>())), ...);
+	return product;
 }
 
 } // namespace detail

@@ -1,7 +1,5 @@
 #include "cga/algebra/null_basis.hpp"
 
-#include <cmath>
-
 namespace cga {
 
 Multivector e_infinity() {
@@ -27,10 +25,7 @@ Multivector point(const Vector3<double> &position) {
 std::optional<Vector3<double>> position_of(const Multivector &point) {
 	const double weight = -e_infinity().scalar_product(point);
 	const Vector3<double> position = Vector3<double>(point[E1], point[E2], point[E3]) / weight;
-	if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
-		return std::nullopt;
-	}
-	return position;
+	return is_finite(position) ? std::optional(position) : std::nullopt;
 }
 
 } // namespace cga

@@ -3,7 +3,7 @@
 #include "cga/algebra/multivector.hpp"
 #include "cga/vector.hpp"
 
-// The vectors of conformal geometry: e1, e2, e3 for directions, two null vectors, and points made of them.
+// The vectors of conformal geometry: Euclidean vectors, the null vectors e_inf and e_o, and points.
 
 namespace cga {
 

@@ -2,7 +2,7 @@
 
 #include "cga/algebra/multivector.hpp"
 
-// A multivector's coefficients with e_inf in the place of e4 and e_o in the place of e5:
+// The coefficients of a multivector in the null basis, which has e_inf in the place of e4 and e_o in the place of e5:
 //   a4 e4 + a5 e5 = (a4 + a5)/2 e_inf + (a5 - a4) e_o,     e4 ^ e5 = e_inf ^ e_o
 // and likewise multiplied by e1, e2, e3 from the left. Index i stands for the blade at i with e4 and e5 replaced:
 // e14 is e1 ^ e_inf, e125 is e12 ^ e_o, e1245 is e12 ^ e_inf ^ e_o.

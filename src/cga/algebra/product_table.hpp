@@ -18,7 +18,7 @@ enum class Product {
 };
 
 // Whether `product` includes the part of grade k of the geometric product of blades of grades i and j.
-[[nodiscard]] constexpr bool keeps_grade(Product product, int i, int j, int k) {
+[[nodiscard]] constexpr bool includes_grade(Product product, int i, int j, int k) {
 	switch (product) {
 		case Product::GEOMETRIC:
 			return true;
@@ -47,7 +47,7 @@ using SignTable = std::array<std::array<int, BLADE_COUNT>, BLADE_COUNT>;
 	for (unsigned left = 0; left < BLADE_COUNT; ++left) {
 		for (unsigned result = 0; result < BLADE_COUNT; ++result) {
 			const unsigned right = left ^ result;
-			if (keeps_grade(product, grade_of_bitmap(left), grade_of_bitmap(right), grade_of_bitmap(result))) {
+			if (includes_grade(product, grade_of_bitmap(left), grade_of_bitmap(right), grade_of_bitmap(result))) {
 				table[left][result] = product_sign(left, right);
 			}
 		}

@@ -49,11 +49,11 @@ struct WithWeights {
 	const float *weights;
 
 	CGA_ALWAYS_INLINE void compute(size_t block, size_t count, RowColumns &columns) const noexcept {
-		PoseBlock::Row own = {};
+		PoseBlock::Row lane_weights = {};
 		for (size_t lane = 0; lane < count; ++lane) {
-			own[lane] = weights[block * BLOCK_LANES + lane];
+			lane_weights[lane] = weights[block * BLOCK_LANES + lane];
 		}
-		interpolate_block<MODE>(blocks[block], [&own](int lane) { return clamped_weight<MODE>(own[lane]); }, columns);
+		interpolate_block<MODE>(blocks[block], [&lane_weights](int lane) { return clamped_weight<MODE>(lane_weights[lane]); }, columns);
 	}
 };
 

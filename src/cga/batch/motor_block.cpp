@@ -11,13 +11,14 @@ MotorBlock::MotorBlock() noexcept {
 }
 
 void MotorBlock::set(int lane, const Motor<float> &motor) noexcept {
-	store_lane(a, lane, motor.a);
-	store_lane(b, lane, motor.b);
-	store_lane(v, lane, motor.v);
+	kernel::store_lane(a, lane, motor.a);
+	kernel::store_lane(b, lane, motor.b);
+	kernel::store_lane(v, lane, motor.v);
 }
 
 Motor<float> MotorBlock::get(int lane) const noexcept {
-	return { load_lane(a, lane), load_lane(b, lane), load_lane(v, lane) };
+	using kernel::load_lane;
+	return { load_lane<Quaternion<float>>(a, lane), load_lane<Quaternion<float>>(b, lane), load_lane<Quaternion<float>>(v, lane) };
 }
 
 } // namespace cga

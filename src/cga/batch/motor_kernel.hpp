@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cga/batch/lane_access.hpp"
 #include "cga/batch/motor_block.hpp"
-#include "cga/batch/row_columns.hpp"
 
 #include <math.h>
 
@@ -10,31 +10,6 @@
 namespace cga::kernel {
 
 namespace {
-
-// A quaternion in one lane.
-struct LaneQuaternion {
-	float w, x, y, z;
-};
-
-CGA_ALWAYS_INLINE LaneQuaternion load_lane(const PoseBlock::Row (&rows)[4], int lane) noexcept {
-	return { rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
-}
-
-CGA_ALWAYS_INLINE void store_lane(PoseBlock::Row (&rows)[4], int lane, const LaneQuaternion &quaternion) noexcept {
-	rows[0][lane] = quaternion.w;
-	rows[1][lane] = quaternion.x;
-	rows[2][lane] = quaternion.y;
-	rows[3][lane] = quaternion.z;
-}
-
-CGA_ALWAYS_INLINE LaneQuaternion product(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
-	return {
-		p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
-		p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
-		p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x,
-		p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w,
-	};
-}
 
 CGA_ALWAYS_INLINE LaneQuaternion sum(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
 	return { p.w + q.w, p.x + q.x, p.y + q.y, p.z + q.z };
@@ -49,10 +24,6 @@ CGA_ALWAYS_INLINE float squared(const LaneQuaternion &q) noexcept {
 }
 
 // The vector part of p conj(q).
-struct LaneVector {
-	float x, y, z;
-};
-
 CGA_ALWAYS_INLINE LaneVector vector_of_quotient(const LaneQuaternion &p, const LaneQuaternion &q) noexcept {
 	return {
 		p.x * q.w - p.w * q.x - p.y * q.z + p.z * q.y,
@@ -93,35 +64,18 @@ CGA_ALWAYS_INLINE void transform_block(const MotorBlock &motors, PointColumns &p
 		const LaneQuaternion image = sum(product(load_lane(motors.b, lane), point), scaled(load_lane(motors.v, lane), -2.0f));
 		const LaneVector direction = vector_of_quotient(image, a);
 		const float inverse = inverse_or_zero(squared(a));
-		points[0][lane] = direction.x * inverse;
-		points[1][lane] = direction.y * inverse;
-		points[2][lane] = direction.z * inverse;
+		store_lane(points, lane, LaneVector{ direction.x * inverse, direction.y * inverse, direction.z * inverse });
 	}
 }
 
-// q = a / |a|, s = |b| / |a|, t = -2 v conj(a) / |a|^2; basis = s R(q), with the squares of q divided by |a|^2.
+// q = a, s = |b| / |a|, t = -2 v conj(a) / |a|^2
 CGA_ALWAYS_INLINE void extract_block(const MotorBlock &motors, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LaneQuaternion a = load_lane(motors.a, lane);
 		const float inverse = inverse_or_zero(squared(a));
 		const float scale = sqrtf(squared(load_lane(motors.b, lane)) * inverse);
 		const LaneVector origin = vector_of_quotient(scaled(load_lane(motors.v, lane), -2.0f * inverse), a);
-		const float twice = 2.0f * scale * inverse;
-		const float x = twice * a.x;
-		const float y = twice * a.y;
-		const float z = twice * a.z;
-		columns[0][lane] = (scale - y * a.y) - z * a.z;
-		columns[1][lane] = x * a.y - z * a.w;
-		columns[2][lane] = x * a.z + y * a.w;
-		columns[3][lane] = origin.x;
-		columns[4][lane] = x * a.y + z * a.w;
-		columns[5][lane] = (scale - x * a.x) - z * a.z;
-		columns[6][lane] = y * a.z - x * a.w;
-		columns[7][lane] = origin.y;
-		columns[8][lane] = x * a.z - y * a.w;
-		columns[9][lane] = y * a.z + x * a.w;
-		columns[10][lane] = (scale - x * a.x) - y * a.y;
-		columns[11][lane] = origin.z;
+		store_pose(columns, lane, a, inverse, scale, origin);
 	}
 }
 

@@ -2,6 +2,7 @@
 
 #include "cga/batch/lane_access.hpp"
 #include "cga/motor/axis_angle.hpp"
+#include "cga/motor/matrix_pose.hpp"
 #include "cga/motor/pose_motion.hpp"
 #include "cga/motor/similarity_phi.hpp"
 
@@ -14,7 +15,9 @@ namespace cga {
 
 namespace {
 
-// A displacement that the kernels can multiply and add without leaving the range of float.
+using kernel::store_lane;
+
+// Clamps a displacement so that the kernels can multiply and add it within the range of float.
 float bounded(double displacement) {
 	constexpr double LIMIT = double(std::numeric_limits<float>::max()) / 16.0;
 	return float(std::clamp(displacement, -LIMIT, LIMIT));
@@ -24,7 +27,7 @@ Vector3<float> bounded(const Vector3<double> &displacement) {
 	return { bounded(displacement.x), bounded(displacement.y), bounded(displacement.z) };
 }
 
-// Moves to_rotation to the hemisphere 1 or -1.
+// Negates to_rotation if it is not in the given hemisphere, 1 or -1.
 void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	for (PoseBlock::Row &row : block.to_rotation) {
 		row[lane] *= block.hemisphere[lane] * hemisphere;
@@ -32,7 +35,7 @@ void set_hemisphere(PoseBlock &block, int lane, float hemisphere) {
 	block.hemisphere[lane] = hemisphere;
 }
 
-// The factor 1 / (exp(z) - 1) of exp(a z) - 1. For tiny z, the quotient is the weight a within rounding of float: linear = 1.
+// (exp(a z) - 1) / (exp(z) - 1) = factor (exp(a z) - 1) + linear a. For tiny z, it is the weight a within the rounding of float.
 struct PowerFactor {
 	std::complex<double> factor{ 0.0 };
 	double linear = 0.0;
@@ -114,11 +117,37 @@ void PoseBlock::set_to(int lane, const Pose<float> &to) noexcept {
 }
 
 Pose<float> PoseBlock::get_from(int lane) const noexcept {
-	return { load_lane(from_translation, lane), load_lane(from_rotation, lane), from_scale[lane] };
+	return { kernel::load_lane<Vector3<float>>(from_translation, lane), kernel::load_lane<Quaternion<float>>(from_rotation, lane), from_scale[lane] };
 }
 
 Pose<float> PoseBlock::get_to(int lane) const noexcept {
-	return { load_lane(to_translation, lane), load_lane(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
+	return { kernel::load_lane<Vector3<float>>(to_translation, lane), kernel::load_lane<Quaternion<float>>(to_rotation, lane) * hemisphere[lane], to_scale[lane] };
+}
+
+void pose_to_row(const Pose<float> &pose, float *row) noexcept {
+	const glm::dmat3 linear = linear_of_pose(pose_cast<double>(pose));
+	for (int i = 0; i < 3; ++i) {
+		for (int column = 0; column < 3; ++column) {
+			row[4 * i + column] = float(linear[column][i]);
+		}
+		row[4 * i + 3] = pose.translation[i];
+	}
+}
+
+Pose<float> pose_from_row(const float *row) noexcept {
+	glm::dmat3 linear;
+	for (int i = 0; i < 3; ++i) {
+		for (int column = 0; column < 3; ++column) {
+			linear[column][i] = row[4 * i + column];
+		}
+	}
+	const Vector3<double> translation(row[3], row[7], row[11]);
+	if (const Result<Pose<double>, MatrixError> pose = matrix_to_pose(linear, translation)) {
+		return pose_cast<float>(*pose);
+	}
+	Pose<float> moved;
+	moved.translation = Vector3<float>(translation);
+	return moved;
 }
 
 } // namespace cga

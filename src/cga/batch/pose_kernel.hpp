@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cga/batch/float_math.hpp"
-#include "cga/batch/row_columns.hpp"
+#include "cga/batch/lane_access.hpp"
 
 #include <limits>
 
@@ -14,9 +14,9 @@ namespace {
 
 // An interpolated pose, from which the basis and the origin are computed.
 struct LanePose {
-	float w, x, y, z; // the rotation; its length is 1 / sqrt(inverse_square)
+	LaneQuaternion rotation; // of the length 1 / sqrt(inverse_square)
 	float inverse_square;
-	float displacement_x, displacement_y, displacement_z; // relative to the position of `from`
+	LaneVector displacement; // relative to the position of `from`
 	float scale;
 };
 
@@ -25,52 +25,37 @@ struct LanePose {
 // and the scale separately: interpolate_linear() in interpolate.cpp, with A q_from = q.
 CGA_ALWAYS_INLINE LanePose linear_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float rest = 1.0f - a;
-	LanePose pose;
-	pose.scale = rest * block.from_scale[lane] + a * block.to_scale[lane];
-	pose.w = rest * block.from_rotation[0][lane] + a * block.to_rotation[0][lane];
-	pose.x = rest * block.from_rotation[1][lane] + a * block.to_rotation[1][lane];
-	pose.y = rest * block.from_rotation[2][lane] + a * block.to_rotation[2][lane];
-	pose.z = rest * block.from_rotation[3][lane] + a * block.to_rotation[3][lane];
-	pose.inverse_square = 1.0f / (1.0f - (a * rest) * block.shortening[lane]);
-	const float factor = a * pose.inverse_square;
-	const float straight = factor * a;
-	const float bent = factor * rest;
-	pose.displacement_x = straight * block.displacement[0][lane] + bent * block.curvature[0][lane];
-	pose.displacement_y = straight * block.displacement[1][lane] + bent * block.curvature[1][lane];
-	pose.displacement_z = straight * block.displacement[2][lane] + bent * block.curvature[2][lane];
-	return pose;
+	const LaneQuaternion from = load_lane(block.from_rotation, lane), to = load_lane(block.to_rotation, lane);
+	const LaneVector d = load_lane(block.displacement, lane), e = load_lane(block.curvature, lane);
+	const float inverse_square = 1.0f / (1.0f - (a * rest) * block.shortening[lane]);
+	const float factor = a * inverse_square;
+	const float along = factor * a;
+	const float across = factor * rest;
+	return {
+		{ rest * from.w + a * to.w, rest * from.x + a * to.x, rest * from.y + a * to.y, rest * from.z + a * to.z },
+		inverse_square,
+		{ along * d.x + across * e.x, along * d.y + across * e.y, along * d.z + across * e.z },
+		rest * block.from_scale[lane] + a * block.to_scale[lane],
+	};
 }
 
-// q = A q_from, of unit length.
-CGA_ALWAYS_INLINE void set_rotation(LanePose &pose, const PoseBlock &block, int lane, float w, float x, float y, float z) noexcept {
-	const float fw = block.from_rotation[0][lane];
-	const float fx = block.from_rotation[1][lane];
-	const float fy = block.from_rotation[2][lane];
-	const float fz = block.from_rotation[3][lane];
-	pose.w = w * fw - x * fx - y * fy - z * fz;
-	pose.x = w * fx + x * fw + y * fz - z * fy;
-	pose.y = w * fy - x * fz + y * fw + z * fx;
-	pose.z = w * fz + x * fy - y * fx + z * fw;
-	pose.inverse_square = 1.0f;
-}
-
-// r^a = (cos(a theta/2), n sin(a theta/2)), t = a d, and the scale separately.
+// q = r^a q_from, r^a = (cos(a theta/2), n sin(a theta/2)), t = a d, and the scale separately.
 CGA_ALWAYS_INLINE LanePose separate_lane(const PoseBlock &block, int lane, float a) noexcept {
 	const float_math::SinCos half = float_math::sin_cos(a * block.half_angle[lane]);
-	LanePose pose;
-	set_rotation(pose, block, lane, half.cosine, half.sine * block.axis[0][lane], half.sine * block.axis[1][lane], half.sine * block.axis[2][lane]);
-	pose.displacement_x = a * block.displacement[0][lane];
-	pose.displacement_y = a * block.displacement[1][lane];
-	pose.displacement_z = a * block.displacement[2][lane];
-	pose.scale = block.from_scale[lane] * (1.0f - a) + block.to_scale[lane] * a;
-	return pose;
+	const LaneVector n = load_lane(block.axis, lane), d = load_lane(block.displacement, lane);
+	return {
+		product({ half.cosine, half.sine * n.x, half.sine * n.y, half.sine * n.z }, load_lane(block.from_rotation, lane)),
+		1.0f,
+		{ a * d.x, a * d.y, a * d.z },
+		block.from_scale[lane] * (1.0f - a) + block.to_scale[lane] * a,
+	};
 }
 
-// x clamped so that doubling it stays within the range of float. NaN (inf - inf) is clamped, too: comparisons with it are
+// x clamped so that twice its value is within the range of float. NaN (inf - inf) becomes the limit: comparisons with it are
 // false.
 CGA_ALWAYS_INLINE float saturated(float x) noexcept {
-	constexpr float LARGEST = std::numeric_limits<float>::max() / 4.0f;
-	return float_math::max(float_math::min(x, LARGEST), -LARGEST);
+	constexpr float LIMIT = std::numeric_limits<float>::max() / 4.0f;
+	return float_math::max(float_math::min(x, LIMIT), -LIMIT);
 }
 
 // With N = exp(a lambda) - 1 and c = N / (exp(lambda) - 1), the same with sigma along the axis n:
@@ -88,21 +73,18 @@ CGA_ALWAYS_INLINE LanePose screw_lane(const PoseBlock &block, int lane, float a)
 	const float across_imaginary = real * block.across[1][lane] + imaginary * block.across[0][lane];
 	const float along = a * block.along_linear[lane] + growth.minus_one * block.along[lane];
 
-	const float nx = block.axis[0][lane];
-	const float ny = block.axis[1][lane];
-	const float nz = block.axis[2][lane];
-	const float dx = block.displacement[0][lane];
-	const float dy = block.displacement[1][lane];
-	const float dz = block.displacement[2][lane];
-	const float axial = (along - across_real) * (nx * dx + ny * dy + nz * dz);
-
-	LanePose pose;
-	set_rotation(pose, block, lane, half.cosine, half.sine * nx, half.sine * ny, half.sine * nz);
-	pose.displacement_x = across_real * dx + axial * nx + across_imaginary * (ny * dz - nz * dy);
-	pose.displacement_y = across_real * dy + axial * ny + across_imaginary * (nz * dx - nx * dz);
-	pose.displacement_z = across_real * dz + axial * nz + across_imaginary * (nx * dy - ny * dx);
-	pose.scale = saturated(block.from_scale[lane] * growth.value + a * block.scale_change[lane]);
-	return pose;
+	const LaneVector n = load_lane(block.axis, lane), d = load_lane(block.displacement, lane);
+	const float axial = (along - across_real) * (n.x * d.x + n.y * d.y + n.z * d.z);
+	return {
+		product({ half.cosine, half.sine * n.x, half.sine * n.y, half.sine * n.z }, load_lane(block.from_rotation, lane)),
+		1.0f,
+		{
+				across_real * d.x + axial * n.x + across_imaginary * (n.y * d.z - n.z * d.y),
+				across_real * d.y + axial * n.y + across_imaginary * (n.z * d.x - n.x * d.z),
+				across_real * d.z + axial * n.z + across_imaginary * (n.x * d.y - n.y * d.x),
+		},
+		saturated(block.from_scale[lane] * growth.value + a * block.scale_change[lane]),
+	};
 }
 
 template <Mode MODE>
@@ -119,9 +101,9 @@ CGA_ALWAYS_INLINE LanePose lane_pose(const PoseBlock &block, int lane, float a) 
 // The weight, clamped to 0..1; for SCREW, to the range in which sin_cos() is precise.
 template <Mode MODE>
 CGA_ALWAYS_INLINE float clamped_weight(float weight) noexcept {
-	constexpr float LOWEST = MODE == Mode::SCREW ? -1000.0f : 0.0f;
-	constexpr float HIGHEST = MODE == Mode::SCREW ? 1000.0f : 1.0f;
-	return float_math::max(LOWEST, float_math::min(HIGHEST, weight));
+	constexpr float MIN_WEIGHT = MODE == Mode::SCREW ? -1000.0f : 0.0f;
+	constexpr float MAX_WEIGHT = MODE == Mode::SCREW ? 1000.0f : 1.0f;
+	return float_math::max(MIN_WEIGHT, float_math::min(MAX_WEIGHT, weight));
 }
 
 // Only extrapolation can leave the range of float.
@@ -130,31 +112,13 @@ CGA_ALWAYS_INLINE float origin(float from, float displacement) noexcept {
 	return MODE == Mode::SCREW ? saturated(from + displacement) : from + displacement;
 }
 
-// basis = s R(q), with the squares of q divided by |q|^2. `weight_of(lane)` returns a clamped weight.
+// `weight_of(lane)` returns a clamped weight.
 template <Mode MODE, class WeightOf>
 CGA_ALWAYS_INLINE void interpolate_block(const PoseBlock &block, WeightOf weight_of, RowColumns &columns) noexcept {
 	for (int lane = 0; lane < PoseBlock::LANES; ++lane) {
 		const LanePose pose = lane_pose<MODE>(block, lane, weight_of(lane));
-		const float w = pose.w;
-		const float x = pose.x;
-		const float y = pose.y;
-		const float z = pose.z;
-		const float twice = 2.0f * pose.scale * pose.inverse_square;
-		const float tx = twice * x;
-		const float ty = twice * y;
-		const float tz = twice * z;
-		columns[0][lane] = (pose.scale - ty * y) - tz * z;
-		columns[1][lane] = tx * y - tz * w;
-		columns[2][lane] = tx * z + ty * w;
-		columns[3][lane] = origin<MODE>(block.from_translation[0][lane], pose.displacement_x);
-		columns[4][lane] = tx * y + tz * w;
-		columns[5][lane] = (pose.scale - tx * x) - tz * z;
-		columns[6][lane] = ty * z - tx * w;
-		columns[7][lane] = origin<MODE>(block.from_translation[1][lane], pose.displacement_y);
-		columns[8][lane] = tx * z - ty * w;
-		columns[9][lane] = ty * z + tx * w;
-		columns[10][lane] = (pose.scale - tx * x) - ty * y;
-		columns[11][lane] = origin<MODE>(block.from_translation[2][lane], pose.displacement_z);
+		const LaneVector from = load_lane(block.from_translation, lane), moved = pose.displacement;
+		store_pose(columns, lane, pose.rotation, pose.inverse_square, pose.scale, { origin<MODE>(from.x, moved.x), origin<MODE>(from.y, moved.y), origin<MODE>(from.z, moved.z) });
 	}
 }
 

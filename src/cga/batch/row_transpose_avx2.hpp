@@ -26,8 +26,8 @@ CGA_ALWAYS_INLINE void store_halves(float *row, __m256 value) noexcept {
 	_mm_storeu_ps(row + 4 * ROW_FLOATS, _mm256_extractf128_ps(value, 1));
 }
 
-// Loads whole registers, so that the compiler keeps the columns in registers. Stores 16 bytes at a time: 32-byte stores would
-// need an extra shuffle each, and another register.
+// Loads whole registers, so that the compiler keeps the columns in registers. Stores 16 bytes at a time: each 32-byte store would
+// need another shuffle and another register.
 CGA_ALWAYS_INLINE void write_rows(const RowColumns &columns, float *rows) noexcept {
 	for (size_t column = 0; column < ROW_FLOATS; column += 4) {
 		__m256 first = _mm256_load_ps(columns[column]);

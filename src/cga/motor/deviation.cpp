@@ -12,13 +12,13 @@ namespace cga {
 
 namespace {
 
-constexpr int HALVINGS = 30;
+constexpr int BISECTIONS = 30;
 // The deviation has few maxima: with this many samples, the golden-section search starts near the largest.
-constexpr int STEPS = 64;
+constexpr int SAMPLES = 64;
 constexpr int SECTIONS = 32;
 constexpr double GOLDEN = 0.61803398874989485;
 // Paths are often symmetric: a later maximum replaces an equal one only if it is larger beyond rounding.
-constexpr double LARGER = 1.0 + 1e-9;
+constexpr double MIN_RATIO = 1.0 + 1e-9;
 
 // The largest length of (along + flat c, across + round s) with c^2 + s^2 = 1; all nonnegative, flat <= round.
 // With c > 0 the derivative is, up to the factor 2 c, concave in the angle and nonnegative at s = 0, so that it has
@@ -26,8 +26,8 @@ constexpr double LARGER = 1.0 + 1e-9;
 double farthest(double along, double across, double flat, double round) {
 	double low_c = 1.0, low_s = 0.0; // where the length still grows
 	double high_c = 0.0, high_s = 1.0;
-	const bool grows_to_the_end = !(along * flat > 0.0);
-	for (int halving = 0; halving < HALVINGS && !grows_to_the_end; ++halving) {
+	const bool always_grows = !(along * flat > 0.0);
+	for (int i = 0; i < BISECTIONS && !always_grows; ++i) {
 		const double size = std::hypot(low_c + high_c, low_s + high_s);
 		const double c = (low_c + high_c) / size;
 		const double s = (low_s + high_s) / size;
@@ -38,19 +38,19 @@ double farthest(double along, double across, double flat, double round) {
 	return std::hypot(along + flat * high_c, across + round * high_s);
 }
 
-// Raises `largest` to the maximum of a function over 0..1, and sets where it is.
+// Finds the maximum of a function over 0..1 and its argument. `largest` and `largest_at` hold those found so far.
 template <class Function>
-void find_largest(Function function, double &largest, double &largest_at) {
-	for (int step = 1; step < STEPS; ++step) {
-		const double weight = double(step) / STEPS;
+void find_maximum(Function function, double &largest, double &largest_at) {
+	for (int sample = 1; sample < SAMPLES; ++sample) {
+		const double weight = double(sample) / SAMPLES;
 		const double value = function(weight);
-		if (value > largest * LARGER) {
+		if (value > largest * MIN_RATIO) {
 			largest = value;
 			largest_at = weight;
 		}
 	}
-	double low = largest_at - 1.0 / STEPS;
-	double high = largest_at + 1.0 / STEPS;
+	double low = largest_at - 1.0 / SAMPLES;
+	double high = largest_at + 1.0 / SAMPLES;
 	if (!(largest > 0.0)) {
 		return;
 	}
@@ -107,8 +107,8 @@ PathDeviation path_deviation(const Pose<double> &from, const Pose<double> &to, M
 		return deviation(interpolate(from, to, weight, first), interpolate(from, to, weight, second), lever_arm);
 	};
 	PathDeviation found;
-	find_largest([&at](double weight) { return at(weight).distance; }, found.distance, found.distance_weight);
-	find_largest([&at](double weight) { return at(weight).angle; }, found.angle, found.angle_weight);
+	find_maximum([&at](double weight) { return at(weight).distance; }, found.distance, found.distance_weight);
+	find_maximum([&at](double weight) { return at(weight).angle; }, found.angle, found.angle_weight);
 	return found;
 }
 

@@ -9,18 +9,11 @@ namespace cga {
 
 namespace {
 
-template <class T>
-bool is_finite(const Pose<T> &pose) {
-	return std::isfinite(pose.translation.x) && std::isfinite(pose.translation.y) && std::isfinite(pose.translation.z) &&
-			std::isfinite(pose.rotation.w) && std::isfinite(pose.rotation.x) && std::isfinite(pose.rotation.y) &&
-			std::isfinite(pose.rotation.z) && std::isfinite(pose.scale);
-}
-
 double lerp(double from, double to, double weight) {
 	return from * (1.0 - weight) + to * weight;
 }
 
-// (1 - a) TR_from + a TR_to, extracted by to_pose()'s formulas. With TR_to = M TR_from, M the motion between them,
+// (1 - a) TR_from + a TR_to, extracted by the formulas of to_pose(). With TR_to = M TR_from, M the motion between them,
 // this is ((1 - a) + a M) TR_from, and about the position of `from`:
 //   A = (1 - a) + a r
 //   t = t_from + a ((a + (1 - a) r_w) d + (1 - a) (d x r_v)) / |A|^2     (d the displacement, r = r_w + r_v the rotation)
@@ -32,13 +25,12 @@ Pose<double> interpolate_linear(const Pose<double> &from, const Pose<double> &to
 	Quaternion<double> blend = motion.rotation * weight;
 	blend.w += rest;
 	const double squared = glm::dot(blend, blend);
-	const Vector3<double> turned = glm::cross(motion.displacement, vector_part(motion.rotation));
-
-	Pose<double> pose;
-	pose.translation = from.translation + (motion.displacement * (weight + rest * motion.rotation.w) + turned * rest) * (weight / squared);
-	pose.rotation = blend * unit_rotation(from.rotation) / std::sqrt(squared);
-	pose.scale = lerp(from.scale, to.scale, weight);
-	return pose;
+	const Vector3<double> across = glm::cross(motion.displacement, vector_part(motion.rotation));
+	return {
+		from.translation + (motion.displacement * (weight + rest * motion.rotation.w) + across * rest) * (weight / squared),
+		blend * unit_rotation(from.rotation) / std::sqrt(squared),
+		lerp(from.scale, to.scale, weight),
+	};
 }
 
 // M^a TR_from D_from, with M the motion, including the ratio of the scales, about the position of `from`.
@@ -46,24 +38,22 @@ Pose<double> interpolate_screw(const Pose<double> &from, const Pose<double> &to,
 	const bool positive = to.scale > 0.0 && from.scale > 0.0;
 	const PoseMotion motion = motion_between(from, to);
 	const Pose<double> power = power_of_pose(Pose<double>{ motion.displacement, motion.rotation, positive ? to.scale / from.scale : 1.0 }, weight);
-
-	Pose<double> pose;
-	pose.translation = from.translation + power.translation;
-	pose.rotation = power.rotation * unit_rotation(from.rotation);
-	pose.scale = positive ? from.scale * power.scale : lerp(from.scale, to.scale, weight);
-	return pose;
+	return {
+		from.translation + power.translation,
+		power.rotation * unit_rotation(from.rotation),
+		positive ? from.scale * power.scale : lerp(from.scale, to.scale, weight),
+	};
 }
 
 // slerp is the power of the rotation alone.
 Pose<double> interpolate_separate(const Pose<double> &from, const Pose<double> &to, double weight) {
 	const PoseMotion motion = motion_between(from, to);
 	const Pose<double> power = power_of_pose(Pose<double>{ Vector3<double>(0.0), motion.rotation, 1.0 }, weight);
-
-	Pose<double> pose;
-	pose.translation = from.translation + motion.displacement * weight;
-	pose.rotation = power.rotation * unit_rotation(from.rotation);
-	pose.scale = lerp(from.scale, to.scale, weight);
-	return pose;
+	return {
+		from.translation + motion.displacement * weight,
+		power.rotation * unit_rotation(from.rotation),
+		lerp(from.scale, to.scale, weight),
+	};
 }
 
 Pose<double> interpolate_inside(const Pose<double> &from, const Pose<double> &to, double weight, Mode mode) {

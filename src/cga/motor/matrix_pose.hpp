@@ -15,7 +15,7 @@ enum class MatrixError {
 	NON_UNIFORM, // scaled differently along its axes, or sheared
 };
 
-// What is wrong with the transform and what to do, as the end of a sentence: "has scale zero ...".
+// What is wrong with the transform and what to do, as the end of a sentence: "has zero scale ...".
 [[nodiscard]] const char *describe(MatrixError error) noexcept;
 
 // The tolerance of a uniform scale, on relative differences of column lengths and on cosines between columns: far above
@@ -24,20 +24,13 @@ inline constexpr double UNIFORMITY = 1e-3;
 
 // The pose x -> translation + linear x, if `linear` is a rotation times a positive scale. The scale is the cube root
 // of the determinant.
-template <class T>
-Result<Pose<T>, MatrixError> matrix_to_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation) noexcept;
+Result<Pose<double>, MatrixError> matrix_to_pose(const glm::dmat3 &linear, const Vector3<double> &translation) noexcept;
 
 // The pose nearest to x -> translation + linear x: the rotation times scale closest to `linear` in the Frobenius norm. The
 // errors are those of matrix_to_pose, except NON_UNIFORM.
-template <class T>
-Result<Pose<T>, MatrixError> matrix_to_nearest_pose(const glm::mat<3, 3, T> &linear, const Vector3<T> &translation) noexcept;
+Result<Pose<double>, MatrixError> matrix_to_nearest_pose(const glm::dmat3 &linear, const Vector3<double> &translation) noexcept;
 
 // Rotation times scale: column i is the image of axis i, without the translation.
-template <class T>
-[[nodiscard]] glm::mat<3, 3, T> linear_of_pose(const Pose<T> &pose) noexcept;
-
-extern template Result<Pose<double>, MatrixError> matrix_to_pose(const glm::mat<3, 3, double> &, const Vector3<double> &) noexcept;
-extern template Result<Pose<double>, MatrixError> matrix_to_nearest_pose(const glm::mat<3, 3, double> &, const Vector3<double> &) noexcept;
-extern template glm::mat<3, 3, double> linear_of_pose(const Pose<double> &) noexcept;
+[[nodiscard]] glm::dmat3 linear_of_pose(const Pose<double> &pose) noexcept;
 
 } // namespace cga

@@ -11,10 +11,7 @@ Motor<T> Motor<T>::translator(const Vector3<T> &offset) noexcept {
 
 template <class T>
 Motor<T> Motor<T>::rotor(const Quaternion<T> &rotation) noexcept {
-	Motor motor;
-	motor.a = rotation;
-	motor.b = rotation;
-	return motor;
+	return { rotation, rotation };
 }
 
 // a = cosh(g/2) - sinh(g/2) = 1 / sqrt(s)
@@ -34,11 +31,8 @@ Motor<T> Motor<T>::dilator(T scale) noexcept {
 template <class T>
 Motor<T> Motor<T>::from_pose(const Pose<T> &pose) noexcept {
 	const T root = std::sqrt(pose.scale);
-	Motor motor;
-	motor.a = pose.rotation / root;
-	motor.b = pose.rotation * root;
-	motor.v = pure(pose.translation * T(-0.5)) * motor.a;
-	return motor;
+	const Quaternion<T> a = pose.rotation / root;
+	return { a, pose.rotation * root, pure(pose.translation * T(-0.5)) * a };
 }
 
 // q = a / |a|
@@ -63,11 +57,7 @@ std::optional<Pose<T>> Motor<T>::to_pose() const noexcept {
 // Grades 2 and 3 change sign: m_45, m_12, m_14 do, m_1245 and m_1234 do not, which swaps A and B.
 template <class T>
 Motor<T> Motor<T>::reverse() const noexcept {
-	Motor motor;
-	motor.a = glm::conjugate(b);
-	motor.b = glm::conjugate(a);
-	motor.v = glm::conjugate(v);
-	return motor;
+	return { glm::conjugate(b), glm::conjugate(a), glm::conjugate(v) };
 }
 
 // M M~ = (a conj(b), b conj(a), v conj(b) + b conj(v)) in this form: a . b and, for a motor, nothing else.
@@ -82,11 +72,8 @@ std::optional<Motor<T>> Motor<T>::inverse() const noexcept {
 	if (weight == T(0)) {
 		return std::nullopt;
 	}
-	Motor motor = reverse();
-	motor.a = motor.a / weight;
-	motor.b = motor.b / weight;
-	motor.v = motor.v / weight;
-	return motor;
+	const Motor reversed = reverse();
+	return Motor{ reversed.a / weight, reversed.b / weight, reversed.v / weight };
 }
 
 // An even X has X X~ = h + k of grades 0 and 4; with n = sqrt(h^2 - k^2),
@@ -106,11 +93,8 @@ std::optional<Motor<T>> Motor<T>::normalized() const noexcept {
 	left.b = a * glm::conjugate(b);
 	left.b.w += n;
 	left.v = { T(-2) * glm::dot(v, b), T(0), T(0), T(0) };
-	Motor motor = compose(left, *this);
-	motor.a = motor.a / divisor;
-	motor.b = motor.b / divisor;
-	motor.v = motor.v / divisor;
-	return motor;
+	const Motor motor = compose(left, *this);
+	return Motor{ motor.a / divisor, motor.b / divisor, motor.v / divisor };
 }
 
 // t + s q x q* = (b x - 2 v) conj(a) / |a|^2
@@ -123,11 +107,7 @@ Vector3<T> Motor<T>::transform_point(const Vector3<T> &point) const noexcept {
 // M1 M2 = (a1 a2, b1 b2, b1 v2 + v1 a2): 64 multiplications instead of 1,024.
 template <class T>
 Motor<T> compose(const Motor<T> &first, const Motor<T> &second) noexcept {
-	Motor<T> product;
-	product.a = first.a * second.a;
-	product.b = first.b * second.b;
-	product.v = first.b * second.v + first.v * second.a;
-	return product;
+	return { first.a * second.a, first.b * second.b, first.b * second.v + first.v * second.a };
 }
 
 } // namespace cga

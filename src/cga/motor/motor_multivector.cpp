@@ -52,9 +52,7 @@ Multivector to_multivector(const MotorLog<double> &log) {
 }
 
 std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
-	Four a;
-	Four b;
-	Four v;
+	Four a, b, v;
 	double null_residue = 0.0;
 	for (size_t i = 0; i < 4; ++i) {
 		a[i] = MOTOR_PAIRS[i].sign * (x[MOTOR_PAIRS[i].euclidean] + x[MOTOR_PAIRS[i].with_e45]);
@@ -62,11 +60,7 @@ std::optional<Motor<double>> to_motor(const Multivector &x, double tolerance) {
 		v[i] = 0.5 * (x[MOTOR_NULL_PAIRS[i].with_e4] + x[MOTOR_NULL_PAIRS[i].with_e5]);
 		null_residue = std::max(null_residue, std::abs(x[MOTOR_NULL_PAIRS[i].with_e4] - x[MOTOR_NULL_PAIRS[i].with_e5]));
 	}
-	Motor<double> motor;
-	motor.a = pack(a);
-	motor.b = pack(b);
-	motor.v = pack(v);
-
+	const Motor<double> motor{ pack(a), pack(b), pack(v) };
 	const double size_a = largest(motor.a);
 	const double size_b = largest(motor.b);
 	const double size_v = largest(motor.v);

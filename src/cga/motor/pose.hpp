@@ -19,4 +19,9 @@ template <class To, class From>
 	return { Vector3<To>(pose.translation), Quaternion<To>(To(pose.rotation.w), To(pose.rotation.x), To(pose.rotation.y), To(pose.rotation.z)), To(pose.scale) };
 }
 
+template <class T>
+[[nodiscard]] bool is_finite(const Pose<T> &pose) noexcept {
+	return is_finite(pose.translation) && is_finite(vector_part(pose.rotation)) && std::isfinite(pose.rotation.w) && std::isfinite(pose.scale);
+}
+
 } // namespace cga

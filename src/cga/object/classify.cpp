@@ -54,39 +54,24 @@ Classification round(const ConformalParts &parts, int grade) {
 	const Vector center = parameters.center();
 	const double squared_radius = parameters.squared_radius();
 
-	const bool is_tangent = std::abs(squared_radius) <= squared_radius_rounding(parts, parameters);
-
 	Classification found;
 	found.center = center;
 	set_attitude(found, parameters.attitude, k);
-	if (is_tangent) {
+	if (std::abs(squared_radius) <= squared_radius_rounding(parts, parameters)) {
 		// e_o + c + c^2/2 e_inf is a point; its dual, the sphere of radius zero, is one in IPNS.
 		found.kind = k == 0 || k == 3 ? Kind::POINT : Kind::TANGENT;
 		found.ipns = k == 3;
 		return found;
 	}
-	found.imaginary = squared_radius < 0.0;
+	constexpr Kind KIND_OF_K[] = { Kind::SPHERE, Kind::POINT_PAIR, Kind::CIRCLE, Kind::SPHERE };
+	found.kind = KIND_OF_K[k];
+	// A vector that is not null, e_o + c + (c^2 - r^2)/2 e_inf, is a sphere in IPNS.
+	found.ipns = k == 0;
+	found.imaginary = k == 0 ? squared_radius > 0.0 : squared_radius < 0.0;
 	found.radius = std::sqrt(std::abs(squared_radius));
-	switch (k) {
-		case 0:
-			// A vector that is not null: e_o + c + (c^2 - r^2)/2 e_inf, a sphere in IPNS.
-			found.kind = Kind::SPHERE;
-			found.ipns = true;
-			found.imaginary = squared_radius > 0.0;
-			break;
-		case 1:
-			found.kind = Kind::POINT_PAIR;
-			if (!found.imaginary) {
-				const Vector to_end = *found.direction * *found.radius;
-				found.points = std::array<Vector, 2>{ center - to_end, center + to_end };
-			}
-			break;
-		case 2:
-			found.kind = Kind::CIRCLE;
-			break;
-		default:
-			found.kind = Kind::SPHERE;
-			break;
+	if (k == 1 && !found.imaginary) {
+		const Vector to_end = *found.direction * *found.radius;
+		found.points = std::array<Vector, 2>{ center - to_end, center + to_end };
 	}
 	return found;
 }
@@ -103,58 +88,50 @@ Classification blade(const Multivector &x, int grade) {
 	if (is_round(parts)) {
 		return round(parts, grade);
 	}
-	const bool kills_infinity = a <= NOISE * d + ROUNDING * q; // e_inf ^ X = 0
-	const bool across_infinity = d <= NOISE * a + ROUNDING * q; // e_inf . X = 0
-	if (kills_infinity && across_infinity) {
+	const bool contains_infinity = a <= NOISE * d + ROUNDING * q; // e_inf ^ X = 0
+	const bool is_orthogonal_to_infinity = d <= NOISE * a + ROUNDING * q; // e_inf . X = 0
+	if (contains_infinity && is_orthogonal_to_infinity) {
 		Classification found;
 		found.kind = Kind::DIRECTION;
 		set_attitude(found, parts.infinity, grade - 1);
 		return found;
 	}
-	if (kills_infinity) {
+	if (contains_infinity) {
 		return flat(parts, grade);
 	}
-	if (across_infinity) {
+	if (is_orthogonal_to_infinity) {
 		return flipped(flat(parts_of(x.undual()), DIMENSION - grade));
 	}
 	return {};
 }
 
-Classification motor(const Motor<double> &motor) {
-	Classification found;
+Kind kind_of(const Motor<double> &motor) {
 	const std::optional<Pose<double>> pose = motor.to_pose();
 	if (!pose) {
-		return found;
+		return Kind::NONE;
 	}
-	const bool turns = glm::length(vector_part(pose->rotation)) > ROUNDING;
-	const bool moves = glm::length(pose->translation) > 0.0;
+	const bool rotates = glm::length(vector_part(pose->rotation)) > ROUNDING;
+	const bool translates = glm::length(pose->translation) > 0.0;
 	const bool scales = std::abs(pose->scale - 1.0) > ROUNDING;
-	if (int(turns) + int(moves) + int(scales) > 1) {
-		found.kind = Kind::MOTOR;
-	} else if (turns) {
-		found.kind = Kind::ROTOR;
-	} else if (scales) {
-		found.kind = Kind::DILATOR;
-	} else {
-		found.kind = Kind::TRANSLATOR;
+	if (int(rotates) + int(translates) + int(scales) > 1) {
+		return Kind::MOTOR;
 	}
-	return found;
+	return rotates ? Kind::ROTOR : (scales ? Kind::DILATOR : Kind::TRANSLATOR);
 }
 
 } // namespace
 
 Classification classify(const Multivector &x, bool ipns) {
-	Classification none;
-	none.ipns = ipns;
+	Classification found;
+	found.ipns = ipns;
 	if (!x.is_finite() || !(x.max_abs() > 0.0)) {
-		return none;
+		return found;
 	}
 	const Multivector scaled = x.times_power_of_two(-std::ilogb(x.max_abs()));
 	const std::optional<int> grade = single_grade(scaled, std::abs(scaled[0]) > 0.0 ? ROUNDING : NOISE);
 	if (!grade) {
-		const std::optional<Motor<double>> as_motor = to_motor(scaled);
-		Classification found = as_motor ? motor(*as_motor) : none;
-		found.ipns = ipns;
+		const std::optional<Motor<double>> motor = to_motor(scaled);
+		found.kind = motor ? kind_of(*motor) : Kind::NONE;
 		if (found.kind == Kind::NONE) {
 			double second = 0.0, first = 0.0;
 			for (int k = 0; k <= DIMENSION; ++k) {
@@ -167,17 +144,15 @@ Classification classify(const Multivector &x, bool ipns) {
 		return found;
 	}
 	if (*grade == 0 || *grade == DIMENSION) {
-		none.kind = (*grade == 0) != ipns ? Kind::SCALAR : Kind::NONE;
-		return none;
+		found.kind = (*grade == 0) != ipns ? Kind::SCALAR : Kind::NONE;
+		return found;
 	}
 	const Multivector only = scaled.grade(*grade);
 	const Multivector bivector = *grade == 3 ? only.dual() : only;
 	const double residual = *grade == 2 || *grade == 3 ? bivector.outer_product(bivector).max_abs() / std::pow(only.max_abs(), 2.0) : 0.0;
-	if (residual > BLADE_NOISE) {
-		none.residual = residual;
-		return none;
+	if (residual <= BLADE_NOISE) {
+		found = ipns ? flipped(blade(only.undual(), DIMENSION - *grade)) : blade(only, *grade);
 	}
-	Classification found = ipns ? flipped(blade(only.undual(), DIMENSION - *grade)) : blade(only, *grade);
 	found.residual = residual;
 	return found;
 }

@@ -160,9 +160,9 @@ Multivector round_blade(const Vector3<double> &center, const Multivector &attitu
 	return from_parts(round_parts({ along, across, attitude, 0.5 * (squared_radius - glm::dot(along, along) + glm::dot(across, across)) }));
 }
 
-Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude) {
+Multivector flat_blade(const Vector3<double> &position, const Multivector &attitude) {
 	const double sign = parity_sign(grade_of(attitude));
-	return from_parts({ {}, euclidean(place).outer_product(attitude), {}, -sign * attitude });
+	return from_parts({ {}, euclidean(position).outer_product(attitude), {}, -sign * attitude });
 }
 
 Multivector plane_across(const Vector3<double> &normal) {

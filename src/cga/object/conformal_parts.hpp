@@ -68,7 +68,7 @@ struct FlatParameters {
 // `attitude` is a Euclidean blade of grade 0..3; a negative squared radius makes an imaginary round.
 [[nodiscard]] Multivector round_blade(const Vector3<double> &center, const Multivector &attitude, double squared_radius);
 // `attitude` is a Euclidean blade of grade 0..2.
-[[nodiscard]] Multivector flat_blade(const Vector3<double> &place, const Multivector &attitude);
+[[nodiscard]] Multivector flat_blade(const Vector3<double> &position, const Multivector &attitude);
 
 // The Euclidean bivector n I3 orthogonal to a vector n, right-handed (e12 for e3), and the vector of a bivector.
 [[nodiscard]] Multivector plane_across(const Vector3<double> &normal);

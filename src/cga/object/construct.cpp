@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace cga {
 
@@ -22,17 +21,9 @@ double largest(const Vector &v) {
 	return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
-bool is_finite(const Vector &v) {
-	return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// Empty for zero and vectors that are not finite. Scales first, so that no square overflows or underflows.
-std::optional<Vector> unit(const Vector &v) {
-	const double size = largest(v);
-	if (!(size > 0.0) || !std::isfinite(size)) {
-		return std::nullopt;
-	}
-	return glm::normalize(v / size);
+template <class... Vectors>
+bool are_finite(const Vectors &...vectors) {
+	return (is_finite(vectors) && ...);
 }
 
 bool coincide(const Vector &a, const Vector &b) {
@@ -40,48 +31,42 @@ bool coincide(const Vector &a, const Vector &b) {
 }
 
 MultivectorResult checked(const Multivector &x) {
-	if (!x.is_finite()) {
-		return AlgebraError::OBJECT_OVERFLOW;
-	}
-	return x;
+	return x.is_finite() ? MultivectorResult(x) : AlgebraError::OBJECT_OVERFLOW;
 }
 
 Multivector volume() {
 	return Multivector::basis_blade(E123);
 }
 
-// The round with this attitude, or the error.
-template <class Attitude>
-MultivectorResult round_of(const Vector &center, const Vector &axis, double radius, double sign, Attitude attitude) {
-	const std::optional<Vector> u = unit(axis);
-	if (!is_finite(center) || !is_finite(axis)) {
+// The result of `construct` for the unit vector along `axis`, or the error. `other` is the rest of the input: it must be finite.
+template <class Construct>
+MultivectorResult with_unit(const Vector &axis, const Vector &other, Construct construct) {
+	if (!are_finite(axis, other)) {
 		return AlgebraError::NOT_FINITE;
 	}
-	if (!u) {
-		return AlgebraError::ZERO_DIRECTION;
+	// Scaled first, so that no square overflows or underflows.
+	const double size = largest(axis);
+	return size > 0.0 ? construct(glm::normalize(axis / size)) : AlgebraError::ZERO_DIRECTION;
+}
+
+// `sign` is the sign of the squared radius.
+MultivectorResult round_of(const Vector &center, const Multivector &attitude, double radius, double sign) {
+	if (!is_finite(center)) {
+		return AlgebraError::NOT_FINITE;
 	}
 	if (!(radius > 0.0) || !std::isfinite(radius)) {
 		return AlgebraError::RADIUS_NOT_POSITIVE;
 	}
-	return checked(round_blade(center, attitude(*u), sign * radius * radius));
+	return checked(round_blade(center, attitude, sign * radius * radius));
 }
 
-template <class Attitude>
-MultivectorResult tangent_of(const Vector &position, const Vector &axis, Attitude attitude) {
-	const std::optional<Vector> u = unit(axis);
-	if (!is_finite(position) || !is_finite(axis)) {
-		return AlgebraError::NOT_FINITE;
-	}
-	return u ? checked(round_blade(position, attitude(*u), 0.0)) : AlgebraError::ZERO_DIRECTION;
+MultivectorResult circle_of(const Vector &center, const Vector &normal, double radius, double sign) {
+	return with_unit(normal, center, [&](const Vector &n) { return round_of(center, plane_across(n), radius, sign); });
 }
 
 // Constructed relative to a point on it and then translated, so that even a very large round passes through its points.
 MultivectorResult round_through(const Vector &a, const Vector &to_center, const Multivector &attitude) {
 	return checked(from_parts(round_parts(translated(RoundParameters{ to_center, {}, attitude, 0.0 }, a))));
-}
-
-Multivector along(const Vector &u) {
-	return euclidean(u);
 }
 
 // A bound on the rounding error of u x v, u and v being differences of points near a.
@@ -100,7 +85,7 @@ MultivectorResult flat_point(const Vector &position) {
 }
 
 MultivectorResult point_pair(const Vector &a, const Vector &b) {
-	if (!is_finite(a) || !is_finite(b)) {
+	if (!are_finite(a, b)) {
 		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b)) {
@@ -111,27 +96,23 @@ MultivectorResult point_pair(const Vector &a, const Vector &b) {
 }
 
 MultivectorResult line(const Vector &position, const Vector &direction) {
-	const std::optional<Vector> u = unit(direction);
-	if (!is_finite(position) || !is_finite(direction)) {
-		return AlgebraError::NOT_FINITE;
-	}
-	return u ? checked(flat_blade(position, euclidean(*u))) : AlgebraError::ZERO_DIRECTION;
+	return with_unit(direction, position, [&](const Vector &u) { return checked(flat_blade(position, euclidean(u))); });
 }
 
 MultivectorResult line_through(const Vector &a, const Vector &b) {
-	if (!is_finite(a) || !is_finite(b)) {
+	if (!are_finite(a, b)) {
 		return AlgebraError::NOT_FINITE;
 	}
 	return coincide(a, b) ? AlgebraError::COINCIDENT_POINTS : checked(flat_blade(a, euclidean(b - a)));
 }
 
 MultivectorResult circle(const Vector &center, const Vector &normal, double radius) {
-	return round_of(center, normal, radius, 1.0, plane_across);
+	return circle_of(center, normal, radius, 1.0);
 }
 
 // With u = b - a, v = c - a, n = u x v: center - a = (v^2 n x u + u^2 v x n) / (2 n^2).
 MultivectorResult circle_through(const Vector &a, const Vector &b, const Vector &c) {
-	if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+	if (!are_finite(a, b, c)) {
 		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b) || coincide(a, c) || coincide(b, c)) {
@@ -146,18 +127,11 @@ MultivectorResult circle_through(const Vector &a, const Vector &b, const Vector 
 }
 
 MultivectorResult plane(const Vector &normal, double distance) {
-	const std::optional<Vector> n = unit(normal);
-	if (!is_finite(normal) || !std::isfinite(distance)) {
-		return AlgebraError::NOT_FINITE;
-	}
-	if (!n) {
-		return AlgebraError::ZERO_DIRECTION;
-	}
-	return checked(from_parts({ {}, volume() * distance, {}, -plane_across(*n) }));
+	return with_unit(normal, Vector(distance), [&](const Vector &n) { return checked(from_parts({ {}, volume() * distance, {}, -plane_across(n) })); });
 }
 
 MultivectorResult plane_through(const Vector &a, const Vector &b, const Vector &c) {
-	if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+	if (!are_finite(a, b, c)) {
 		return AlgebraError::NOT_FINITE;
 	}
 	const Vector u = b - a, v = c - a, n = glm::cross(u, v);
@@ -168,12 +142,12 @@ MultivectorResult plane_through(const Vector &a, const Vector &b, const Vector &
 }
 
 MultivectorResult sphere(const Vector &center, double radius) {
-	return round_of(center, Vector(1.0, 0.0, 0.0), radius, 1.0, [](const Vector &) { return volume(); });
+	return round_of(center, volume(), radius, 1.0);
 }
 
 // With u, v, w from a to the others and V = u . (v x w): center - a = (u^2 v x w + v^2 w x u + w^2 u x v) / (2 V).
 MultivectorResult sphere_through(const Vector &a, const Vector &b, const Vector &c, const Vector &d) {
-	if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) {
+	if (!are_finite(a, b, c, d)) {
 		return AlgebraError::NOT_FINITE;
 	}
 	if (coincide(a, b) || coincide(a, c) || coincide(a, d) || coincide(b, c) || coincide(b, d) || coincide(c, d)) {
@@ -195,39 +169,31 @@ MultivectorResult sphere_through(const Vector &a, const Vector &b, const Vector 
 }
 
 MultivectorResult imaginary_point_pair(const Vector &center, const Vector &direction, double radius) {
-	return round_of(center, direction, radius, -1.0, along);
+	return with_unit(direction, center, [&](const Vector &u) { return round_of(center, euclidean(u), radius, -1.0); });
 }
 
 MultivectorResult imaginary_circle(const Vector &center, const Vector &normal, double radius) {
-	return round_of(center, normal, radius, -1.0, plane_across);
+	return circle_of(center, normal, radius, -1.0);
 }
 
 MultivectorResult imaginary_sphere(const Vector &center, double radius) {
-	return round_of(center, Vector(1.0, 0.0, 0.0), radius, -1.0, [](const Vector &) { return volume(); });
+	return round_of(center, volume(), radius, -1.0);
 }
 
 MultivectorResult tangent_along(const Vector &position, const Vector &direction) {
-	return tangent_of(position, direction, along);
+	return with_unit(direction, position, [&](const Vector &u) { return checked(round_blade(position, euclidean(u), 0.0)); });
 }
 
 MultivectorResult tangent_across(const Vector &position, const Vector &normal) {
-	return tangent_of(position, normal, plane_across);
+	return with_unit(normal, position, [&](const Vector &n) { return checked(round_blade(position, plane_across(n), 0.0)); });
 }
 
 MultivectorResult direction(const Vector &vector) {
-	const std::optional<Vector> u = unit(vector);
-	if (!u) {
-		return is_finite(vector) ? AlgebraError::ZERO_DIRECTION : AlgebraError::NOT_FINITE;
-	}
-	return from_parts({ {}, euclidean(*u), {}, {} });
+	return with_unit(vector, Vector(0.0), [](const Vector &u) { return checked(from_parts({ {}, euclidean(u), {}, {} })); });
 }
 
 MultivectorResult direction_across(const Vector &normal) {
-	const std::optional<Vector> n = unit(normal);
-	if (!n) {
-		return is_finite(normal) ? AlgebraError::ZERO_DIRECTION : AlgebraError::NOT_FINITE;
-	}
-	return from_parts({ {}, plane_across(*n), {}, {} });
+	return with_unit(normal, Vector(0.0), [](const Vector &n) { return checked(from_parts({ {}, plane_across(n), {}, {} })); });
 }
 
 } // namespace cga

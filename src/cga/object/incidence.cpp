@@ -63,11 +63,7 @@ Multivector contraction(const Multivector &left, const Multivector &right) {
 
 // The norm in that metric.
 double length(const Multivector &x) {
-	double sum = 0.0;
-	for (double coefficient : x.coefficients()) {
-		sum += coefficient * coefficient;
-	}
-	return std::sqrt(sum);
+	return std::sqrt(x.sum_of_squares());
 }
 
 Multivector unit(const Multivector &x) {
@@ -95,7 +91,7 @@ Multivector with_sign_of(const Multivector &wanted, const Multivector &x) {
 
 // Recomputes a span in one step, without the rounding of the iteration: M = (B . J) . A and J = A ^ (M . B), or the blades
 // themselves if one contains the other. For a scalar M or a pseudoscalar J, the result does not depend on the unit of length.
-Span at_once(const Blades &blades, Span span) {
+Span recomputed(const Blades &blades, Span span) {
 	const Multivector b = unit(blades.b), meet = contraction(contraction(b, span.join.reverse()), blades.a).grade(span.meet_grade);
 	if (length(meet) > 0.0) {
 		span.meet = unit(meet);
@@ -136,34 +132,34 @@ Span span(const Blades &blades) {
 		span.meet = unit(contraction(farthest, span.meet).grade(--span.meet_grade));
 		span.join = unit(span.join.outer_product(farthest).grade(++span.join_grade));
 	}
-	return at_once(blades, span);
+	return recomputed(blades, span);
 }
 
-bool touches(const RoundParameters &round, double touching) {
-	return std::abs(round.squared_radius()) <= 2.0 * touching;
+bool is_tangent(const RoundParameters &round, double tangency) {
+	return std::abs(round.squared_radius()) <= 2.0 * tangency;
 }
 
 // Removes the parts of a blade that are only rounding errors: a round with too large a radius to resolve becomes a flat, one
 // with a radius of zero within rounding a tangent, and an infinitely distant flat a direction.
-ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double rounding, double touching) {
+ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double rounding, double tangency) {
 	if (grade == 0 || grade == DIMENSION) {
 		parts.origin = {};
 		return parts;
 	}
 	if (parts.origin.max_abs() > flatness) {
 		const RoundParameters found = round_parameters(parts, grade - 1);
-		return round_parts(touches(found, touching) ? with_radius_zero(found) : found);
+		return round_parts(is_tangent(found, tangency) ? with_radius_zero(found) : found);
 	}
 	parts.origin = {};
-	const bool kills_infinity = parts.euclidean.max_abs() <= rounding;
-	const bool across_infinity = parts.both.max_abs() <= rounding;
-	if (kills_infinity) {
+	const bool contains_infinity = parts.euclidean.max_abs() <= rounding;
+	const bool is_orthogonal_to_infinity = parts.both.max_abs() <= rounding;
+	if (contains_infinity) {
 		parts.euclidean = {};
 	}
-	if (across_infinity) {
+	if (is_orthogonal_to_infinity) {
 		parts.both = {};
 	}
-	if (kills_infinity && !across_infinity) {
+	if (contains_infinity && !is_orthogonal_to_infinity) {
 		const FlatParameters found = flat_parameters(parts, grade - 2);
 		return parts_of(flat_blade(found.foot, found.attitude));
 	}
@@ -171,17 +167,25 @@ ConformalParts cleaned(ConformalParts parts, int grade, double flatness, double 
 }
 
 // A result of grade k in the null basis, transformed from the frame to the world.
-MultivectorResult left(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double touching) {
+MultivectorResult leave(const Blades &blades, const Multivector &x, int k, double flatness, double rounding, double tangency) {
 	const Multivector null = x.grade(k);
 	if (!(null.max_abs() > 0.0)) {
 		return Multivector();
 	}
-	const ConformalParts parts = cleaned(parts_of_null(unit(null)), k, flatness, rounding, touching);
+	const ConformalParts parts = cleaned(parts_of_null(unit(null)), k, flatness, rounding, tangency);
 	const Multivector result = blades.frame.leave(parts, k);
-	if (!result.is_finite()) {
-		return AlgebraError::RESULT_OVERFLOW;
+	return result.is_finite() ? MultivectorResult(result) : AlgebraError::RESULT_OVERFLOW;
+}
+
+// The meet or the join, as members of Span.
+MultivectorResult meet_or_join(const Multivector &a, const Multivector &b, Multivector Span::*blade, int Span::*grade) {
+	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
+	if (!blades) {
+		return blades.error();
 	}
-	return result;
+	const Span found = span(*blades);
+	const double rounding = blades->frame.rounding();
+	return leave(*blades, found.*blade, found.*grade, blades->frame.flatness(), rounding, rounding);
 }
 
 // Both blades in the basis e1 .. e5, the second with its inverse.
@@ -203,31 +207,19 @@ MultivectorResult image_of(const Multivector &a, const Multivector &b, bool by_v
 	}
 	const Multivector result = image(Factors{ x, factor, *inverse });
 	const ConformalParts parts = parts_of_null(blades->a);
-	const bool is_point = by_versor && is_round(parts) && touches(round_parameters(parts, blades->grade_a - 1), blades->frame.rounding());
-	const double touching = is_point ? std::numeric_limits<double>::infinity() : blades->frame.rounding();
-	return left(*blades, Multivector(to_null_coefficients(result)), blades->grade_a, IMAGE_ROUNDING, IMAGE_ROUNDING, touching);
+	const bool is_point = by_versor && is_round(parts) && is_tangent(round_parameters(parts, blades->grade_a - 1), blades->frame.rounding());
+	const double tangency = is_point ? std::numeric_limits<double>::infinity() : blades->frame.rounding();
+	return leave(*blades, Multivector(to_null_coefficients(result)), blades->grade_a, IMAGE_ROUNDING, IMAGE_ROUNDING, tangency);
 }
 
 } // namespace
 
 MultivectorResult meet(const Multivector &a, const Multivector &b) {
-	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
-	if (!blades) {
-		return blades.error();
-	}
-	const Span found = span(*blades);
-	const double rounding = blades->frame.rounding();
-	return left(*blades, found.meet, found.meet_grade, blades->frame.flatness(), rounding, rounding);
+	return meet_or_join(a, b, &Span::meet, &Span::meet_grade);
 }
 
 MultivectorResult join(const Multivector &a, const Multivector &b) {
-	const Result<Blades, AlgebraError> blades = enter(a, b, LocalFrame::Purpose::INCIDENCE);
-	if (!blades) {
-		return blades.error();
-	}
-	const Span found = span(*blades);
-	const double rounding = blades->frame.rounding();
-	return left(*blades, found.join, found.join_grade, blades->frame.flatness(), rounding, rounding);
+	return meet_or_join(a, b, &Span::join, &Span::join_grade);
 }
 
 MultivectorResult project_onto(const Multivector &x, const Multivector &onto) {

@@ -36,7 +36,7 @@ public:
 private:
 	struct Object;
 
-	Vector3<double> _place{};
+	Vector3<double> _origin{};
 	double _unit = 1.0;
 	double _rounding;
 	double _flatness;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The only file with attributes and pragmas of particular compilers, and with the names they give to processors.
+// The only file with attributes and pragmas of particular compilers and with their macros for processors.
 
 #if defined(__x86_64__) || defined(_M_X64)
 #define CGA_X86_64 1

@@ -12,7 +12,7 @@
 #endif
 #endif
 
-// Reads CPUID itself: the compilers' __builtin_cpu_supports() needs start-up code that some C libraries lack (zig's).
+// Reads CPUID itself: the compilers' __builtin_cpu_supports() needs start-up code that some toolchains, such as zig, lack.
 
 namespace cga {
 

@@ -3,6 +3,8 @@
 #include "cga/text/number_text.hpp"
 #include "cga/text/utf8.hpp"
 
+#include <charconv>
+
 namespace cga {
 
 namespace {
@@ -163,14 +165,13 @@ std::optional<uint32_t> JsonReader::read_escape() {
 }
 
 std::optional<uint32_t> JsonReader::read_hexadecimal() {
+	const std::string_view digits = _text.substr(_position, 4);
 	uint32_t code = 0;
-	for (int digit = 0; digit < 4; ++digit, ++_position) {
-		const size_t value = _position < _text.size() ? std::string_view("0123456789abcdefABCDEF").find(_text[_position]) : std::string_view::npos;
-		if (value == std::string_view::npos) {
-			return std::nullopt;
-		}
-		code = code << 4 | uint32_t(value < 16 ? value : value - 6);
+	const char *end = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16).ptr;
+	if (digits.size() < 4 || end != digits.data() + digits.size()) {
+		return std::nullopt;
 	}
+	_position += 4;
 	return code;
 }
 

@@ -31,7 +31,7 @@ public:
 
 	// Consumes the character, or fails with "expected <what>, found ...".
 	bool take(char character, const std::string &what);
-	// These are empty, or false, after an error.
+	// The functions below return nothing, or false, after an error.
 	// A number by JSON's grammar: no NaN, no hexadecimal, no leading plus. One too large for a double is an error.
 	std::optional<double> read_number();
 	// Resolves all escapes. Control characters, invalid UTF-8 and unpaired surrogates are errors.

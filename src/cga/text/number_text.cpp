@@ -1,7 +1,5 @@
 #include "cga/text/number_text.hpp"
 
-#include "cga/text/utf8.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -21,31 +19,6 @@ bool is_plain(double value) {
 	const double size = std::abs(value);
 	return size == 0.0 || (size >= MIN_PLAIN && size < MAX_PLAIN);
 }
-
-#ifdef __cpp_lib_to_chars
-
-// Whether a decimal outside the range of double is too small for it rather than too large: the power of ten of its first
-// nonzero digit is below zero.
-bool is_too_small(std::string_view decimal) {
-	const size_t mark = decimal.find_first_of("eE");
-	const std::string_view digits = decimal.substr(0, mark);
-	const size_t point = std::min(digits.find('.'), digits.size());
-	const size_t first = digits.find_first_of("123456789");
-	if (first == std::string_view::npos) {
-		return true;
-	}
-	// The power of ten of the first digit.
-	double power = first < point ? double(point - first) - 1.0 : -double(first - point);
-	if (mark != std::string_view::npos) {
-		double exponent = 0.0;
-		for (const char digit : decimal.substr(mark + 1)) {
-			exponent = is_digit(digit) ? exponent * 10.0 + (digit - '0') : exponent;
-		}
-		power += decimal[mark + 1] == '-' ? -exponent : exponent;
-	}
-	return power < 0.0;
-}
-#endif
 
 } // namespace
 
@@ -76,39 +49,31 @@ std::optional<double> read_number_by_stream(std::string_view decimal) {
 	stream.imbue(std::locale::classic());
 	double value = 0.0;
 	stream >> value;
-	// Overflow sets failbit.
-	return stream.fail() ? std::nullopt : std::optional<double>(value);
+	// The stream fails on overflow and, in some libraries, on underflow.
+	return stream.fail() && std::abs(value) > 1.0 ? std::nullopt : std::optional(value);
 }
 
 } // namespace detail
 
-#ifdef __cpp_lib_to_chars
-
 void append_number(std::string &text, double value) {
+#ifdef __cpp_lib_to_chars
 	char digits[64];
 	const std::chars_format format = is_plain(value) ? std::chars_format::fixed : std::chars_format::scientific;
 	text.append(digits, std::to_chars(digits, digits + sizeof(digits), value, format).ptr);
-}
-
-std::optional<double> read_number(std::string_view decimal) {
-	double value = 0.0;
-	const std::from_chars_result read = std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
-	if (read.ec == std::errc::result_out_of_range) {
-		return is_too_small(decimal) ? std::optional<double>(decimal[0] == '-' ? -0.0 : 0.0) : std::nullopt;
-	}
-	return value;
-}
-
 #else
-
-void append_number(std::string &text, double value) {
 	detail::append_number_by_stream(text, value);
+#endif
 }
 
 std::optional<double> read_number(std::string_view decimal) {
+#ifdef __cpp_lib_to_chars
+	double value = 0.0;
+	if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), value).ec != std::errc::result_out_of_range) {
+		return value;
+	}
+#endif
+	// from_chars() does not distinguish overflow from underflow.
 	return detail::read_number_by_stream(decimal);
 }
-
-#endif
 
 } // namespace cga

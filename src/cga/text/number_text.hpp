@@ -18,7 +18,7 @@ void append_number(std::string &text, double value);
 
 namespace detail {
 
-// The same with streams, for standard libraries without <charconv> for doubles (GCC 9 and 10).
+// The same with streams, for standard libraries without <charconv> for doubles.
 void append_number_by_stream(std::string &text, double value);
 [[nodiscard]] std::optional<double> read_number_by_stream(std::string_view decimal);
 

@@ -6,7 +6,7 @@
 
 namespace cga {
 
-// Smaller components, relative to the vector, are rounding errors of zero.
+// Components below this fraction of the vector are rounding errors of zero.
 static constexpr double ROUNDING = 1e-12;
 
 std::string readable(double value) {
@@ -16,8 +16,8 @@ std::string readable(double value) {
 }
 
 std::string readable(const Vector3<double> &vector, double size) {
-	const double smallest = ROUNDING * std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z), size });
-	const auto component = [smallest](double value) { return readable(std::abs(value) < smallest ? 0.0 : value); };
+	const double rounding = ROUNDING * std::max({ std::abs(vector.x), std::abs(vector.y), std::abs(vector.z), size });
+	const auto component = [rounding](double value) { return readable(std::abs(value) < rounding ? 0.0 : value); };
 	return "(" + component(vector.x) + ", " + component(vector.y) + ", " + component(vector.z) + ")";
 }
 

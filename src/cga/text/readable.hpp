@@ -4,7 +4,7 @@
 
 #include <string>
 
-// Numbers for display: six significant digits, so that reading them back loses precision.
+// Numbers for display, with six significant digits: reading them back loses precision.
 
 namespace cga {
 

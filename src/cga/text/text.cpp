@@ -11,12 +11,6 @@ namespace cga {
 
 namespace {
 
-// How a format writes the parts of a term.
-struct Style {
-	std::string (*number)(double);
-	std::string (*blade)(int index, bool null_basis); // "" for the scalar
-};
-
 std::string plain_number(double value) {
 	std::string text;
 	append_number(text, value);
@@ -35,37 +29,36 @@ std::string latex_number(double value) {
 	return text.substr(0, mark) + " \\times 10^{" + sign + text.substr(exponent) + "}";
 }
 
-// In the null basis, the outer product of a Euclidean blade, e_inf and e_o, joined by `wedge`.
-std::string blade_text(int index, bool null_basis, std::string_view before, std::string_view after, std::string_view infinity, std::string_view origin, std::string_view wedge) {
-	const BladeName name = blade_name(index);
-	std::string digits(name.view().substr(1));
-	std::string text;
-	if (!null_basis) {
-		return digits.empty() ? text : std::string(before) + digits + std::string(after);
-	}
-	const size_t euclidean = std::min(digits.find_first_of("45"), digits.size());
-	if (euclidean > 0) {
-		text = std::string(before) + digits.substr(0, euclidean) + std::string(after);
-	}
-	for (const char digit : digits.substr(euclidean)) {
-		text += text.empty() ? "" : wedge;
-		text += digit == '4' ? infinity : origin;
-	}
-	return text;
-}
+// How a format writes the parts of a term.
+struct Format {
+	std::string (*number)(double);
+	std::string_view before_indices, after_indices; // of a Euclidean blade
+	std::string_view infinity, origin, wedge;
 
-std::string plain_blade(int index, bool null_basis) {
-	return blade_text(index, null_basis, "e", "", "einf", "eo", "^");
-}
+	// Empty for the scalar. In the null basis, the outer product of a Euclidean blade, e_inf and e_o.
+	[[nodiscard]] std::string blade(int index, bool null_basis) const {
+		const BladeName name = blade_name(index);
+		const std::string_view digits = name.view().substr(1);
+		const size_t euclidean = null_basis ? std::min(digits.find_first_of("45"), digits.size()) : digits.size();
+		std::string text;
+		if (euclidean > 0) {
+			text.append(before_indices).append(digits.substr(0, euclidean)).append(after_indices);
+		}
+		for (const char digit : digits.substr(euclidean)) {
+			text += text.empty() ? "" : wedge;
+			text += digit == '4' ? infinity : origin;
+		}
+		return text;
+	}
+};
 
-std::string latex_blade(int index, bool null_basis) {
-	return blade_text(index, null_basis, "\\mathbf{e}_{", "}", "\\mathbf{e}_{\\infty}", "\\mathbf{e}_{o}", " \\wedge ");
-}
+constexpr Format PLAIN = { plain_number, "e", "", "einf", "eo", "^" };
+constexpr Format LATEX = { latex_number, "\\mathbf{e}_{", "}", "\\mathbf{e}_{\\infty}", "\\mathbf{e}_{o}", " \\wedge " };
 
-std::string sum(const Multivector &x, bool null_basis, const Style &style) {
+std::string sum(const Multivector &x, bool null_basis, const Format &format) {
 	Multivector::Coefficients coefficients = null_basis ? to_null_coefficients(x) : x.coefficients();
 	if (null_basis && !Multivector(coefficients).is_finite()) {
-		return sum(x, false, style);
+		return sum(x, false, format);
 	}
 	std::string text;
 	for (int index = 0; index < BLADE_COUNT; ++index) {
@@ -79,9 +72,9 @@ std::string sum(const Multivector &x, bool null_basis, const Style &style) {
 			text += value < 0.0 ? " - " : " + ";
 		}
 		const double size = std::abs(value);
-		const std::string blade = style.blade(index, null_basis);
+		const std::string blade = format.blade(index, null_basis);
 		if (size != 1.0 || blade.empty()) {
-			text += style.number(size);
+			text += format.number(size);
 			text += blade.empty() ? "" : " ";
 		}
 		text += blade;
@@ -92,11 +85,11 @@ std::string sum(const Multivector &x, bool null_basis, const Style &style) {
 } // namespace
 
 std::string to_text(const Multivector &x, bool null_basis) {
-	return sum(x, null_basis, { plain_number, plain_blade });
+	return sum(x, null_basis, PLAIN);
 }
 
 std::string to_latex(const Multivector &x, bool null_basis) {
-	return sum(x, null_basis, { latex_number, latex_blade });
+	return sum(x, null_basis, LATEX);
 }
 
 } // namespace cga

@@ -7,19 +7,15 @@
 namespace cga {
 
 std::string TextError::describe() const {
-	const std::string place = "column " + std::to_string(column) + ": " + message;
-	return line > 1 ? "line " + std::to_string(line) + ", " + place : place;
+	const std::string in_line = "column " + std::to_string(column) + ": " + message;
+	return line > 1 ? "line " + std::to_string(line) + ", " + in_line : in_line;
 }
 
 TextError text_error(std::string_view text, size_t offset, std::string message) {
 	const std::string_view before = text.substr(0, std::min(offset, text.size()));
 	const size_t line_start = before.rfind('\n') + 1; // npos + 1 = 0 on the first line
-	TextError error;
-	error.message = std::move(message);
-	error.offset = before.size();
-	error.line = 1 + int(std::count(before.begin(), before.end(), '\n'));
-	error.column = 1 + character_count(before.substr(line_start));
-	return error;
+	const int line = 1 + int(std::count(before.begin(), before.end(), '\n'));
+	return { std::move(message), before.size(), line, 1 + character_count(before.substr(line_start)) };
 }
 
 std::string describe_character(std::string_view text, size_t offset) {

@@ -23,7 +23,7 @@ struct TextError {
 // The error at a byte offset of a text in UTF-8; an offset beyond the end counts as the end.
 [[nodiscard]] TextError text_error(std::string_view text, size_t offset, std::string message);
 
-// The character at a byte offset, for messages: "'x'", "the end", "the byte 0xff". Always printable UTF-8.
+// The character at a byte offset, for messages: "'x'", "the end", "the byte 0xff". The result is printable UTF-8.
 [[nodiscard]] std::string describe_character(std::string_view text, size_t offset);
 
 // A value read from text, or why there is none.

@@ -37,9 +37,9 @@ struct Character {
 		}
 		code = code << 6 | (byte & 0x3f);
 	}
-	// Refuse overlong encodings, surrogates and codes beyond U+10FFFF.
-	constexpr uint32_t SMALLEST[] = { 0, 0, 0x80, 0x800, 0x10000 };
-	const bool is_valid = code >= SMALLEST[length] && !(code >= 0xd800 && code <= 0xdfff) && code <= 0x10ffff;
+	// Rejects overlong encodings, surrogates and codes beyond U+10FFFF.
+	constexpr uint32_t MIN_CODES[] = { 0, 0, 0x80, 0x800, 0x10000 };
+	const bool is_valid = code >= MIN_CODES[length] && !(code >= 0xd800 && code <= 0xdfff) && code <= 0x10ffff;
 	return is_valid ? Character{ code, length, true } : invalid;
 }
 

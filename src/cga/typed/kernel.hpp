@@ -9,7 +9,7 @@ namespace cga::typed {
 // Bit i stands for the null blade at index i.
 using BladeSet = uint32_t;
 
-[[nodiscard]] constexpr bool holds(BladeSet set, int index) {
+[[nodiscard]] constexpr bool contains(BladeSet set, int index) {
 	return ((set >> index) & 1u) != 0;
 }
 
@@ -26,8 +26,8 @@ using BladeSet = uint32_t;
 [[nodiscard]] constexpr BladeSet product_blades(Product product, BladeSet left, BladeSet right) {
 	BladeSet blades = 0;
 	for (int l = 0; l < BLADE_COUNT; ++l) {
-		for (int r = 0; holds(left, l) && r < BLADE_COUNT; ++r) {
-			for (int m = 0; holds(right, r) && m < BLADE_COUNT; ++m) {
+		for (int r = 0; contains(left, l) && r < BLADE_COUNT; ++r) {
+			for (int m = 0; contains(right, r) && m < BLADE_COUNT; ++m) {
 				blades |= BladeSet(null_sign(product, l, r, m) != 0) << m;
 			}
 		}
@@ -49,9 +49,9 @@ struct Kernel {
 	template <class Visit>
 	static constexpr void for_each_term(Visit visit) {
 		for (int m = 0; m < BLADE_COUNT; ++m) {
-			for (int l = 0; holds(RESULT, m) && l < BLADE_COUNT; ++l) {
-				for (int r = 0; holds(LEFT, l) && r < BLADE_COUNT; ++r) {
-					const int sign = holds(RIGHT, r) ? null_sign(PRODUCT, l, r, m) : 0;
+			for (int l = 0; contains(RESULT, m) && l < BLADE_COUNT; ++l) {
+				for (int r = 0; contains(LEFT, l) && r < BLADE_COUNT; ++r) {
+					const int sign = contains(RIGHT, r) ? null_sign(PRODUCT, l, r, m) : 0;
 					if (sign != 0) {
 						visit(Term{ slot_of(LEFT, l), slot_of(RIGHT, r), slot_of(RESULT, m), sign });
 					}

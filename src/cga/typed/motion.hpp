@@ -9,7 +9,7 @@
 namespace cga::typed {
 
 // The generators of motors: e12, e13, e23 (rotation), e1, e2, e3 ^ e_inf (translation), E (dilation).
-inline constexpr BladeSet MOTIONS = [] {
+inline constexpr BladeSet GENERATORS = [] {
 	BladeSet blades = 0;
 	for (const int index : { E12, E13, E23, E14, E24, E34, E45 }) {
 		blades |= BladeSet(1) << index;
@@ -17,15 +17,15 @@ inline constexpr BladeSet MOTIONS = [] {
 	return blades;
 }();
 
-inline constexpr BladeSet MOTOR_BLADES = product_blades(Product::GEOMETRIC, MOTIONS | 1u, MOTIONS | 1u);
+inline constexpr BladeSet MOTOR_BLADES = product_blades(Product::GEOMETRIC, GENERATORS | 1u, GENERATORS | 1u);
 static_assert(product_blades(Product::GEOMETRIC, MOTOR_BLADES, MOTOR_BLADES) == MOTOR_BLADES, "motors are closed under multiplication");
 
 template <class T = double>
 using Versor = Sparse<MOTOR_BLADES, T>;
 
 // Whether motors map elements of a set of blades to the same set: true if the commutator with each generator does.
-[[nodiscard]] constexpr bool moves_into_itself(BladeSet set) {
-	return (product_blades(Product::COMMUTATOR, MOTIONS, set) & ~set) == 0;
+[[nodiscard]] constexpr bool is_closed_under_motors(BladeSet set) {
+	return (product_blades(Product::COMMUTATOR, GENERATORS, set) & ~set) == 0;
 }
 
 namespace detail {
@@ -52,7 +52,7 @@ template <class T>
 // M x M^-1. The weight of the motor must not be zero.
 template <BladeSet BLADES, class T>
 [[nodiscard]] Sparse<BLADES, T> moved(const Sparse<BLADES, T> &x, const Motor<T> &motor) noexcept {
-	static_assert(moves_into_itself(BLADES), "motors do not preserve this type; use a Round or a Flat");
+	static_assert(is_closed_under_motors(BLADES), "motors do not preserve this type; use a Round or a Flat");
 	const Versor<T> m = versor(motor);
 	return multiply_into<BLADES, Product::GEOMETRIC>(m.geometric_product(x), m.reverse()) * (T(1) / motor.norm_squared());
 }

@@ -48,7 +48,7 @@ inline constexpr NullTable NULL_TABLE = detail::make_null_table();
 // The coefficient of the null blade at `result` in the product of those at `left` and `right`: -1, 0 or 1.
 [[nodiscard]] constexpr int null_sign(Product product, int left, int right, int result) {
 	const int sign = NULL_TABLE[size_t(left)][size_t(right)][size_t(result)];
-	return sign != 0 && keeps_grade(product, blade_grade(left), blade_grade(right), blade_grade(result)) ? sign : 0;
+	return sign != 0 && includes_grade(product, blade_grade(left), blade_grade(right), blade_grade(result)) ? sign : 0;
 }
 
 } // namespace cga::typed

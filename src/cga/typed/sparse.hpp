@@ -44,12 +44,12 @@ public:
 	// The coefficient of a null blade: E1 of e1, E4 of e_inf, E5 of e_o, E14 of e1 ^ e_inf.
 	template <int INDEX>
 	[[nodiscard]] constexpr T &at() noexcept {
-		static_assert(holds(SET, INDEX), "elements of this type have no such blade");
+		static_assert(contains(SET, INDEX), "elements of this type have no such blade");
 		return coefficients[slot_of(SET, INDEX)];
 	}
 	template <int INDEX>
 	[[nodiscard]] constexpr T at() const noexcept {
-		static_assert(holds(SET, INDEX), "elements of this type have no such blade");
+		static_assert(contains(SET, INDEX), "elements of this type have no such blade");
 		return coefficients[slot_of(SET, INDEX)];
 	}
 
@@ -105,11 +105,11 @@ public:
 	friend constexpr Sparse operator-(const Sparse &left, const Sparse &right) noexcept { return left + -right; }
 
 private:
-	template <class IsKept>
-	[[nodiscard]] constexpr Sparse with_signs(IsKept is_kept) const noexcept {
+	template <class KeepsSign>
+	[[nodiscard]] constexpr Sparse with_signs(KeepsSign keeps_sign) const noexcept {
 		Sparse result = *this;
 		for (int index = 0; index < BLADE_COUNT; ++index) {
-			if (holds(SET, index) && !is_kept(blade_grade(index))) {
+			if (contains(SET, index) && !keeps_sign(blade_grade(index))) {
 				T &coefficient = result.coefficients[slot_of(SET, index)];
 				coefficient = -coefficient;
 			}
@@ -149,26 +149,26 @@ template <BladeSet SET, class T>
 std::optional<Sparse<SET, T>> Sparse<SET, T>::from(const Multivector &x, double tolerance) {
 	const Multivector::Coefficients null = to_null_coefficients(x);
 	Sparse result;
-	double kept = 0.0, left_out = 0.0;
+	double included = 0.0, excluded = 0.0;
 	for (int index = 0; index < BLADE_COUNT; ++index) {
 		const double coefficient = null[size_t(index)];
 		if (!std::isfinite(coefficient)) {
 			return std::nullopt;
 		}
-		double &largest = holds(SET, index) ? kept : left_out;
+		double &largest = contains(SET, index) ? included : excluded;
 		largest = std::max(largest, std::abs(coefficient));
-		if (holds(SET, index)) {
+		if (contains(SET, index)) {
 			result.coefficients[slot_of(SET, index)] = T(coefficient);
 		}
 	}
-	return left_out <= tolerance * std::max(kept, left_out) ? std::optional<Sparse>(result) : std::nullopt;
+	return excluded <= tolerance * std::max(included, excluded) ? std::optional<Sparse>(result) : std::nullopt;
 }
 
 template <BladeSet SET, class T>
 Multivector Sparse<SET, T>::to_multivector() const {
 	Multivector::Coefficients null{};
 	for (int index = 0; index < BLADE_COUNT; ++index) {
-		if (holds(SET, index)) {
+		if (contains(SET, index)) {
 			null[size_t(index)] = double(coefficients[slot_of(SET, index)]);
 		}
 	}

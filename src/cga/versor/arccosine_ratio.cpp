@@ -24,7 +24,7 @@ StudyNumber series_about_one(double c, double w_squared) {
 // The terms shrink by |W| / (1 + c).
 StudyNumber series_about(double c, double w_squared) {
 	const double remainder = (1.0 - c) * (1.0 + c);
-	double before = 0.0;
+	double previous = 0.0;
 	double coefficient = arccosine_ratio(c);
 	double power = 1.0; // W^k or W^(k - 1), a number
 	StudyNumber sum;
@@ -35,8 +35,8 @@ StudyNumber series_about(double c, double w_squared) {
 			sum.four += coefficient * power;
 			power *= w_squared;
 		}
-		const double next = ((2.0 * k + 1.0) * c * coefficient + k * before - (k == 0 ? 1.0 : 0.0)) / ((k + 1.0) * remainder);
-		before = coefficient;
+		const double next = ((2.0 * k + 1.0) * c * coefficient + k * previous - (k == 0 ? 1.0 : 0.0)) / ((k + 1.0) * remainder);
+		previous = coefficient;
 		coefficient = next;
 	}
 	return sum;

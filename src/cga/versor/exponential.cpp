@@ -51,7 +51,7 @@ Simple simple_exp(double x) {
 // B = B1 + B2, commuting simple bivectors with the squares p and q, p + q = s and p q = W^2 / 4: both real in this
 // metric. With the Simple of each, c and r:
 //   exp(B) = exp(B1) exp(B2) = c_p c_q + p q W / 2 + X B + Y W B
-// - p and q apart: X = (p c_q p - c_p q q) / (p - q), Y = -(p c_q - c_p q) / (2 (p - q)).
+// - p and q far apart: X = (p c_q p - c_p q q) / (p - q), Y = -(p c_q - c_p q) / (2 (p - q)).
 // - p and q near each other, which needs both negative (two rotations by about the same angle): with the sum and the
 //   difference of the half angles, u and v, X = (sin u / u + sin v / v) / 2 and
 //   Y = (sin v / v - sin u / u) / (u^2 - v^2).
@@ -120,11 +120,11 @@ MultivectorResult exp(const Multivector &x) {
 		return AlgebraError::NOT_FINITE;
 	}
 	// Scalars commute with all elements: exp(k + X) = exp(k) exp(X).
-	const double number = x[0];
+	const double scalar = x[0];
 	Multivector rest = x;
 	rest[0] = 0.0;
-	const Multivector without_number = rest == rest.grade(2) ? exp_of_bivector(rest) : exp_by_series(rest);
-	const Multivector result = number == 0.0 ? without_number : without_number * std::exp(number);
+	const Multivector exp_of_rest = rest == rest.grade(2) ? exp_of_bivector(rest) : exp_by_series(rest);
+	const Multivector result = scalar == 0.0 ? exp_of_rest : exp_of_rest * std::exp(scalar);
 	if (!result.is_finite()) {
 		return AlgebraError::EXPONENTIAL_OVERFLOW;
 	}

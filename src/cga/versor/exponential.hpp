@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cga/algebra/algebra_error.hpp"
-#include "cga/algebra/multivector.hpp"
 
 namespace cga {
 

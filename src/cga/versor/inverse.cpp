@@ -12,14 +12,6 @@ namespace {
 // The limit of the condition number |X| |X^-1|.
 constexpr double MAX_CONDITION = 1e13;
 
-double euclidean_norm(const Multivector &x) {
-	double sum = 0.0;
-	for (const double coefficient : x.coefficients()) {
-		sum += coefficient * coefficient;
-	}
-	return std::sqrt(sum);
-}
-
 // The inverse of an element whose largest coefficient is about 1. Empty if it is singular.
 std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 	const std::optional<ComplexMatrix> matrix = inverse_matrix(to_matrix(x));
@@ -27,7 +19,7 @@ std::optional<Multivector> inverse_by_matrix(const Multivector &x) {
 		return std::nullopt;
 	}
 	const Multivector inverse = from_matrix(*matrix);
-	if (!(euclidean_norm(x) * euclidean_norm(inverse) <= MAX_CONDITION)) {
+	if (!(std::sqrt(x.sum_of_squares()) * std::sqrt(inverse.sum_of_squares()) <= MAX_CONDITION)) {
 		return std::nullopt;
 	}
 	// One Newton step, Y (2 - X Y), removes the error of the elimination.

@@ -51,10 +51,9 @@ std::array<Multivector, 3> planes_of(const Multivector &j) {
 // The logarithm of M near J = M_4 / |M_4|, where h(M_0 + M_4) is near its pole. With K_v, K_u = M_2 (1 +- J) / 2 and
 // cos(v), cos(u) = M_0 +- |M_4|, M_2 = K_v + K_u and log(M) = v K_v / sin(v) + u K_u / sin(u).
 //
-// sin(u) is small, so that K_u is recomposed from the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
-// sin(u) = |c|. Rounding of c then rotates the planes of rotation, which matters little, but keeps them planes. For c = 0, any
-// plane is valid.
-Multivector log_near_double_half_turn(double number, const Multivector &bivector, const Multivector &four, double length) {
+// Since sin(u) is small, K_u is recomposed from the planes F of J's space: K_u = sum of c F (1 - J) / 2, c = -2 <K_u F>,
+// sin(u) = |c|. Rounding of c then only rotates the planes of rotation. For c = 0, any plane is valid.
+Multivector log_near_double_rotation_by_pi(double number, const Multivector &bivector, const Multivector &four, double length) {
 	const Multivector j = four * (1.0 / length);
 	const Multivector turned = bivector.geometric_product(j).grade(2);
 	const Multivector half_v = (bivector + turned) * 0.5;
@@ -81,7 +80,7 @@ Multivector log_of_unit_versor(const Multivector &versor) {
 	const double four_squared = four.scalar_product(four);
 	const double length = std::sqrt(std::max(0.0, four_squared));
 	if (number - length < -0.5) {
-		return log_near_double_half_turn(number, bivector, four, length);
+		return log_near_double_rotation_by_pi(number, bivector, four, length);
 	}
 	return arccosine_ratio(number, four_squared).times(bivector, four).grade(2);
 }

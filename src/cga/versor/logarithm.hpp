@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cga/algebra/algebra_error.hpp"
-#include "cga/algebra/multivector.hpp"
 
 namespace cga {
 
@@ -9,11 +8,11 @@ namespace cga {
 // |M| = sqrt(M M~) is not 1 within rounding (1.4e-14). exp(log(M)) = M, or -M.
 //
 // - M and -M act the same and have the same logarithm. exp(log(M)) is the one of the two whose scalar part is not negative:
-//   all rotations take the shorter direction, by 0..pi. If the scalar part is zero (a half turn), both directions are equally
+//   all rotations take the shorter direction, by 0..pi. If the scalar part is zero (a rotation by pi), both directions are equally
 //   short, and exp(log(M)) = M.
 // - Motors by motor_exp.hpp; transversions, products of reflections and inversions, and all other even versors by
 //   log(M) = M_2 h(M_0 + M_4), h(c) = arccos(c) / sqrt(1 - c^2), M of unit weight with parts M_k of grade k.
-// - The product of two half turns in orthogonal planes (M_4 alone, M_4^2 = 1) is the same for any such pair of planes: the
+// - The product of rotations by pi in two orthogonal planes (M_4 alone, M_4^2 = 1) is the same for any such pair of planes: the
 //   function picks one pair.
 //
 // Relative precision: 1e-13 for motors of any translation; for other versors about 1e-15 K^2, K being the largest coefficient at

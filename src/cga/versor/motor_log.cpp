@@ -10,8 +10,8 @@ namespace cga {
 
 namespace {
 
-// Whether the coefficients that are equal in pairs in a motor are equal, relative to themselves: a small transversion must not
-// pass for the rounding of a motor.
+// Whether the pairs of coefficients that are equal in a motor are equal in `x`, relative to themselves: a small transversion must
+// not be mistaken for the rounding of a motor.
 bool is_equal_in_pairs(const Multivector &x, double tolerance) {
 	double largest = 0.0;
 	double residue = 0.0;
@@ -30,11 +30,10 @@ bool is_equal_in_pairs(const Multivector &x, double tolerance) {
 Multivector motor_exp(const MotorLog<double> &log) {
 	const Pose<double> pose = exp_to_pose(log);
 	const double half = 0.5 * log.dilation;
-	const Multivector turn_and_scale = rotor(pose.rotation).geometric_product(Multivector::scalar(std::cosh(half)) - e_infinity().outer_product(e_origin()) * std::sinh(half));
-	Motor<double> shift;
-	shift.a = shift.b = { 0.0, 0.0, 0.0, 0.0 };
-	shift.v = pure(pose.translation * -0.5) * (pose.rotation * std::exp(-half));
-	return turn_and_scale + to_multivector(shift);
+	const Multivector rotation_and_scale = rotor(pose.rotation).geometric_product(Multivector::scalar(std::cosh(half)) - e_infinity().outer_product(e_origin()) * std::sinh(half));
+	const Quaternion<double> zero(0.0, 0.0, 0.0, 0.0);
+	const Motor<double> rest{ zero, zero, pure(pose.translation * -0.5) * (pose.rotation * std::exp(-half)) };
+	return rotation_and_scale + to_multivector(rest);
 }
 
 // With p = (a + b) / 2 the quaternion of the coefficients of 1, e12, e13, e23 and d = (a - b) / 2 that of the same

@@ -38,11 +38,7 @@ MultivectorResult normalized(const Multivector &x) {
 	const Multivector unit = x.times_power_of_two(-std::ilogb(x.max_abs()));
 	const Multivector square = unit.geometric_product(unit.reverse());
 	const double weight = square[0];
-	double sum_of_squares = 0.0;
-	for (const double coefficient : unit.coefficients()) {
-		sum_of_squares += coefficient * coefficient;
-	}
-	const double rounding = ROUNDING * sum_of_squares;
+	const double rounding = ROUNDING * unit.sum_of_squares();
 	if (std::abs(weight) <= rounding) {
 		// The coefficients of a motor with a large translation cancel: the minimal form gives its weight.
 		const std::optional<Motor<double>> motor = to_motor(unit);

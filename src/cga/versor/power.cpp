@@ -13,10 +13,10 @@ namespace cga {
 namespace {
 
 // The limit of |n| in V^n: the rounding error grows with n. Within the range of a 32-bit long.
-constexpr double MAX_WHOLE_EXPONENT = 1e9;
+constexpr double MAX_INTEGER_EXPONENT = 1e9;
 
 // V^n by repeated squaring, n >= 0.
-Multivector whole_power(const Multivector &versor, long exponent) {
+Multivector integer_power(const Multivector &versor, long exponent) {
 	Multivector result = Multivector::scalar(1.0);
 	Multivector square = versor;
 	for (long rest = exponent; rest > 0; rest >>= 1) {
@@ -32,7 +32,7 @@ Multivector whole_power(const Multivector &versor, long exponent) {
 
 // The power of a versor without a logarithm, from its unit versor and weight.
 MultivectorResult power_by_products(const Multivector &versor, double exponent) {
-	if (std::abs(exponent) > MAX_WHOLE_EXPONENT) {
+	if (std::abs(exponent) > MAX_INTEGER_EXPONENT) {
 		return AlgebraError::EXPONENT_TOO_LARGE;
 	}
 	const MultivectorResult unit = normalized(versor);
@@ -43,10 +43,10 @@ MultivectorResult power_by_products(const Multivector &versor, double exponent) 
 	if (!factor) {
 		return factor;
 	}
-	return whole_power(*factor, std::lround(std::abs(exponent))) * std::pow(versor.norm(), exponent);
+	return integer_power(*factor, std::lround(std::abs(exponent))) * std::pow(versor.norm(), exponent);
 }
 
-MultivectorResult power_without_check(const Multivector &versor, double exponent) {
+MultivectorResult unchecked_power(const Multivector &versor, double exponent) {
 	const MultivectorResult logarithm = log(versor);
 	if (logarithm) {
 		const Multivector multiple = *logarithm * exponent;
@@ -70,7 +70,7 @@ MultivectorResult power(const Multivector &versor, double exponent) {
 	if (!std::isfinite(exponent)) {
 		return AlgebraError::EXPONENT_NOT_FINITE;
 	}
-	const MultivectorResult result = power_without_check(versor, exponent);
+	const MultivectorResult result = unchecked_power(versor, exponent);
 	if (result && !result->is_finite()) {
 		return AlgebraError::POWER_OVERFLOW;
 	}

@@ -57,6 +57,13 @@ godot::String to_godot(const std::string &text) {
 	return godot::String::utf8(text.data(), int64_t(text.size()));
 }
 
+godot::PackedByteArray to_packed(const uint8_t *bytes, size_t size) {
+	godot::PackedByteArray packed;
+	packed.resize(int64_t(size));
+	std::copy_n(bytes, size, packed.ptrw());
+	return packed;
+}
+
 bool is_finite(const godot::Vector3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }

@@ -4,11 +4,14 @@
 #include "cga/motor/matrix_pose.hpp"
 #include "cga/motor/pose.hpp"
 
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 // Conversions between the engine's types and those of src/cga, which compute in double precision.
@@ -29,6 +32,8 @@ godot::Transform3D transform_from_row(const float *row);
 /// src/cga and src/playground read and write UTF-8.
 std::string to_utf8(const godot::String &text);
 godot::String to_godot(const std::string &text);
+
+godot::PackedByteArray to_packed(const uint8_t *bytes, size_t size);
 
 bool is_finite(const godot::Vector3 &vector);
 bool is_finite(const godot::Quaternion &quaternion);

@@ -110,39 +110,14 @@ Multivector::Handle Multivector::scaled(double factor) const {
 	return make(_value * factor);
 }
 
-Multivector::Handle Multivector::geometric_product(const Handle &right) const {
-	return binary(&cga::Multivector::geometric_product, right, "geometric_product");
-}
-
-Multivector::Handle Multivector::outer_product(const Handle &right) const {
-	return binary(&cga::Multivector::outer_product, right, "outer_product");
-}
-
-Multivector::Handle Multivector::inner_product(const Handle &right) const {
-	return binary(&cga::Multivector::inner_product, right, "inner_product");
-}
-
-Multivector::Handle Multivector::left_contraction(const Handle &right) const {
-	return binary(&cga::Multivector::left_contraction, right, "left_contraction");
-}
-
-Multivector::Handle Multivector::right_contraction(const Handle &right) const {
-	return binary(&cga::Multivector::right_contraction, right, "right_contraction");
-}
-
-Multivector::Handle Multivector::regressive_product(const Handle &right) const {
-	return binary(&cga::Multivector::regressive_product, right, "regressive_product");
-}
-
-Multivector::Handle Multivector::commutator_product(const Handle &right) const {
-	return binary(&cga::Multivector::commutator_product, right, "commutator_product");
+static double finite_or_zero(double value, const char *method) {
+	ERR_FAIL_COND_V_MSG(!std::isfinite(value), 0.0, vformat("Multivector.%s: the result is beyond the range of 64-bit floats.", method));
+	return value;
 }
 
 double Multivector::scalar_product(const Handle &right) const {
 	ERR_FAIL_COND_V_MSG(right.is_null(), 0.0, "Multivector.scalar_product: the other multivector is null.");
-	const double product = _value.scalar_product(right->_value);
-	ERR_FAIL_COND_V_MSG(!std::isfinite(product), 0.0, "Multivector.scalar_product: the result is beyond the range of 64-bit floats.");
-	return product;
+	return finite_or_zero(_value.scalar_product(right->_value), "scalar_product");
 }
 
 Multivector::Handle Multivector::sandwich(const Handle &x) const {
@@ -152,41 +127,17 @@ Multivector::Handle Multivector::sandwich(const Handle &x) const {
 	return make(*image);
 }
 
-Multivector::Handle Multivector::reverse() const {
-	return make(_value.reverse());
-}
-
-Multivector::Handle Multivector::grade_involution() const {
-	return make(_value.grade_involution());
-}
-
-Multivector::Handle Multivector::clifford_conjugate() const {
-	return make(_value.clifford_conjugate());
-}
-
-Multivector::Handle Multivector::dual() const {
-	return make(_value.dual());
-}
-
-Multivector::Handle Multivector::undual() const {
-	return make(_value.undual());
-}
-
 Multivector::Handle Multivector::grade(int64_t grade) const {
 	ERR_FAIL_COND_V_MSG(grade < 0 || grade > 5, Handle(), vformat("Multivector.grade: grade %d is not in 0..5.", grade));
 	return make(_value.grade(int(grade)));
 }
 
 double Multivector::norm() const {
-	const double norm = _value.norm();
-	ERR_FAIL_COND_V_MSG(!std::isfinite(norm), 0.0, "Multivector.norm: the result is beyond the range of 64-bit floats.");
-	return norm;
+	return finite_or_zero(_value.norm(), "norm");
 }
 
 double Multivector::norm_squared() const {
-	const double norm_squared = _value.norm_squared();
-	ERR_FAIL_COND_V_MSG(!std::isfinite(norm_squared), 0.0, "Multivector.norm_squared: the result is beyond the range of 64-bit floats.");
-	return norm_squared;
+	return finite_or_zero(_value.norm_squared(), "norm_squared");
 }
 
 Multivector::Handle Multivector::normalized() const {

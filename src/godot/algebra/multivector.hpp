@@ -64,13 +64,13 @@ public:
 	Handle add(const Handle &other) const;
 	Handle subtract(const Handle &other) const;
 	Handle scaled(double factor) const;
-	Handle geometric_product(const Handle &right) const;
-	Handle outer_product(const Handle &right) const;
-	Handle inner_product(const Handle &right) const;
-	Handle left_contraction(const Handle &right) const;
-	Handle right_contraction(const Handle &right) const;
-	Handle regressive_product(const Handle &right) const;
-	Handle commutator_product(const Handle &right) const;
+	Handle geometric_product(const Handle &right) const { return binary(&cga::Multivector::geometric_product, right, "geometric_product"); }
+	Handle outer_product(const Handle &right) const { return binary(&cga::Multivector::outer_product, right, "outer_product"); }
+	Handle inner_product(const Handle &right) const { return binary(&cga::Multivector::inner_product, right, "inner_product"); }
+	Handle left_contraction(const Handle &right) const { return binary(&cga::Multivector::left_contraction, right, "left_contraction"); }
+	Handle right_contraction(const Handle &right) const { return binary(&cga::Multivector::right_contraction, right, "right_contraction"); }
+	Handle regressive_product(const Handle &right) const { return binary(&cga::Multivector::regressive_product, right, "regressive_product"); }
+	Handle commutator_product(const Handle &right) const { return binary(&cga::Multivector::commutator_product, right, "commutator_product"); }
 	double scalar_product(const Handle &right) const;
 	Handle sandwich(const Handle &x) const;
 
@@ -80,11 +80,11 @@ public:
 	Handle reject_from(const Handle &from) const;
 	Handle reflect_in(const Handle &mirror) const;
 
-	Handle reverse() const;
-	Handle grade_involution() const;
-	Handle clifford_conjugate() const;
-	Handle dual() const;
-	Handle undual() const;
+	Handle reverse() const { return make(_value.reverse()); }
+	Handle grade_involution() const { return make(_value.grade_involution()); }
+	Handle clifford_conjugate() const { return make(_value.clifford_conjugate()); }
+	Handle dual() const { return make(_value.dual()); }
+	Handle undual() const { return make(_value.undual()); }
 	Handle grade(int64_t grade) const;
 
 	double norm() const;

@@ -14,7 +14,7 @@
 namespace ga_godot {
 
 /// A visible part of a figure. Its strokes are batched by form (StrokeBatch). Its surface and the strokes of Form::CUSTOM
-/// are separate instances; the engine sorts surfaces from back to front.
+/// are separate instances, because the engine must sort surfaces from back to front.
 class DrawnPart {
 public:
 	/// `meshes` must outlive it. Nothing is drawn before the first write().

@@ -44,9 +44,7 @@ FormMeshes::~FormMeshes() {
 	};
 	free_valid(_strokes);
 	free_valid(_fills);
-	free_valid(_stroke_materials);
-	free_valid(_fringe_materials);
-	free_valid(_fill_materials);
+	free_valid(_materials);
 	free_valid(_shaders);
 }
 
@@ -88,8 +86,7 @@ RID FormMeshes::stroke_material(Space space) {
 		using playground::drawing::stroke_shader;
 		using playground::drawing::StrokePass;
 		material = make_material(stroke_shader(space, _renderer, StrokePass::CORE), CORE_PRIORITY);
-		RID &fringe = _fringe_materials[size_t(space)];
-		fringe = make_material(stroke_shader(space, _renderer, StrokePass::FRINGE), FRINGE_PRIORITY);
+		const RID fringe = make_material(stroke_shader(space, _renderer, StrokePass::FRINGE), FRINGE_PRIORITY);
 		RenderingServer::get_singleton()->material_set_next_pass(material, fringe);
 	}
 	return material;
@@ -111,6 +108,7 @@ RID FormMeshes::make_material(const std::string &code, int priority) {
 	server->material_set_shader(material, shader);
 	server->material_set_render_priority(material, priority);
 	_shaders.push_back(shader);
+	_materials.push_back(material);
 	return material;
 }
 

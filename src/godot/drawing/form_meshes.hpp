@@ -47,8 +47,8 @@ private:
 	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _strokes;
 	std::array<godot::RID, playground::drawing::SHARED_FORM_COUNT> _fills;
 	std::array<godot::RID, SPACE_COUNT> _stroke_materials;
-	std::array<godot::RID, SPACE_COUNT> _fringe_materials;
 	std::array<godot::RID, SPACE_COUNT> _fill_materials;
+	std::vector<godot::RID> _materials; // all, including those of the second pass of strokes
 	std::vector<godot::RID> _shaders;
 };
 

@@ -54,10 +54,6 @@ void GANode3D::queue_update() {
 	}
 }
 
-void GANode3D::value_changed() {
-	queue_update();
-}
-
 // The scene reports each change to all nodes, and most changes concern other entries. Comparing values is faster than
 // searching the names of the changed entries: a thousand nodes listen while a drag changes hundreds of entries.
 void GANode3D::scene_changed() {

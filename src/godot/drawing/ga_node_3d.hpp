@@ -35,21 +35,21 @@ public:
 	~GANode3D();
 
 	void set_multivector(const godot::Ref<Multivector> &multivector);
-	godot::Ref<Multivector> get_multivector() const;
+	godot::Ref<Multivector> get_multivector() const { return _multivector; }
 	void set_scene(const godot::Ref<GAScene> &scene);
-	godot::Ref<GAScene> get_scene() const;
+	godot::Ref<GAScene> get_scene() const { return _scene; }
 	void set_entry(const godot::StringName &entry);
-	godot::StringName get_entry() const;
+	godot::StringName get_entry() const { return _entry; }
 	void set_ipns(bool ipns);
-	bool is_ipns() const;
+	bool is_ipns() const { return _ipns; }
 	void set_color(const godot::Color &color);
-	godot::Color get_color() const;
+	godot::Color get_color() const { return _color; }
 	void set_line_width(double pixels);
-	double get_line_width() const;
+	double get_line_width() const { return _line_width; }
 	void set_show_label(bool show);
-	bool is_showing_label() const;
+	bool is_showing_label() const { return _show_label; }
 	void set_label(const godot::String &label);
-	godot::String get_label() const;
+	godot::String get_label() const { return _label; }
 
 	/// The value of the entry if the node draws one, otherwise `multivector`; null if it has no value.
 	godot::Ref<Multivector> get_value() const;
@@ -82,7 +82,6 @@ private:
 	const cga::Multivector *find_value() const;
 	Appearance get_appearance() const;
 	bool is_up_to_date() const;
-	void value_changed();
 	void scene_changed();
 	void queue_update();
 	void show_parts();

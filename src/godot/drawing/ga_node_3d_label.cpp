@@ -15,7 +15,7 @@ using godot::Color;
 using godot::Label3D;
 using godot::String;
 
-// The font is rendered at twice the size on the screen, to stay sharp. Size of one of its pixels at a depth of one meter.
+// The font is rendered at twice its size on the screen, to stay sharp. PIXEL_SIZE is in meters at a depth of one meter.
 static constexpr int FONT_SIZE = 36, OUTLINE_SIZE = 12;
 static constexpr float PIXEL_SIZE = 0.00085f;
 

@@ -34,55 +34,41 @@ static godot::Color parse_color(const std::string &text) {
 	return godot::Color(channel(0), channel(1), channel(2), channel(3));
 }
 
-void GANode3D::set_multivector(const Ref<Multivector> &multivector) {
-	if (multivector == _multivector) {
-		return;
+// Moves the connection of `on_change` to another resource. Returns false if it is the same resource.
+template <class T>
+static bool replace_resource(Ref<T> &resource, const Ref<T> &next, const Callable &on_change) {
+	if (next == resource) {
+		return false;
 	}
-	const Callable on_change(this, "_value_changed");
-	if (_multivector.is_valid()) {
-		_multivector->disconnect("changed", on_change);
+	if (resource.is_valid()) {
+		resource->disconnect("changed", on_change);
 	}
-	_multivector = multivector;
-	if (_multivector.is_valid()) {
-		_multivector->connect("changed", on_change);
+	resource = next;
+	if (resource.is_valid()) {
+		resource->connect("changed", on_change);
 	}
-	value_changed();
-	update_configuration_warnings();
+	return true;
 }
 
-Ref<Multivector> GANode3D::get_multivector() const {
-	return _multivector;
+void GANode3D::set_multivector(const Ref<Multivector> &multivector) {
+	if (replace_resource(_multivector, multivector, Callable(this, "_value_changed"))) {
+		queue_update();
+		update_configuration_warnings();
+	}
 }
 
 void GANode3D::set_scene(const Ref<GAScene> &scene) {
-	if (scene == _scene) {
-		return;
+	if (replace_resource(_scene, scene, Callable(this, "_scene_changed"))) {
+		queue_update();
+		update_configuration_warnings();
 	}
-	const Callable on_change(this, "_scene_changed");
-	if (_scene.is_valid()) {
-		_scene->disconnect("changed", on_change);
-	}
-	_scene = scene;
-	if (_scene.is_valid()) {
-		_scene->connect("changed", on_change);
-	}
-	value_changed();
-	update_configuration_warnings();
-}
-
-Ref<GAScene> GANode3D::get_scene() const {
-	return _scene;
 }
 
 void GANode3D::set_entry(const StringName &entry) {
 	_entry = entry;
 	_entry_name = to_utf8(String(entry));
-	value_changed();
+	queue_update();
 	update_configuration_warnings();
-}
-
-StringName GANode3D::get_entry() const {
-	return _entry;
 }
 
 bool GANode3D::draws_entry() const {
@@ -126,11 +112,7 @@ Ref<Multivector> GANode3D::get_value() const {
 
 void GANode3D::set_ipns(bool ipns) {
 	_ipns = ipns;
-	value_changed();
-}
-
-bool GANode3D::is_ipns() const {
-	return _ipns;
+	queue_update();
 }
 
 void GANode3D::set_color(const godot::Color &color) {
@@ -138,18 +120,10 @@ void GANode3D::set_color(const godot::Color &color) {
 	queue_update();
 }
 
-godot::Color GANode3D::get_color() const {
-	return _color;
-}
-
 void GANode3D::set_line_width(double pixels) {
-	ERR_FAIL_COND_MSG(!std::isfinite(pixels) || pixels <= 0.0 || pixels > 100.0, vformat("GANode3D.line_width: %s is not a width in pixels above 0 and up to 100.", pixels));
+	ERR_FAIL_COND_MSG(!std::isfinite(pixels) || pixels <= 0.0 || pixels > 100.0, vformat("GANode3D.line_width: the width must be above 0 and at most 100 pixels, not %s.", pixels));
 	_line_width = pixels;
 	write_parts();
-}
-
-double GANode3D::get_line_width() const {
-	return _line_width;
 }
 
 void GANode3D::set_show_label(bool show) {
@@ -159,19 +133,11 @@ void GANode3D::set_show_label(bool show) {
 	}
 }
 
-bool GANode3D::is_showing_label() const {
-	return _show_label;
-}
-
 void GANode3D::set_label(const String &label) {
 	_label = label;
 	if (_in_world) {
 		update_label();
 	}
-}
-
-String GANode3D::get_label() const {
-	return _label;
 }
 
 double GANode3D::get_screen_distance(godot::Camera3D *camera, const godot::Vector2 &point) {
@@ -240,7 +206,7 @@ void GANode3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("describe"), &GANode3D::describe);
 	ClassDB::bind_method(D_METHOD("get_screen_distance", "camera", "point"), &GANode3D::get_screen_distance);
 	ClassDB::bind_method(D_METHOD("update_drawing"), &GANode3D::update_drawing);
-	ClassDB::bind_method(D_METHOD("_value_changed"), &GANode3D::value_changed);
+	ClassDB::bind_method(D_METHOD("_value_changed"), &GANode3D::queue_update);
 	ClassDB::bind_method(D_METHOD("_scene_changed"), &GANode3D::scene_changed);
 
 	using godot::PROPERTY_HINT_RANGE;

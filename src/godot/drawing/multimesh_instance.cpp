@@ -31,24 +31,16 @@ void MultiMeshInstance::set_visible_count(size_t count) {
 	RenderingServer::get_singleton()->multimesh_set_visible_instances(_multimesh, int32_t(count));
 }
 
-void MultiMeshInstance::write(size_t slot, const InstanceData &data) {
+void MultiMeshInstance::write(size_t slot, const InstanceData &data, const InstanceData *previous) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const int32_t index = int32_t(slot);
-	server->multimesh_instance_set_transform(_multimesh, index, data.transform);
-	server->multimesh_instance_set_color(_multimesh, index, data.color);
-	server->multimesh_instance_set_custom_data(_multimesh, index, data.custom);
-}
-
-void MultiMeshInstance::write_changes(size_t slot, const InstanceData &previous, const InstanceData &data) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const int32_t index = int32_t(slot);
-	if (data.transform != previous.transform) {
+	if (!previous || data.transform != previous->transform) {
 		server->multimesh_instance_set_transform(_multimesh, index, data.transform);
 	}
-	if (data.color != previous.color) {
+	if (!previous || data.color != previous->color) {
 		server->multimesh_instance_set_color(_multimesh, index, data.color);
 	}
-	if (data.custom != previous.custom) {
+	if (!previous || data.custom != previous->custom) {
 		server->multimesh_instance_set_custom_data(_multimesh, index, data.custom);
 	}
 }

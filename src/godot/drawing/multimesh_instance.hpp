@@ -29,9 +29,8 @@ public:
 	/// Discards all instance data.
 	void allocate(size_t count);
 	void set_visible_count(size_t count);
-	void write(size_t slot, const InstanceData &data);
-	/// Writes only what differs from the previous data.
-	void write_changes(size_t slot, const InstanceData &previous, const InstanceData &data);
+	/// Writes only what differs from the previous data of the slot, if given.
+	void write(size_t slot, const InstanceData &data, const InstanceData *previous = nullptr);
 	void set_bounds(const playground::drawing::Box &bounds);
 
 private:

@@ -13,7 +13,7 @@ using playground::drawing::Form;
 static std::map<std::pair<int64_t, Form>, std::unique_ptr<StrokeBatch>> batches;
 
 StrokeBatch::StrokeBatch(Form form, const godot::RID &mesh, const godot::RID &scenario) :
-		_form(form), _scenario(scenario), _drawn(mesh, scenario) {
+		_form(form), _scenario(scenario), _multimesh(mesh, scenario) {
 }
 
 StrokeBatch &StrokeBatch::of(Form form, const godot::RID &mesh, const godot::RID &scenario) {
@@ -30,16 +30,16 @@ size_t StrokeBatch::add(const InstanceData &data) {
 	if (_instances.size() > _capacity) {
 		grow();
 	} else {
-		_drawn.write(_instances.size() - 1, data);
+		_multimesh.write(_instances.size() - 1, data);
 		include(data.bounds);
 	}
-	_drawn.set_visible_count(_instances.size());
+	_multimesh.set_visible_count(_instances.size());
 	return id;
 }
 
 void StrokeBatch::change(size_t id, const InstanceData &data) {
 	const size_t slot = _slots.slot_of(id);
-	_drawn.write_changes(slot, _instances[slot], data);
+	_multimesh.write(slot, data, &_instances[slot]);
 	_instances[slot] = data;
 	include(data.bounds);
 }
@@ -53,29 +53,28 @@ void StrokeBatch::remove(size_t id) {
 		return;
 	}
 	if (slot < _instances.size()) {
-		_drawn.write(slot, _instances[slot]);
+		_multimesh.write(slot, _instances[slot]);
 	}
-	_drawn.set_visible_count(_instances.size());
+	_multimesh.set_visible_count(_instances.size());
 }
 
 // Doubles the capacity, because each reallocation rewrites all instances.
 void StrokeBatch::grow() {
 	_capacity = std::max<size_t>(4, 2 * _capacity);
-	_drawn.allocate(_capacity);
-	Box bounds = _instances[0].bounds;
+	_multimesh.allocate(_capacity);
+	_bounds = _instances[0].bounds;
 	for (size_t i = 0; i < _instances.size(); i++) {
-		_drawn.write(i, _instances[i]);
-		bounds = playground::drawing::merged(bounds, _instances[i].bounds);
+		_multimesh.write(i, _instances[i]);
+		_bounds = playground::drawing::merged(_bounds, _instances[i].bounds);
 	}
-	_bounds = bounds;
-	_drawn.set_bounds(_bounds);
+	_multimesh.set_bounds(_bounds);
 }
 
 // The bounds only grow: a box that is too large costs less than keeping it tight.
 void StrokeBatch::include(const Box &bounds) {
 	if (!playground::drawing::contains(_bounds, bounds)) {
 		_bounds = playground::drawing::merged(_bounds, bounds);
-		_drawn.set_bounds(_bounds);
+		_multimesh.set_bounds(_bounds);
 	}
 }
 

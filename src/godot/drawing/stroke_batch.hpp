@@ -35,7 +35,7 @@ private:
 
 	playground::drawing::Form _form;
 	godot::RID _scenario;
-	MultiMeshInstance _drawn;
+	MultiMeshInstance _multimesh;
 	playground::drawing::InstanceSlots _slots;
 	std::vector<InstanceData> _instances; // by slot
 	size_t _capacity = 0; // instances

@@ -45,16 +45,17 @@ int64_t MotorPool::acquire() {
 }
 
 void MotorPool::release(int64_t index) {
-	Slot *slot = find_slot(index);
-	if (slot == nullptr) {
-		report_invalid_index("release", index);
-		return;
+	if (const Slot *slot = find_slot("release", index)) {
+		_slot_of_row[slot->row] = NO_ROW;
+		_gaps++;
+		free_slot(uint32_t(index));
 	}
-	_slot_of_row[slot->row] = NO_ROW;
-	_gaps++;
-	slot->row = NO_ROW;
-	slot->generation = (slot->generation + 1) & GENERATION_MASK;
-	_free_slots.push_back(uint32_t(slot - _slots.data()));
+}
+
+void MotorPool::free_slot(uint32_t slot) {
+	_slots[slot].row = NO_ROW;
+	_slots[slot].generation = (_slots[slot].generation + 1) & GENERATION_MASK;
+	_free_slots.push_back(slot);
 }
 
 void MotorPool::reserve(int64_t count) {
@@ -73,9 +74,7 @@ int64_t MotorPool::get_count() const {
 void MotorPool::clear() {
 	for (uint32_t slot : _slot_of_row) {
 		if (slot != NO_ROW) {
-			_slots[slot].row = NO_ROW;
-			_slots[slot].generation = (_slots[slot].generation + 1) & GENERATION_MASK;
-			_free_slots.push_back(slot);
+			free_slot(slot);
 		}
 	}
 	_slot_of_row.clear();
@@ -84,16 +83,11 @@ void MotorPool::clear() {
 	_gaps = 0;
 }
 
-MotorPool::Slot *MotorPool::find_slot(int64_t index) {
+const MotorPool::Slot *MotorPool::find_slot(const char *method, int64_t index) const {
 	const uint64_t slot = uint64_t(index) & 0xffffffffu;
-	if (index < 0 || slot >= _slots.size() || _slots[slot].row == NO_ROW || _slots[slot].generation != uint64_t(index) >> 32) {
-		return nullptr;
-	}
+	const bool is_live = index >= 0 && slot < _slots.size() && _slots[slot].row != NO_ROW && _slots[slot].generation == uint64_t(index) >> 32;
+	ERR_FAIL_COND_V_MSG(!is_live, nullptr, vformat("MotorPool.%s: index %d is not a live index returned by acquire().", method, index));
 	return &_slots[slot];
-}
-
-void MotorPool::report_invalid_index(const char *method, int64_t index) const {
-	ERR_PRINT(vformat("MotorPool.%s: index %d is not a live index returned by acquire().", method, index));
 }
 
 void MotorPool::close_gaps() {

@@ -18,7 +18,7 @@ namespace ga_godot {
 
 /// Interpolates the poses of many bodies together. Documented in doc_classes/MotorPool.xml.
 ///
-/// The index that acquire() returns holds a slot (low 32 bits) and the slot's generation; the slot holds the body's row.
+/// The index that acquire() returns consists of a slot (low 32 bits) and the slot's generation. A slot stores the body's row.
 /// Rows are dense and in the order of acquire(): row r is lane r % 8 of block r / 8 and floats 12 r .. 12 r + 11 of the
 /// buffer. release() only marks the row as a gap; the next call that uses the order of rows closes all gaps.
 class MotorPool : public godot::RefCounted {
@@ -31,13 +31,13 @@ public:
 	int64_t get_count() const;
 	void clear();
 
-	void set_from(int64_t index, const godot::Transform3D &transform);
-	void set_to(int64_t index, const godot::Transform3D &transform);
-	void set_from_all(const godot::TypedArray<godot::Transform3D> &transforms);
-	void set_to_all(const godot::TypedArray<godot::Transform3D> &transforms);
+	void set_from(int64_t index, const godot::Transform3D &transform) { set_end(End::FROM, "set_from", index, transform); }
+	void set_to(int64_t index, const godot::Transform3D &transform) { set_end(End::TO, "set_to", index, transform); }
+	void set_from_all(const godot::TypedArray<godot::Transform3D> &transforms) { set_end_all(End::FROM, "set_from_all", transforms); }
+	void set_to_all(const godot::TypedArray<godot::Transform3D> &transforms) { set_end_all(End::TO, "set_to_all", transforms); }
 
-	void set_from_buffer(const godot::PackedFloat32Array &buffer);
-	void set_to_buffer(const godot::PackedFloat32Array &buffer);
+	void set_from_buffer(const godot::PackedFloat32Array &buffer) { set_end_buffer(End::FROM, "set_from_buffer", buffer); }
+	void set_to_buffer(const godot::PackedFloat32Array &buffer) { set_end_buffer(End::TO, "set_to_buffer", buffer); }
 	void advance();
 
 	void interpolate(double weight, MultivectorLerp::Mode mode);
@@ -65,8 +65,9 @@ private:
 		TO,
 	};
 
-	Slot *find_slot(int64_t index);
-	void report_invalid_index(const char *method, int64_t index) const;
+	/// Returns null and prints an error if acquire() has not returned the index or its body was released.
+	const Slot *find_slot(const char *method, int64_t index) const;
+	void free_slot(uint32_t slot);
 	void close_gaps();
 	cga::PoseBlock &block_of(uint32_t row) { return _blocks[row / cga::PoseBlock::LANES]; }
 	static int lane_of(uint32_t row) { return int(row % cga::PoseBlock::LANES); }

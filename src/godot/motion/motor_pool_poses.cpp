@@ -41,9 +41,8 @@ void MotorPool::put_end(End end, uint32_t row, const cga::Pose<float> &pose) {
 }
 
 void MotorPool::set_end(End end, const char *method, int64_t index, const Transform3D &transform) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot(method, index);
 	if (slot == nullptr) {
-		report_invalid_index(method, index);
 		return;
 	}
 	const PoseResult pose = pose_from_transform(transform);
@@ -100,30 +99,6 @@ void MotorPool::set_end_buffer(End end, const char *method, const PackedFloat32A
 	put_end_all(end, method, "rows", size / ROW_FLOATS, [&](uint32_t row) { return transform_from_row(rows + row * ROW_FLOATS); });
 }
 
-void MotorPool::set_from(int64_t index, const Transform3D &transform) {
-	set_end(End::FROM, "set_from", index, transform);
-}
-
-void MotorPool::set_to(int64_t index, const Transform3D &transform) {
-	set_end(End::TO, "set_to", index, transform);
-}
-
-void MotorPool::set_from_all(const TypedArray<Transform3D> &transforms) {
-	set_end_all(End::FROM, "set_from_all", transforms);
-}
-
-void MotorPool::set_to_all(const TypedArray<Transform3D> &transforms) {
-	set_end_all(End::TO, "set_to_all", transforms);
-}
-
-void MotorPool::set_from_buffer(const PackedFloat32Array &buffer) {
-	set_end_buffer(End::FROM, "set_from_buffer", buffer);
-}
-
-void MotorPool::set_to_buffer(const PackedFloat32Array &buffer) {
-	set_end_buffer(End::TO, "set_to_buffer", buffer);
-}
-
 void MotorPool::advance() {
 	close_gaps();
 	RowSplit::run(uint32_t(_slot_of_row.size()), MIN_SHARED, [&](uint32_t first, uint32_t rows) {
@@ -134,18 +109,16 @@ void MotorPool::advance() {
 }
 
 Transform3D MotorPool::get_transform(int64_t index) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot("get_transform", index);
 	if (slot == nullptr) {
-		report_invalid_index("get_transform", index);
 		return Transform3D();
 	}
 	return transform_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);
 }
 
 Ref<Multivector> MotorPool::get_motor(int64_t index) {
-	const Slot *slot = find_slot(index);
+	const Slot *slot = find_slot("get_motor", index);
 	if (slot == nullptr) {
-		report_invalid_index("get_motor", index);
 		return Ref<Multivector>();
 	}
 	const cga::Pose<float> pose = cga::pose_from_row(_buffer.ptr() + slot->row * ROW_FLOATS);

@@ -3,6 +3,7 @@
 #include "cga/motor/deviation.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "godot/algebra/conversions.hpp"
+#include "godot/bind_property.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -79,14 +80,6 @@ void MultivectorLerp::play() {
 	}
 }
 
-void MultivectorLerp::stop() {
-	_playing = false;
-}
-
-bool MultivectorLerp::is_playing() const {
-	return _playing;
-}
-
 void MultivectorLerp::_notification(int what) {
 	if (what == NOTIFICATION_READY) {
 		_running = !is_part_of_edited_scene();
@@ -120,7 +113,12 @@ void MultivectorLerp::set_path(NodeLink &link, const NodePath &path) {
 	refresh();
 }
 
-// Called when an end or the target changes. Errors that persist are reported again.
+void MultivectorLerp::set_motor(End &end, const Ref<Multivector> &motor) {
+	end.motor = motor;
+	refresh();
+}
+
+// Called when an end or the target changes. Errors that persist are printed again.
 void MultivectorLerp::refresh() {
 	for (End *end : { &_start, &_end }) {
 		end->known = false;
@@ -213,48 +211,6 @@ void MultivectorLerp::update_target() {
 	}
 }
 
-void MultivectorLerp::set_start(const NodePath &path) {
-	set_path(_start, path);
-}
-
-NodePath MultivectorLerp::get_start() const {
-	return _start.path;
-}
-
-void MultivectorLerp::set_end(const NodePath &path) {
-	set_path(_end, path);
-}
-
-NodePath MultivectorLerp::get_end() const {
-	return _end.path;
-}
-
-void MultivectorLerp::set_target(const NodePath &path) {
-	set_path(_target, path);
-}
-
-NodePath MultivectorLerp::get_target() const {
-	return _target.path;
-}
-
-void MultivectorLerp::set_start_motor(const Ref<Multivector> &motor) {
-	_start.motor = motor;
-	refresh();
-}
-
-Ref<Multivector> MultivectorLerp::get_start_motor() const {
-	return _start.motor;
-}
-
-void MultivectorLerp::set_end_motor(const Ref<Multivector> &motor) {
-	_end.motor = motor;
-	refresh();
-}
-
-Ref<Multivector> MultivectorLerp::get_end_motor() const {
-	return _end.motor;
-}
-
 void MultivectorLerp::set_factor(double factor) {
 	ERR_FAIL_COND_MSG(!std::isfinite(factor), "MultivectorLerp: factor must be finite; it is unchanged.");
 	_factor = std::clamp(factor, 0.0, 1.0);
@@ -262,8 +218,9 @@ void MultivectorLerp::set_factor(double factor) {
 	update_target();
 }
 
-double MultivectorLerp::get_factor() const {
-	return _factor;
+void MultivectorLerp::set_local(bool local) {
+	_local = local;
+	refresh();
 }
 
 void MultivectorLerp::set_mode(Mode mode) {
@@ -273,34 +230,9 @@ void MultivectorLerp::set_mode(Mode mode) {
 	update_target();
 }
 
-MultivectorLerp::Mode MultivectorLerp::get_mode() const {
-	return _mode;
-}
-
-void MultivectorLerp::set_local(bool local) {
-	_local = local;
-	refresh();
-}
-
-bool MultivectorLerp::is_local() const {
-	return _local;
-}
-
-void MultivectorLerp::set_auto_play(bool auto_play) {
-	_auto_play = auto_play;
-}
-
-bool MultivectorLerp::is_auto_play() const {
-	return _auto_play;
-}
-
 void MultivectorLerp::set_duration(double seconds) {
 	ERR_FAIL_COND_MSG(!std::isfinite(seconds) || !(seconds > 0.0), vformat("MultivectorLerp: duration must be a positive number of seconds, not %f.", seconds));
 	_duration = seconds;
-}
-
-double MultivectorLerp::get_duration() const {
-	return _duration;
 }
 
 PackedStringArray MultivectorLerp::_get_configuration_warnings() const {
@@ -337,26 +269,6 @@ void MultivectorLerp::_bind_methods() {
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate_transform", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate_transform);
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("measure_deviation", "from", "to", "first", "second", "lever_arm"), &MultivectorLerp::measure_deviation, DEFVAL(1.0));
 
-	ClassDB::bind_method(D_METHOD("set_start", "path"), &MultivectorLerp::set_start);
-	ClassDB::bind_method(D_METHOD("get_start"), &MultivectorLerp::get_start);
-	ClassDB::bind_method(D_METHOD("set_end", "path"), &MultivectorLerp::set_end);
-	ClassDB::bind_method(D_METHOD("get_end"), &MultivectorLerp::get_end);
-	ClassDB::bind_method(D_METHOD("set_target", "path"), &MultivectorLerp::set_target);
-	ClassDB::bind_method(D_METHOD("get_target"), &MultivectorLerp::get_target);
-	ClassDB::bind_method(D_METHOD("set_start_motor", "motor"), &MultivectorLerp::set_start_motor);
-	ClassDB::bind_method(D_METHOD("get_start_motor"), &MultivectorLerp::get_start_motor);
-	ClassDB::bind_method(D_METHOD("set_end_motor", "motor"), &MultivectorLerp::set_end_motor);
-	ClassDB::bind_method(D_METHOD("get_end_motor"), &MultivectorLerp::get_end_motor);
-	ClassDB::bind_method(D_METHOD("set_factor", "factor"), &MultivectorLerp::set_factor);
-	ClassDB::bind_method(D_METHOD("get_factor"), &MultivectorLerp::get_factor);
-	ClassDB::bind_method(D_METHOD("set_mode", "mode"), &MultivectorLerp::set_mode);
-	ClassDB::bind_method(D_METHOD("get_mode"), &MultivectorLerp::get_mode);
-	ClassDB::bind_method(D_METHOD("set_local", "local"), &MultivectorLerp::set_local);
-	ClassDB::bind_method(D_METHOD("is_local"), &MultivectorLerp::is_local);
-	ClassDB::bind_method(D_METHOD("set_auto_play", "auto_play"), &MultivectorLerp::set_auto_play);
-	ClassDB::bind_method(D_METHOD("is_auto_play"), &MultivectorLerp::is_auto_play);
-	ClassDB::bind_method(D_METHOD("set_duration", "seconds"), &MultivectorLerp::set_duration);
-	ClassDB::bind_method(D_METHOD("get_duration"), &MultivectorLerp::get_duration);
 	ClassDB::bind_method(D_METHOD("play"), &MultivectorLerp::play);
 	ClassDB::bind_method(D_METHOD("stop"), &MultivectorLerp::stop);
 	ClassDB::bind_method(D_METHOD("is_playing"), &MultivectorLerp::is_playing);
@@ -365,16 +277,16 @@ void MultivectorLerp::_bind_methods() {
 	using godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES;
 	using godot::PROPERTY_HINT_RANGE;
 	using godot::PROPERTY_HINT_RESOURCE_TYPE;
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "start", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_start", "get_start");
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "end", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_end", "get_end");
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "start_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"), "set_start_motor", "get_start_motor");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "end_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"), "set_end_motor", "get_end_motor");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "factor", PROPERTY_HINT_RANGE, "0,1,0.001"), "set_factor", "get_factor");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"), "set_mode", "get_mode");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "local"), "set_local", "is_local");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "auto_play"), "set_auto_play", "is_auto_play");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,60,0.01,or_greater,suffix:s"), "set_duration", "get_duration");
+	bind_property("path", &MultivectorLerp::set_start, &MultivectorLerp::get_start, PropertyInfo(Variant::NODE_PATH, "start", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("path", &MultivectorLerp::set_end, &MultivectorLerp::get_end, PropertyInfo(Variant::NODE_PATH, "end", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("path", &MultivectorLerp::set_target, &MultivectorLerp::get_target, PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("motor", &MultivectorLerp::set_start_motor, &MultivectorLerp::get_start_motor, PropertyInfo(Variant::OBJECT, "start_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
+	bind_property("motor", &MultivectorLerp::set_end_motor, &MultivectorLerp::get_end_motor, PropertyInfo(Variant::OBJECT, "end_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
+	bind_property("factor", &MultivectorLerp::set_factor, &MultivectorLerp::get_factor, PropertyInfo(Variant::FLOAT, "factor", PROPERTY_HINT_RANGE, "0,1,0.001"));
+	bind_property("mode", &MultivectorLerp::set_mode, &MultivectorLerp::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
+	bind_property("local", &MultivectorLerp::set_local, &MultivectorLerp::is_local, PropertyInfo(Variant::BOOL, "local"));
+	bind_property("auto_play", &MultivectorLerp::set_auto_play, &MultivectorLerp::is_auto_play, PropertyInfo(Variant::BOOL, "auto_play"));
+	bind_property("seconds", &MultivectorLerp::set_duration, &MultivectorLerp::get_duration, PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,60,0.01,or_greater,suffix:s"));
 
 	ADD_SIGNAL(godot::MethodInfo("finished"));
 }

@@ -19,7 +19,7 @@ class MultivectorLerp : public godot::Node {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	/// The values of cga::Mode. The underlying type is fixed, because a script may pass any int, which the error message shows.
+	/// The values of cga::Mode. The underlying type is fixed, so that it can hold any int that a script passes.
 	enum Mode : int {
 		LINEAR,
 		SCREW,
@@ -30,30 +30,30 @@ public:
 	static godot::Transform3D interpolate_transform(const godot::Transform3D &from, const godot::Transform3D &to, double weight, Mode mode);
 	static godot::Dictionary measure_deviation(const godot::Ref<Multivector> &from, const godot::Ref<Multivector> &to, Mode first, Mode second, double lever_arm);
 
-	void set_start(const godot::NodePath &path);
-	godot::NodePath get_start() const;
-	void set_end(const godot::NodePath &path);
-	godot::NodePath get_end() const;
-	void set_target(const godot::NodePath &path);
-	godot::NodePath get_target() const;
-	void set_start_motor(const godot::Ref<Multivector> &motor);
-	godot::Ref<Multivector> get_start_motor() const;
-	void set_end_motor(const godot::Ref<Multivector> &motor);
-	godot::Ref<Multivector> get_end_motor() const;
+	void set_start(const godot::NodePath &path) { set_path(_start, path); }
+	godot::NodePath get_start() const { return _start.path; }
+	void set_end(const godot::NodePath &path) { set_path(_end, path); }
+	godot::NodePath get_end() const { return _end.path; }
+	void set_target(const godot::NodePath &path) { set_path(_target, path); }
+	godot::NodePath get_target() const { return _target.path; }
+	void set_start_motor(const godot::Ref<Multivector> &motor) { set_motor(_start, motor); }
+	godot::Ref<Multivector> get_start_motor() const { return _start.motor; }
+	void set_end_motor(const godot::Ref<Multivector> &motor) { set_motor(_end, motor); }
+	godot::Ref<Multivector> get_end_motor() const { return _end.motor; }
 	void set_factor(double factor);
-	double get_factor() const;
+	double get_factor() const { return _factor; }
 	void set_mode(Mode mode);
-	Mode get_mode() const;
+	Mode get_mode() const { return _mode; }
 	void set_local(bool local);
-	bool is_local() const;
-	void set_auto_play(bool auto_play);
-	bool is_auto_play() const;
+	bool is_local() const { return _local; }
+	void set_auto_play(bool auto_play) { _auto_play = auto_play; }
+	bool is_auto_play() const { return _auto_play; }
 	void set_duration(double seconds);
-	double get_duration() const;
+	double get_duration() const { return _duration; }
 
 	void play();
-	void stop();
-	bool is_playing() const;
+	void stop() { _playing = false; }
+	bool is_playing() const { return _playing; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
@@ -68,7 +68,7 @@ private:
 		godot::NodePath path;
 		uint64_t id = 0; // 0 if not resolved
 		godot::Node3D *node = nullptr; // valid only while the engine knows the id
-		bool lost = false; // could not be resolved, which was reported
+		bool lost = false; // could not be resolved; the error has been printed
 	};
 
 	/// One end of the motion: the motor if it is set, else the node. An end at rest costs one comparison per frame.
@@ -77,11 +77,12 @@ private:
 		uint64_t motor_revision = 0;
 		godot::Transform3D transform;
 		cga::Pose<double> pose;
-		bool known = false; // transform or motor_revision was read into pose
-		bool faulty = false; // it has no pose, which was reported
+		bool known = false; // pose is that of transform or motor_revision
+		bool faulty = false; // has no pose; the error has been printed
 	};
 
 	void set_path(NodeLink &link, const godot::NodePath &path);
+	void set_motor(End &end, const godot::Ref<Multivector> &motor);
 	void refresh();
 	godot::Node3D *find_node(NodeLink &link, const char *name);
 	bool update_end(End &end, const char *name);

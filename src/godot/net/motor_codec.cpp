@@ -1,7 +1,7 @@
 #include "godot/net/motor_codec.hpp"
 
 #include "godot/algebra/conversions.hpp"
-#include "godot/net/packed_bytes.hpp"
+#include "godot/bind_property.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -12,11 +12,9 @@
 
 namespace ga_godot {
 
-using godot::Array;
 using godot::Dictionary;
 using godot::PackedByteArray;
 using godot::PackedInt32Array;
-using godot::String;
 using godot::Transform3D;
 using godot::TypedArray;
 using godot::vformat;
@@ -26,17 +24,9 @@ void MotorCodec::set_position_tolerance(double meters) {
 	_tolerance.position = float(meters);
 }
 
-double MotorCodec::get_position_tolerance() const {
-	return _tolerance.position;
-}
-
 void MotorCodec::set_rotation_tolerance(double degrees) {
 	ERR_FAIL_COND_MSG(!std::isfinite(degrees) || !(float(degrees) >= net::MIN_ROTATION_TOLERANCE), vformat("MotorCodec: rotation_tolerance is %f, but must be at least %f degrees.", degrees, net::MIN_ROTATION_TOLERANCE));
 	_tolerance.rotation = float(degrees);
-}
-
-double MotorCodec::get_rotation_tolerance() const {
-	return _tolerance.rotation;
 }
 
 PackedByteArray MotorCodec::encode(const PackedInt32Array &ids, const TypedArray<Transform3D> &transforms) {
@@ -81,12 +71,8 @@ void MotorCodec::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	ClassDB::bind_method(D_METHOD("set_position_tolerance", "meters"), &MotorCodec::set_position_tolerance);
-	ClassDB::bind_method(D_METHOD("get_position_tolerance"), &MotorCodec::get_position_tolerance);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "position_tolerance", godot::PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"), "set_position_tolerance", "get_position_tolerance");
-	ClassDB::bind_method(D_METHOD("set_rotation_tolerance", "degrees"), &MotorCodec::set_rotation_tolerance);
-	ClassDB::bind_method(D_METHOD("get_rotation_tolerance"), &MotorCodec::get_rotation_tolerance);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rotation_tolerance", godot::PROPERTY_HINT_RANGE, "0.01,5,0.01,or_greater,suffix:°"), "set_rotation_tolerance", "get_rotation_tolerance");
+	bind_property("meters", &MotorCodec::set_position_tolerance, &MotorCodec::get_position_tolerance, PropertyInfo(Variant::FLOAT, "position_tolerance", godot::PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
+	bind_property("degrees", &MotorCodec::set_rotation_tolerance, &MotorCodec::get_rotation_tolerance, PropertyInfo(Variant::FLOAT, "rotation_tolerance", godot::PROPERTY_HINT_RANGE, "0.01,5,0.01,or_greater,suffix:°"));
 	ClassDB::bind_method(D_METHOD("encode", "ids", "transforms"), &MotorCodec::encode);
 	ClassDB::bind_method(D_METHOD("decode", "packet"), &MotorCodec::decode);
 }

@@ -20,9 +20,9 @@ class MotorCodec : public godot::RefCounted {
 
 public:
 	void set_position_tolerance(double meters);
-	double get_position_tolerance() const;
+	double get_position_tolerance() const { return _tolerance.position; }
 	void set_rotation_tolerance(double degrees);
-	double get_rotation_tolerance() const;
+	double get_rotation_tolerance() const { return _tolerance.rotation; }
 
 	godot::PackedByteArray encode(const godot::PackedInt32Array &ids, const godot::TypedArray<godot::Transform3D> &transforms);
 	godot::Dictionary decode(const godot::PackedByteArray &packet);

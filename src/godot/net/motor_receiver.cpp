@@ -1,7 +1,6 @@
 #include "godot/net/motor_receiver.hpp"
 
 #include "godot/algebra/conversions.hpp"
-#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -35,10 +34,6 @@ void MotorReceiver::set_max_bodies(int64_t count) {
 	clear();
 }
 
-int64_t MotorReceiver::get_max_bodies() const {
-	return _max_bodies;
-}
-
 String MotorReceiver::accept(const PackedByteArray &packet, double now) {
 	ERR_FAIL_COND_V_MSG(!std::isfinite(now), "the time is not finite", "MotorReceiver.accept: the time is not finite.");
 	const net::PacketResult result = _receiver.accept(packet.ptr(), size_t(packet.size()), now);
@@ -49,10 +44,6 @@ PackedByteArray MotorReceiver::take_ack(double now) {
 	ERR_FAIL_COND_V_MSG(!std::isfinite(now), PackedByteArray(), "MotorReceiver.take_ack: the time is not finite.");
 	_receiver.take_ack(_ack, now);
 	return to_packed(_ack.data(), _ack.size());
-}
-
-bool MotorReceiver::is_ready() const {
-	return _receiver.is_ready();
 }
 
 void MotorReceiver::advance(double now) {
@@ -74,10 +65,6 @@ Transform3D MotorReceiver::get_transform(int64_t id) const {
 	return to_godot(*pose);
 }
 
-bool MotorReceiver::has_body(int64_t id) const {
-	return find_pose(id).has_value();
-}
-
 PackedInt32Array MotorReceiver::get_bodies() const {
 	const std::vector<uint32_t> ids = _receiver.bodies();
 	PackedInt32Array result;
@@ -86,14 +73,6 @@ PackedInt32Array MotorReceiver::get_bodies() const {
 		result.set(int64_t(i), int32_t(ids[i]));
 	}
 	return result;
-}
-
-double MotorReceiver::get_media_time() const {
-	return _receiver.is_ready() ? _receiver.media_time() : 0.0;
-}
-
-double MotorReceiver::get_known_time() const {
-	return _receiver.is_ready() ? _receiver.known_time() : 0.0;
 }
 
 void MotorReceiver::limits_changed() {
@@ -121,9 +100,7 @@ void MotorReceiver::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	ClassDB::bind_method(D_METHOD("set_max_bodies", "count"), &MotorReceiver::set_max_bodies);
-	ClassDB::bind_method(D_METHOD("get_max_bodies"), &MotorReceiver::get_max_bodies);
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"), "set_max_bodies", "get_max_bodies");
+	bind_property("count", &MotorReceiver::set_max_bodies, &MotorReceiver::get_max_bodies, PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"));
 	bind_playback_properties();
 	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
 	ClassDB::bind_method(D_METHOD("take_ack", "now"), &MotorReceiver::take_ack);

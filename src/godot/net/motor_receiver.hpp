@@ -25,18 +25,18 @@ public:
 	MotorReceiver();
 
 	void set_max_bodies(int64_t count);
-	int64_t get_max_bodies() const;
+	int64_t get_max_bodies() const { return _max_bodies; }
 
 	godot::String accept(const godot::PackedByteArray &packet, double now);
 	godot::PackedByteArray take_ack(double now);
-	bool is_ready() const;
+	bool is_ready() const { return _receiver.is_ready(); }
 	void advance(double now);
 
 	godot::Transform3D get_transform(int64_t id) const;
-	bool has_body(int64_t id) const;
+	bool has_body(int64_t id) const { return find_pose(id).has_value(); }
 	godot::PackedInt32Array get_bodies() const;
-	double get_media_time() const;
-	double get_known_time() const;
+	double get_media_time() const { return is_ready() ? _receiver.media_time() : 0.0; }
+	double get_known_time() const { return is_ready() ? _receiver.known_time() : 0.0; }
 	void clear();
 	godot::Dictionary get_statistics() const;
 
@@ -45,7 +45,6 @@ protected:
 
 private:
 	void limits_changed();
-
 	[[nodiscard]] std::optional<cga::Pose<double>> find_pose(int64_t id) const;
 
 	int64_t _max_bodies = 65536;

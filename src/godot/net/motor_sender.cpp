@@ -1,6 +1,5 @@
 #include "godot/net/motor_sender.hpp"
 
-#include "godot/net/packed_bytes.hpp"
 #include "net/pose_codec.hpp"
 
 namespace ga_godot {
@@ -28,14 +27,6 @@ void MotorSender::set_ticks_per_second(double hertz) {
 	settings_changed();
 }
 
-double MotorSender::get_ticks_per_second() const {
-	return 1.0 / _settings.tick;
-}
-
-void MotorSender::settings_changed() {
-	_sender.set_settings(_settings);
-}
-
 bool MotorSender::add_body(int64_t id, const Transform3D &transform) {
 	ERR_FAIL_COND_V_MSG(!is_body(id), false, vformat("MotorSender.add_body: id is %d, but must be 0 to 2147483647.", id));
 	ERR_FAIL_COND_V_MSG(_sender.has_body(uint32_t(id)), false, vformat("MotorSender.add_body: body %d exists already.", id));
@@ -51,10 +42,6 @@ bool MotorSender::remove_body(int64_t id) {
 
 bool MotorSender::has_body(int64_t id) const {
 	return is_body(id) && _sender.has_body(uint32_t(id));
-}
-
-int64_t MotorSender::get_body_count() const {
-	return int64_t(_sender.body_count());
 }
 
 bool MotorSender::observe(int64_t id, double time, const Transform3D &transform) {
@@ -121,18 +108,12 @@ Dictionary MotorSender::get_statistics(int64_t receiver) const {
 	return result;
 }
 
-int64_t MotorSender::get_moving_count() const {
-	return int64_t(_sender.moving_count());
-}
-
 void MotorSender::_bind_methods() {
 	using godot::ClassDB;
 	using godot::D_METHOD;
 
 	bind_stream_properties();
-	ClassDB::bind_method(D_METHOD("set_ticks_per_second", "hertz"), &MotorSender::set_ticks_per_second);
-	ClassDB::bind_method(D_METHOD("get_ticks_per_second"), &MotorSender::get_ticks_per_second);
-	ADD_PROPERTY(godot::PropertyInfo(godot::Variant::FLOAT, "ticks_per_second", godot::PROPERTY_HINT_RANGE, "1,240,1,or_greater,suffix:Hz"), "set_ticks_per_second", "get_ticks_per_second");
+	bind_property("hertz", &MotorSender::set_ticks_per_second, &MotorSender::get_ticks_per_second, godot::PropertyInfo(godot::Variant::FLOAT, "ticks_per_second", godot::PROPERTY_HINT_RANGE, "1,240,1,or_greater,suffix:Hz"));
 	ClassDB::bind_method(D_METHOD("add_body", "id", "transform"), &MotorSender::add_body);
 	ClassDB::bind_method(D_METHOD("remove_body", "id"), &MotorSender::remove_body);
 	ClassDB::bind_method(D_METHOD("has_body", "id"), &MotorSender::has_body);

@@ -20,12 +20,12 @@ class MotorSender : public godot::RefCounted, public StreamProperties<MotorSende
 
 public:
 	void set_ticks_per_second(double hertz);
-	double get_ticks_per_second() const;
+	double get_ticks_per_second() const { return 1.0 / _settings.tick; }
 
 	bool add_body(int64_t id, const godot::Transform3D &transform);
 	bool remove_body(int64_t id);
 	bool has_body(int64_t id) const;
-	int64_t get_body_count() const;
+	int64_t get_body_count() const { return int64_t(_sender.body_count()); }
 	bool observe(int64_t id, double time, const godot::Transform3D &transform);
 	bool teleport(int64_t id);
 
@@ -36,13 +36,13 @@ public:
 	godot::TypedArray<godot::Dictionary> flush(double time);
 	godot::String accept(int64_t receiver, const godot::PackedByteArray &packet, double time);
 	godot::Dictionary get_statistics(int64_t receiver) const;
-	int64_t get_moving_count() const;
+	int64_t get_moving_count() const { return int64_t(_sender.moving_count()); }
 
 protected:
 	static void _bind_methods();
 
 private:
-	void settings_changed();
+	void settings_changed() { _sender.set_settings(_settings); }
 
 	net::Sender _sender{ _settings };
 };

@@ -1,6 +1,5 @@
 #include "godot/net/motor_synchronizer.hpp"
 
-#include "godot/net/packed_bytes.hpp"
 #include "godot/net/setup_warnings.hpp"
 #include "net/session/path_hash.hpp"
 

@@ -1,6 +1,7 @@
 #include "godot/net/setup_warnings.hpp"
 
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/target.hpp"
 
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
 #include <godot_cpp/classes/scene_replication_config.hpp>
@@ -115,7 +116,7 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
-		if (const Node3D *node = Object::cast_to<Node3D>(path.is_empty() ? nullptr : synchronizer.get_node_or_null(path))) {
+		if (const Node3D *node = find_node(synchronizer, path)) {
 			nodes.push_back(node);
 		} else {
 			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D.", i, path));

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/bind_property.hpp"
 #include "godot/motion/multivector_lerp.hpp"
 #include "net/stream/stream_settings.hpp"
 
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
@@ -17,28 +17,13 @@ namespace ga_godot {
 template <class Self>
 class StreamProperties {
 public:
-	void set_position_tolerance(double meters) {
-		ERR_FAIL_COND_MSG(!is_positive(meters), godot::vformat("%s: position_tolerance is %f, but must be a positive number of meters.", Self::get_class_static(), meters));
-		set(_settings.position_tolerance, meters);
-	}
+	void set_position_tolerance(double meters) { set_positive(_settings.position_tolerance, meters, "position_tolerance", "meters"); }
 	double get_position_tolerance() const { return _settings.position_tolerance; }
-
-	void set_rotation_tolerance(double degrees) {
-		ERR_FAIL_COND_MSG(!is_positive(degrees), godot::vformat("%s: rotation_tolerance is %f, but must be a positive number of degrees.", Self::get_class_static(), degrees));
-		set(_settings.rotation_tolerance, degrees);
-	}
+	void set_rotation_tolerance(double degrees) { set_positive(_settings.rotation_tolerance, degrees, "rotation_tolerance", "degrees"); }
 	double get_rotation_tolerance() const { return _settings.rotation_tolerance; }
-
-	void set_max_latency(double seconds) {
-		ERR_FAIL_COND_MSG(!is_positive(seconds), godot::vformat("%s: max_latency is %f, but must be a positive number of seconds.", Self::get_class_static(), seconds));
-		set(_settings.max_latency, seconds);
-	}
+	void set_max_latency(double seconds) { set_positive(_settings.max_latency, seconds, "max_latency", "seconds"); }
 	double get_max_latency() const { return _settings.max_latency; }
-
-	void set_send_rate(double hertz) {
-		ERR_FAIL_COND_MSG(!is_positive(hertz), godot::vformat("%s: send_rate is %f, but must be a positive number of packets per second.", Self::get_class_static(), hertz));
-		set(_settings.send_rate, hertz);
-	}
+	void set_send_rate(double hertz) { set_positive(_settings.send_rate, hertz, "send_rate", "packets per second"); }
 	double get_send_rate() const { return _settings.send_rate; }
 
 	void set_mode(MultivectorLerp::Mode mode) {
@@ -55,11 +40,11 @@ protected:
 		using godot::PROPERTY_HINT_RANGE;
 		using godot::PropertyInfo;
 		using godot::Variant;
-		bind_property<double>("position_tolerance", "meters", &Self::set_position_tolerance, &Self::get_position_tolerance, PropertyInfo(Variant::FLOAT, "position_tolerance", PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
-		bind_property<double>("rotation_tolerance", "degrees", &Self::set_rotation_tolerance, &Self::get_rotation_tolerance, PropertyInfo(Variant::FLOAT, "rotation_tolerance", PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:°"));
-		bind_property<double>("max_latency", "seconds", &Self::set_max_latency, &Self::get_max_latency, PropertyInfo(Variant::FLOAT, "max_latency", PROPERTY_HINT_RANGE, "0.02,1,0.01,or_greater,suffix:s"));
-		bind_property<double>("send_rate", "hertz", &Self::set_send_rate, &Self::get_send_rate, PropertyInfo(Variant::FLOAT, "send_rate", PROPERTY_HINT_RANGE, "1,60,1,or_greater,suffix:Hz"));
-		bind_property<MultivectorLerp::Mode>("mode", "mode", &Self::set_mode, &Self::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
+		bind_property<Self, double, double>("meters", &Self::set_position_tolerance, &Self::get_position_tolerance, PropertyInfo(Variant::FLOAT, "position_tolerance", PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
+		bind_property<Self, double, double>("degrees", &Self::set_rotation_tolerance, &Self::get_rotation_tolerance, PropertyInfo(Variant::FLOAT, "rotation_tolerance", PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:°"));
+		bind_property<Self, double, double>("seconds", &Self::set_max_latency, &Self::get_max_latency, PropertyInfo(Variant::FLOAT, "max_latency", PROPERTY_HINT_RANGE, "0.02,1,0.01,or_greater,suffix:s"));
+		bind_property<Self, double, double>("hertz", &Self::set_send_rate, &Self::get_send_rate, PropertyInfo(Variant::FLOAT, "send_rate", PROPERTY_HINT_RANGE, "1,60,1,or_greater,suffix:Hz"));
+		bind_property<Self, MultivectorLerp::Mode, MultivectorLerp::Mode>("mode", &Self::set_mode, &Self::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
 	}
 
 	net::StreamSettings _settings;
@@ -73,14 +58,9 @@ private:
 		}
 	}
 
-	/// Binds methods of this base class as methods of Self, the registered class.
-	template <class T>
-	static void bind_property(const char *name, const char *argument, void (Self::*setter)(T), T (Self::*getter)() const, const godot::PropertyInfo &info) {
-		const godot::String setter_name = godot::vformat("set_%s", name);
-		const godot::String getter_name = godot::vformat("get_%s", name);
-		godot::ClassDB::bind_method(godot::D_METHOD(godot::StringName(setter_name), argument), setter);
-		godot::ClassDB::bind_method(godot::D_METHOD(godot::StringName(getter_name)), getter);
-		godot::ClassDB::add_property(Self::get_class_static(), info, setter_name, getter_name);
+	void set_positive(double &setting, double value, const char *name, const char *units) {
+		ERR_FAIL_COND_MSG(!is_positive(value), godot::vformat("%s: %s is %f, but must be a positive number of %s.", Self::get_class_static(), name, value, units));
+		set(setting, value);
 	}
 };
 

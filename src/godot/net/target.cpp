@@ -10,6 +10,7 @@ namespace ga_godot {
 
 using godot::Node;
 using godot::Node3D;
+using godot::NodePath;
 using godot::Object;
 using godot::ObjectDB;
 using godot::String;
@@ -18,6 +19,10 @@ using godot::vformat;
 
 Node3D *find_node(uint64_t id) {
 	return Object::cast_to<Node3D>(ObjectDB::get_instance(id));
+}
+
+Node3D *find_node(const Node &from, const NodePath &path) {
+	return path.is_empty() ? nullptr : Object::cast_to<Node3D>(from.get_node_or_null(path));
 }
 
 std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform, const String &synchronizer) {

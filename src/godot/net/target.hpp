@@ -1,6 +1,7 @@
 #pragma once
 
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
@@ -13,6 +14,8 @@ namespace ga_godot {
 
 /// The node with an instance id; null if it has been freed or is not a Node3D.
 [[nodiscard]] godot::Node3D *find_node(uint64_t id);
+/// The node at a path; null if there is none or it is not a Node3D.
+[[nodiscard]] godot::Node3D *find_node(const godot::Node &from, const godot::NodePath &path);
 
 /// A node that a MotorSynchronizer replicates and that is in the tree.
 class Target {
@@ -26,13 +29,14 @@ public:
 
 	/// Forgets the last transform, so that the next one counts as changed.
 	void forget_transform() { _is_sampled = false; }
-	/// True if the node is where it was at the last `read_pose`.
+	/// True if the transform is that of the last `read_pose`.
 	[[nodiscard]] bool is_unchanged(const godot::Transform3D &transform) const { return _is_sampled && transform == _transform; }
-	/// The pose of the node's current transform. Reports, once each, a transform that is not a pose, and a non-uniform scale.
+	/// The pose of a transform of the node. Prints an error if it has no pose, and a warning if the scale is non-uniform;
+	/// each once.
 	[[nodiscard]] std::optional<cga::Pose<double>> read_pose(const godot::Transform3D &transform, const godot::String &synchronizer);
-	/// Reports once that the pose is out of range for a stream.
+	/// Prints once that the pose is out of range for a stream.
 	void report_out_of_range(const godot::String &synchronizer);
-	/// Call when the stream accepts a pose, so that the next fault is reported again.
+	/// Call when the stream accepts a pose, so that the next error is printed again.
 	void clear_fault() { _is_faulty = false; }
 
 	/// Sets the node's transform to the one shown by its stream.
@@ -45,8 +49,8 @@ private:
 
 	godot::Transform3D _transform; // of the last sample
 	bool _is_sampled = false;
-	bool _is_faulty = false; // a fault of the transform has been reported
-	bool _is_non_uniform = false; // a non-uniform scale has been reported
+	bool _is_faulty = false; // an error of the transform has been printed
+	bool _is_non_uniform = false; // the warning about a non-uniform scale has been printed
 	int32_t _own_interpolation = -1; // physics_interpolation_mode before the stream moved the node
 };
 

@@ -1,5 +1,7 @@
 #include "godot/net/target_selection.hpp"
 
+#include "godot/net/target.hpp"
+
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
 
@@ -35,10 +37,6 @@ static void erase_freed(std::vector<uint64_t> &ids) {
 	ids.erase(std::remove_if(ids.begin(), ids.end(), [](uint64_t id) { return ObjectDB::get_instance(id) == nullptr; }), ids.end());
 }
 
-static Node3D *resolve(const Node &synchronizer, const NodePath &path) {
-	return path.is_empty() ? nullptr : Object::cast_to<Node3D>(synchronizer.get_node_or_null(path));
-}
-
 void TargetSelection::set_paths(const TypedArray<NodePath> &paths) {
 	_paths = paths;
 	_is_stale = true;
@@ -70,7 +68,7 @@ bool TargetSelection::selects(const Node &synchronizer, const Node3D *node) cons
 		return true;
 	}
 	for (int64_t i = 0; i < _paths.size(); i++) {
-		if (resolve(synchronizer, _paths[i]) == node) {
+		if (find_node(synchronizer, _paths[i]) == node) {
 			return true;
 		}
 	}
@@ -84,7 +82,7 @@ bool TargetSelection::is_refresh_due(const Node &synchronizer) {
 	if (_group != StringName() && synchronizer.get_tree()->get_node_count_in_group(_group) != _group_count) {
 		return true;
 	}
-	return std::any_of(_unresolved.begin(), _unresolved.end(), [&](const NodePath &path) { return resolve(synchronizer, path) != nullptr; });
+	return std::any_of(_unresolved.begin(), _unresolved.end(), [&](const NodePath &path) { return find_node(synchronizer, path) != nullptr; });
 }
 
 std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const String &root) {
@@ -104,14 +102,14 @@ std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const Stri
 	_unresolved.clear();
 	for (int64_t i = 0; i < _paths.size(); i++) {
 		const NodePath path = _paths[i];
-		if (Node3D *node = resolve(synchronizer, path)) {
+		if (Node3D *node = find_node(synchronizer, path)) {
 			gather(node);
 		} else if (!path.is_empty()) {
 			_unresolved.push_back(path);
 		}
 	}
 	for (const uint64_t id : _added) {
-		gather(Object::cast_to<Node3D>(ObjectDB::get_instance(id)));
+		gather(find_node(id));
 	}
 	if (_group != StringName()) {
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(_group);

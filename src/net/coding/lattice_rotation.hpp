@@ -2,6 +2,7 @@
 
 #include "cga/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -12,7 +13,7 @@ namespace net {
 struct LatticeRotation {
 	static constexpr int BITS = 18; ///< bits per level, including the sign
 	static constexpr double STEPS = 131072.0;
-	static constexpr int32_t MAX_LEVEL = 92690; ///< a little over sqrt(1/2)
+	static constexpr int32_t MAX_LEVEL = 92690; ///< slightly above sqrt(1/2)
 
 	uint8_t dropped = 3; ///< index in (x, y, z, w) of the largest component, which is positive and not stored
 	int32_t level[3] = { 0, 0, 0 }; ///< the other components times STEPS
@@ -36,12 +37,7 @@ struct LatticeRotation {
 
 	/// False if no unit quaternion has these components.
 	[[nodiscard]] bool is_valid() const {
-		for (const int32_t value : level) {
-			if (value < -MAX_LEVEL || value > MAX_LEVEL) {
-				return false;
-			}
-		}
-		return dropped < 4 && dropped_squared() > 0.0;
+		return dropped < 4 && std::all_of(level, level + 3, [](int32_t value) { return value >= -MAX_LEVEL && value <= MAX_LEVEL; }) && dropped_squared() > 0.0;
 	}
 
 	[[nodiscard]] cga::Quaternion<double> value() const {

@@ -65,8 +65,4 @@ std::optional<int32_t> quantize_scale(float scale) {
 	return int32_t(level);
 }
 
-float dequantize_scale(int32_t level) {
-	return float(std::exp2(level / SCALE_LEVELS_PER_OCTAVE));
-}
-
 } // namespace net

@@ -55,6 +55,8 @@ inline constexpr int32_t MAX_SCALE_LEVEL = (1 << (SCALE_BITS - 1)) - 1;
 
 /// Returns std::nullopt if the scale is not positive or out of range.
 [[nodiscard]] std::optional<int32_t> quantize_scale(float scale);
-[[nodiscard]] float dequantize_scale(int32_t level);
+[[nodiscard]] inline float dequantize_scale(int32_t level) {
+	return float(std::exp2(level / SCALE_LEVELS_PER_OCTAVE));
+}
 
 } // namespace net

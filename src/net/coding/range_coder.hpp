@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,7 +55,7 @@ public:
 	explicit RangeEncoder(std::vector<uint8_t> &bytes) :
 			_bytes(bytes), _begin(bytes.size()) {}
 
-	void bit(AdaptiveBit &model, bool &value) {
+	void bit(AdaptiveBit &model, bool value) {
 		const uint32_t bound = (_range >> 12) * model.probability();
 		if (value) {
 			_low += bound;
@@ -66,7 +68,7 @@ public:
 	}
 
 	/// Codes the low `count` bits of `value` with equal probabilities; 0 <= count <= 32.
-	void bits(uint32_t &value, int count) {
+	void bits(uint32_t value, int count) {
 		for (int i = count - 1; i >= 0; --i) {
 			_range >>= 1;
 			if (((value >> i) & 1) != 0) {
@@ -164,6 +166,12 @@ public:
 		}
 	}
 
+	[[nodiscard]] uint32_t read_bits(int count) {
+		uint32_t value = 0;
+		bits(value, count);
+		return value;
+	}
+
 	/// Number of bytes read past the end; more than 4 only if RangeEncoder did not write the input.
 	[[nodiscard]] size_t overrun() const { return _overrun; }
 
@@ -203,7 +211,18 @@ public:
 
 private:
 	/// -256 log2(p / 256) for p = 1 .. 256.
-	static const uint16_t *table();
+	static const uint16_t *table() {
+		static const std::array<uint16_t, 257> COSTS = [] {
+			std::array<uint16_t, 257> values{};
+			for (size_t i = 1; i <= 256; ++i) {
+				values[i] = uint16_t(std::lround(-256.0 * std::log2(double(i) / 256.0)));
+			}
+			values[0] = values[1];
+			return values;
+		}();
+		return COSTS.data();
+	}
+
 	uint32_t _cost = 0;
 };
 

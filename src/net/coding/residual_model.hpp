@@ -2,6 +2,8 @@
 
 #include "net/coding/range_coder.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -14,8 +16,7 @@ public:
 			_mean(start) {}
 
 	void add(int32_t value) {
-		const int32_t magnitude = value < 0 ? -value : value;
-		_mean += ((magnitude < MAX ? magnitude : MAX) * 256 - _mean) / 8;
+		_mean += (std::min(std::abs(value), MAX) * 256 - _mean) / 8;
 	}
 	[[nodiscard]] int32_t value() const { return _mean; }
 	void set_value(int32_t mean) { _mean = mean; }
@@ -36,7 +37,16 @@ public:
 	static constexpr int MAX_EXPONENT = 22;
 	static constexpr int32_t MAX_MAGNITUDE = 1 << 21; ///< of a decoded residual, even for malformed input
 
-	ResidualModel();
+	ResidualModel() {
+		const auto probability = [](double p) { return uint16_t(std::floor(p * 65535.0)); };
+		for (int context = 0; context < CONTEXTS; ++context) {
+			// With P(k) proportional to r^|k|, the mean of |k| is m = 2 r / (1 - r^2).
+			const double mean = CONTEXT_MEANS[context] / 256.0;
+			const double r = (std::sqrt(1.0 + mean * mean) - 1.0) / mean;
+			_is_zero[context] = AdaptiveBit(probability(1.0 - (1.0 - r) / (1.0 + r)));
+			std::fill_n(_is_larger[context], MAX_UNARY, AdaptiveBit(probability(1.0 - r)));
+		}
+	}
 
 	/// `Coder` is a RangeEncoder, a RangeDecoder (which sets `value`) or a CostMeter. `expected` is the expected magnitude in
 	/// units of 1/256.
@@ -51,7 +61,7 @@ public:
 		}
 		uint32_t negative = value < 0 ? 1 : 0;
 		coder.bits(negative, 1);
-		const uint32_t magnitude = uint32_t(value < 0 ? -value : value);
+		const auto magnitude = uint32_t(std::abs(value));
 		uint32_t coded = 1;
 		bool more = true;
 		for (; coded <= MAX_UNARY; ++coded) {
@@ -75,8 +85,8 @@ public:
 			coder.bits(low, exponent);
 			coded = MAX_UNARY + (1u << exponent) + low;
 		}
-		coded = coded < MAX_MAGNITUDE ? coded : MAX_MAGNITUDE;
-		value = negative != 0 ? -int32_t(coded) : int32_t(coded);
+		const int32_t bounded = std::min(int32_t(coded), MAX_MAGNITUDE);
+		value = negative != 0 ? -bounded : bounded;
 	}
 
 	/// Visits all adaptive bits.
@@ -94,7 +104,17 @@ public:
 	}
 
 private:
-	static int context_of(int32_t expected);
+	/// Expected magnitude of each context, in units of 1/256. Each is about 1.6 times the previous one.
+	static constexpr int32_t CONTEXT_MEANS[CONTEXTS] = { 16, 26, 43, 70, 115, 188, 308, 505, 828, 1357, 2225, 3649, 5984, 9813 };
+
+	static int context_of(int32_t expected) {
+		// Select the context whose mean is nearest by ratio. The boundary is at 1.25 times the lower mean.
+		int context = 0;
+		while (context < CONTEXTS - 1 && expected * 4 > CONTEXT_MEANS[context] * 5) {
+			++context;
+		}
+		return context;
+	}
 
 	AdaptiveBit _is_zero[CONTEXTS];
 	AdaptiveBit _is_larger[CONTEXTS][MAX_UNARY];

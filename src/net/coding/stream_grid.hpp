@@ -1,7 +1,5 @@
 #pragma once
 
-#include "net/stream/stream_settings.hpp"
-
 #include <cmath>
 
 namespace net {
@@ -16,7 +14,8 @@ struct StreamGrid {
 	/// Quantization of the end of a segment, in steps: COARSE by default, FINE in segments marked fine.
 	static constexpr int COARSE = 8;
 	static constexpr int FINE = 4;
-	/// Quantization of a curvature, in steps. It displaces the middle of a segment by a quarter of its value, other points by less.
+	/// Quantization of a curvature, in steps. A curvature displaces the middle of its segment by a quarter of its value, other
+	/// points by less.
 	static constexpr int CURVATURE = 28;
 	/// The tolerance in steps. The maximum rounding error of a fine end, (sqrt(3) + sqrt(2)) / 2 fine steps, is below it.
 	static constexpr double TOLERANCE = COARSE / 0.9;

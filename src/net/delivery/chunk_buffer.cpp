@@ -84,14 +84,11 @@ std::optional<WindowCheck> ChunkBuffer::take_window(std::vector<uint8_t> &window
 }
 
 uint8_t ChunkBuffer::first_missing() const {
-	uint8_t number = _next;
-	do {
-		if (!_slots[number].full) {
-			return number;
-		}
-		++number;
-	} while (number != _next);
-	return number;
+	int count = 0;
+	while (count < 256 && _slots[uint8_t(_next + count)].full) {
+		++count;
+	}
+	return uint8_t(_next + count);
 }
 
 AckItem ChunkBuffer::ack() const {

@@ -13,14 +13,14 @@ constexpr double MIN_RTO = 0.03;
 constexpr double MAX_RTO = 0.5; // raised to 1.25 round trips on slow connections
 constexpr double MIN_DEVIATION = 0.005; // covers the frame and tick intervals at both ends
 /// A receiver gets a new snapshot after this many retransmissions of one chunk, or if it is this many chunks behind.
-constexpr int MAX_REPEATS = 8;
+constexpr int MAX_RETRANSMISSIONS = 8;
 constexpr double STUCK_TIME = 1.5; // seconds; below this, the round trip may merely be longer than estimated
 constexpr uint32_t MAX_CHUNKS_BEHIND = 100;
 /// Absolute limit, also while a snapshot is in flight: beyond it, unacknowledged chunks would soon leave the ring.
 constexpr uint32_t MAX_CHUNKS_KEPT = 200;
 constexpr double SNAPSHOT_INTERVAL = 0.5; // seconds
 /// Number of retransmissions before back-off starts.
-constexpr int PROMPT_REPEATS = 3;
+constexpr int PROMPT_RETRANSMISSIONS = 3;
 /// Loss above HIGH_LOSS shortens the timeout linearly, with slope LOSS_SLOPE.
 constexpr double HIGH_LOSS = 0.15;
 constexpr double LOSS_SLOPE = 4.0;
@@ -71,10 +71,10 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 			_loss += (1.0 - _loss) * LOSS_WEIGHT;
 		}
 		// The interval backs off linearly, up to 4 timeouts.
-		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_REPEATS, 1, 4)) {
+		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_RETRANSMISSIONS, 1, 4)) {
 			return false;
 		}
-		_repeated += sent.times > 0 ? 1 : 0;
+		_retransmissions += sent.times > 0 ? 1 : 0;
 		sent.times = uint8_t(std::min<int>(sent.times + 1, 255));
 		sent.time = time;
 		return true;
@@ -95,13 +95,12 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 	}
 	const bool is_far_behind = _fragments.empty() && behind > MAX_CHUNKS_BEHIND;
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {
-		Sent &sent = _sent[number % ChunkRing::RING];
-		if (is_due(sent)) {
+		if (is_due(_sent[number % ChunkRing::RING])) {
 			_due_chunks.push_back(number);
 		}
 	}
 	const Sent &oldest = _sent[_first_missing % ChunkRing::RING];
-	const bool is_stuck = _fragments.empty() && _first_missing < ring.next() && oldest.times > MAX_REPEATS && time - oldest.first > STUCK_TIME;
+	const bool is_stuck = _fragments.empty() && _first_missing < ring.next() && oldest.times > MAX_RETRANSMISSIONS && time - oldest.first > STUCK_TIME;
 	if (is_far_behind || is_stuck) {
 		request_snapshot(time);
 	}
@@ -151,11 +150,6 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 		_snapshot.reset();
 		_fragments.clear();
 	}
-}
-
-bool Delivery::can_be_short(uint32_t number) const {
-	// At first transmission, the receiver's first missing chunk is between ours and this chunk, so 4 bits identify the number.
-	return _snapshot == nullptr && _sent[number % ChunkRing::RING].times == 1 && number - _first_missing < ChunkItem::SHORT_REACH;
 }
 
 void Delivery::take_snapshot_ack(const SnapshotAckItem &ack) {

@@ -46,7 +46,8 @@ public:
 	[[nodiscard]] double loss() const { return _loss; }
 	/// loss() plus the prior, which decays as chunks arrive.
 	[[nodiscard]] double expected_loss() const { return _loss + _prior_loss; }
-	[[nodiscard]] uint64_t repeated() const { return _repeated; }
+	/// Number of retransmissions of chunks and fragments.
+	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
 private:
 	struct Sent {
@@ -60,7 +61,8 @@ private:
 	void collect_due(const ChunkRing &ring, double time);
 	void take_ack(const AckItem &ack, const ChunkRing &ring, double time);
 	void take_snapshot_ack(const SnapshotAckItem &ack);
-	[[nodiscard]] bool can_be_short(uint32_t number) const;
+	/// At first transmission, the receiver's first missing chunk is between ours and this chunk, so 4 bits identify the number.
+	[[nodiscard]] bool can_be_short(uint32_t number) const { return _snapshot == nullptr && _sent[number % ChunkRing::RING].times == 1 && number - _first_missing < ChunkItem::SHORT_REACH; }
 	void chunk_arrived(uint32_t number, double time, bool is_newest);
 	void measure(double round_trip);
 
@@ -79,9 +81,9 @@ private:
 	double _round_trip_sent = -1e9; // time of the last round-trip item
 	double _probed = -1e9; // time of the last probe
 	double _loss = 0.0;
-	double _prior_loss = INITIAL_PRIOR_LOSS; // decays as chunks arrive
+	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
-	uint64_t _repeated = 0;
+	uint64_t _retransmissions = 0;
 };
 
 template <class PacketDone>
@@ -105,13 +107,8 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<uint8_t> &by
 	};
 	for (const uint16_t index : _due_fragments) {
 		const size_t offset = index * Snapshot::FRAGMENT_BYTES;
-		FragmentItem fragment;
-		fragment.snapshot = _snapshot->number;
-		fragment.next_chunk = uint8_t(_snapshot->next_chunk);
-		fragment.index = index;
-		fragment.count = uint16_t(_snapshot->fragment_count());
-		fragment.bytes = _snapshot->bytes.data() + offset;
-		fragment.size = std::min(Snapshot::FRAGMENT_BYTES, _snapshot->bytes.size() - offset);
+		const size_t size = std::min(Snapshot::FRAGMENT_BYTES, _snapshot->bytes.size() - offset);
+		const FragmentItem fragment{ _snapshot->number, uint8_t(_snapshot->next_chunk), index, uint16_t(_snapshot->fragment_count()), _snapshot->bytes.data() + offset, size };
 		make_room(fragment.size + FRAGMENT_HEADER);
 		put_fragment(bytes, fragment);
 	}
@@ -123,14 +120,8 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<uint8_t> &by
 	}
 	for (size_t i = 0; i < _due_chunks.size(); ++i) {
 		const ChunkRing::Chunk &chunk = ring.chunk(_due_chunks[i]);
-		ChunkItem item;
-		item.number = uint8_t(_due_chunks[i]);
-		item.first = chunk.first;
-		item.last = chunk.last;
-		item.check = chunk.check;
-		item.bytes = chunk.bytes.data();
-		item.size = chunk.size;
-		item.is_short = chunk.first && chunk.last && can_be_short(_due_chunks[i]);
+		const bool is_short = chunk.first && chunk.last && can_be_short(_due_chunks[i]);
+		const ChunkItem item{ uint8_t(_due_chunks[i]), chunk.first, chunk.last, chunk.check, chunk.bytes.data(), chunk.size, is_short };
 		make_room(item.size + CHUNK_HEADER);
 		// A packet's last item needs no length. This is the last one if the next does not fit.
 		const bool is_last = i + 1 == _due_chunks.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(_due_chunks[i + 1]).size > size_t(MAX_PACKET_BYTES);

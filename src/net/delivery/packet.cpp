@@ -1,5 +1,7 @@
 #include "net/delivery/packet.hpp"
 
+#include "net/coding/bit_stream.hpp"
+#include "net/coding/byte_stream.hpp"
 #include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
@@ -25,47 +27,6 @@ constexpr uint8_t SNAPSHOT_ACK = 0xc3;
 
 constexpr double ROUND_TRIP_STEPS = 10000.0; // per second
 
-void put(std::vector<uint8_t> &packet, uint64_t value, int bytes) {
-	for (int i = 0; i < bytes; ++i) {
-		packet.push_back(uint8_t(value >> (8 * i)));
-	}
-}
-
-/// Reads little-endian numbers. Past the end, reads return 0 and `failed()` stays true.
-class ByteReader {
-public:
-	ByteReader(const uint8_t *bytes, size_t size) :
-			_bytes(bytes), _size(size) {}
-
-	uint64_t number(int bytes) {
-		uint64_t value = 0;
-		const uint8_t *from = take(size_t(bytes));
-		for (int i = 0; from != nullptr && i < bytes; ++i) {
-			value |= uint64_t(from[i]) << (8 * i);
-		}
-		return value;
-	}
-
-	const uint8_t *take(size_t count) {
-		if (count > _size - _at) {
-			_failed = true;
-			_at = _size;
-			return nullptr;
-		}
-		_at += count;
-		return _bytes + _at - count;
-	}
-
-	[[nodiscard]] size_t left() const { return _size - _at; }
-	[[nodiscard]] bool failed() const { return _failed; }
-
-private:
-	const uint8_t *_bytes;
-	size_t _size;
-	size_t _at = 0;
-	bool _failed = false;
-};
-
 void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	ChunkItem chunk;
 	if (kind < SHORT_CHUNK_BELOW) {
@@ -76,31 +37,19 @@ void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	} else {
 		chunk.first = (kind & CHUNK_FIRST) != 0;
 		chunk.last = (kind & CHUNK_LAST) != 0;
-		chunk.number = uint8_t(reader.number(1));
-		chunk.check = chunk.last ? uint8_t(reader.number(1)) : 0;
-		chunk.size = (kind & CHUNK_LENGTH) != 0 ? size_t(reader.number(2)) : reader.left();
+		chunk.number = reader.read<uint8_t>();
+		chunk.check = chunk.last ? reader.read<uint8_t>() : 0;
+		chunk.size = (kind & CHUNK_LENGTH) != 0 ? reader.read<uint16_t>() : reader.left();
 	}
 	chunk.bytes = reader.take(chunk.size);
 	content.chunks.push_back(chunk);
 }
 
 void read_fragment(ByteReader &reader, PacketContent &content) {
-	FragmentItem fragment;
-	fragment.snapshot = uint8_t(reader.number(1));
-	fragment.next_chunk = uint8_t(reader.number(1));
-	fragment.index = uint16_t(reader.number(2));
-	fragment.count = uint16_t(reader.number(2));
-	fragment.size = size_t(reader.number(2));
+	FragmentItem fragment{ reader.read<uint8_t>(), reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint16_t>() };
+	fragment.size = reader.read<uint16_t>();
 	fragment.bytes = reader.take(fragment.size);
 	content.fragments.push_back(fragment);
-}
-
-void read_snapshot_ack(ByteReader &reader, PacketContent &content) {
-	SnapshotAckItem ack;
-	ack.snapshot = uint8_t(reader.number(1));
-	ack.next = uint16_t(reader.number(2));
-	ack.later = uint32_t(reader.number(4));
-	content.snapshot_acks.push_back(ack);
 }
 
 } // namespace
@@ -115,41 +64,34 @@ void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_las
 			packet.push_back(chunk.check);
 		}
 		if (!is_last_item) {
-			put(packet, chunk.size, 2);
+			put_number(packet, uint16_t(chunk.size));
 		}
 	}
 	packet.insert(packet.end(), chunk.bytes, chunk.bytes + chunk.size);
 }
 
 void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
-	packet.push_back(FRAGMENT);
-	packet.push_back(fragment.snapshot);
-	packet.push_back(fragment.next_chunk);
-	put(packet, fragment.index, 2);
-	put(packet, fragment.count, 2);
-	put(packet, fragment.size, 2);
+	packet.insert(packet.end(), { FRAGMENT, fragment.snapshot, fragment.next_chunk });
+	put_number(packet, fragment.index);
+	put_number(packet, fragment.count);
+	put_number(packet, uint16_t(fragment.size));
 	packet.insert(packet.end(), fragment.bytes, fragment.bytes + fragment.size);
 }
 
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
-	packet.push_back(ack.later != 0 ? ACK_WITH_LATER : ACK);
-	packet.push_back(ack.next);
+	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next });
 	if (ack.later != 0) {
-		// Omit leading zero bytes.
-		int bytes = 0;
-		while (bytes < 8 && (ack.later >> (8 * bytes)) != 0) {
-			++bytes;
-		}
-		packet.push_back(uint8_t(bytes));
-		put(packet, ack.later, bytes);
+		packet.push_back(uint8_t((bit_width(ack.later) + 7) / 8));
+	}
+	for (uint64_t rest = ack.later; rest != 0; rest >>= 8) {
+		packet.push_back(uint8_t(rest));
 	}
 }
 
 void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack) {
-	packet.push_back(SNAPSHOT_ACK);
-	packet.push_back(ack.snapshot);
-	put(packet, ack.next, 2);
-	put(packet, ack.later, 4);
+	packet.insert(packet.end(), { SNAPSHOT_ACK, ack.snapshot });
+	put_number(packet, ack.next);
+	put_number(packet, ack.later);
 }
 
 void put_snapshot_request(std::vector<uint8_t> &packet) {
@@ -158,7 +100,7 @@ void put_snapshot_request(std::vector<uint8_t> &packet) {
 
 void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
 	packet.push_back(ROUND_TRIP);
-	put(packet, uint64_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))), 2);
+	put_number(packet, uint16_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))));
 }
 
 PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &content) {
@@ -176,28 +118,27 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 	}
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
-		const uint8_t kind = uint8_t(reader.number(1));
+		const auto kind = reader.read<uint8_t>();
 		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & 7) == 0)) {
 			read_chunk(reader, kind, content);
 		} else if (kind == FRAGMENT) {
 			read_fragment(reader, content);
 		} else if (kind == ROUND_TRIP) {
-			content.round_trip = double(reader.number(2)) / ROUND_TRIP_STEPS;
+			content.round_trip = double(reader.read<uint16_t>()) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
-			AckItem ack;
-			ack.next = uint8_t(reader.number(1));
+			AckItem ack{ reader.read<uint8_t>() };
 			if (kind == ACK_WITH_LATER) {
-				const uint64_t bytes = reader.number(1);
+				const auto bytes = reader.read<uint8_t>();
 				if (bytes < 1 || bytes > 8) {
 					return PacketError::BAD_ACK;
 				}
-				ack.later = reader.number(int(bytes));
+				ack.later = reader.read<uint64_t>(bytes);
 			}
 			content.acks.push_back(ack);
 		} else if (kind == SNAPSHOT_REQUEST) {
 			content.requests_snapshot = true;
 		} else if (kind == SNAPSHOT_ACK) {
-			read_snapshot_ack(reader, content);
+			content.snapshot_acks.push_back({ reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint32_t>() });
 		} else {
 			return PacketError::UNKNOWN_ITEM;
 		}

@@ -19,7 +19,7 @@ constexpr double RESTART_SILENCE = 1.0;
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
-/// Maximum size of one body in a snapshot, and of the models.
+/// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
 
@@ -91,10 +91,8 @@ PacketResult Receiver::check_fragments() const {
 }
 
 void Receiver::take_fragment(const FragmentItem &fragment, double now) {
-	if (_snapshot_done && fragment.snapshot == _fragments.number()) {
-		return;
-	}
-	if ((_fragments.is_open() || _snapshot_done) && int8_t(fragment.snapshot - _fragments.number()) < 0 && now - _progress_time < RESTART_SILENCE) {
+	const bool is_stale = (_fragments.is_open() || _snapshot_done) && int8_t(fragment.snapshot - _fragments.number()) < 0 && now - _progress_time < RESTART_SILENCE;
+	if (is_stale || (_snapshot_done && fragment.snapshot == _fragments.number())) {
 		return;
 	}
 	if (!_fragments.belongs(fragment)) {
@@ -108,28 +106,28 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 
 PacketResult Receiver::finish_snapshot(double now) {
 	_fragments.finish(_window);
-	SnapshotHeader next;
-	if (const PacketResult result = read_snapshot_header(_window.data(), _window.size(), next); !result) {
-		return result;
+	const auto next = read_snapshot_header(_window.data(), _window.size());
+	if (!next) {
+		return next.error();
 	}
-	if (is_behind(next)) {
+	if (is_behind(*next)) {
 		_snapshot_done = true;
 		return {};
 	}
-	StreamDecoder decoder(float(next.settings.position_tolerance), float(next.settings.rotation_tolerance), _max_bodies);
+	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
 	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
 		return result;
 	}
-	const bool is_earlier = double(next.tick) < _window_end;
-	const bool continues = is_ready() && next.settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next.tick) >= _window_end - MAX_TICKS));
-	_header = next;
+	const bool is_earlier = double(next->tick) < _window_end;
+	const bool continues = is_ready() && next->settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next->tick) >= _window_end - MAX_TICKS));
+	_header = *next;
 	_decoder = std::move(decoder);
-	_window_end = double(next.tick);
+	_window_end = double(next->tick);
 	_snapshot_done = true;
 	_last_snapshot = _fragments.number();
 	_broken = false;
 	if (!continues) {
-		_clock.start(known_time(), std::max(double(next.window), usual_delay()), now);
+		_clock.start(known_time(), std::max(double(next->window), usual_delay()), now);
 		for (auto &track : _tracks) {
 			track.second = MotionTrack();
 		}
@@ -148,23 +146,16 @@ PacketResult Receiver::finish_snapshot(double now) {
 void Receiver::show_snapshot(bool continues) {
 	std::unordered_set<uint32_t> present;
 	for (size_t i = 0; i < _decoder->body_count(); ++i) {
-		BodyMotion motion;
-		motion.id = _decoder->id(i);
-		motion.segment.begin = _window_end;
-		motion.segment.start = _decoder->pose(i);
-		const auto track = _tracks.find(motion.id);
+		const uint32_t id = _decoder->id(i);
+		const auto track = _tracks.find(id);
 		// Bodies in the first snapshot already existed. An unknown body in a later snapshot is new.
-		motion.appears = continues && (track == _tracks.end() || track->second.is_empty());
-		present.insert(motion.id);
-		show(motion);
+		const bool appears = continues && (track == _tracks.end() || track->second.is_empty());
+		present.insert(id);
+		show(BodyMotion::rest(id, _window_end, _decoder->pose(i), appears));
 	}
 	for (auto &track : _tracks) {
 		if (present.count(track.first) == 0) {
-			BodyMotion motion;
-			motion.id = track.first;
-			motion.vanishes = true;
-			motion.segment.begin = _window_end;
-			track.second.add(motion);
+			track.second.add(BodyMotion::removal(track.first, _window_end));
 		}
 	}
 }
@@ -218,16 +209,12 @@ void Receiver::decode_windows(double now) {
 	}
 	_broken = _broken || _chunks.is_broken() || _tracks.size() > 2 * _max_bodies + 64;
 	if (_events.size() > 8 * _max_bodies + 64) {
-		// The caller does not take the events: drop the older half.
+		// The caller does not call take_events(): drop the older half.
 		_events.erase(_events.begin(), _events.begin() + ptrdiff_t(_events.size() / 2));
 	}
 	if (_broken) {
 		_chunks.forget();
 	}
-}
-
-double Receiver::usual_delay() const {
-	return std::max(_header.settings.max_latency - FRAME, 0.0);
 }
 
 void Receiver::set_limits() {
@@ -291,11 +278,6 @@ std::vector<uint32_t> Receiver::bodies() const {
 		}
 	}
 	return ids;
-}
-
-void Receiver::take_events(std::vector<BodyEvent> &events) {
-	events.clear();
-	events.swap(_events);
 }
 
 void Receiver::set_margin_limits(double min, double max) {

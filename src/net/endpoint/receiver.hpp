@@ -7,9 +7,9 @@
 #include "net/stream/snapshot_header.hpp"
 #include "net/stream/stream_decoder.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -68,7 +68,10 @@ public:
 	/// Ids of the bodies shown.
 	[[nodiscard]] std::vector<uint32_t> bodies() const;
 	/// Replaces `events` with the bodies that were added and removed since the last call, in order.
-	void take_events(std::vector<BodyEvent> &events);
+	void take_events(std::vector<BodyEvent> &events) {
+		events.clear();
+		events.swap(_events);
+	}
 
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
@@ -89,7 +92,7 @@ private:
 	void show(const BodyMotion &motion);
 	void set_limits();
 	/// The delay implied by the sender's max_latency, regardless of current network conditions.
-	[[nodiscard]] double usual_delay() const;
+	[[nodiscard]] double usual_delay() const { return std::max(_header.settings.max_latency - FRAME, 0.0); }
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;

@@ -30,27 +30,11 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::is_in_range(const cga::Pose<double> &pose) const {
-	return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)));
-}
-
 bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
 	if (_encoder) {
 		return _encoder->add_body(id, ticks(_time), pose);
 	}
 	return id < ID_LIMIT && is_in_range(pose) && _idle_bodies.emplace(id, pose).second;
-}
-
-bool Sender::remove_body(uint32_t id) {
-	return _encoder ? _encoder->remove_body(id, ticks(_time)) : _idle_bodies.erase(id) != 0;
-}
-
-bool Sender::has_body(uint32_t id) const {
-	return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0;
-}
-
-size_t Sender::body_count() const {
-	return _encoder ? _encoder->body_count() : _idle_bodies.size();
 }
 
 bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
@@ -75,10 +59,6 @@ bool Sender::observe(uint32_t id, double time) {
 	}
 	begin_at(time);
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
-}
-
-bool Sender::teleport(uint32_t id) {
-	return _encoder ? _encoder->jump(id) : has_body(id);
 }
 
 void Sender::add_receiver(uint32_t receiver, double time) {
@@ -261,17 +241,12 @@ void Sender::set_settings(const StreamSettings &settings) {
 }
 
 ReceiverStatistics Sender::statistics(uint32_t receiver) const {
-	ReceiverStatistics statistics;
 	const auto found = _peers.find(receiver);
-	if (found != _peers.end()) {
-		const Peer &peer = found->second;
-		statistics.bytes_sent = peer.bytes_sent;
-		statistics.packets_sent = peer.packets_sent;
-		statistics.chunks_repeated = peer.delivery.repeated();
-		statistics.loss = peer.delivery.loss();
-		statistics.round_trip = peer.delivery.round_trip();
+	if (found == _peers.end()) {
+		return {};
 	}
-	return statistics;
+	const Peer &peer = found->second;
+	return { peer.bytes_sent, peer.packets_sent, peer.delivery.retransmissions(), peer.delivery.loss(), peer.delivery.round_trip() };
 }
 
 } // namespace net

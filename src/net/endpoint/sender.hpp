@@ -28,11 +28,11 @@ struct ReceiverStatistics {
 	double round_trip = 0.0; ///< seconds, smoothed; 0 before the first acknowledgement
 };
 
-/// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller
-/// takes packets after `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
+/// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
+/// `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
 ///
-/// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are
-/// retransmitted; a receiver that is new or too far behind gets a snapshot.
+/// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
+/// receiver that is new or too far behind gets a snapshot.
 class Sender {
 public:
 	explicit Sender(const StreamSettings &settings) :
@@ -40,9 +40,9 @@ public:
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, const cga::Pose<double> &pose);
-	bool remove_body(uint32_t id);
-	[[nodiscard]] bool has_body(uint32_t id) const;
-	[[nodiscard]] size_t body_count() const;
+	bool remove_body(uint32_t id) { return _encoder ? _encoder->remove_body(id, ticks(_time)) : _idle_bodies.erase(id) != 0; }
+	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
+	[[nodiscard]] size_t body_count() const { return _encoder ? _encoder->body_count() : _idle_bodies.size(); }
 
 	/// Records the pose of a body at `time`; times must not decrease. False, with no change, if the body does not exist or
 	/// the pose is not finite or out of range.
@@ -50,7 +50,7 @@ public:
 	/// Records that the body is still at its last pose. Returns false if the body does not exist.
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
-	bool teleport(uint32_t id);
+	bool teleport(uint32_t id) { return _encoder ? _encoder->jump(id) : has_body(id); }
 
 	void add_receiver(uint32_t receiver, double time);
 	void remove_receiver(uint32_t receiver);
@@ -82,7 +82,7 @@ private:
 	};
 
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
-	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const;
+	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const { return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance))); }
 	void begin_at(double first_time);
 	void start_encoder();
 	void stop_encoder();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace net {
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int64_t MAX_SPEED = int64_t(1) << 30;
 constexpr int64_t MAX_CURVATURE = int64_t(1) << 28;
-constexpr int32_t MAX_RUNNING_ERROR = 4000;
+constexpr int64_t MAX_RUNNING_ERROR = 4000;
 constexpr double MAX_ANGLE = 16.0; // of a segment, in radians, as the sum of three components
 
 double scale_of(int32_t level) {
@@ -46,17 +47,12 @@ cga::Pose<double> BodyState::pose(const StreamGrid &grid) const {
 }
 
 void BodyState::reset_motion() {
-	std::fill(_velocity, _velocity + 6, 0);
-	std::fill(_curvature, _curvature + 6, 0);
-	_ticks = 1;
-	for (int group = 0; group < 2; ++group) {
-		std::fill(_running_error[group], _running_error[group] + PREDICTOR_COUNT, 0);
-		_curved[group] = false;
-		_residual_mean[group] = MeanMagnitude(512);
-		_curvature_mean[group] = MeanMagnitude(256);
-	}
-	_scaled = false;
-	active = false;
+	BodyState at_rest;
+	std::copy_n(_position, 3, at_rest._position);
+	at_rest._rotation = _rotation;
+	at_rest._scale = _scale;
+	at_rest.rest_corrected = rest_corrected;
+	*this = at_rest;
 }
 
 int64_t BodyState::predicted_by(int predictor, int coordinate, int ticks) const {
@@ -82,10 +78,6 @@ int BodyState::best_predictor(int group) const {
 		}
 	}
 	return best;
-}
-
-int64_t BodyState::predicted(int coordinate, int ticks) const {
-	return predicted_by(best_predictor(coordinate / 3), coordinate, ticks);
 }
 
 SegmentSteps BodyState::steps(const SegmentCode &code) const {
@@ -130,16 +122,13 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 		return false;
 	}
 	for (int group = 0; group < 2; ++group) {
-		int64_t error[PREDICTOR_COUNT] = { 0, 0, 0, 0 };
-		for (int i = 3 * group; i < 3 * group + 3; ++i) {
-			const int64_t linear = predicted_by(CONSTANT_VELOCITY, i, code.ticks);
-			error[HOLD] += std::abs(steps.end[i]);
-			error[CONSTANT_VELOCITY] += std::abs(steps.end[i] - linear);
-			error[DAMPED] += std::abs(steps.end[i] - linear / 2);
-			error[CONSTANT_ACCELERATION] += std::abs(steps.end[i] - predicted_by(CONSTANT_ACCELERATION, i, code.ticks));
-		}
 		for (int predictor = 0; predictor < PREDICTOR_COUNT; ++predictor) {
-			_running_error[group][predictor] += (int32_t(std::min<int64_t>(error[predictor], MAX_RUNNING_ERROR)) * 16 - _running_error[group][predictor]) / 4;
+			int64_t error = 0;
+			for (int i = 3 * group; i < 3 * group + 3; ++i) {
+				error += std::abs(steps.end[i] - predicted_by(predictor, i, code.ticks));
+			}
+			int32_t &running = _running_error[group][predictor];
+			running += (int32_t(std::min(error, MAX_RUNNING_ERROR)) * 16 - running) / 4;
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
@@ -182,24 +171,14 @@ bool BodyState::correct_rest(const int32_t correction[6], const StreamGrid &grid
 }
 
 bool BodyState::is_valid() const {
-	for (const int64_t value : _position) {
-		if (std::abs(value) > MAX_STEPS) {
-			return false;
-		}
-	}
-	for (int i = 0; i < 6; ++i) {
-		if (std::abs(int64_t(_velocity[i])) > MAX_SPEED || std::abs(int64_t(_curvature[i])) > MAX_CURVATURE) {
-			return false;
-		}
-	}
-	for (int group = 0; group < 2; ++group) {
-		for (const MeanMagnitude &mean : { _residual_mean[group], _curvature_mean[group] }) {
-			if (mean.value() < 0 || mean.value() > MeanMagnitude::MAX * 256) {
-				return false;
-			}
-		}
-	}
-	return _rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && _ticks >= 1 && _ticks <= 64;
+	const auto are_within = [](const auto &values, int64_t max) {
+		return std::all_of(std::begin(values), std::end(values), [max](int64_t value) { return std::abs(value) <= max; });
+	};
+	const auto are_means = [](const MeanMagnitude(&means)[2]) {
+		return std::all_of(means, means + 2, [](const MeanMagnitude &mean) { return mean.value() >= 0 && mean.value() <= MeanMagnitude::MAX * 256; });
+	};
+	return are_within(_position, MAX_STEPS) && are_within(_velocity, MAX_SPEED) && are_within(_curvature, MAX_CURVATURE) && are_means(_residual_mean) && are_means(_curvature_mean) &&
+			_rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && _ticks >= 1 && _ticks <= 64;
 }
 
 uint32_t BodyState::hash() const {

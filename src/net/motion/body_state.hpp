@@ -6,6 +6,7 @@
 #include "net/coding/stream_grid.hpp"
 #include "net/motion/motion_segment.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace net {
@@ -75,8 +76,8 @@ struct MotionModels {
 	}
 };
 
-/// The state of a body between two windows, from which both ends predict the next segment. It uses only integers, so that
-/// they predict the same segment.
+/// The state of a body between two windows, from which sender and receivers predict the next segment. It uses only integers,
+/// so that all of them predict the same segment.
 class BodyState {
 public:
 	static constexpr int64_t MAX_STEPS = int64_t(1) << 46; ///< bound of each position coordinate
@@ -93,7 +94,7 @@ public:
 	void reset_motion();
 
 	/// The predicted end of a segment of `ticks`, in steps from its start.
-	[[nodiscard]] int64_t predicted(int coordinate, int ticks) const;
+	[[nodiscard]] int64_t predicted(int coordinate, int ticks) const { return predicted_by(best_predictor(coordinate / 3), coordinate, ticks); }
 	[[nodiscard]] SegmentSteps steps(const SegmentCode &code) const;
 	/// The segment that starts in this state.
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
@@ -150,7 +151,7 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 		for (int i = 0; i < 3; ++i) {
 			int32_t &value = code.residual[3 * group + i];
 			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);
-			magnitudes += std::abs(value) < MeanMagnitude::MAX ? std::abs(value) : MeanMagnitude::MAX;
+			magnitudes += std::min(std::abs(value), MeanMagnitude::MAX);
 		}
 	}
 	for (int group = 0; group < 2; ++group) {

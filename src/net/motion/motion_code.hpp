@@ -16,6 +16,7 @@ struct MotionCode {
 	bool active = false;
 	bool has_rest_correction = false; ///< only if not active
 	int32_t rest_correction[6] = { 0, 0, 0, 0, 0, 0 }; ///< in steps, from -16 to 15
+	bool must_jump = false; ///< set by MotionPlanner: no code reaches the samples, so the body rests, then jumps to its next pose
 	int count = 0; ///< number of segments if active
 	std::array<SegmentCode, MAX_TICKS> segments;
 };
@@ -42,19 +43,15 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 			motion.rest_correction[i] = int32_t(value) - 16;
 			steps.end[i] = motion.rest_correction[i];
 		}
-		SegmentCode code;
-		code.ticks = ticks;
-		on_segment(state, code, steps, begin);
+		on_segment(state, SegmentCode{ ticks }, steps, begin);
 		return state.correct_rest(motion.rest_correction, grid);
 	}
 	int index = 0;
 	for (int left = ticks; left > 0; ++index) {
 		SegmentCode &code = motion.segments[size_t(index)];
-		bool split = index + 1 < motion.count;
+		bool split = left > 1 && index + 1 < motion.count;
 		if (left > 1) {
 			coder.bit(models.split[std::min(index, 2)], split);
-		} else {
-			split = false;
 		}
 		if (split) {
 			uint32_t ticks_minus_one = uint32_t(code.ticks - 1);

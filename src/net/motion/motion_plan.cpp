@@ -30,12 +30,13 @@ size_t count_until(const MotionSample *samples, size_t count, double end) {
 
 } // namespace
 
-bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
+void MotionPlanner::plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	motion.active = false;
 	motion.has_rest_correction = false;
+	motion.must_jump = false;
 	motion.count = 0;
 	if (count == 0) {
-		return true;
+		return;
 	}
 	const double full_tolerance = StreamGrid::TOLERANCE * _grid.position_step;
 	const cga::Pose<double> &last = samples[count - 1].pose;
@@ -44,12 +45,11 @@ bool MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 	const cga::Pose<double> held = state.pose(_grid);
 	for (size_t i = count; i > 0; --i) {
 		if (pose_distance(held, samples[i - 1].pose, _grid.lever_arm) > tolerance) {
-			motion.active = true;
-			return plan_moving(state, begin, ticks, samples, count, available, models, motion);
+			plan_moving(state, begin, ticks, samples, count, available, models, motion);
+			return;
 		}
 	}
 	plan_resting(state, samples[count - 1], motion);
-	return true;
 }
 
 void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &last, MotionCode &motion) const {
@@ -66,7 +66,7 @@ void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &las
 	motion.has_rest_correction = true;
 }
 
-bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
+void MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion) {
 	BodyState moving = state;
 	while (ticks > 0) {
 		_fit.begin(moving, begin, samples, count, available);
@@ -75,7 +75,8 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 			code = longest_segment(moving, begin, ticks, samples, count, models);
 		}
 		if (!code || !moving.apply(*code, moving.steps(*code), _grid)) {
-			return false;
+			motion.must_jump = true;
+			return;
 		}
 		motion.segments[size_t(motion.count++)] = *code;
 		begin += code->ticks;
@@ -85,7 +86,7 @@ bool MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 		count -= passed;
 		available -= passed;
 	}
-	return true;
+	motion.active = true;
 }
 
 std::optional<SegmentCode> MotionPlanner::longest_segment(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, MotionModels &models) {

@@ -2,6 +2,9 @@
 
 #include "cga/motor/pose.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace net {
 
 /// The pose of a body at a time in ticks.
@@ -12,6 +15,16 @@ struct MotionSample {
 
 /// The distance between two poses of a body, in meters: the maximum over its center and the points on its axes at
 /// the lever arm (ignoring scale), plus the lever arm times the difference of the scales.
-[[nodiscard]] double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm);
+[[nodiscard]] inline double pose_distance(const cga::Pose<double> &a, const cga::Pose<double> &b, double lever_arm) {
+	// The rotation tolerance is an angle and does not depend on the body's scale, so the lever arm is not scaled.
+	const cga::Vector3<double> offset = a.translation - b.translation;
+	const glm::dmat3 difference = glm::mat3_cast(a.rotation) - glm::mat3_cast(b.rotation);
+	double max_squared = glm::dot(offset, offset);
+	for (int i = 0; i < 3; ++i) {
+		const cga::Vector3<double> point = offset + lever_arm * difference[i];
+		max_squared = std::max(max_squared, glm::dot(point, point));
+	}
+	return std::sqrt(max_squared) + lever_arm * std::fabs(a.scale - b.scale);
+}
 
 } // namespace net

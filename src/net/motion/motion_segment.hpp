@@ -1,7 +1,10 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "net/coding/rotation_vector.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace net {
@@ -26,7 +29,43 @@ struct MotionSegment {
 
 	[[nodiscard]] double end() const { return begin + length; }
 	/// The pose at a time in ticks, which is clamped to the segment.
-	[[nodiscard]] cga::Pose<double> pose_at(double time) const;
+	[[nodiscard]] cga::Pose<double> pose_at(double time) const {
+		const double u = std::clamp((time - begin) / length, 0.0, 1.0);
+		const double w = u * (1.0 - u);
+		cga::Pose<double> pose = start;
+		if (scale_ratio != 1.0) {
+			pose.scale *= std::exp(u * std::log(scale_ratio));
+		}
+		if (mode == cga::Mode::SEPARATE) {
+			pose.translation += displacement * u + translation_curvature * w;
+			pose.rotation = start.rotation * exp_rotation(rotation * u + rotation_curvature * w);
+			return pose;
+		}
+		cga::Pose<double> end = start;
+		end.translation += displacement;
+		end.rotation = start.rotation * exp_rotation(rotation);
+		end.scale *= scale_ratio;
+		const double scale = pose.scale;
+		pose = cga::interpolate(start, end, u, mode);
+		pose.translation += translation_curvature * w;
+		pose.rotation = pose.rotation * exp_rotation(rotation_curvature * w);
+		pose.scale = scale;
+		return pose;
+	}
+};
+
+/// A decoded segment of one body's motion. From segment.begin on, the body follows the segment and then rests at its end,
+/// unless it vanishes.
+struct BodyMotion {
+	uint32_t id = 0;
+	bool appears = false; ///< the body is new or jumps: playback does not interpolate from its last pose
+	bool vanishes = false; ///< the body does not exist from segment.begin on
+	MotionSegment segment;
+
+	/// The body is at rest at `pose` from `begin` on.
+	[[nodiscard]] static BodyMotion rest(uint32_t id, double begin, const cga::Pose<double> &pose, bool appears) { return { id, appears, false, { begin, 1.0, pose } }; }
+	/// The body does not exist from `begin` on.
+	[[nodiscard]] static BodyMotion removal(uint32_t id, double begin) { return { id, false, true, { begin, 1.0, {} } }; }
 };
 
 } // namespace net

@@ -4,13 +4,6 @@
 
 namespace net {
 
-namespace {
-
-/// Typical number of segments: two windows of a few segments each.
-constexpr size_t INITIAL_CAPACITY = 8;
-
-} // namespace
-
 void MotionTrack::add(const BodyMotion &motion) {
 	while (_motions.size() > _first && _motions.back().segment.begin >= motion.segment.begin && (motion.appears || motion.vanishes || !_motions.back().appears)) {
 		_motions.pop_back();
@@ -19,7 +12,7 @@ void MotionTrack::add(const BodyMotion &motion) {
 		++_first;
 	}
 	if (_motions.capacity() == 0) {
-		_motions.reserve(INITIAL_CAPACITY);
+		_motions.reserve(8); // typically two windows of a few segments each
 	}
 	if (_motions.size() == _motions.capacity() && _first > 0) {
 		// Reuse the memory of dropped segments.
@@ -48,14 +41,7 @@ std::optional<cga::Pose<double>> MotionTrack::pose_at(double tick) const {
 		at = _first + 1;
 	}
 	const BodyMotion &motion = _motions[at - 1];
-	if (motion.vanishes) {
-		return std::nullopt;
-	}
-	return motion.segment.pose_at(tick);
-}
-
-bool MotionTrack::is_over(double tick) const {
-	return is_empty() || (_motions.back().vanishes && _motions.back().segment.begin <= tick);
+	return motion.vanishes ? std::nullopt : std::optional(motion.segment.pose_at(tick));
 }
 
 } // namespace net

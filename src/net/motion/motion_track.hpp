@@ -1,6 +1,5 @@
 #pragma once
 
-#include "net/motion/body_motion.hpp"
 #include "net/motion/motion_code.hpp"
 
 #include <cstddef>
@@ -22,7 +21,7 @@ public:
 	/// The pose at `tick`. Returns std::nullopt if the body does not exist then.
 	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(double tick) const;
 	/// True if the body exists neither at `tick` nor later.
-	[[nodiscard]] bool is_over(double tick) const;
+	[[nodiscard]] bool is_over(double tick) const { return is_empty() || (_motions.back().vanishes && _motions.back().segment.begin <= tick); }
 	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
 
 private:

@@ -10,13 +10,11 @@ namespace net {
 
 namespace {
 
-/// A segment that ends more ticks than this after its last sample gets a target for its end: interpolated towards the
-/// look-ahead, or without one, with a lower weight, the last sample.
+/// If a segment ends more ticks than this after its last sample, its end gets a target: a pose interpolated between the last
+/// sample and the next one or, without a next one, the last sample, with LAST_SAMPLE_WEIGHT.
 constexpr double MAX_UNOBSERVED_END = 0.25;
 constexpr double LAST_SAMPLE_WEIGHT = 0.2;
 constexpr double MAX_ROTATION = 6.0; // of a segment, in radians
-/// Single steps try to improve codes whose error is less than this multiple of the tolerance.
-constexpr float MAX_IMPROVABLE_ERROR = 1.15f;
 constexpr float NO_LIMIT = 1e18f;
 constexpr int32_t MAX_CODE = ResidualModel::MAX_MAGNITUDE / 2;
 constexpr int COEFFICIENTS = 12;
@@ -133,9 +131,7 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 
 void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps) {
 	// Subtract the deviation of the mode's path from u times its end. It is approximate, as `steps` only estimates the end.
-	SegmentCode code;
-	code.ticks = ticks;
-	const MotionSegment path = state.segment(code, steps, _grid, 0.0, _mode);
+	const MotionSegment path = state.segment(SegmentCode{ ticks }, steps, _grid, 0.0, _mode);
 	for (size_t k = 0; k < size_t(_count); ++k) {
 		const double u = double(_u[k]);
 		const cga::Pose<double> pose = path.pose_at(u * ticks);
@@ -146,6 +142,13 @@ void SegmentFit::subtract_base_path(const BodyState &state, int ticks, const Seg
 			_target[3 + i][k] -= float(rotation[int(i)]);
 		}
 	}
+}
+
+SegmentCode SegmentFit::blank_code(int ticks) const {
+	SegmentCode code{ ticks };
+	code.scaled = _scale_change != 0;
+	code.scale_change = _scale_change;
+	return code;
 }
 
 void SegmentFit::round_end(const double end[6], SegmentCode &code) const {
@@ -170,10 +173,6 @@ SegmentFit::Candidate SegmentFit::evaluate(const SegmentCode &code, float limit)
 	}
 	candidate.error = segment_error(input, limit);
 	return candidate;
-}
-
-bool SegmentFit::is_nearly_within(const Candidate &candidate) const {
-	return !is_within(candidate) && candidate.error < MAX_IMPROVABLE_ERROR * _tolerance;
 }
 
 uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code) {
@@ -227,10 +226,7 @@ std::optional<SegmentCode> SegmentFit::search(const BodyState &state, int ticks,
 		sums.uy[i] += _end_weight * _end_target[i];
 		end[i] = sums.uy[i] / sums.uu;
 	}
-	SegmentCode straight;
-	straight.ticks = ticks;
-	straight.scaled = _scale_change != 0;
-	straight.scale_change = _scale_change;
+	SegmentCode straight = blank_code(ticks);
 	round_end(end, straight);
 	Candidate best = evaluate(straight, NO_LIMIT);
 	if (thorough && is_nearly_within(best)) {
@@ -302,9 +298,7 @@ void SegmentFit::search_curved(const BodyState &state, const SegmentCode &straig
 std::optional<SegmentCode> SegmentFit::fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models) {
 	if (count == 0) {
 		// Without samples, the predicted motion continues.
-		SegmentCode predicted;
-		predicted.ticks = ticks;
-		return predicted;
+		return SegmentCode{ ticks };
 	}
 	if (count > _loaded || !set_length(state, ticks, count) || !(_tolerance > 0.0f)) {
 		return std::nullopt;
@@ -312,7 +306,7 @@ std::optional<SegmentCode> SegmentFit::fit(const BodyState &state, int ticks, si
 	if (_mode == cga::Mode::SEPARATE) {
 		return search(state, ticks, thorough, models);
 	}
-	// The path depends on its end: subtract what the mode adds for an estimated end, then verify the result.
+	// In these modes the path depends on its end, which the search is to find. Search with an estimate, then verify the result.
 	SegmentSteps straight;
 	for (size_t i = 0; i < 6; ++i) {
 		straight.end[i] = int64_t(_target[i][size_t(_count - 1)] / _u[size_t(_count - 1)]);
@@ -335,11 +329,8 @@ std::optional<SegmentCode> SegmentFit::reach(const BodyState &state, int ticks, 
 	if (index >= _loaded || !set_length(state, ticks, index + 1)) {
 		return std::nullopt;
 	}
-	SegmentCode code;
-	code.ticks = ticks;
+	SegmentCode code = blank_code(ticks);
 	code.fine = true;
-	code.scaled = _scale_change != 0;
-	code.scale_change = _scale_change;
 	double end[6];
 	for (size_t i = 0; i < 6; ++i) {
 		// With look-ahead, the end is interpolated.

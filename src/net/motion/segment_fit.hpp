@@ -21,11 +21,11 @@ public:
 	SegmentFit(const StreamGrid &grid, cga::Mode mode) :
 			_grid(grid), _mode(mode) {}
 
-	/// Loads the samples for segments that start in `state` at `begin`: `count` to pass; those up to `available` are
-	/// look-ahead.
+	/// Loads the samples for segments that start in `state` at `begin`: `count` to pass, and look-ahead up to `available`.
+	/// Keeps the pointer: `samples` must stay unchanged until the last call of fit() or reach() for them.
 	void begin(const BodyState &state, double begin, const MotionSample *samples, size_t count, size_t available);
-	/// Finds a code that passes the first `count` samples, at times in (begin, begin + ticks], within the tolerance; std::nullopt if
-	/// there is none. A search that is not `thorough` is faster, succeeds less often, and does not minimize the cost.
+	/// Finds a code that passes the first `count` samples, at times in (begin, begin + ticks], within the tolerance; std::nullopt
+	/// if there is none. A search that is not `thorough` is faster, succeeds less often, and does not minimize the cost.
 	std::optional<SegmentCode> fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models);
 	/// Returns the code that ends nearest to sample `index`, ignoring all other samples; std::nullopt if the end is out of
 	/// range.
@@ -42,11 +42,13 @@ private:
 	/// False if the segment rotates too far.
 	bool set_length(const BodyState &state, int ticks, size_t count);
 	void subtract_base_path(const BodyState &state, int ticks, const SegmentSteps &steps);
+	/// The code of the predicted motion with the change of scale.
+	[[nodiscard]] SegmentCode blank_code(int ticks) const;
 	void round_end(const double end[6], SegmentCode &code) const;
 	[[nodiscard]] Candidate evaluate(const SegmentCode &code, float limit) const;
 	[[nodiscard]] bool is_within(const Candidate &candidate) const { return candidate.error <= _tolerance; }
-	/// True if single steps may bring the error within the tolerance.
-	[[nodiscard]] bool is_nearly_within(const Candidate &candidate) const;
+	/// True if changes by single quantization steps may bring the error within the tolerance.
+	[[nodiscard]] bool is_nearly_within(const Candidate &candidate) const { return !is_within(candidate) && candidate.error < 1.15f * _tolerance; }
 	/// The coding cost, in units of 1/256 bit.
 	static uint32_t cost_of(const BodyState &state, MotionModels &models, const SegmentCode &code);
 	void improve_error(Candidate &best) const;

@@ -5,19 +5,15 @@
 #include <optional>
 
 // The header of each session packet. It distinguishes sessions that share a transport, and session packets from game packets.
-//
-//   u8   0x40 | ENVELOPE_VERSION << 2 | kind
-//   u16  key of the session, the same on all peers, little-endian
-//   u8   link: number of the stream to this receiver, chosen by the receiver, different for each stream
-//   ...  MOTION: a packet of net::Sender; ACK: a packet of net::Receiver; CLOSE: u8, a CloseRole; OPEN: nothing
+// docs/wire-format.md describes it byte by byte.
 
 namespace net {
 
 enum class PacketKind : uint8_t {
-	OPEN, ///< a receiver requests the authority's stream
-	CLOSE, ///< a stream has ended
-	MOTION,
-	ACK,
+	OPEN, ///< a receiver requests the authority's stream; no content
+	CLOSE, ///< a stream has ended; content: a CloseRole
+	MOTION, ///< content: a packet of net::Sender
+	ACK, ///< content: a packet of net::Receiver
 };
 
 /// The endpoint that closes a stream.
@@ -28,17 +24,29 @@ enum class CloseRole : uint8_t {
 
 struct Envelope {
 	PacketKind kind = PacketKind::OPEN;
-	uint16_t key = 0;
-	uint8_t link = 0;
+	uint16_t key = 0; ///< of the session, the same on all peers
+	uint8_t link = 0; ///< number of the stream to the receiver, which chooses it; different for each stream
 	uint8_t version = 0; ///< protocol version of the sending peer
 };
 
 inline constexpr size_t ENVELOPE_BYTES = 4;
+inline constexpr uint8_t ENVELOPE_MARK = 0x40; ///< high four bits of the first byte
 inline constexpr uint8_t ENVELOPE_VERSION = 1; ///< 0 to 3
 
 /// Writes ENVELOPE_BYTES bytes, with ENVELOPE_VERSION.
-void write_envelope(const Envelope &envelope, uint8_t *bytes);
+inline void write_envelope(const Envelope &envelope, uint8_t *bytes) {
+	bytes[0] = uint8_t(ENVELOPE_MARK | ENVELOPE_VERSION << 2 | uint8_t(envelope.kind));
+	bytes[1] = uint8_t(envelope.key);
+	bytes[2] = uint8_t(envelope.key >> 8);
+	bytes[3] = envelope.link;
+}
+
 /// Returns std::nullopt if the packet does not begin with an envelope and thus belongs to the game.
-[[nodiscard]] std::optional<Envelope> read_envelope(const uint8_t *bytes, size_t size);
+[[nodiscard]] inline std::optional<Envelope> read_envelope(const uint8_t *bytes, size_t size) {
+	if (size < ENVELOPE_BYTES || (bytes[0] & 0xf0) != ENVELOPE_MARK) {
+		return std::nullopt;
+	}
+	return Envelope{ PacketKind(bytes[0] & 3), uint16_t(bytes[1] | bytes[2] << 8), bytes[3], uint8_t((bytes[0] >> 2) & 3) };
+}
 
 } // namespace net

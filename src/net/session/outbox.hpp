@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace net {
@@ -29,10 +30,8 @@ public:
 	/// Calls send(packet, bytes) for each packet and empties the outbox. Packets added by `send` remain queued.
 	template <class Send>
 	void drain(Send &&send) {
-		std::vector<Packet> packets;
-		std::vector<uint8_t> bytes;
-		packets.swap(_packets);
-		bytes.swap(_bytes);
+		std::vector<Packet> packets = std::exchange(_packets, {});
+		std::vector<uint8_t> bytes = std::exchange(_bytes, {});
 		for (const Packet &packet : packets) {
 			send(packet, bytes.data() + packet.begin);
 		}

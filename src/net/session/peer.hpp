@@ -14,7 +14,7 @@ namespace net {
 /// A session's state for one connected peer.
 struct Peer {
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
-	static constexpr double AFTERMATH = 2.0;
+	static constexpr double LATE_PACKET_TIME = 2.0;
 
 	TrafficMeter sent;
 	TrafficMeter received;
@@ -33,15 +33,13 @@ struct Peer {
 	double open_due = 0.0; ///< when to send the next OPEN
 	uint64_t unauthorized_bodies = 0;
 
-	[[nodiscard]] bool is_aftermath(double now) const { return now - ended_at < AFTERMATH; }
+	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
+	[[nodiscard]] bool has_stream(uint8_t with_link) const { return stream && link == with_link; }
+	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 
 	/// Statistics of this peer, without those of the sender.
 	[[nodiscard]] SessionStatistics statistics(double now) {
-		SessionStatistics result;
-		result.sent_bytes = sent.bytes_per_second(now);
-		result.sent_packets = sent.packets_per_second(now);
-		result.received_bytes = received.bytes_per_second(now);
-		result.received_packets = received.packets_per_second(now);
+		SessionStatistics result{ sent.bytes_per_second(now), sent.packets_per_second(now), received.bytes_per_second(now), received.packets_per_second(now) };
 		if (stream) {
 			result.loss = stream->statistics().loss;
 			result.round_trip = stream->statistics().round_trip;

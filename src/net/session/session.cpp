@@ -40,10 +40,6 @@ void Session::connect(PeerId self, uint16_t key) {
 	_streams_stale = true;
 }
 
-bool Session::has_peer(PeerId peer) const {
-	return std::binary_search(_connected.begin(), _connected.end(), peer);
-}
-
 std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double now) {
 	std::vector<PeerId> left;
 	if (peers == _connected) {
@@ -53,11 +49,12 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
 	for (const PeerId id : left) {
-		if (const auto found = _peers.find(id); found != _peers.end()) {
-			unsubscribe(id, found->second);
-			end_stream(found->second);
-			_peers.erase(found);
-		}
+		unsubscribe(id, _peers[id]);
+		end_stream(_peers[id]);
+		_peers.erase(id);
+	}
+	for (const PeerId id : peers) {
+		_peers.try_emplace(id);
 	}
 	_streams_stale = true;
 	return left;
@@ -142,10 +139,6 @@ bool Session::observe(uint32_t body, const cga::Pose<double> &pose) {
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
 }
 
-bool Session::observe(uint32_t body) {
-	return _sender && _sender->observe(body, time());
-}
-
 void Session::teleport(uint32_t body) {
 	if (_sender) {
 		_sender->teleport(body);
@@ -164,10 +157,8 @@ void Session::end_tick() {
 void Session::send_motion() {
 	_sender->flush(time());
 	for (const OutgoingPacket &packet : _sender->packets()) {
-		const auto found = _peers.find(PeerId(packet.receiver));
-		if (found != _peers.end() && found->second.subscribed) {
-			send(found->first, found->second, PacketKind::MOTION, found->second.subscription, _sender->bytes() + packet.begin, packet.size);
-		}
+		Peer &peer = _peers[PeerId(packet.receiver)];
+		send(PeerId(packet.receiver), peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
 	}
 }
 
@@ -180,10 +171,8 @@ void Session::update_streams() {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 			end_stream(peer);
 		}
-	}
-	for (const auto &entry : _body_count) {
-		if (entry.first != _self && has_peer(entry.first) && !_peers[entry.first].stream) {
-			open_stream(_peers[entry.first]);
+		if (!peer.stream && owns_bodies(id)) {
+			open_stream(peer);
 		}
 	}
 }
@@ -204,18 +193,15 @@ void Session::end_stream(Peer &peer) {
 	}
 }
 
-void Session::subscribe(PeerId id, uint8_t link, double now) {
-	const auto found = _peers.find(id);
-	const bool subscribed = found != _peers.end() && found->second.subscribed;
-	const bool is_recent = found != _peers.end() && now - found->second.subscribed_at < SUBSCRIPTION_INTERVAL;
-	if ((subscribed && found->second.subscription == link) || is_recent || !owns_bodies(_self)) {
+void Session::subscribe(PeerId id, Peer &peer, uint8_t link, double now) {
+	const bool is_recent = now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
+	if (peer.is_subscribed(link) || is_recent || !owns_bodies(_self)) {
 		return; // the peer repeats the OPEN until a stream arrives
 	}
-	Peer &peer = _peers[id];
 	if (!_sender) {
 		_sender.emplace(_settings);
 	}
-	if (subscribed) {
+	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
 		peer.ended_at = now;
 	}
@@ -297,21 +283,19 @@ void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
 
 void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	const auto envelope = read_envelope(bytes, size);
-	if (!envelope || envelope->key != _key || !has_peer(id)) {
+	const auto found = _peers.find(id);
+	if (!envelope || envelope->key != _key || found == _peers.end()) {
 		return;
 	}
-	const auto found = _peers.find(id);
-	Peer *peer = found != _peers.end() ? &found->second : nullptr;
-	if (peer != nullptr) {
-		peer->received.add(size, now);
-	}
+	Peer &peer = found->second;
+	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;
 	size -= ENVELOPE_BYTES;
 	PacketResult result;
 	if (envelope->version != ENVELOPE_VERSION) {
 		result = PacketError::OTHER_SESSION_VERSION;
 	} else if (envelope->kind == PacketKind::OPEN) {
-		subscribe(id, envelope->link, now);
+		subscribe(id, peer, envelope->link, now);
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
@@ -320,51 +304,45 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
 	if (!result) {
-		_peers[id].rejections.add(result.error());
+		peer.rejections.add(result.error());
 		_rejected++;
 	}
 }
 
-PacketResult Session::accept_motion(Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer == nullptr || !peer->stream || peer->link != link) {
-		if (peer != nullptr && peer->is_aftermath(now)) {
+PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	if (!peer.has_stream(link)) {
+		if (peer.ended_recently(now)) {
 			return {};
 		}
-		return peer != nullptr && peer->stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING;
+		return peer.stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING;
 	}
-	const PacketResult result = peer->stream->accept(bytes, size, now);
+	const PacketResult result = peer.stream->accept(bytes, size, now);
 	if (result) {
-		peer->open_due = now + SILENCE;
+		peer.open_due = now + SILENCE;
 	}
 	return result;
 }
 
-PacketResult Session::accept_ack(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer == nullptr || !peer->subscribed || peer->subscription != link) {
-		if (peer != nullptr && peer->is_aftermath(now)) {
-			return {};
-		}
-		return PacketError::NOT_SUBSCRIBED;
+PacketResult Session::accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	if (!peer.is_subscribed(link)) {
+		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
 	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
 	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
 	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
 }
 
-PacketResult Session::accept_close(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size) {
+PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
 	if (size != 1 || bytes[0] > uint8_t(CloseRole::SENDER)) {
 		return PacketError::MALFORMED_CLOSE;
 	}
 	const CloseRole role = CloseRole(bytes[0]);
-	if (peer == nullptr) {
-		return {};
-	}
-	if (role == CloseRole::SENDER && peer->stream && peer->link == link) {
+	if (role == CloseRole::SENDER && peer.has_stream(link)) {
 		// The sender may return: request a new stream until it does.
-		end_stream(*peer);
+		end_stream(peer);
 		_streams_stale = true;
-	} else if (role == CloseRole::RECEIVER && peer->subscribed && peer->subscription == link) {
-		unsubscribe(id, *peer);
+	} else if (role == CloseRole::RECEIVER && peer.is_subscribed(link)) {
+		unsubscribe(id, peer);
 	}
 	return {};
 }

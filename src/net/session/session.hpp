@@ -36,7 +36,7 @@ public:
 	/// Sets the connected peers, in ascending order. Returns those that have left.
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
-	[[nodiscard]] bool has_peer(PeerId peer) const;
+	[[nodiscard]] bool has_peer(PeerId peer) const { return _peers.count(peer) != 0; }
 	/// Queues a CLOSE packet for each stream.
 	void close(double now);
 
@@ -56,7 +56,7 @@ public:
 	/// Records the pose of an owned body at this tick. Returns false if the pose is invalid: peers then see the last one.
 	bool observe(uint32_t body, const cga::Pose<double> &pose);
 	/// Records that the body is still at its last pose. Returns false if the current stream has no pose of it yet.
-	bool observe(uint32_t body);
+	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.
 	void teleport(uint32_t body);
 	/// Ends the tick: opens and closes streams according to ownership and queues the packets that are due.
@@ -75,7 +75,18 @@ public:
 
 	/// Calls report(peer, report) for peers whose packets were rejected, at most every half second per peer.
 	template <class ReportTo>
-	void report_rejections(ReportTo &&report);
+	void report_rejections(ReportTo &&report) {
+		// Collect the reports first, as the callee may change the session.
+		std::vector<std::pair<PeerId, Rejections::Report>> reports;
+		for (auto &[id, peer] : _peers) {
+			if (const auto due = peer.rejections.take_report(_now)) {
+				reports.emplace_back(id, *due);
+			}
+		}
+		for (const auto &entry : reports) {
+			report(entry.first, entry.second);
+		}
+	}
 	[[nodiscard]] SessionStatistics statistics(PeerId peer, double now);
 	/// Totals over all peers. The counts of late and rejected packets include peers that have left.
 	[[nodiscard]] SessionStatistics total_statistics(double now);
@@ -87,21 +98,21 @@ private:
 	void update_streams();
 	void open_stream(Peer &peer);
 	void end_stream(Peer &peer);
-	void subscribe(PeerId id, uint8_t link, double now);
+	void subscribe(PeerId id, Peer &peer, uint8_t link, double now);
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
-	PacketResult accept_motion(Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
-	PacketResult accept_ack(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
-	PacketResult accept_close(PeerId id, Peer *peer, uint8_t link, const uint8_t *bytes, size_t size);
+	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void count_unauthorized(PeerId id, Peer &peer);
 
 	StreamSettings _settings;
 	PeerId _self = 0;
 	uint16_t _key = 0;
 	std::vector<PeerId> _connected;
-	std::map<PeerId, Peer> _peers; // a subset of _connected
+	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
 	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
 	std::map<PeerId, size_t> _body_count; // keyed by owner
 	bool _streams_stale = false;
@@ -118,19 +129,5 @@ private:
 	std::vector<uint8_t> _ack;
 	std::vector<BodyEvent> _events;
 };
-
-template <class ReportTo>
-void Session::report_rejections(ReportTo &&report) {
-	// Collect the reports first, as the callee may change the session.
-	std::vector<std::pair<PeerId, Rejections::Report>> reports;
-	for (auto &[id, peer] : _peers) {
-		if (const auto due = peer.rejections.take_report(_now)) {
-			reports.emplace_back(id, *due);
-		}
-	}
-	for (const auto &entry : reports) {
-		report(entry.first, entry.second);
-	}
-}
 
 } // namespace net

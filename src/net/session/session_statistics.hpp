@@ -7,17 +7,18 @@ namespace net {
 
 /// Traffic statistics for one peer or for all peers.
 struct SessionStatistics {
-	double sent_bytes = 0.0; ///< per second, as are the next three
-	double sent_packets = 0.0;
-	double received_bytes = 0.0;
-	double received_packets = 0.0;
-	double loss = 0.0; ///< fraction; totals take the maximum over peers, also of the next two
+	double sent_bytes = 0.0; ///< per second
+	double sent_packets = 0.0; ///< per second
+	double received_bytes = 0.0; ///< per second
+	double received_packets = 0.0; ///< per second
+	double loss = 0.0; ///< fraction
 	double round_trip = 0.0; ///< seconds
 	double playback_delay = 0.0; ///< seconds
 	uint64_t late = 0; ///< windows that arrived after playback had reached their begin
 	uint64_t rejected = 0; ///< packets
 	uint64_t unauthorized = 0; ///< bodies that a peer sent without being their authority
 
+	/// Adds the statistics of another peer. Of loss, round trip and playback delay, the total is the maximum.
 	void add(const SessionStatistics &other) {
 		sent_bytes += other.sent_bytes;
 		sent_packets += other.sent_packets;

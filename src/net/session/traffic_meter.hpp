@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -29,12 +30,9 @@ private:
 
 	void advance_to(double now) {
 		const int64_t wanted = int64_t(std::floor(now * SLOTS_PER_SECOND));
-		if (wanted - _current >= SLOTS) {
-			_current = wanted - SLOTS;
-		}
+		_current = std::max(_current, wanted - SLOTS);
 		while (_current < wanted) {
-			_current++;
-			_slots[size_t(_current % SLOTS)] = Slot();
+			_slots[size_t(++_current % SLOTS)] = Slot();
 		}
 	}
 

@@ -3,6 +3,7 @@
 #include "cga/result.hpp"
 
 #include <cstdint>
+#include <iterator>
 
 namespace net {
 
@@ -33,7 +34,31 @@ enum class PacketError : uint8_t {
 };
 
 /// Describes the reason as a clause without a period.
-[[nodiscard]] const char *describe(PacketError error);
+[[nodiscard]] inline const char *describe(PacketError error) {
+	// In the order of the enumerators.
+	static constexpr const char *DESCRIPTIONS[] = {
+		"the packet is empty",
+		"the packet exceeds the maximum packet size",
+		"the packet is truncated",
+		"the packet contains an item of unknown type",
+		"the length of the packet's acknowledgement mask is not 1 to 8 bytes",
+		"a snapshot fragment is empty or its index is out of range",
+		"the snapshot is larger than the maximum number of bodies allows",
+		"the snapshot is truncated",
+		"the snapshot cannot be decoded",
+		"the stream format is of another version of the addon; use the same version on all peers",
+		"the snapshot's interpolation mode is unknown",
+		"the snapshot's settings are out of range",
+		"the acknowledgement comes from a peer that is not a receiver",
+		"the packet is of another version of the addon; use the same version on all peers",
+		"the close packet is malformed",
+		"the packet belongs to a stream that was not requested",
+		"its sender is not the authority of any target here",
+		"it acknowledges a stream that its sender does not receive",
+	};
+	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::NOT_SUBSCRIBED) + 1);
+	return DESCRIPTIONS[size_t(error)];
+}
 
 /// Success, or why a packet was rejected.
 using PacketResult = cga::Result<void, PacketError>;

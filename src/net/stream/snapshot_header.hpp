@@ -23,6 +23,6 @@ struct SnapshotHeader {
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);
 /// Parses a header at the start of `bytes`. Fails if it is truncated or out of range.
-PacketResult read_snapshot_header(const uint8_t *bytes, size_t size, SnapshotHeader &header);
+cga::Result<SnapshotHeader, PacketError> read_snapshot_header(const uint8_t *bytes, size_t size);
 
 } // namespace net

@@ -4,20 +4,14 @@
 
 namespace net {
 
-StreamDecoder::StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies) :
-		_grid(position_tolerance, rotation_tolerance), _max_bodies(max_bodies) {}
-
 PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
-	uint32_t ticks = 0;
-	uint32_t check = 0;
-	uint32_t count = 0;
-	coder.bits(ticks, 7);
-	coder.bits(check, 32);
+	const uint32_t ticks = coder.read_bits(7);
+	const uint32_t check = coder.read_bits(32);
 	_new_models = MotionModels();
 	code_models(coder, _new_models);
-	coder.bits(count, INDEX_BITS);
+	const uint32_t count = coder.read_bits(INDEX_BITS);
 	// Each body takes at least one byte, so a short snapshot cannot make the decoder allocate many bodies.
 	if (ticks > MAX_TICKS || count > size) {
 		return PacketError::UNREADABLE_SNAPSHOT;
@@ -27,8 +21,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	}
 	_new_bodies.clear();
 	for (uint32_t i = 0; i < count; ++i) {
-		Body body;
-		coder.bits(body.id, 31);
+		Body body{ coder.read_bits(31) };
 		body.state.visit(state_coder);
 		if (!body.state.is_valid()) {
 			return PacketError::UNREADABLE_SNAPSHOT;
@@ -53,12 +46,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	RangeDecoder coder(bytes, size);
 	bool same_length = true;
 	coder.bit(_new_models.same_length, same_length);
-	int ticks = _last_ticks;
-	if (!same_length) {
-		uint32_t ticks_minus_one = 0;
-		coder.bits(ticks_minus_one, 6);
-		ticks = int(ticks_minus_one) + 1;
-	}
+	const int ticks = same_length ? _last_ticks : int(coder.read_bits(6)) + 1;
 	if (ticks < 1 || ticks > MAX_TICKS || !decode_events(coder, ticks)) {
 		return fail();
 	}
@@ -88,29 +76,20 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 		return true;
 	}
 	StateCoder<RangeDecoder> state_coder(coder);
-	while (true) {
-		uint32_t more = 0;
-		coder.bits(more, 1);
-		if (more == 0) {
-			return true;
-		}
-		uint32_t event = 0;
-		uint32_t tick = 0;
-		coder.bits(event, 2);
-		coder.bits(tick, 7);
-		if (int(tick) > ticks) {
+	while (coder.read_bits(1) != 0) {
+		const auto event = WindowEvent(coder.read_bits(2));
+		const int tick = int(coder.read_bits(7));
+		if (tick > ticks) {
 			return false;
 		}
-		if (event == uint32_t(WindowEvent::ADDED)) {
-			Body body;
-			coder.bits(body.id, 31);
-			body.target.visit(state_coder);
-			body.state = body.target;
-			body.event_tick = int(tick);
+		if (event == WindowEvent::ADDED) {
+			Body body{ coder.read_bits(31) };
+			body.state.visit(state_coder);
 			if (!body.state.is_valid() || body.state.active || _new_bodies.size() >= _max_bodies) {
 				return false;
 			}
 			body.event = Event::APPEARS;
+			body.event_tick = tick;
 			_new_bodies.push_back(body);
 			continue;
 		}
@@ -120,17 +99,18 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 			return false;
 		}
 		Body &body = _new_bodies[size_t(index)];
-		if (event == uint32_t(WindowEvent::REMOVED)) {
-			body.removal_tick = int(tick);
+		if (event == WindowEvent::REMOVED) {
+			body.removal_tick = tick;
 			continue;
 		}
 		body.target.visit(state_coder);
-		body.event_tick = int(tick);
+		body.event_tick = tick;
 		body.event = Event::JUMPS;
-		if (event != uint32_t(WindowEvent::JUMPED) || !body.target.is_valid() || body.target.active) {
+		if (event != WindowEvent::JUMPED || !body.target.is_valid() || body.target.active) {
 			return false;
 		}
 	}
+	return true;
 }
 
 bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions) {
@@ -143,12 +123,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 		body.state = body.target;
 	}
 	if (body.event != Event::NONE) {
-		BodyMotion motion;
-		motion.id = body.id;
-		motion.appears = true;
-		motion.segment.begin = begin + at;
-		motion.segment.start = body.state.pose(_grid);
-		motions.push_back(motion);
+		motions.push_back(BodyMotion::rest(body.id, begin + at, body.state.pose(_grid), true));
 		body.event = Event::NONE;
 		body.event_tick = 0;
 	}
@@ -156,11 +131,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 		return false;
 	}
 	if (body.removal_tick != NEVER) {
-		BodyMotion motion;
-		motion.id = body.id;
-		motion.vanishes = true;
-		motion.segment.begin = begin + last;
-		motions.push_back(motion);
+		motions.push_back(BodyMotion::removal(body.id, begin + last));
 	}
 	return true;
 }
@@ -172,10 +143,7 @@ bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, i
 	_motion.active = false;
 	_motion.count = 0;
 	const bool is_valid = code_motion(coder, _new_models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
-		BodyMotion motion;
-		motion.id = body.id;
-		motion.segment = state.segment(code, steps, _grid, segment_begin, mode);
-		motions.push_back(motion);
+		motions.push_back({ body.id, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
 	});
 	_previous_active = _motion.active;
 	return is_valid;

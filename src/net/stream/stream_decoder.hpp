@@ -1,6 +1,5 @@
 #pragma once
 
-#include "net/motion/body_motion.hpp"
 #include "net/motion/motion_code.hpp"
 #include "net/stream/packet_error.hpp"
 #include "net/stream/stream_header.hpp"
@@ -16,7 +15,8 @@ namespace net {
 /// fails, nothing changes. Times in ticks.
 class StreamDecoder {
 public:
-	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies);
+	StreamDecoder(float position_tolerance, float rotation_tolerance, size_t max_bodies) :
+			_grid(position_tolerance, rotation_tolerance), _max_bodies(max_bodies) {}
 
 	/// Reads the output of StreamEncoder::encode_snapshot.
 	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
@@ -28,7 +28,6 @@ public:
 	[[nodiscard]] size_t body_count() const { return _bodies.size(); }
 	[[nodiscard]] uint32_t id(size_t index) const { return _bodies[index].id; }
 	[[nodiscard]] cga::Pose<double> pose(size_t index) const { return _bodies[index].state.pose(_grid); }
-	[[nodiscard]] const StreamGrid &grid() const { return _grid; }
 
 private:
 	enum class Event : uint8_t {
@@ -41,11 +40,11 @@ private:
 
 	struct Body {
 		uint32_t id = 0;
-		BodyState state;
+		BodyState state{};
 		Event event = Event::NONE; // in this window
 		int event_tick = 0; // from the window's begin
 		int removal_tick = NEVER; // from the window's begin
-		BodyState target; // state after the event
+		BodyState target{}; // state after a jump
 	};
 
 	bool decode_events(RangeDecoder &coder, int ticks);

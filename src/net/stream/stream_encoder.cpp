@@ -27,17 +27,13 @@ int tick_in_window(double time, double begin, int ticks) {
 
 } // namespace
 
-StreamEncoder::StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
-		_grid(position_tolerance, rotation_tolerance), _planner(_grid, mode) {}
-
 bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose) {
 	Body body;
 	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, _grid)) {
 		return false;
 	}
 	body.id = id;
-	body.latest = pose;
-	body.latest.rotation = glm::normalize(pose.rotation);
+	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
 	body.added = true;
 	body.event_time = time;
 	body.encoded_until = time;
@@ -75,8 +71,7 @@ bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &p
 		return false;
 	}
 	Body &body = _bodies[found->second];
-	body.latest = pose;
-	body.latest.rotation = glm::normalize(pose.rotation);
+	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
 	return observe(body, time);
 }
 
@@ -116,10 +111,9 @@ bool StreamEncoder::observe(Body &body, double time) {
 		return true;
 	}
 	_changed = _changed || is_changed(body, body.latest);
-	if (!body.samples.empty() && time - body.samples.back().time < MIN_STEP) {
-		return true;
+	if (body.samples.empty() || time - body.samples.back().time >= MIN_STEP) {
+		body.samples.push_back({ time, body.latest });
 	}
-	body.samples.push_back({ time, body.latest });
 	return true;
 }
 
@@ -129,11 +123,10 @@ bool StreamEncoder::is_changed(const Body &body, const cga::Pose<double> &pose) 
 
 void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
-	bool same_length = ticks == _last_ticks;
+	const bool same_length = ticks == _last_ticks;
 	coder.bit(_models.same_length, same_length);
 	if (!same_length) {
-		uint32_t ticks_minus_one = uint32_t(ticks - 1);
-		coder.bits(ticks_minus_one, 6);
+		coder.bits(uint32_t(ticks - 1), 6);
 	}
 	_last_ticks = ticks;
 	find_gaps(begin, ticks);
@@ -155,10 +148,9 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 			_index[_bodies[i].id] = i;
 		}
 	}
-	_changed = false;
-	for (const Body &body : _bodies) {
-		_changed = _changed || body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
-	}
+	_changed = std::any_of(_bodies.begin(), _bodies.end(), [this](const Body &body) {
+		return body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
+	});
 }
 
 void StreamEncoder::find_gaps(double begin, int ticks) {
@@ -182,13 +174,17 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 	// A body that was added after the end and has already been removed is never sent.
 	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
 	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
-	bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
+	const bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
 		return;
 	}
 	StateCoder<RangeEncoder> state_coder(coder);
-	const auto put = [&coder](uint32_t value, int bits) { coder.bits(value, bits); };
+	const auto put_event = [&](WindowEvent event, double time) {
+		coder.bits(1, 1);
+		coder.bits(uint32_t(event), 2);
+		coder.bits(uint32_t(tick_in_window(time, begin, ticks)), 7);
+	};
 	int32_t index = -1;
 	for (Body &body : _bodies) {
 		if (!is_included(body)) {
@@ -196,15 +192,11 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 		}
 		++index;
 		if (is_added(body)) {
-			put(1, 1);
-			put(uint32_t(WindowEvent::ADDED), 2);
-			put(uint32_t(tick_in_window(body.event_time, begin, ticks)), 7);
-			put(body.id, 31);
+			put_event(WindowEvent::ADDED, body.event_time);
+			coder.bits(body.id, 31);
 			body.state.visit(state_coder);
 		} else if (is_jumped(body)) {
-			put(1, 1);
-			put(uint32_t(WindowEvent::JUMPED), 2);
-			put(uint32_t(tick_in_window(body.event_time, begin, ticks)), 7);
+			put_event(WindowEvent::JUMPED, body.event_time);
 			state_coder(index, INDEX_BITS);
 			BodyState target;
 			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.event_time; });
@@ -215,13 +207,11 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 			target.visit(state_coder);
 		}
 		if (body.removed) {
-			put(1, 1);
-			put(uint32_t(WindowEvent::REMOVED), 2);
-			put(uint32_t(tick_in_window(body.removal_time, begin, ticks)), 7);
+			put_event(WindowEvent::REMOVED, body.removal_time);
 			state_coder(index, INDEX_BITS);
 		}
 	}
-	put(0, 1);
+	coder.bits(0, 1);
 }
 
 void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks) {
@@ -240,8 +230,7 @@ void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin,
 		}
 		if (body.jumped) {
 			encode_span(coder, body, begin, from, 0, first, first);
-			const bool is_observed = first < count && body.state.set_pose(body.samples[first].pose, _grid);
-			if (!is_observed) {
+			if (first == count || !body.state.set_pose(body.samples[first].pose, _grid)) {
 				body.state.reset_motion();
 			}
 		}
@@ -269,16 +258,11 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	if (count == 0 && body.state.active && begin + ticks - body.encoded_until <= max_gap(ticks)) {
 		_motion.active = true;
 		_motion.count = 1;
-		_motion.segments[0] = SegmentCode();
-		_motion.segments[0].ticks = ticks;
+		_motion.segments[0] = SegmentCode{ ticks };
 	} else {
 		body.encoded_until = count == 0 ? body.encoded_until : samples[count - 1].time;
-		if (!_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion)) {
-			// The motion is out of range: the body rests, then jumps to its next pose.
-			_motion.active = false;
-			_motion.has_rest_correction = false;
-			body.jump_next = true;
-		}
+		_planner.plan(body.state, begin, ticks, samples, count, available, _models, _motion);
+		body.jump_next = body.jump_next || _motion.must_jump;
 	}
 	(void)code_motion(coder, _models, body.state, _grid, begin, ticks, _previous_active, _motion, [](const BodyState &, const SegmentCode &, const SegmentSteps &, double) {});
 	_previous_active = _motion.active;
@@ -287,13 +271,11 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
-	uint32_t ticks = uint32_t(_last_ticks);
-	coder.bits(ticks, 7);
+	coder.bits(uint32_t(_last_ticks), 7);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
 	const auto is_known = [](const Body &body) { return !body.added; };
-	uint32_t count = uint32_t(std::count_if(_bodies.begin(), _bodies.end(), is_known));
-	coder.bits(count, INDEX_BITS);
+	coder.bits(uint32_t(std::count_if(_bodies.begin(), _bodies.end(), is_known)), INDEX_BITS);
 	for (Body &body : _bodies) {
 		if (is_known(body)) {
 			coder.bits(body.id, 31);

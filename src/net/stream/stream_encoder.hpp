@@ -13,7 +13,8 @@ namespace net {
 /// Encodes the poses of many bodies into windows, each as a delta from the previous one. Times are in ticks.
 class StreamEncoder {
 public:
-	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode);
+	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
+			_grid(position_tolerance, rotation_tolerance), _planner(_grid, mode) {}
 
 	/// False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
@@ -28,7 +29,11 @@ public:
 	bool jump(uint32_t id);
 	/// Calls visit(id, last pose) for each body.
 	template <class Visit>
-	void visit_bodies(Visit &&visit) const;
+	void visit_bodies(Visit &&visit) const {
+		for (const auto &entry : _index) {
+			visit(entry.first, _bodies[entry.second].latest);
+		}
+	}
 
 	/// True if, since the last window, a body moved or was added, removed or jumped.
 	[[nodiscard]] bool has_changes() const { return _changed; }
@@ -78,12 +83,5 @@ private:
 	uint32_t _check = 0;
 	bool _changed = false;
 };
-
-template <class Visit>
-void StreamEncoder::visit_bodies(Visit &&visit) const {
-	for (const auto &entry : _index) {
-		visit(entry.first, _bodies[entry.second].latest);
-	}
-}
 
 } // namespace net

@@ -18,10 +18,6 @@ bool contains(const std::vector<Entry *> &entries, const Entry *entry) {
 
 } // namespace
 
-bool Entry::has_missing_dependency() const {
-	return contains(dependencies, nullptr);
-}
-
 void disconnect(Entry &entry) {
 	for (Entry *dependency : entry.dependencies) {
 		if (dependency) {
@@ -69,7 +65,7 @@ std::vector<Component> components_in_evaluation_order(const std::vector<Entry *>
 	constexpr int DONE = -2;
 	struct Step {
 		Entry *entry;
-		size_t next; // dependency
+		size_t next; // index of the next dependency to visit
 		int lowest; // the lowest mark reachable from here (Tarjan's lowlink)
 	};
 	const uint64_t visit = ++last_visit;

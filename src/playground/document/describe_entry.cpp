@@ -1,5 +1,6 @@
 #include "playground/document/describe_entry.hpp"
 
+#include "cga/motor/axis_angle.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/object/classify.hpp"
 #include "cga/text/readable.hpp"
@@ -14,20 +15,19 @@ namespace playground {
 namespace {
 
 constexpr double DEGREES = 180.0 / 3.14159265358979323846;
+// Smaller angles and changes of scale are rounding errors.
+constexpr double ROUNDING = 1e-9;
 
 std::string motion(const cga::Pose<double> &pose) {
 	std::string text;
 	if (glm::length(pose.translation) > 0.0) {
 		text += ", translation " + cga::readable(pose.translation);
 	}
-	const cga::Vector3<double> sines(pose.rotation.x, pose.rotation.y, pose.rotation.z);
-	const double size = glm::length(sines);
-	// Smaller angles round to zero in six digits.
-	if (size > 1e-9) {
-		const double sign = pose.rotation.w < 0.0 ? -1.0 : 1.0;
-		text += ", " + cga::readable(2.0 * std::atan2(size, std::abs(pose.rotation.w)) * DEGREES) + " degrees about " + cga::readable(sines * (sign / size));
+	const cga::AxisAngle<double> rotation = cga::short_axis_angle(pose.rotation);
+	if (rotation.angle > 2.0 * ROUNDING) {
+		text += ", " + cga::readable(rotation.angle * DEGREES) + " degrees about " + cga::readable(rotation.axis);
 	}
-	if (std::abs(pose.scale - 1.0) > 1e-9) {
+	if (std::abs(pose.scale - 1.0) > ROUNDING) {
 		text += ", scale " + cga::readable(pose.scale);
 	}
 	return text;

@@ -1,11 +1,9 @@
 #include "playground/document/document.hpp"
 
 #include "playground/document/dependency_graph.hpp"
-#include "playground/document/missing_entry.hpp"
 #include "playground/document/parameters.hpp"
 #include "playground/document/pasted_text.hpp"
 #include "playground/document/reevaluate.hpp"
-#include "playground/document/rename_variable.hpp"
 #include "playground/expression/evaluate.hpp"
 #include "playground/expression/names.hpp"
 #include "playground/expression/parser.hpp"
@@ -71,7 +69,7 @@ void Document::set_text(Entry &entry, std::string_view text) {
 std::vector<Entry *> Document::entries_with_missing_dependency() const {
 	std::vector<Entry *> found;
 	for (const std::unique_ptr<Entry> &entry : _entries) {
-		if (entry->has_missing_dependency()) {
+		if (std::count(entry->dependencies.begin(), entry->dependencies.end(), nullptr) > 0) {
 			found.push_back(entry.get());
 		}
 	}
@@ -136,10 +134,7 @@ ChangeResult Document::rename(std::string_view from, std::string_view to) {
 	}
 	std::vector<std::pair<Entry *, std::string>> rewritten;
 	for (const std::unique_ptr<Entry> &candidate : _entries) {
-		if (candidate->expression && !candidate->expression->refers_to(from)) {
-			continue;
-		}
-		std::string text = candidate->expression ? candidate->expression->renamed(from, to) : with_variable_renamed(candidate->text, from, to);
+		std::string text = with_variable_renamed(candidate->text, from, to);
 		if (text.size() > MAX_TEXT_LENGTH && candidate->text.size() <= MAX_TEXT_LENGTH) {
 			return Error("the expression of '" + candidate->name + "' would become longer than " + std::to_string(MAX_TEXT_LENGTH) + " bytes; choose a shorter name");
 		}
@@ -270,16 +265,12 @@ ChangeResult Document::restore(const DocumentState &state) {
 		_index.emplace(entry.name, &entry);
 		all.push_back(&entry);
 		if (is_new || entry.text != saved.text) {
-			// Connected again below, when all entries exist.
-			set_text(entry, saved.text);
+			entry.text = saved.text;
+			entry.expression = parse(saved.text);
 		}
 	}
 	for (const auto &removed : old) {
 		names.push_back(removed.first);
-	}
-	for (Entry *entry : all) {
-		entry->dependents.clear();
-		entry->dependencies.clear();
 	}
 	for (Entry *entry : all) {
 		connect(*entry, _index);
@@ -296,7 +287,7 @@ cga::TextResult<cga::Multivector> Document::evaluate(std::string_view text) cons
 	for (const std::string &name : expression->variables()) {
 		const Entry *entry = find(name);
 		if (!entry || !entry->value) {
-			return cga::text_error(text, expression->first_use(values.size()).offset, entry ? "'" + name + "' has an error; " + entry->value.error().message : missing_entry(name, _index));
+			return cga::text_error(text, expression->first_use(values.size()), entry ? "'" + name + "' has an error; " + entry->value.error().message : missing_entry(name, _index));
 		}
 		values.push_back(&*entry->value);
 	}

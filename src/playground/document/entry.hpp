@@ -42,9 +42,6 @@ struct Entry {
 	// The number of the last graph traversal that visited this entry, and its mark.
 	uint64_t visit = 0;
 	int mark = 0;
-
-	// Whether the expression refers to a name that has no entry.
-	[[nodiscard]] bool has_missing_dependency() const;
 };
 
 using EntryIndex = std::map<std::string, Entry *, std::less<>>;

@@ -58,18 +58,18 @@ bool is_same_component(double left, double right, size_t count) {
 	return is_single ? float(left) == float(right) : left == right;
 }
 
-double size_of(const std::vector<double> &components) {
-	double size = 0.0;
+double max_abs(const std::vector<double> &components) {
+	double largest = 0.0;
 	for (const double component : components) {
-		size = std::max(size, std::abs(component));
+		largest = std::max(largest, std::abs(component));
 	}
-	return size;
+	return largest;
 }
 
 // "e1 - 2 e3", "0"
 std::string sum_text(const std::vector<double> &components) {
 	std::string text;
-	const double size = size_of(components);
+	const double size = max_abs(components);
 	for (size_t index = 0; index < components.size(); ++index) {
 		const std::string number = number_text(std::abs(components[index]), size);
 		if (number != "0") {
@@ -108,11 +108,6 @@ std::optional<Literal> list_literal(const TokenRange &range) {
 }
 
 } // namespace
-
-std::string_view TokenRange::text() const {
-	const TextSpan all = span();
-	return _text.substr(all.offset, all.length);
-}
 
 TextSpan TokenRange::span() const {
 	return size() == 0 ? TextSpan() : TextSpan{ _first->offset, _last[-1].offset + _last[-1].length - _first->offset };
@@ -191,14 +186,7 @@ std::optional<Literal> vector_literal(const TokenRange &range) {
 		return vector_literal(arguments[0]);
 	}
 	if (arguments.size() == 3 && is_in(range.text(0), { "vector", "point" })) {
-		std::vector<Literal> numbers;
-		for (const TokenRange &argument : arguments) {
-			if (const std::optional<Literal> number = number_literal(argument); number && number->form == Literal::NUMBERS) {
-				numbers.push_back(*number);
-			}
-		}
-		const auto at = [&numbers](size_t index) { return *std::get_if<double>(&numbers[index].value); };
-		return numbers.size() == 3 ? std::optional<Literal>(joined(numbers, cga::Vector3<double>(at(0), at(1), at(2)))) : std::nullopt;
+		return group_literal(arguments, 3);
 	}
 	if (range.size() == 1 && range.text(0) == "eo") {
 		return Literal{ Literal::SUM, cga::Vector3<double>(0.0), { range.span() } };
@@ -224,12 +212,23 @@ std::optional<Literal> multivector_literal(const TokenRange &range) {
 	return value ? std::optional<Literal>(Literal{ Literal::BLADES, *value, { range.span() } }) : std::nullopt;
 }
 
-Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value) {
-	Literal all{ Literal::NUMBERS, value, {} };
-	for (const Literal &number : numbers) {
-		all.spans.insert(all.spans.end(), number.spans.begin(), number.spans.end());
+std::optional<Literal> group_literal(const std::vector<TokenRange> &arguments, size_t count) {
+	double values[4] = {};
+	Literal group;
+	for (size_t index = 0; index < count; ++index) {
+		const std::optional<Literal> number = number_literal(arguments[index]);
+		if (!number || number->form != Literal::NUMBERS) {
+			return std::nullopt;
+		}
+		values[index] = *std::get_if<double>(&number->value);
+		group.spans.push_back(number->spans[0]);
 	}
-	return all;
+	if (count == 4) {
+		group.value = cga::Quaternion<double>(values[3], values[0], values[1], values[2]);
+	} else {
+		group.value = cga::Vector3<double>(values[0], values[1], values[2]);
+	}
+	return group;
 }
 
 bool is_finite(const LiteralValue &value) {
@@ -262,7 +261,7 @@ std::vector<TextEdit> edits_for(const Literal &literal, const LiteralValue &valu
 			break;
 	}
 	std::vector<TextEdit> edits;
-	const double size = size_of(after);
+	const double size = max_abs(after);
 	for (size_t index = 0; index < literal.spans.size(); ++index) {
 		if (!is_same_component(before[index], after[index], after.size())) {
 			std::string text;

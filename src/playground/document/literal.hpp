@@ -30,9 +30,10 @@ public:
 	[[nodiscard]] size_t size() const { return size_t(_last - _first); }
 	[[nodiscard]] const Token &operator[](size_t index) const { return _first[index]; }
 	[[nodiscard]] TokenRange part(size_t from, size_t to) const { return { _text, _first + from, _first + to }; }
-	// The text of one token; the text from the first token to the last.
+	// The text of a token.
 	[[nodiscard]] std::string_view text(size_t index) const { return _text.substr(_first[index].offset, _first[index].length); }
-	[[nodiscard]] std::string_view text() const;
+	// The text from the first token to the last.
+	[[nodiscard]] std::string_view text() const { return _text.substr(span().offset, span().length); }
 	[[nodiscard]] TextSpan span() const;
 	[[nodiscard]] bool is(size_t index, TokenKind kind) const { return index < size() && _first[index].kind == kind; }
 
@@ -68,8 +69,9 @@ struct Literal {
 [[nodiscard]] std::optional<Literal> vector_literal(const TokenRange &range);
 // [32 numbers]; 1 + 2 e12 - 0.5 einf
 [[nodiscard]] std::optional<Literal> multivector_literal(const TokenRange &range);
-// Merges literals of one number each into one literal.
-[[nodiscard]] Literal joined(const std::vector<Literal> &numbers, const LiteralValue &value);
+// The first three arguments as a vector, or the first four as a quaternion in the order x, y, z, w; empty if one of them is
+// not a number. Precondition: `count` is 3 or 4, and there are at least that many arguments.
+[[nodiscard]] std::optional<Literal> group_literal(const std::vector<TokenRange> &arguments, size_t count);
 
 [[nodiscard]] bool is_finite(const LiteralValue &value);
 

@@ -16,39 +16,23 @@ namespace {
 
 constexpr std::string_view ROTATION = "rotation";
 
-// A function that constructs an object, and the name of the vector that its arguments x, y, z form.
-struct Constructor {
-	std::string_view name;
-	std::string_view vector_name;
+// Functions that construct an object.
+constexpr std::string_view CONSTRUCTORS[] = {
+	"scalar", "vector", "point", "flat_point", "point_pair", "pair", "line", "line_through",
+	"circle", "circle_through", "plane", "plane_through", "sphere", "sphere_through",
+	"imaginary_point_pair", "imaginary_circle", "imaginary_sphere",
+	"tangent_along", "tangent_across", "direction", "direction_across",
+	"translator", "rotor", "dilator", "motor", "motor_from"
 };
 
-constexpr Constructor CONSTRUCTORS[] = {
-	{ "scalar", "" },
+// The names of the vectors that the arguments x, y, z form.
+constexpr std::pair<std::string_view, std::string_view> VECTOR_NAMES[] = {
 	{ "vector", "vector" },
 	{ "point", "position" },
 	{ "flat_point", "position" },
-	{ "point_pair", "" },
-	{ "pair", "" },
-	{ "line", "" },
-	{ "line_through", "" },
-	{ "circle", "" },
-	{ "circle_through", "" },
 	{ "plane", "normal" },
-	{ "plane_through", "" },
 	{ "sphere", "center" },
-	{ "sphere_through", "" },
-	{ "imaginary_point_pair", "" },
-	{ "imaginary_circle", "" },
-	{ "imaginary_sphere", "" },
-	{ "tangent_along", "" },
-	{ "tangent_across", "" },
-	{ "direction", "" },
-	{ "direction_across", "" },
 	{ "translator", "offset" },
-	{ "rotor", "" },
-	{ "dilator", "" },
-	{ "motor", "" },
-	{ "motor_from", "" },
 };
 
 constexpr std::string_view WRAPPERS[] = { "dual", "undual", "reverse", "normalized", "normalize" };
@@ -83,16 +67,15 @@ std::vector<std::string_view> split(std::string_view parameters) {
 	return names;
 }
 
-// Null if the range calls no constructor.
-const Constructor *constructor_of(const TokenRange &call) {
-	const auto found = std::find_if(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), [&call](const Constructor &candidate) { return call.size() > 0 && call.text(0) == candidate.name; });
-	return found == std::end(CONSTRUCTORS) ? nullptr : found;
+std::string_view vector_name_of(std::string_view constructor) {
+	const auto *const found = std::find_if(std::begin(VECTOR_NAMES), std::end(VECTOR_NAMES), [constructor](const auto &candidate) { return candidate.first == constructor; });
+	return found == std::end(VECTOR_NAMES) ? std::string_view() : found->second;
 }
 
-// The first overload that accepts the arguments; an argument with variables matches any kind.
+// The first overload of a constructor that accepts the arguments, where an argument with variables matches any kind. Null if
+// there is none, or `call` calls no constructor.
 const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange> &arguments) {
-	const std::optional<size_t> function = arguments.empty() ? std::nullopt : find_function(call.text(0));
-	if (!function) {
+	if (arguments.empty() || std::find(std::begin(CONSTRUCTORS), std::end(CONSTRUCTORS), call.text(0)) == std::end(CONSTRUCTORS)) {
 		return nullptr;
 	}
 	std::vector<std::optional<cga::Multivector>> values;
@@ -100,7 +83,7 @@ const Overload *overload_of(const TokenRange &call, const std::vector<TokenRange
 		const cga::TextResult<cga::Multivector> value = evaluate(argument.text());
 		values.push_back(value ? std::optional<cga::Multivector>(*value) : std::nullopt);
 	}
-	for (const Overload *overload : functions()[*function].overloads) {
+	for (const Overload *overload : functions()[*find_function(call.text(0))].overloads) {
 		bool fits = overload->count == arguments.size();
 		for (size_t index = 0; fits && index < values.size(); ++index) {
 			fits = !values[index] || is_of_kind(*values[index], overload->kinds[index]);
@@ -135,15 +118,18 @@ public:
 
 	void collect(const TokenRange &call) {
 		const std::vector<TokenRange> arguments = call.arguments();
-		const Constructor *constructor = constructor_of(call);
-		const Overload *overload = constructor ? overload_of(call, arguments) : nullptr;
+		const Overload *overload = overload_of(call, arguments);
 		if (!overload) {
 			return;
 		}
 		const std::vector<std::string_view> names = split(overload->parameters);
 		size_t index = 0;
 		if (names[0] == "x" && names.size() >= 3) {
-			index = names.size() == 4 && names[3] == "w" ? collect_group(arguments, 4, ROTATION) : collect_group(arguments, 3, constructor->vector_name);
+			const bool is_quaternion = names.back() == "w";
+			const size_t count = is_quaternion ? 4 : 3;
+			const std::optional<Literal> group = group_literal(arguments, count);
+			add(is_quaternion ? ROTATION : vector_name_of(overload->name), group);
+			index = group ? count : 0;
 		}
 		for (; index < arguments.size(); ++index) {
 			collect_argument(arguments[index], overload->kinds[index], names[index]);
@@ -158,26 +144,6 @@ private:
 		if (literal) {
 			found.push_back({ std::string(name), std::move(*literal) });
 		}
-	}
-
-	// Adds the first `count` arguments as one vector or quaternion. Returns `count`, or 0 if one of them is not a literal.
-	size_t collect_group(const std::vector<TokenRange> &arguments, size_t count, std::string_view name) {
-		std::vector<Literal> numbers;
-		std::vector<double> values;
-		for (size_t index = 0; index < count; ++index) {
-			const std::optional<Literal> number = number_literal(arguments[index]);
-			if (!number || number->form != Literal::NUMBERS) {
-				return 0;
-			}
-			numbers.push_back(*number);
-			values.push_back(*std::get_if<double>(&number->value));
-		}
-		if (count == 4) {
-			add(name, joined(numbers, cga::Quaternion<double>(values[3], values[0], values[1], values[2])));
-		} else {
-			add(name, joined(numbers, cga::Vector3<double>(values[0], values[1], values[2])));
-		}
-		return count;
 	}
 
 	void collect_argument(const TokenRange &argument, ArgumentKind kind, std::string_view name) {
@@ -226,9 +192,9 @@ const Parameter *find(const std::vector<Parameter> &parameters, std::string_view
 
 std::vector<Argument> arguments_of(std::string_view text) {
 	const std::vector<Token> tokens = parse(text) ? tokens_of(text) : std::vector<Token>();
-	const TokenRange call = unwrapped(TokenRange(text, tokens.data(), tokens.data() + tokens.size()));
+	const TokenRange call = unwrapped({ text, tokens.data(), tokens.data() + tokens.size() });
 	const std::vector<TokenRange> arguments = call.arguments();
-	const Overload *overload = constructor_of(call) ? overload_of(call, arguments) : nullptr;
+	const Overload *overload = overload_of(call, arguments);
 	std::vector<Argument> found;
 	for (size_t index = 0; overload && index < arguments.size(); ++index) {
 		found.push_back({ split(overload->parameters)[index], arguments[index].text() });

@@ -1,8 +1,8 @@
 #include "playground/document/reevaluate.hpp"
 
 #include "playground/document/dependency_graph.hpp"
-#include "playground/document/missing_entry.hpp"
 #include "playground/expression/evaluate.hpp"
+#include "playground/expression/functions.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -14,6 +14,8 @@ namespace {
 
 // The error message for a longer cycle does not list the entries.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
+// Larger documents get no suggestions for missing entries: the search takes time proportional to the number of entries.
+constexpr size_t MAX_CANDIDATES = 100;
 
 std::string quoted(const std::string &name) {
 	return "'" + name + "'";
@@ -25,7 +27,7 @@ EntryError own_error(const Entry &entry, const cga::TextError &error) {
 
 // An error located at the first occurrence of a variable.
 EntryError error_at(const Entry &entry, size_t variable, std::string message, const std::string &cause) {
-	return { cga::text_error(entry.text, entry.expression->first_use(variable).offset, std::move(message)).describe(), cause, false };
+	return { cga::text_error(entry.text, entry.expression->first_use(variable), std::move(message)).describe(), cause, false };
 }
 
 EntryValue evaluated(const Entry &entry, const EntryIndex &index) {
@@ -83,6 +85,16 @@ bool is_same(const EntryValue &left, const EntryValue &right) {
 		return std::memcmp(left->coefficients().data(), right->coefficients().data(), sizeof(cga::Multivector::Coefficients)) == 0;
 	}
 	return !left && !right && left.error().message == right.error().message && left.error().cause == right.error().cause && left.error().is_cycle == right.error().is_cycle;
+}
+
+std::string missing_entry(const std::string &name, const EntryIndex &index) {
+	std::vector<std::string_view> names;
+	if (index.size() <= MAX_CANDIDATES) {
+		for (const auto &known : index) {
+			names.push_back(known.first);
+		}
+	}
+	return "there is no entry '" + name + "'" + correction(name, names);
 }
 
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index) {

@@ -2,6 +2,7 @@
 
 #include "playground/document/entry.hpp"
 
+#include <string>
 #include <vector>
 
 namespace playground {
@@ -11,5 +12,8 @@ namespace playground {
 //
 // An error in one entry does not stop the evaluation of the others; the errors of its dependents name it.
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index);
+
+// The error message for a reference to a name that has no entry, with a suggestion if a similar name exists.
+[[nodiscard]] std::string missing_entry(const std::string &name, const EntryIndex &index);
 
 } // namespace playground

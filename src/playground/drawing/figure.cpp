@@ -32,7 +32,7 @@ bool is_in_range(const Classification &found) {
 	return is_finite(found.center.value_or(nothing)) && is_finite(found.normal.value_or(nothing)) && is_finite(found.direction.value_or(nothing)) && std::isfinite(found.radius.value_or(0.0)) && std::isfinite(found.distance.value_or(0.0));
 }
 
-// The part R of sphere(center, radius) is -E123: a positive one has the opposite orientation.
+// The `origin` part of sphere(center, radius) is -E123; that of the opposite orientation is +E123.
 bool points_inward(const cga::Multivector &x, bool ipns) {
 	return cga::parts_of(ipns ? x.undual() : x).origin[cga::E123] > 0.0;
 }

@@ -10,15 +10,31 @@ namespace {
 
 constexpr float TAU = 6.28318531f;
 constexpr float THIN_OPACITY = 0.4f;
-const glm::vec3 X(1.0f, 0.0f, 0.0f), Y(0.0f, 1.0f, 0.0f), Z(0.0f, 0.0f, 1.0f);
+const glm::vec3 X(1.0f, 0.0f, 0.0f), Z(0.0f, 0.0f, 1.0f);
+
+// In the order of Form.
+constexpr Space SPACES[SHARED_FORM_COUNT + 1] = {
+	Space::MODEL, Space::MODEL, Space::MODEL, // points and pairs
+	Space::LINE,
+	Space::ROUND, Space::ROUND, // circles and spheres
+	Space::PLANE,
+	Space::SCREEN, Space::SCREEN, Space::SCREEN, Space::SCREEN, Space::SCREEN, // normals, tangents and directions
+	Space::MODEL, // Form::CUSTOM
+};
+
+// Adds a curve through position(0) .. position(steps), whose tangents the vertex shader computes.
+template <class Position>
+void add_samples(Strokes &strokes, int steps, Position position, const Pen &pen = {}) {
+	std::vector<CurvePoint> points;
+	for (int i = 0; i <= steps; ++i) {
+		points.push_back({ position(float(i)), X });
+	}
+	strokes.add_curve(points, pen);
+}
 
 // Adds one great circle in Space::ROUND.
 void add_ring(Strokes &strokes, float ring, int steps, const Pen &pen) {
-	std::vector<CurvePoint> points;
-	for (int i = 0; i <= steps; ++i) {
-		points.push_back({ { 2.0f * float(i) / float(steps) - 1.0f, ring, 0.0f }, X });
-	}
-	strokes.add_curve(points, pen);
+	add_samples(strokes, steps, [&](float i) { return glm::vec3(2.0f * i / float(steps) - 1.0f, ring, 0.0f); }, pen);
 }
 
 // Arrows are numbered from 1: a vertex with `arrow` 0 does not belong to an arrow.
@@ -74,20 +90,12 @@ void add_sphere(FormMesh &mesh) {
 		mesh.strokes.add_segment({ 0.0f, which, 0.0f }, { 1.0f, which, 0.0f }, { HALF_LINE, 0.8f, {} });
 		mesh.strokes.add_marker(Profile::ARROW, 0.8f * ARROW, { 1.0f, which, 0.0f }, X, { HALF_LINE, 0.8f, {} });
 	}
-	std::vector<CurvePoint> outline;
-	for (int i = 0; i <= OUTLINE_STEPS; ++i) {
-		outline.push_back({ { TAU * float(i) / OUTLINE_STEPS, OUTLINE, 0.0f }, X });
-	}
-	mesh.strokes.add_curve(outline);
+	add_samples(mesh.strokes, OUTLINE_STEPS, [](float i) { return glm::vec3(TAU * i / OUTLINE_STEPS, OUTLINE, 0.0f); });
 	mesh.fill = polar_fill(8, 64, 1.0f);
 }
 
 void add_plane(FormMesh &mesh) {
-	std::vector<CurvePoint> horizon;
-	for (int i = 0; i <= OUTLINE_STEPS; ++i) {
-		horizon.push_back({ { 3.0f, TAU * float(i) / OUTLINE_STEPS, 0.0f }, X });
-	}
-	mesh.strokes.add_curve(horizon, { HALF_THIN, 0.6f, {} });
+	add_samples(mesh.strokes, OUTLINE_STEPS, [](float i) { return glm::vec3(3.0f, TAU * i / OUTLINE_STEPS, 0.0f); }, { HALF_THIN, 0.6f, {} });
 	mesh.fill = polar_fill(3, 32, 3.0f);
 }
 
@@ -113,29 +121,9 @@ void add_parallel_circles(Strokes &strokes) {
 
 } // namespace
 
-Space space_of(Form form) {
-	switch (form) {
-		case Form::LINE:
-			return Space::LINE;
-		case Form::CIRCLE:
-		case Form::SPHERE:
-			return Space::ROUND;
-		case Form::PLANE:
-			return Space::PLANE;
-		case Form::NORMAL:
-		case Form::TANGENT_ALONG:
-		case Form::TANGENT_ACROSS:
-		case Form::DIRECTION_ALONG:
-		case Form::DIRECTION_ACROSS:
-			return Space::SCREEN;
-		default:
-			return Space::MODEL;
-	}
-}
-
 FormMesh mesh_of(Form form) {
 	FormMesh mesh;
-	mesh.space = space_of(form);
+	mesh.space = SPACES[size_t(form)];
 	Strokes &strokes = mesh.strokes;
 	switch (form) {
 		case Form::POINT:
@@ -151,15 +139,10 @@ FormMesh mesh_of(Form form) {
 			strokes.add_marker(Profile::DOT, DOT, -X, X);
 			strokes.add_marker(Profile::DOT, DOT, X, X);
 			break;
-		case Form::LINE: {
-			std::vector<CurvePoint> points;
-			for (int step = -3; step <= 3; ++step) {
-				points.push_back({ { float(step), 0.0f, 0.0f }, X });
-			}
-			strokes.add_curve(points);
+		case Form::LINE:
+			add_samples(strokes, 6, [](float i) { return glm::vec3(i - 3.0f, 0.0f, 0.0f); });
 			add_arrows(strokes, LINE_ARROWS);
 			break;
-		}
 		case Form::CIRCLE:
 			add_ring(strokes, 0.0f, CIRCLE_STEPS, {});
 			add_arrows(strokes, CIRCLE_ARROWS);

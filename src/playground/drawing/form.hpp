@@ -46,7 +46,6 @@ struct FormMesh {
 	Fill fill; // of the sphere (s, azimuth, 0), the plane (step, azimuth, 0) and discs; otherwise empty
 };
 
-[[nodiscard]] Space space_of(Form form);
 [[nodiscard]] FormMesh mesh_of(Form form);
 
 // Values of `ring` beyond the great circles 0 to 2: the six ticks of a sphere, which show its orientation, and its outline.

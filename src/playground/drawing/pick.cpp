@@ -57,7 +57,8 @@ std::optional<PickHit> pick_curve(const Curve &curve, double from, double to, in
 	for (int i = 0; i < REFINEMENTS; ++i) {
 		const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
 		const std::optional<PickHit> at_a = pick_point(curve(a), ray), at_b = pick_point(curve(b), ray);
-		(at_a && (!at_b || at_a->pixels < at_b->pixels) ? high : low) = at_a && (!at_b || at_a->pixels < at_b->pixels) ? b : a;
+		const bool is_a_closer = at_a && (!at_b || at_a->pixels < at_b->pixels);
+		(is_a_closer ? high : low) = is_a_closer ? b : a;
 	}
 	const std::optional<PickHit> refined = pick_point(curve(0.5 * (low + high)), ray);
 	return refined && refined->pixels < best->pixels ? refined : best;
@@ -126,7 +127,7 @@ std::optional<PickHit> pick_plane(const Placement &plane, const PickRay &ray) {
 }
 
 // Picks an arrow along z with constant size on the screen; `from` and `to` are in pixels.
-std::optional<PickHit> pick_marker(const Placement &at, double from, double to, const PickRay &ray) {
+std::optional<PickHit> pick_arrow(const Placement &at, double from, double to, const PickRay &ray) {
 	const double pixel = ray.pixel(glm::dot(at.origin - ray.origin, ray.direction));
 	return pick_segment(at.origin + at.z * (from * pixel), at.origin + at.z * (to * pixel), ray);
 }
@@ -156,9 +157,9 @@ std::optional<PickHit> pick_part(const Part &part, const Strokes &custom, const 
 			return pick_plane(at, ray);
 		case Form::NORMAL:
 		case Form::TANGENT_ALONG:
-			return pick_marker(at, 0.0, 36.0, ray);
+			return pick_arrow(at, 0.0, 36.0, ray);
 		case Form::DIRECTION_ALONG:
-			return pick_marker(at, -26.0, 26.0, ray);
+			return pick_arrow(at, -26.0, 26.0, ray);
 		case Form::CUSTOM:
 			return pick_strokes(custom, at, ray);
 		default:

@@ -62,10 +62,7 @@ FunctionResult binary(NodeKind kind, const Multivector &left, const Multivector 
 	}
 }
 
-std::string ordinal(size_t index) {
-	constexpr std::string_view ORDINALS[MAX_ARGUMENTS] = { "first", "second", "third", "fourth" };
-	return std::string(ORDINALS[index]);
-}
+constexpr const char *ORDINALS[MAX_ARGUMENTS] = { "first", "second", "third", "fourth" };
 
 // Evaluates the nodes in order, on a stack of values.
 class Evaluation {
@@ -147,14 +144,11 @@ private:
 	}
 
 	bool fail_unknown(const Node &node, const std::string &name) {
-		if (find_function(name)) {
-			return fail(node, "unknown name '" + name + "'; to call the function write '" + name + "('");
-		}
-		std::vector<std::string_view> names = { "eo", "einf", "pi", "tau" };
+		std::vector<std::string_view> names;
 		for (const auto &variable : _known) {
 			names.push_back(variable.first);
 		}
-		return fail(node, "unknown name '" + name + "'" + suggestion(name, names));
+		return fail(node, "unknown name '" + name + "'" + correction(name, names));
 	}
 
 	bool call(const Node &node) {
@@ -212,7 +206,7 @@ private:
 			signatures += (signatures.empty() ? "" : " or ") + overload->signature();
 		}
 		const size_t offset = _expression.argument_offsets()[node.first_argument + furthest];
-		return fail_at(offset, "expected " + kinds + " as " + ordinal(furthest) + " argument of " + signatures);
+		return fail_at(offset, "expected " + kinds + " as " + ORDINALS[furthest] + " argument of " + signatures);
 	}
 
 	const Expression &_expression;

@@ -27,7 +27,7 @@ enum class NodeKind : uint8_t {
 	LEFT_CONTRACTION,
 	RIGHT_CONTRACTION,
 	REGRESSIVE,
-	CALL, // `index` into functions() (functions.hpp); its `arguments` begin at argument_offsets()[first_argument]...
+	CALL, // `index` into functions() (functions.hpp); argument_offsets()[first_argument] is the first of `arguments` offsets
 };
 
 // One step of the evaluation. `offset` and `length` (bytes) locate the literal, name or operator, for errors.
@@ -41,13 +41,6 @@ struct Node {
 	double number = 0.0;
 };
 
-// An occurrence of a variable in the text.
-struct NameUse {
-	uint16_t variable = 0; // index into Expression::variables()
-	uint32_t offset = 0; // bytes
-	int column = 1; // from 1, characters
-};
-
 // The nodes are in postfix order: operands before their operator, the result last.
 class Expression {
 public:
@@ -55,10 +48,8 @@ public:
 	[[nodiscard]] const std::vector<Node> &nodes() const { return _nodes; }
 	// The names of its variables, each once, in order of first occurrence.
 	[[nodiscard]] const std::vector<std::string> &variables() const { return _variables; }
-	// All occurrences of variables, from left to right.
-	[[nodiscard]] const std::vector<NameUse> &uses() const { return _uses; }
-	// The first occurrence of variables()[variable].
-	[[nodiscard]] const NameUse &first_use(size_t variable) const;
+	// The offset of the first occurrence of variables()[variable], in bytes.
+	[[nodiscard]] size_t first_use(size_t variable) const;
 	// The constants that it uses, one for each occurrence.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
 	// The offsets of all arguments of calls, in bytes; those of one call are adjacent.
@@ -67,8 +58,6 @@ public:
 	[[nodiscard]] int stack_size() const { return _stack_size; }
 
 	[[nodiscard]] bool refers_to(std::string_view variable) const;
-	// The text with each occurrence of variable `from` renamed; everything else stays as typed.
-	[[nodiscard]] std::string renamed(std::string_view from, std::string_view to) const;
 
 private:
 	friend class Parser;
@@ -76,10 +65,13 @@ private:
 	std::string _text;
 	std::vector<Node> _nodes;
 	std::vector<std::string> _variables;
-	std::vector<NameUse> _uses;
 	std::vector<cga::Multivector> _constants;
 	std::vector<uint32_t> _argument_offsets;
 	int _stack_size = 0;
 };
+
+// The text with each occurrence of variable `from` renamed; everything else stays as typed. In a text that does not parse,
+// renames every name except those of calls, up to the first invalid token.
+[[nodiscard]] std::string with_variable_renamed(std::string_view text, std::string_view from, std::string_view to);
 
 } // namespace playground

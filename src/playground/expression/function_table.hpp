@@ -13,13 +13,11 @@ struct FunctionTable {
 
 // Functions of numbers with a number as result: sin, min, deg_to_rad, ...
 [[nodiscard]] FunctionTable number_functions();
-// Interpolation between two motors.
-[[nodiscard]] FunctionTable interpolation_functions();
 // Geometric objects and operations on them.
 [[nodiscard]] FunctionTable object_functions();
 // Products, grades, conjugations, norms.
 [[nodiscard]] FunctionTable product_functions();
-// Translators, rotors, dilators, motors; exp, log and powers; applying and decomposing motors.
+// Translators, rotors, dilators, motors; exp, log and powers; applying, decomposing and interpolating motors.
 [[nodiscard]] FunctionTable versor_functions();
 
 // Abbreviations for the tables.

@@ -3,6 +3,7 @@
 #include "cga/algebra/null_basis.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "playground/expression/function_table.hpp"
+#include "playground/expression/names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +127,7 @@ std::string Function::counts() const {
 }
 
 const std::vector<Function> &functions() {
-	static const std::vector<Function> ALL = collect({ number_functions(), product_functions(), versor_functions(), interpolation_functions(), object_functions() });
+	static const std::vector<Function> ALL = collect({ number_functions(), product_functions(), versor_functions(), object_functions() });
 	return ALL;
 }
 
@@ -137,6 +138,15 @@ std::optional<size_t> find_function(std::string_view name) {
 		return std::nullopt;
 	}
 	return size_t(found - all.begin());
+}
+
+std::string correction(const std::string &variable, const std::vector<std::string_view> &variables) {
+	if (find_function(variable)) {
+		return "; to call the function write '" + variable + "('";
+	}
+	std::vector<std::string_view> candidates = { "eo", "einf", "pi", "tau" };
+	candidates.insert(candidates.end(), variables.begin(), variables.end());
+	return suggestion(variable, candidates);
 }
 
 bool is_of_kind(const Multivector &value, ArgumentKind kind) {
@@ -158,21 +168,15 @@ bool is_of_kind(const Multivector &value, ArgumentKind kind) {
 }
 
 std::string_view kind_text(ArgumentKind kind) {
-	switch (kind) {
-		case ArgumentKind::ANY:
-			return "a multivector";
-		case ArgumentKind::NUMBER:
-			return "a number";
-		case ArgumentKind::VECTOR:
-			return "a vector (of e1, e2, e3)";
-		case ArgumentKind::LOCATION:
-			return "a point or a vector (of e1, e2, e3)";
-		case ArgumentKind::ROTATION:
-			return "a rotor about the origin";
-		case ArgumentKind::MOTOR:
-			return "a motor (a product of translators, rotors and dilators)";
-	}
-	return {};
+	constexpr std::string_view TEXTS[] = {
+		"a multivector",
+		"a number",
+		"a vector (of e1, e2, e3)",
+		"a point or a vector (of e1, e2, e3)",
+		"a rotor about the origin",
+		"a motor (a product of translators, rotors and dilators)",
+	};
+	return TEXTS[size_t(kind)];
 }
 
 } // namespace playground

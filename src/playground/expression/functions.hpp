@@ -79,6 +79,10 @@ struct Function {
 // The index in functions().
 [[nodiscard]] std::optional<size_t> find_function(std::string_view name);
 
+// How to correct a variable that does not exist, as the end of an error message: to call the function of that name, or to
+// use a similar constant or one of `variables`. Empty without a suggestion.
+[[nodiscard]] std::string correction(const std::string &variable, const std::vector<std::string_view> &variables);
+
 // Whether `value` is of the kind, within rounding errors.
 [[nodiscard]] bool is_of_kind(const cga::Multivector &value, ArgumentKind kind);
 // Describes a kind in error messages: "a number".

@@ -13,24 +13,10 @@ FunctionResult of_two(const Arguments &arguments) {
 	return FUNCTION(arguments[0], arguments[1]);
 }
 
-FunctionResult call_line_through(const Arguments &a) {
-	return cga::line_through(a.location(0), a.location(1));
-}
-
-FunctionResult call_point_pair(const Arguments &a) {
-	return cga::point_pair(a.location(0), a.location(1));
-}
-
-FunctionResult call_circle_through(const Arguments &a) {
-	return cga::circle_through(a.location(0), a.location(1), a.location(2));
-}
-
-FunctionResult call_plane_through(const Arguments &a) {
-	return cga::plane_through(a.location(0), a.location(1), a.location(2));
-}
-
-FunctionResult call_sphere_through(const Arguments &a) {
-	return cga::sphere_through(a.location(0), a.location(1), a.location(2), a.location(3));
+// Calls a constructor with the locations of the arguments at INDICES.
+template <auto FUNCTION, size_t... INDICES>
+FunctionResult at_locations(const Arguments &arguments) {
+	return FUNCTION(arguments.location(INDICES)...);
 }
 
 // All objects are OPNS. If overloads of `line` or `circle` take the same number of arguments, the one with a direction comes
@@ -40,22 +26,22 @@ constexpr Overload TABLE[] = {
 	{ "point", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::point(a.numbers(0)); }, "the point (x, y, z)" },
 	{ "flat_point", "position", 1, { P }, [](const Arguments &a) -> FunctionResult { return cga::flat_point(a.location(0)); }, "the flat point at a position, such as the intersection of a line and a plane" },
 	{ "flat_point", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::flat_point(a.numbers(0)); }, "the flat point at (x, y, z)" },
-	{ "point_pair", "a, b", 2, { P, P }, call_point_pair, "the pair of points a and b" },
-	{ "pair", "a, b", 2, { P, P }, call_point_pair, "the same as point_pair" },
+	{ "point_pair", "a, b", 2, { P, P }, at_locations<cga::point_pair, 0, 1>, "the pair of points a and b" },
+	{ "pair", "a, b", 2, { P, P }, at_locations<cga::point_pair, 0, 1>, "the same as point_pair" },
 	{ "line", "point, direction", 2, { P, V }, [](const Arguments &a) -> FunctionResult { return cga::line(a.location(0), a.vector(1)); }, "the line through a point in a direction" },
-	{ "line", "a, b", 2, { P, P }, call_line_through, "the line from a through b, where b is a point, not a vector" },
-	{ "line_through", "a, b", 2, { P, P }, call_line_through, "the line from a through b" },
+	{ "line", "a, b", 2, { P, P }, at_locations<cga::line_through, 0, 1>, "the line from a through b, where b is a point, not a vector" },
+	{ "line_through", "a, b", 2, { P, P }, at_locations<cga::line_through, 0, 1>, "the line from a through b" },
 	{ "circle", "center, normal, radius", 3, { P, V, N }, [](const Arguments &a) -> FunctionResult { return cga::circle(a.location(0), a.vector(1), a.number(2)); }, "the circle around a center, perpendicular to a normal" },
-	{ "circle", "a, b, c", 3, { P, P, P }, call_circle_through, "the circle through three points" },
-	{ "circle_through", "a, b, c", 3, { P, P, P }, call_circle_through, "the circle through three points; their line if they are collinear" },
+	{ "circle", "a, b, c", 3, { P, P, P }, at_locations<cga::circle_through, 0, 1, 2>, "the circle through three points" },
+	{ "circle_through", "a, b, c", 3, { P, P, P }, at_locations<cga::circle_through, 0, 1, 2>, "the circle through three points; their line if they are collinear" },
 	{ "plane", "normal, distance", 2, { V, N }, [](const Arguments &a) -> FunctionResult { return cga::plane(a.vector(0), a.number(1)); }, "the plane perpendicular to a normal, at a signed distance from the origin along it" },
-	{ "plane", "a, b, c", 3, { P, P, P }, call_plane_through, "the plane through three points" },
+	{ "plane", "a, b, c", 3, { P, P, P }, at_locations<cga::plane_through, 0, 1, 2>, "the plane through three points" },
 	{ "plane", "x, y, z, distance", 4, { N, N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::plane(a.numbers(0), a.number(3)); }, "the plane perpendicular to the normal (x, y, z), at a signed distance" },
-	{ "plane_through", "a, b, c", 3, { P, P, P }, call_plane_through, "the plane through three points" },
+	{ "plane_through", "a, b, c", 3, { P, P, P }, at_locations<cga::plane_through, 0, 1, 2>, "the plane through three points" },
 	{ "sphere", "center, radius", 2, { P, N }, [](const Arguments &a) -> FunctionResult { return cga::sphere(a.location(0), a.number(1)); }, "the sphere around a center" },
 	{ "sphere", "x, y, z, radius", 4, { N, N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::sphere(a.numbers(0), a.number(3)); }, "the sphere around (x, y, z)" },
-	{ "sphere", "a, b, c, d", 4, { P, P, P, P }, call_sphere_through, "the sphere through four points" },
-	{ "sphere_through", "a, b, c, d", 4, { P, P, P, P }, call_sphere_through, "the sphere through four points; their plane if they are coplanar" },
+	{ "sphere", "a, b, c, d", 4, { P, P, P, P }, at_locations<cga::sphere_through, 0, 1, 2, 3>, "the sphere through four points" },
+	{ "sphere_through", "a, b, c, d", 4, { P, P, P, P }, at_locations<cga::sphere_through, 0, 1, 2, 3>, "the sphere through four points; their plane if they are coplanar" },
 	{ "imaginary_point_pair", "center, direction, radius", 3, { P, V, N }, [](const Arguments &a) -> FunctionResult { return cga::imaginary_point_pair(a.location(0), a.vector(1), a.number(2)); }, "an imaginary point pair: its squared radius is -radius^2" },
 	{ "imaginary_circle", "center, normal, radius", 3, { P, V, N }, [](const Arguments &a) -> FunctionResult { return cga::imaginary_circle(a.location(0), a.vector(1), a.number(2)); }, "an imaginary circle: its squared radius is -radius^2" },
 	{ "imaginary_sphere", "center, radius", 2, { P, N }, [](const Arguments &a) -> FunctionResult { return cga::imaginary_sphere(a.location(0), a.number(1)); }, "an imaginary sphere: its squared radius is -radius^2" },

@@ -14,9 +14,9 @@ struct BinaryOperator {
 	int level; // precedence: a higher level binds tighter
 };
 
-// The levels of the grammar in parser.hpp: sum 1, product 2, inner 3, outer 4, prefix 5, and a number before a name 6.
+// The levels of the grammar in parser.hpp: sum 1, product 2, inner 3, outer 4, prefix 5, implicit product 6.
 inline constexpr int PREFIX_LEVEL = 5;
-inline constexpr int NUMBER_LEVEL = 6;
+inline constexpr int IMPLICIT_PRODUCT_LEVEL = 6;
 
 [[nodiscard]] constexpr std::optional<BinaryOperator> binary_operator(TokenKind kind) {
 	switch (kind) {

@@ -1,7 +1,6 @@
 #include "playground/expression/parser.hpp"
 
 #include "cga/text/json.hpp"
-#include "cga/text/utf8.hpp"
 #include "playground/expression/functions.hpp"
 #include "playground/expression/lexer.hpp"
 #include "playground/expression/names.hpp"
@@ -31,7 +30,7 @@ public:
 		while (!_error && !_is_complete) {
 			if (_token.kind == TokenKind::INVALID) {
 				fail(_token, _lexer.error());
-			} else if (_wants_operand) {
+			} else if (_expects_operand) {
 				read_operand();
 			} else {
 				read_after_operand();
@@ -72,7 +71,7 @@ private:
 	void fail_expected(const std::string &what) {
 		const std::string found = _token.kind == TokenKind::END ? "the end" : (_token.kind == TokenKind::LIST ? "'['" : "'" + text_of(_token) + "'");
 		std::string message = "expected " + what + ", found " + found;
-		if (!_wants_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN || _token.kind == TokenKind::LIST)) {
+		if (!_expects_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN || _token.kind == TokenKind::LIST)) {
 			message += "; write '*' to multiply";
 		}
 		const auto open = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.kind != Pending::OPERATOR; });
@@ -129,7 +128,7 @@ private:
 		Node node = node_at(NodeKind::NUMBER, token);
 		node.number = token.number;
 		_expression._nodes.push_back(node);
-		_wants_operand = false;
+		_expects_operand = false;
 		advance();
 		if (_token.kind != TokenKind::NAME && _token.kind != TokenKind::OPEN) {
 			return;
@@ -141,8 +140,8 @@ private:
 			fail(_token, "expected an operator; '/ " + divisor + " ...' is ambiguous: write '/ " + divisor + " * ...' or '/ (" + divisor + " ...)'");
 			return;
 		}
-		push_pending({ Pending::OPERATOR, NUMBER_LEVEL, node_at(NodeKind::GEOMETRIC, token), token, {} });
-		_wants_operand = true;
+		push_pending({ Pending::OPERATOR, IMPLICIT_PRODUCT_LEVEL, node_at(NodeKind::GEOMETRIC, token), token, {} });
+		_expects_operand = true;
 	}
 
 	// All 32 coefficients, in the format of ganja.js.
@@ -155,7 +154,7 @@ private:
 			return;
 		}
 		add_constant(token, *value);
-		_wants_operand = false;
+		_expects_operand = false;
 		advance();
 	}
 
@@ -176,10 +175,9 @@ private:
 		} else {
 			Node node = node_at(NodeKind::VARIABLE, token);
 			node.index = variable_index(name);
-			_expression._uses.push_back({ node.index, node.offset, column_at(token.offset) });
 			_expression._nodes.push_back(node);
 		}
-		_wants_operand = false;
+		_expects_operand = false;
 	}
 
 	uint16_t variable_index(const std::string &name) {
@@ -189,16 +187,6 @@ private:
 			names.push_back(name);
 		}
 		return found->second;
-	}
-
-	// The column at an offset. Offsets must not decrease from call to call, so that each character is counted once.
-	int column_at(size_t offset) {
-		while (_counted < offset) {
-			const cga::Character character = cga::character_at(_expression._text, _counted);
-			_column = character.code == '\n' ? 1 : _column + 1;
-			_counted += character.length;
-		}
-		return _column;
 	}
 
 	// At the '(' after a name.
@@ -245,7 +233,7 @@ private:
 		if (const std::optional<BinaryOperator> binary = binary_operator(_token.kind)) {
 			finish_operators(binary->level);
 			push_pending({ Pending::OPERATOR, binary->level, node_at(binary->kind, _token), _token, {} });
-			_wants_operand = true;
+			_expects_operand = true;
 			advance();
 			return;
 		}
@@ -282,7 +270,7 @@ private:
 		if (call.argument_offsets.size() > functions()[call.node.index].max_arguments()) {
 			fail_count(call, call.argument_offsets.size());
 		}
-		_wants_operand = true;
+		_expects_operand = true;
 	}
 
 	void read_close() {
@@ -318,9 +306,7 @@ private:
 	std::vector<Pending> _pending;
 	std::optional<cga::TextError> _error;
 	std::map<std::string, uint16_t> _variable_indices;
-	size_t _counted = 0;
-	int _column = 1;
-	bool _wants_operand = true;
+	bool _expects_operand = true;
 	bool _is_complete = false;
 };
 

@@ -1,6 +1,6 @@
 #include "playground/expression/function_table.hpp"
 
-#include "cga/motor/axis_angle.hpp"
+#include "cga/motor/interpolate.hpp"
 #include "cga/motor/motor_factors.hpp"
 #include "cga/motor/motor_multivector.hpp"
 #include "cga/text/readable.hpp"
@@ -106,6 +106,13 @@ FunctionResult sandwich(const Arguments &arguments) {
 	return *moved;
 }
 
+// Normalizes to unit weight, as MultivectorLerp.interpolate does.
+template <cga::Mode MODE>
+FunctionResult interpolate(const Arguments &arguments) {
+	const Pose<double> pose = cga::interpolate(arguments.pose(0), arguments.pose(1), arguments.number(2), MODE);
+	return cga::to_multivector(cga::Motor<double>::from_pose(pose));
+}
+
 constexpr Overload TABLE[] = {
 	{ "translator", "offset", 1, { V }, [](const Arguments &a) -> FunctionResult { return cga::translator(a.vector(0)); }, "translates by a vector" },
 	{ "translator", "x, y, z", 3, { N, N, N }, [](const Arguments &a) -> FunctionResult { return cga::translator(a.numbers(0)); }, "translates by (x, y, z)" },
@@ -126,6 +133,10 @@ constexpr Overload TABLE[] = {
 	{ "get_translation", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) -> FunctionResult { return cga::euclidean(pose.translation); }); }, "the translation of a motor, as a vector" },
 	{ "get_rotation", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) -> FunctionResult { return cga::rotor(pose.rotation); }); }, "the rotation of a motor, as a rotor" },
 	{ "get_scale", "motor", 1, { X }, [](const Arguments &a) -> FunctionResult { return of_pose(a[0], [](const Pose<double> &pose) { return number(pose.scale); }); }, "the scale of a motor, a number" },
+
+	{ "interpolate_linear", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::LINEAR>, "blends the coefficients of two motors, and the scale separately; t in 0..1" },
+	{ "interpolate_screw", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SCREW>, "the fraction or multiple t of the screw motion between two motors" },
+	{ "interpolate_separate", "from, to, t", 3, { M, M, N }, interpolate<cga::Mode::SEPARATE>, "blends translation, rotation and scale of two motors separately; t in 0..1" },
 };
 
 } // namespace

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "playground/document/document.hpp"
 #include "playground/document/literal.hpp"
-#include "playground/handles/handle.hpp"
+#include "playground/handles/handles.hpp"
 #include "playground/handles/steps.hpp"
 
 #include <optional>

@@ -67,13 +67,11 @@ std::optional<double> FreeObject::number(std::string_view name) const {
 }
 
 const cga::Quaternion<double> *FreeObject::rotation() const {
-	const LiteralValue *value = literal("rotation");
-	return value ? std::get_if<cga::Quaternion<double>>(value) : nullptr;
+	return std::get_if<cga::Quaternion<double>>(literal("rotation"));
 }
 
 const cga::Multivector *FreeObject::coefficients() const {
-	const LiteralValue *value = literal("coefficients");
-	return value ? std::get_if<cga::Multivector>(value) : nullptr;
+	return std::get_if<cga::Multivector>(literal("coefficients"));
 }
 
 bool FreeObject::matches_parameters(const cga::Pose<double> &pose) const {

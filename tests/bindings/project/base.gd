@@ -1,4 +1,4 @@
-## The base of the check files: counts what holds and prints what does not.
+## The base class of the check files: counts the checks and prints those that fail.
 class_name Checks
 extends RefCounted
 
@@ -7,9 +7,9 @@ var passed: int = 0
 var failed: int = 0
 
 
-## The same type and value; floats to within single precision.
+## Checks that type and value are equal; floats within single precision.
 func same(value: Variant, expected: Variant) -> void:
-	# A null that was declared as an object has the type of one.
+	# A null in a variable of an object type has the type of an object.
 	var is_null: bool = value == null and expected == null
 	if (
 		is_null
@@ -34,7 +34,7 @@ func same(value: Variant, expected: Variant) -> void:
 	)
 
 
-## Announces an error line that the next call prints.
+## Announces an error that the next call must print.
 func expect_error(message: String) -> void:
 	print("[expect] %s" % message)
 

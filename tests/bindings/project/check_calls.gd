@@ -1,12 +1,13 @@
-## Defaults, statics, enums, and calls that do not fit: those must be reported, not crash.
+## Default arguments, static methods, enums, and calls with invalid arguments, which must print an
+## error and not crash.
 extends Checks
 
 var values: SampleValues = SampleValues.new()
 
 
-## Calls without the checks that the parser makes, and without an error line: the error as
-## Expression reports it.
-func misfit(text: String) -> bool:
+## Evaluates a call without the parser's checks and without printing an error. Returns whether the
+## call failed.
+func call_fails(text: String) -> bool:
 	var expression := Expression.new()
 	same(expression.parse(text, ["values"]), OK)
 	expression.execute([values], null, false)
@@ -48,30 +49,30 @@ func check_statics() -> void:
 
 
 func check_wrong_numbers_of_arguments() -> void:
-	same(misfit("values.negate()"), true)
-	same(misfit("values.negate(true, false)"), true)
-	same(misfit("values.repeat()"), true)
-	same(misfit('values.repeat("a", 1, "b", 2)'), true)
-	same(misfit("values.count_alive(1)"), true)
-	same(misfit("values.negate(true)"), false)
-	same(misfit('values.repeat("a")'), false)
+	same(call_fails("values.negate()"), true)
+	same(call_fails("values.negate(true, false)"), true)
+	same(call_fails("values.repeat()"), true)
+	same(call_fails('values.repeat("a", 1, "b", 2)'), true)
+	same(call_fails("values.count_alive(1)"), true)
+	same(call_fails("values.negate(true)"), false)
+	same(call_fails('values.repeat("a")'), false)
 
 
 func check_wrong_types_of_arguments() -> void:
-	same(misfit('values.negate("yes")'), true)
-	same(misfit("values.cross(1, 2)"), true)
-	same(misfit("values.cross(Vector3(), Vector2())"), true)
-	same(misfit('values.floats("text")'), true)
-	same(misfit("values.summarize({})"), true)
-	# An object of another class is refused by bindings/ and arrives as null with godot-cpp.
+	same(call_fails('values.negate("yes")'), true)
+	same(call_fails("values.cross(1, 2)"), true)
+	same(call_fails("values.cross(Vector3(), Vector2())"), true)
+	same(call_fails('values.floats("text")'), true)
+	same(call_fails("values.summarize({})"), true)
+	# bindings/ rejects an object of another class; godot-cpp converts it to null.
 	for method: String in ["describe_note", "describe_node"]:
 		var expression := Expression.new()
 		same(expression.parse("values.%s(values)" % method, ["values"]), OK)
 		var result: Variant = expression.execute([values], null, false)
 		same(expression.has_execute_failed() or result == "null", true)
-	same(misfit("values.describe_object(5)"), true)
-	same(misfit("values.describe_object(null)"), false)
-	same(misfit("values.describe_object(values)"), false)
+	same(call_fails("values.describe_object(5)"), true)
+	same(call_fails("values.describe_object(null)"), false)
+	same(call_fails("values.describe_object(values)"), false)
 
 
 func check_what_callers_are_told() -> void:
@@ -93,7 +94,7 @@ func check_what_callers_are_told() -> void:
 	same(values.negate(false), true)
 
 
-## Ends with a script error, which ends this function but not its caller.
+## Causes a script error, which ends this function but not its caller.
 func call_wrongly(method: StringName, arguments: Array) -> void:
 	if arguments.size() == 3:
 		values.call(method, arguments[0], arguments[1], arguments[2])

@@ -1,5 +1,4 @@
-## What the engine knows about the classes: properties, hints, hierarchy, types of arguments and
-## results.
+## The registration of the classes: properties, hints, base classes, types of arguments and results.
 extends Checks
 
 
@@ -24,7 +23,7 @@ func check_properties() -> void:
 	same(node.note, null)
 	node.note = SampleNote.make("kept")
 	same(node.note.text, "kept")
-	# The node's own and that of this call.
+	# The reference of the node, and that of this call.
 	same(node.note.get_reference_count(), 2)
 	node.free()
 

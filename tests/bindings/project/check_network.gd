@@ -1,23 +1,23 @@
-## Callables and signals from C++, the scene tree's groups, monitors, and what carries packets.
+## Callables and signals from C++, groups, monitors, and the multiplayer classes.
 extends Checks
 
 
 func check_listening_to_signals() -> void:
 	var node := SampleNode.new()
 	var source := Node.new()
-	source.add_user_signal("told", [{"name": "what", "type": TYPE_STRING}])
-	node.listen(source, &"told")
-	same(source.get_signal_connection_list("told").size(), 1)
-	source.emit_signal("told", "loudly")
+	source.add_user_signal("announced", [{"name": "what", "type": TYPE_STRING}])
+	node.listen(source, &"announced")
+	same(source.get_signal_connection_list("announced").size(), 1)
+	source.emit_signal("announced", "loudly")
 	same(node.get_log()[-1], "loudly bound")
-	node.stop_listening(source, &"told")
-	same(source.get_signal_connection_list("told").size(), 0)
-	source.emit_signal("told", "in vain")
+	node.stop_listening(source, &"announced")
+	same(source.get_signal_connection_list("announced").size(), 0)
+	source.emit_signal("announced", "not connected")
 	same(node.get_log()[-1], "loudly bound")
-	node.listen(source, &"told")
+	node.listen(source, &"announced")
 	node.free()
-	source.emit_signal("told", "to nobody")
-	same(source.get_signal_connection_list("told").size(), 0)
+	source.emit_signal("announced", "after disconnecting")
+	same(source.get_signal_connection_list("announced").size(), 0)
 	source.free()
 
 

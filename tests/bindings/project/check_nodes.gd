@@ -1,4 +1,4 @@
-## Nodes: virtual methods, notifications, signals, the tree from C++.
+## Nodes: virtual methods, notifications, signals, access to the scene tree from C++.
 extends Checks
 
 
@@ -19,7 +19,7 @@ func check_order_below_another_extension_class() -> void:
 	var node := SampleChild.new()
 	tree.root.add_child(node)
 	tree.root.remove_child(node)
-	# Parents first, and last where the engine takes things down.
+	# The parent class is notified first, and last when the node leaves the tree.
 	same(
 		node.get_log(),
 		PackedStringArray(["postinitialize", "enter", "child enter", "ready", "child exit", "exit"])
@@ -116,6 +116,6 @@ func check_scripts_of_nodes() -> void:
 	var node: SampleChild = script.new()
 	tree.root.add_child(node)
 	same(node.get("seen"), 1)
-	# The script's own _ready takes the place of the class's.
+	# The script's _ready replaces that of the class.
 	same(node.get_log(), PackedStringArray(["postinitialize", "enter", "child enter"]))
 	node.free()

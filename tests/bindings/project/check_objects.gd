@@ -1,4 +1,4 @@
-## Objects across the border: counts, null, freed ones, and whose C++ side is whose.
+## Objects passed between scripts and C++: reference counts, null, freed objects, and wrappers.
 extends Checks
 
 var values: SampleValues = SampleValues.new()

@@ -1,4 +1,4 @@
-## Values of every type, there and back: by typed calls, and by Variants through call().
+## Values of every type in both directions: by typed calls, and as Variants through call().
 extends Checks
 
 var values: SampleValues = SampleValues.new()
@@ -149,7 +149,7 @@ func check_typed_arrays() -> void:
 	same(transforms[1].origin, Vector3(1, 2, 3))
 	same(moved.is_typed(), true)
 	same(moved.get_typed_builtin(), TYPE_TRANSFORM3D)
-	# An untyped array with elements of the right type is taken as well.
+	# An untyped array with elements of the right type is accepted, too.
 	moved = values.call("move_all", [Transform3D.IDENTITY], Vector3.UP)
 	same(moved[0].origin, Vector3.UP)
 	var untyped: Array = [Transform3D.IDENTITY]

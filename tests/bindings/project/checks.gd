@@ -1,5 +1,5 @@
-## Runs every check_ method of the files below against the sample extension and prints how many
-## passed.
+## Runs each check_ method of these files against the sample extension and prints the numbers of
+## passed and failed checks.
 extends SceneTree
 
 const FILES: Array[String] = [
@@ -32,6 +32,6 @@ func run() -> void:
 			failed += checks.failed
 			if checks.passed + checks.failed == 0:
 				failed += 1
-				print("FAIL %s: no check ran to its end" % method_name)
+				print("FAIL %s: did not run to its end" % method_name)
 	print("[bindings] %d passed, %d failed" % [passed, failed])
 	quit(1 if failed > 0 else 0)

@@ -1,5 +1,5 @@
-## Unloads the library and loads it again: nothing may stay behind. Names no class of it, which
-## would hold it.
+## Unloads the library and loads it again; nothing may remain. This script must not name a class of
+## the library, which would keep it loaded.
 extends SceneTree
 
 const EXTENSION: String = "res://sample.gdextension"
@@ -25,7 +25,7 @@ func _initialize() -> void:
 		for good: bool in [loaded, results == ["a-a", false, "Array", true], unloaded]:
 			passed += int(good)
 			failed += int(not good)
-		# Not after the last time: what the engine frees at its end may no longer lead into the library.
+		# Not the last time: what the engine frees when it quits may still need the library.
 		loaded = (
 			i == 2
 			or GDExtensionManager.load_extension(EXTENSION) == GDExtensionManager.LOAD_STATUS_OK
@@ -36,8 +36,8 @@ func _initialize() -> void:
 	quit()
 
 
-## Whether the system still has the library in this process. Line by line: the file does not tell
-## its length.
+## Whether the library is mapped into this process. Reads line by line, because the length of the
+## file is unknown.
 func is_mapped() -> bool:
 	var maps: FileAccess = FileAccess.open("/proc/self/maps", FileAccess.READ)
 	while not maps.eof_reached():

@@ -25,27 +25,27 @@ public:
 	int64_t get_frames() const;
 	godot::String find_target() const;
 	godot::String find_missing() const;
-	/// Adds a child that C++ makes, and returns it.
+	/// Creates a child in C++ and returns it.
 	godot::Node *grow(const godot::String &name);
-	/// Frees all children; how many there were.
+	/// Frees all children. Returns their number.
 	int64_t prune();
 	/// Calls a method of another object by name, with two arguments.
 	godot::Variant call_other(godot::Object *other, const godot::StringName &method, const godot::Variant &a, const godot::Variant &b) const;
 
-	/// Connects a signal of another object to a method here, with "bound" as last argument, and undoes it.
+	/// Connects a signal of another object to _heard(), with "bound" as the last argument.
 	void listen(godot::Object *source, const godot::StringName &signal);
 	void stop_listening(godot::Object *source, const godot::StringName &signal);
 	godot::Callable callable_of(const godot::StringName &method);
 	godot::Variant call_it(const godot::Callable &callable, const godot::Array &arguments) const;
-	/// The class of the node's MultiplayerAPI, its root path, this peer's id, how many others there are, and the state
-	/// of the connection.
+	/// The class of the node's MultiplayerAPI, its root path, this peer's id, the number of other peers, and the
+	/// connection status.
 	godot::Array describe_multiplayer() const;
-	/// Sends bytes to a peer; the error as a number.
+	/// Sends bytes to a peer. Returns the Error.
 	int64_t send(const godot::PackedByteArray &bytes, int64_t peer) const;
 	godot::PackedStringArray names_in_group(const godot::StringName &group) const;
-	/// Registers a monitor that gives the number of frames, or removes it; whether it is there then.
+	/// Adds or removes a monitor of the number of frames. Returns whether it exists afterwards.
 	bool monitor_frames(const godot::StringName &name, bool on);
-	/// The properties that a MultiplayerSynchronizer sends.
+	/// The properties that a MultiplayerSynchronizer replicates.
 	godot::PackedStringArray sent_properties(godot::Node *node) const;
 
 protected:
@@ -61,8 +61,8 @@ private:
 	int64_t _frames = 0;
 };
 
-/// A class below another extension class: its notifications come after its parent's, and the parent's virtual methods
-/// stay its own.
+/// A class derived from another extension class. It receives notifications after its parent class, and inherits the
+/// virtual methods that it does not override.
 class SampleChild : public SampleNode {
 	GDCLASS(SampleChild, SampleNode)
 
@@ -78,14 +78,14 @@ private:
 	double _time = 0;
 };
 
-/// A node in space that moves itself and others.
+/// A Node3D that moves itself and other nodes.
 class SampleMover : public godot::Node3D {
 	GDCLASS(SampleMover, godot::Node3D)
 
 public:
 	void place(const godot::Vector3 &position);
 	void place_other(godot::Node3D *other, const godot::Transform3D &transform) const;
-	/// Where the parent is in the world; the origin if that is no Node3D.
+	/// The global position of the parent; the origin if that is not a Node3D.
 	godot::Vector3 parent_position() const;
 
 protected:

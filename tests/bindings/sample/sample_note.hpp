@@ -6,7 +6,7 @@
 
 namespace bindings_sample {
 
-/// A resource with properties that change together with a signal of the engine's own.
+/// A resource whose setters emit the engine's signal `changed`.
 class SampleNote : public godot::Resource {
 	GDCLASS(SampleNote, godot::Resource)
 
@@ -19,10 +19,10 @@ public:
 	godot::PackedFloat64Array get_values() const;
 	double get_weight() const;
 
-	/// A new note with the texts of both; null, after an error, if the other is null.
+	/// A new note with both texts. If the other is null, prints an error and returns null.
 	godot::Ref<SampleNote> joined(const godot::Ref<SampleNote> &other) const;
 	godot::Ref<SampleNote> itself();
-	/// What the engine makes of this, which it hands over with the first reference.
+	/// The engine's duplicate of this resource, returned with its first reference.
 	godot::Ref<SampleNote> copied() const;
 
 	godot::String _to_string() const;

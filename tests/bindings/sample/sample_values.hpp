@@ -9,7 +9,7 @@
 
 namespace bindings_sample {
 
-/// Values of every type in both directions, defaults, statics, and what C++ does with them in between.
+/// Methods that take and return values of every type, with default arguments, and static methods.
 class SampleValues : public godot::RefCounted {
 	GDCLASS(SampleValues, godot::RefCounted)
 
@@ -24,9 +24,9 @@ public:
 
 	SampleValues() { _alive++; }
 	~SampleValues() { _alive--; }
-	/// How many objects of this class there are.
+	/// The number of objects of this class.
 	static int64_t count_alive();
-	/// Makes objects and drops them, without that the engine sees a reference to one.
+	/// Creates and destroys objects without passing a reference to the engine.
 	static void make_and_drop(int64_t count);
 
 	bool negate(bool value) const;
@@ -43,18 +43,18 @@ public:
 	godot::Vector2 halfway(const godot::Vector2 &a, const godot::Vector2 &b) const;
 	godot::AABB moved_box(const godot::AABB &box, const godot::Vector3 &offset) const;
 	godot::Color without_red(const godot::Color &color) const;
-	/// An id of the rendering server, made and freed here; whether it was valid.
+	/// Creates and frees an RID of the rendering server. Returns whether it was valid.
 	bool make_rid() const;
-	/// Those of the vectors and colors of which there is one each, in one array.
+	/// Concatenates the elements of all arrays.
 	godot::Array pack(const godot::PackedVector2Array &flat, const godot::PackedVector3Array &vectors, const godot::PackedColorArray &colors) const;
 	godot::Transform3D chain(const godot::Transform3D &a, const godot::Transform3D &b) const;
-	/// a.b, |a|, |a - b|, the determinant, whether all is finite and a nearly b, and b with length 1.
+	/// a . b, |a|, |a - b|, the determinant, whether all are finite, whether a is approximately b, and b normalized.
 	godot::Array measure(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Basis &basis) const;
 	Hue mix(Hue a, Hue b) const;
 	godot::Variant echo(const godot::Variant &value) const;
 	godot::String type_of(const godot::Variant &value) const;
 
-	/// The sum, and the elements reversed, of an array that C++ walks over.
+	/// The sum, the reversed elements and the first element of an array.
 	godot::Dictionary summarize(const godot::Array &numbers) const;
 	godot::Array keys_and_values(const godot::Dictionary &entries) const;
 	godot::PackedByteArray bytes(const godot::PackedByteArray &bytes) const;
@@ -66,7 +66,7 @@ public:
 	godot::TypedArray<godot::Node3D> only_visible(const godot::TypedArray<godot::Node3D> &nodes) const;
 	/// The squares of 0 to count - 1, each computed by a task of a group.
 	godot::PackedInt32Array squares(int count) const;
-	/// Converts into the same variables again and again, which must not leak.
+	/// Converts values to the same variables repeatedly, which must not leak.
 	int64_t convert_often(const godot::Array &values, int64_t times) const;
 
 	godot::String describe_object(godot::Object *object) const;
@@ -81,7 +81,7 @@ public:
 
 	static godot::String join(const godot::String &a, const godot::String &b, int64_t number);
 	static bool is_editor();
-	/// Prints the text in all the ways there are.
+	/// Prints the text as a message, a warning and an error.
 	static void say(const godot::String &text);
 	static void fail_with(const godot::String &message);
 

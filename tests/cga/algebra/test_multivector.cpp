@@ -241,7 +241,7 @@ TEST_CASE("the sandwich with odd versors preserves orientation") {
 	CHECK(*mirror.sandwich(blade("e12")) == -blade("e12"));
 	CHECK(*mirror.sandwich(EINF) == EINF);
 	CHECK(*position_of(*mirror.sandwich(point({ 1.0, 2.0, 3.0 }))) == Vector3<double>(-1.0, 2.0, 3.0));
-	// Scalars have no mirror image.
+	// Reflections preserve scalars.
 	CHECK(*mirror.sandwich(Multivector::scalar(5.0)) == Multivector::scalar(5.0));
 	CHECK_FALSE((Multivector::scalar(2.0) + blade("e1")).sandwich(EO).has_value());
 	CHECK_FALSE(EINF.sandwich(EO).has_value());

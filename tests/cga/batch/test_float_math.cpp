@@ -7,7 +7,7 @@
 
 using namespace cga::float_math;
 
-TEST_CASE("sine and cosine are correct to float's rounding over many turns") {
+TEST_CASE("sine and cosine are correct to float's rounding over many periods") {
 	double worst = 0.0;
 	for (int step = -200000; step <= 200000; ++step) {
 		const float x = float(step) * 1e-4f;

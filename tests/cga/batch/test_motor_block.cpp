@@ -162,7 +162,7 @@ TEST_CASE("motors of any weight give the rows of their poses, and rows give the 
 	}
 }
 
-TEST_CASE("rows of half turns about every axis, of scales 0.001 and 1,000, and of the identity") {
+TEST_CASE("rows of rotations by pi about every axis, of scales 0.001 and 1,000, and of the identity") {
 	std::vector<float> rows;
 	std::vector<PoseD> poses;
 	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0), Vector3D(0, 0, 1), Vector3D(1, 1, 0), Vector3D(-1, 2, 3) }) {

@@ -112,7 +112,7 @@ TEST_CASE("ten kilometers from the origin, within float's rounding of a millimet
 	}
 }
 
-TEST_CASE("degenerate poses: identity, half turns, q and -q, no translation, scales 0.01 and 100, 1e-7 of a turn") {
+TEST_CASE("degenerate poses: identity, rotations by pi, q and -q, no translation, scales 0.01 and 100, tiny angles") {
 	const Quaternion<float> rotations[] = { { 1, 0, 0, 0 }, { -1, 0, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, -1 }, { 1, 1e-7f, 0, 0 }, { 1, 1e-20f, 0, 0 }, { 1, 0, 1e-38f, 0 }, { 0.6f, 0.8f, 0, 0 } };
 	const Vector3<float> translations[] = { { 0, 0, 0 }, { 1, 2, 3 }, { 1e-20f, 0, 0 } };
 	Bodies bodies;

@@ -10,7 +10,7 @@ using namespace cga_test;
 TEST_CASE("a row is basis rows with the origin's coordinate after each") {
 	const float half = std::sqrt(0.5f);
 	float row[ROW_FLOATS];
-	pose_to_row({ { 1.0f, 2.0f, 3.0f }, { half, 0.0f, 0.0f, half }, 2.0f }, row); // a quarter turn about z
+	pose_to_row({ { 1.0f, 2.0f, 3.0f }, { half, 0.0f, 0.0f, half }, 2.0f }, row); // a rotation by pi / 2 about z
 	const float expected[ROW_FLOATS] = { 0, -2, 0, 1, 2, 0, 0, 2, 0, 0, 2, 3 };
 	for (size_t entry = 0; entry < ROW_FLOATS; ++entry) {
 		CAPTURE(entry);
@@ -31,7 +31,7 @@ TEST_CASE("a pose survives the conversion to a row and back") {
 	}
 }
 
-TEST_CASE("half turns about every axis; a basis without volume counts as the identity") {
+TEST_CASE("rotations by pi about every axis; a basis without volume counts as the identity") {
 	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0), Vector3D(0, 0, 1), Vector3D(1, 1, 0), Vector3D(-1, 2, 3) }) {
 		const PoseD pose{ Vector3D(0.0), axis_angle(axis, PI), 0.01 };
 		float row[ROW_FLOATS];

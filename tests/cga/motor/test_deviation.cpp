@@ -101,7 +101,7 @@ TEST_CASE("the linear blend deviates by 8.2 degrees at 180, 0.9 at 90, 0.03 at 3
 	CHECK(largest(30.0) == doctest::Approx(0.033).epsilon(0.05));
 }
 
-TEST_CASE("the separate path cuts the corner by r (1 - cos(a / 2)), half way") {
+TEST_CASE("the separate path deviates from the arc by r (1 - cos(a / 2)) in the middle") {
 	const QuaternionD turn = axis_angle(Vector3D(0.0, 1.0, 0.0), PI / 2.0);
 	const PoseD from = { Vector3D(2.0, 0.0, 0.0), QuaternionD(1.0, 0.0, 0.0, 0.0), 1.0 };
 	const PathDeviation found = path_deviation(from, { turn * from.translation, turn, 1.0 }, Mode::SEPARATE, Mode::SCREW, 0.0);

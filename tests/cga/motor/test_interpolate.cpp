@@ -179,13 +179,13 @@ TEST_CASE("the paper's midpoint of scales 1 and 4 is at the middle") {
 	CHECK(linear.translation.x == 3.0);
 	CHECK(linear.scale == 2.5);
 	CHECK(interpolate(from, to, 0.5, Mode::SEPARATE).scale == 2.5);
-	// The screw's center is where both map a point to itself, at x = -2: 2 becomes 8 by way of 4.
+	// The screw's center is where both map a point to itself, at x = -2: 2 becomes 4 and then 8.
 	const PoseD screw = interpolate(from, to, 0.5, Mode::SCREW);
 	CHECK(screw.translation.x == doctest::Approx(2.0).epsilon(1e-14));
 	CHECK(screw.scale == doctest::Approx(2.0).epsilon(1e-14));
 }
 
-TEST_CASE("a half turn takes one of the two directions, at constant speed") {
+TEST_CASE("a rotation by pi takes one of the two directions, at constant speed") {
 	const PoseD from{ { 1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0, 0.0 }, 1.0 };
 	for (const QuaternionD &half_turn : { QuaternionD(0.0, 0.0, 0.0, 1.0), QuaternionD(0.0, 0.0, 0.0, -1.0), QuaternionD(-0.0, 0.0, 0.0, 1.0) }) {
 		const PoseD to{ { -1.0, 0.0, 0.0 }, half_turn, 1.0 };
@@ -235,7 +235,7 @@ TEST_CASE_TEMPLATE("finite input gives a finite pose of unit rotation", T, float
 			for (const Mode mode : MODES) {
 				for (const T weight : { T(0), T(0.5), T(1), T(0.999999), denormal, T(-3), T(40), T(-1e30), largest }) {
 					const Pose<T> pose = interpolate(from, to, weight, mode);
-					bad += is_finite(pose) ? 0 : 1;
+					bad += cga_test::is_finite(pose) ? 0 : 1;
 					not_unit += std::abs(glm::dot(pose.rotation, pose.rotation) - T(1)) < T(1e-6) ? 0 : 1;
 				}
 			}
@@ -246,7 +246,7 @@ TEST_CASE_TEMPLATE("finite input gives a finite pose of unit rotation", T, float
 	CHECK(not_unit == 0);
 }
 
-TEST_CASE("the most different scales of float meet in the geometric mean") {
+TEST_CASE("between the smallest and the largest scale of float, the middle is the geometric mean") {
 	const Pose<float> from{ { 0.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f, 0.0f }, 1e-30f };
 	const Pose<float> to{ { 8.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f, 0.0f }, 1e30f };
 	for (const auto &ends : { std::pair(from, to), std::pair(to, from) }) {

@@ -48,7 +48,7 @@ MatrixError nearest_error_of(const glm::dmat3 &linear) {
 
 } // namespace
 
-TEST_CASE("a pose goes into a matrix and comes back") {
+TEST_CASE("a pose survives the conversion to a matrix and back") {
 	cga_test::Random random(7);
 	for (int i = 0; i < 2000; i++) {
 		const Pose<double> pose = random.pose();
@@ -63,7 +63,7 @@ TEST_CASE("a pose goes into a matrix and comes back") {
 	}
 }
 
-TEST_CASE("column i of a pose's matrix is where it carries axis i") {
+TEST_CASE("column i of a pose's matrix is the image of axis i") {
 	cga_test::Random random(8);
 	for (int i = 0; i < 100; i++) {
 		const Pose<double> pose = random.pose();
@@ -88,7 +88,7 @@ TEST_CASE("a small deviation from uniform scale counts as rounding, and the scal
 	CHECK(std::abs(pose.scale - std::cbrt(2.0 * 2.001 * 2.0)) < 1e-14);
 }
 
-TEST_CASE("matrices that are no pose") {
+TEST_CASE("matrices that are not poses are rejected") {
 	const double infinity = std::numeric_limits<double>::infinity();
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	CHECK(matrix_to_pose(diagonal(1.0, 1.0, 1.0), glm::dvec3(0.0)));
@@ -107,10 +107,10 @@ TEST_CASE("matrices that are no pose") {
 	glm::dmat3 sheared(1.0);
 	sheared[1] = glm::dvec3(std::sin(0.01), std::cos(0.01), 0.0);
 	CHECK(error_of(sheared) == MatrixError::NON_UNIFORM);
-	CHECK(matrix_to_pose(diagonal(-1.0, -1.0, 1.0), glm::dvec3(0.0))); // half a turn about z
+	CHECK(matrix_to_pose(diagonal(-1.0, -1.0, 1.0), glm::dvec3(0.0))); // a rotation by pi about z
 }
 
-TEST_CASE("the nearest pose: no rotation and scale near by differs less") {
+TEST_CASE("no rotation and scale close to the nearest pose differs less from the matrix") {
 	cga_test::Random random(8);
 	for (int i = 0; i < 200; i++) {
 		const Pose<double> stretched = random.pose();

@@ -155,7 +155,7 @@ TEST_CASE("multivectors that are motors become motors, others are rejected") {
 		CAPTURE(name);
 		CHECK_FALSE(to_motor(*Multivector::basis(name)).has_value());
 	}
-	CHECK(to_motor(*Multivector::basis("e12")).has_value()); // half a turn
+	CHECK(to_motor(*Multivector::basis("e12")).has_value()); // a rotation by pi
 	CHECK_FALSE(to_motor(Multivector()).has_value());
 	CHECK_FALSE(to_motor(Multivector::scalar(1.0) + *Multivector::basis("e1234")).has_value());
 	CHECK_FALSE(to_motor(random.multivector()).has_value());

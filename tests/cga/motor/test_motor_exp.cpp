@@ -90,7 +90,7 @@ TEST_CASE("exp undoes log for random poses, in double and float") {
 	}
 }
 
-TEST_CASE("where other libraries fail") {
+TEST_CASE("known failures of other libraries") {
 	const QuaternionD identity(1.0, 0.0, 0.0, 0.0);
 	// A pure translation: NaN in klein.
 	const MotorLog<double> translation = log_of_pose<double>({ { 1.0, -2.0, 3.0 }, identity, 1.0 });
@@ -100,7 +100,7 @@ TEST_CASE("where other libraries fail") {
 	// An angle below 1e-4: NaN in klein's rotor log.
 	const MotorLog<double> small = log_of_pose<double>({ Vector3D(0.0), axis_angle({ 0.0, 0.0, 1.0 }, 1e-9), 1.0 });
 	CHECK(small.rotation.z == doctest::Approx(1e-9).epsilon(1e-15));
-	// Half a turn: wrong in clifford's general_logarithm.
+	// A rotation by pi: wrong in clifford's general_logarithm.
 	const MotorLog<double> half = log_of_pose<double>({ { 2.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0, 1.0 }, 1.0 });
 	CHECK(half.rotation.z == doctest::Approx(PI).epsilon(1e-15));
 	CHECK(half.velocity.x == doctest::Approx(0.0).epsilon(1e-14));

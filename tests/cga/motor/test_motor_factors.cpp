@@ -25,7 +25,7 @@ TEST_CASE("translator, rotor and dilator translate, rotate and scale") {
 	}
 }
 
-TEST_CASE("a quarter turn about z carries x to y") {
+TEST_CASE("a rotation by pi / 2 about z maps x to y") {
 	const double half = std::sqrt(0.5);
 	const Multivector turn = rotor({ half, 0.0, 0.0, half });
 	CHECK(turn[0] == half);

@@ -30,7 +30,7 @@ double angle(const std::optional<Vector3D> &found, const Vector3D &wanted) {
 
 } // namespace
 
-TEST_CASE("the classification gives a constructor's parameters back, for any weight and sign") {
+TEST_CASE("the classification recovers the parameters of a constructor, for any weight and sign") {
 	Random random(1);
 	for (int i = 0; i < CASES; ++i) {
 		const Vector3D p = random.vector(1.0), n = glm::normalize(random.vector(1.0));
@@ -60,7 +60,7 @@ TEST_CASE("the classification gives a constructor's parameters back, for any wei
 	}
 }
 
-TEST_CASE("every constructor's parameters come back, from a millimeter to 100 km") {
+TEST_CASE("the parameters of every constructor are recovered, from a millimeter to 100 km") {
 	Random random(2);
 	for (int i = 0; i < 3 * CASES; ++i) {
 		const double size = std::pow(10.0, random.uniform(-3.0, 5.0));
@@ -134,7 +134,7 @@ TEST_CASE("every kind, at scales from a millimeter to 100 km") {
 	}
 }
 
-TEST_CASE("what is only a dual in the convention asked for is said to be one") {
+TEST_CASE("an element that is an object only in the other representation is reported as dual") {
 	const Multivector dual_plane = blade("e3") + 2.0 * e_infinity();
 	const Classification found = classify(dual_plane);
 	CHECK(found.kind == Kind::PLANE);
@@ -148,7 +148,7 @@ TEST_CASE("what is only a dual in the convention asked for is said to be one") {
 	CHECK_FALSE(sphere_read_as_dual.ipns);
 }
 
-TEST_CASE("versors by what they do") {
+TEST_CASE("versors are classified by the motion") {
 	const QuaternionD turn(0.8, 0.0, 0.6, 0.0);
 	CHECK(classify(rotor(turn)).kind == Kind::ROTOR);
 	CHECK(classify(translator({ 1e-6, 0, 0 })).kind == Kind::TRANSLATOR);
@@ -157,7 +157,7 @@ TEST_CASE("versors by what they do") {
 	CHECK(classify(Multivector::scalar(-2.0)).kind == Kind::SCALAR);
 }
 
-TEST_CASE("what is no object has the kind none, and says how far it is from a blade") {
+TEST_CASE("other elements have the kind NONE and the deviation from a blade") {
 	CHECK(classify(Multivector()).kind == Kind::NONE);
 	CHECK(classify(Multivector() * std::numeric_limits<double>::infinity()).kind == Kind::NONE);
 	const Classification not_a_blade = classify(blade("e12") + 0.02 * blade("e34"));
@@ -167,7 +167,7 @@ TEST_CASE("what is no object has the kind none, and says how far it is from a bl
 	CHECK(describe(not_a_blade) == "not a blade (residual 0.04)");
 }
 
-TEST_CASE("one line for people") {
+TEST_CASE("describe() gives one line") {
 	CHECK(describe(classify(*circle({ 0, 1, 0 }, { 0, 0, 1 }, 1.5))) == "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)");
 	CHECK(describe(classify(point({ 1, 2, 3 }))) == "point, at (1, 2, 3)");
 	CHECK(describe(classify(*plane({ 0, 0, 2 }, -1.0))) == "plane, distance -1, normal (0, 0, 1)");

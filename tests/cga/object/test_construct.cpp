@@ -16,13 +16,13 @@ namespace {
 constexpr int CASES = 1000;
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
-// How far `x` is from a multiple of `wanted` with the same sign, relative to it.
+// The largest difference of coefficients, relative to the largest coefficient of `wanted`.
 double difference(const MultivectorResult &x, const Multivector &wanted) {
 	REQUIRE_MESSAGE(x, describe(x.error()));
 	return (*x - wanted).max_abs() / wanted.max_abs();
 }
 
-bool refused(const MultivectorResult &x) {
+bool rejected(const MultivectorResult &x) {
 	return !x && !std::string(describe(x.error())).empty();
 }
 
@@ -74,33 +74,33 @@ TEST_CASE("a sphere through nearly coplanar points, however large, stays near th
 
 TEST_CASE("points of a line, of a plane and of a circle") {
 	CHECK(difference(circle_through({ 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }), *line_through({ 0, 0, 0 }, { 3, 0, 0 })) == 0.0);
-	CHECK(refused(plane_through({ 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 })));
+	CHECK(rejected(plane_through({ 0, 0, 0 }, { 1, 1, 1 }, { 3, 3, 3 })));
 	const Vector3D a(0, 0, 2), b(1, 0, 2), c(0, 1, 2), d(3, 3, 2);
 	CHECK(difference(sphere_through(a, b, c, d), point(a).outer_product(point(b)).outer_product(point(c)).outer_product(point(d))) < 1e-13);
-	CHECK(refused(sphere_through({ 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 })));
-	CHECK(refused(sphere_through({ 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 })));
+	CHECK(rejected(sphere_through({ 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 })));
+	CHECK(rejected(sphere_through({ 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 })));
 }
 
-TEST_CASE("what is no object is refused with a reason") {
+TEST_CASE("degenerate and invalid input is rejected with the reason") {
 	const Vector3D a(1, 2, 3), zero(0, 0, 0), broken(NOT_A_NUMBER, 0, 0);
-	CHECK(refused(flat_point(broken)));
-	CHECK(refused(point_pair(a, a)));
-	CHECK(refused(line(a, zero)));
-	CHECK(refused(line(a, broken)));
-	CHECK(refused(line_through(a, a)));
-	CHECK(refused(circle(a, zero, 1.0)));
-	CHECK(refused(circle(a, a, 0.0)));
-	CHECK(refused(circle(a, a, -1.0)));
-	CHECK(refused(circle(a, a, NOT_A_NUMBER)));
-	CHECK(refused(circle_through(a, a, zero)));
-	CHECK(refused(plane(zero, 1.0)));
-	CHECK(refused(plane(a, NOT_A_NUMBER)));
-	CHECK(refused(sphere(a, 0.0)));
-	CHECK(refused(sphere(broken, 1.0)));
-	CHECK(refused(sphere({ 1e200, 0, 0 }, 1.0)));
-	CHECK(refused(imaginary_sphere(a, 0.0)));
-	CHECK(refused(tangent_along(a, zero)));
-	CHECK(refused(tangent_across(broken, a)));
-	CHECK(refused(direction(zero)));
-	CHECK(refused(direction_across(broken)));
+	CHECK(rejected(flat_point(broken)));
+	CHECK(rejected(point_pair(a, a)));
+	CHECK(rejected(line(a, zero)));
+	CHECK(rejected(line(a, broken)));
+	CHECK(rejected(line_through(a, a)));
+	CHECK(rejected(circle(a, zero, 1.0)));
+	CHECK(rejected(circle(a, a, 0.0)));
+	CHECK(rejected(circle(a, a, -1.0)));
+	CHECK(rejected(circle(a, a, NOT_A_NUMBER)));
+	CHECK(rejected(circle_through(a, a, zero)));
+	CHECK(rejected(plane(zero, 1.0)));
+	CHECK(rejected(plane(a, NOT_A_NUMBER)));
+	CHECK(rejected(sphere(a, 0.0)));
+	CHECK(rejected(sphere(broken, 1.0)));
+	CHECK(rejected(sphere({ 1e200, 0, 0 }, 1.0)));
+	CHECK(rejected(imaginary_sphere(a, 0.0)));
+	CHECK(rejected(tangent_along(a, zero)));
+	CHECK(rejected(tangent_across(broken, a)));
+	CHECK(rejected(direction(zero)));
+	CHECK(rejected(direction_across(broken)));
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int CASES = 2000;
 
-// A random blade of grade 1 to 4: points, and e_inf among them.
+// A random blade of grade 1 to 4, including points and e_inf.
 Multivector random_blade(Random &random) {
 	Multivector blade = point(random.vector(1.0));
 	const int factors = int(random.uniform(0.0, 4.0));
@@ -69,7 +69,7 @@ TEST_CASE("every vector of the meet is in both, and every one of both in the joi
 	}
 }
 
-TEST_CASE("a versor keeps incidence: what lies on an object lies on its image, and nothing else does") {
+TEST_CASE("versors preserve incidence: a point lies on an object if and only if its image lies on the image of the object") {
 	Random random(3);
 	for (int i = 0; i < CASES; ++i) {
 		const Vector3D center = random.vector(1.0), normal = glm::normalize(random.vector(1.0));
@@ -87,13 +87,13 @@ TEST_CASE("a versor keeps incidence: what lies on an object lies on its image, a
 			{ *line(center, normal), center + normal * 3.0, center + across },
 			{ *plane(normal, glm::dot(normal, center)), center + across * 3.0, center + normal },
 		};
-		// Reflections, inversions and their products: turns, motions and dilations among them.
+		// Reflections, inversions and their products, including rotations, motions and dilations.
 		const Multivector versor = random_product(random, 1 + i % 4);
 		const auto image = [&](const Multivector &x) { return *versor.sandwich(x); };
 		for (const auto &[object, on, off] : scenes) {
 			const double size = image(object).max_abs();
 			CHECK(image(point(on)).outer_product(image(object)).max_abs() < 1e-9 * size * image(point(on)).max_abs());
-			// Of any two elements the image of the outer product is that of the images.
+			// The image of an outer product is the outer product of the images.
 			const Multivector outside = image(point(off)).outer_product(image(object));
 			CHECK(relative(outside - image(point(off).outer_product(object)), outside) < 1e-9 * size);
 			CHECK(outside.max_abs() > 1e-9 * size * image(point(off)).max_abs());
@@ -101,7 +101,7 @@ TEST_CASE("a versor keeps incidence: what lies on an object lies on its image, a
 	}
 }
 
-TEST_CASE("every pair of kinds that degenerates") {
+TEST_CASE("meet and join of degenerate pairs") {
 	const Multivector ground = *plane({ 0, 0, 1 }, 0.0), unit_sphere = *sphere({ 0, 0, 0 }, 1.0), x_axis = *line({ 0, 0, 0 }, { 1, 0, 0 });
 	CHECK(kind_of(meet(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::FLAT_POINT);
 	CHECK(kind_of(join(x_axis, *line({ 0, 0, 0 }, { 0, 1, 0 }))) == Kind::PLANE);

@@ -12,7 +12,7 @@ using cga_test::Random;
 
 namespace {
 
-// "[0, 0, ...]" of so many numbers.
+// "[0, 0, ...]" with `count` numbers.
 std::string array(int count, const std::string &number = "0") {
 	std::string text = "[";
 	for (int index = 0; index < count; ++index) {
@@ -32,7 +32,7 @@ bool same_bits(const Multivector &left, const Multivector &right) {
 
 } // namespace
 
-TEST_CASE("written as an array of 32 numbers in ganja.js's order") {
+TEST_CASE("to_json() writes an array of 32 numbers in the order of ganja.js") {
 	CHECK(to_json(Multivector()) == array(32));
 	CHECK(to_json(*Multivector::basis("e1") * 1.5) == "[0,1.5," + array(30).substr(1));
 	Multivector x;
@@ -40,14 +40,14 @@ TEST_CASE("written as an array of 32 numbers in ganja.js's order") {
 		x[index] = index;
 	}
 	CHECK(to_json(x) == "[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31]");
-	// The coefficients of ganja.js's Algebra(4,1) by name, at their places: scalar, e1, e5, e12, e45, e123, e12345.
+	// The coefficients of ganja.js's Algebra(4,1) by name, at their indices: scalar, e1, e5, e12, e45, e123, e12345.
 	CHECK(blade_index("e12") == 6);
 	CHECK(blade_index("e45") == 15);
 	CHECK(blade_index("e123") == 16);
 	CHECK(blade_index("e12345") == 31);
 }
 
-TEST_CASE("reading gives back the same bits") {
+TEST_CASE("from_json() reads the same bits back") {
 	Random random(5);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
 		Multivector x = random.multivector() * std::pow(10.0, int(random.uniform(-300.0, 300.0)));
@@ -62,7 +62,7 @@ TEST_CASE("reading gives back the same bits") {
 	CHECK(same_bits(*from_json(to_json(extreme)), extreme));
 }
 
-TEST_CASE("what is read") {
+TEST_CASE("from_json() accepts arrays and both kinds of objects") {
 	Multivector x;
 	x[0] = 1.0;
 	x[31] = -2.5;
@@ -85,7 +85,7 @@ TEST_CASE("what is read") {
 	CHECK((*from_json(array(32, "1e-999")))[7] == 0.0);
 }
 
-TEST_CASE("an error names the place and what was expected") {
+TEST_CASE("an error has the position and what was expected") {
 	CHECK(error_of("") == "column 1: expected '[' or '{', found the end");
 	CHECK(error_of("  x") == "column 3: expected '[' or '{', found 'x'");
 	CHECK(error_of("\"text\"") == "column 1: expected '[' or '{', found '\"'");
@@ -127,19 +127,19 @@ TEST_CASE("an error names the place and what was expected") {
 	CHECK(error_of("{\"0\":1,}") == "column 8: expected a key in double quotes, found '}'");
 }
 
-TEST_CASE("a text of any depth and length ends with an error at once") {
+TEST_CASE("deeply nested and long texts give an error immediately") {
 	CHECK(error_of(std::string(100000, '[')) == "column 65537: the text is too long: it has 100000 bytes, and at most 65536 are accepted");
 	CHECK(error_of(std::string(60000, '[')) == "column 2: expected a number, found '['");
 	CHECK(error_of("[" + std::string(60000, '9')) == "column 2: the number is too large; at most 1.8e308 is accepted");
 	CHECK(error_of("{" + std::string(60000, ' ')) == "column 60002: expected a key in double quotes, found the end");
 }
 
-TEST_CASE("mutated texts neither crash nor give what is not finite") {
+TEST_CASE("mutated texts neither crash nor give values that are not finite") {
 	std::mt19937_64 engine(6);
 	Random random(7);
 	const std::string alphabet = "[]{}:,\"0123456789.-+eE \n\t\\nulltrefascoi\xff\xc3";
 	int read_count = 0;
-	int refused = 0;
+	int rejected = 0;
 	for (int repeat = 0; repeat < 20000; ++repeat) {
 		std::string text = to_json(random.multivector());
 		text = repeat % 3 == 0 ? "{\"coefficients\":" + text + "}" : text;
@@ -164,9 +164,9 @@ TEST_CASE("mutated texts neither crash nor give what is not finite") {
 		} else {
 			CHECK(result.error().offset <= text.size());
 			CHECK_FALSE(result.error().message.empty());
-			++refused;
+			++rejected;
 		}
 	}
 	CHECK(read_count > 2000);
-	CHECK(refused > 2000);
+	CHECK(rejected > 2000);
 }

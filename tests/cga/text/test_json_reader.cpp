@@ -28,7 +28,7 @@ std::string written(std::string_view text) {
 
 } // namespace
 
-TEST_CASE("strings, with every escape") {
+TEST_CASE("read_string() resolves every escape") {
 	CHECK(string_of(" \"a ä 𝔸\"") == "a ä 𝔸");
 	CHECK(string_of(R"("\"\\\/\b\f\n\r\t")") == "\"\\/\b\f\n\r\t");
 	CHECK(string_of(R"("\u0041\u00e4\u20ac\ud835\udd38")") == "Aä€𝔸");
@@ -45,7 +45,7 @@ TEST_CASE("strings, with every escape") {
 	}
 }
 
-TEST_CASE("strings are written so that they read back as themselves") {
+TEST_CASE("append_json_string() writes strings that read back as the same") {
 	CHECK(written("a\"\\\n\x01ä") == R"("a\"\\\n\u0001ä")");
 	CHECK(written("\xff") == "\"\xef\xbf\xbd\"");
 	std::string all;
@@ -55,7 +55,7 @@ TEST_CASE("strings are written so that they read back as themselves") {
 	CHECK(string_of(written(all)) == all);
 }
 
-TEST_CASE("values are passed over") {
+TEST_CASE("skip_value() skips values of any type") {
 	for (const char *value : { "1", "-0.5e+3", "\"a]\"", "true", "false", "null", "[]", "{}", "[1, [2, {}], {\"a\": [], \"b\": {\"c\": null}}]", " {\"a\" : 1 , \"b\" : 2} " }) {
 		CHECK_MESSAGE(skipped(value) == "all", value);
 	}
@@ -73,7 +73,7 @@ TEST_CASE("values are passed over") {
 	CHECK(skipped(std::string(257, '[')) == "column 257: the value is nested too deeply; at most 256 levels are accepted");
 }
 
-TEST_CASE("what went wrong is kept until reading goes on elsewhere") {
+TEST_CASE("the first error is kept until restart_at()") {
 	JsonReader reader("[x, 5]");
 	CHECK(reader.take('[', "'['"));
 	CHECK(!reader.read_number());

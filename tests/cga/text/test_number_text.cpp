@@ -42,7 +42,7 @@ double random_bits(std::mt19937_64 &engine) {
 
 } // namespace
 
-TEST_CASE("numbers are written as people write them") {
+TEST_CASE("append_number() writes the shortest decimal") {
 	CHECK(text_of(0.0) == "0");
 	CHECK(text_of(-0.0) == "-0");
 	CHECK(text_of(0.1) == "0.1");
@@ -65,7 +65,7 @@ TEST_CASE("any double reads back as the same bits") {
 	}
 }
 
-TEST_CASE("what older standard libraries use writes and reads the same") {
+TEST_CASE("the versions for older standard libraries write and read the same") {
 	cga_test::Random random(2);
 	std::mt19937_64 engine(3);
 	for (int repeat = 0; repeat < 3000; ++repeat) {
@@ -80,7 +80,7 @@ TEST_CASE("what older standard libraries use writes and reads the same") {
 	}
 }
 
-TEST_CASE("too large is no number, too small is zero") {
+TEST_CASE("overflow gives no number, underflow gives zero") {
 	for (const auto read : { read_number, detail::read_number_by_stream }) {
 		CHECK_FALSE(read("1e309").has_value());
 		CHECK_FALSE(read("-1e309").has_value());

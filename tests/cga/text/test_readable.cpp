@@ -4,7 +4,7 @@
 
 using namespace cga;
 
-TEST_CASE("numbers for people") {
+TEST_CASE("readable() writes six significant digits and clears rounding errors") {
 	CHECK(readable(1.0 / 3.0) == "0.333333");
 	CHECK(readable(-0.0) == "0");
 	CHECK(readable(1e20) == "1e+20");

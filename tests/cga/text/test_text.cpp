@@ -42,7 +42,7 @@ TEST_CASE("a multivector in the null basis") {
 	CHECK(to_text(basis("e1") + basis("e2") * 2.0 + basis("e3") * 3.0 + basis("einf") * 7.0 + basis("eo"), true) == "e1 + 2 e2 + 3 e3 + 7 einf + eo");
 }
 
-TEST_CASE("coefficients whose differences overflow stay in the basis that can hold them") {
+TEST_CASE("coefficients whose sums overflow in the null basis are written without it") {
 	const double most = std::numeric_limits<double>::max();
 	const Multivector x = basis("e5") * most - basis("e4") * most;
 	CHECK(to_text(x, true) == "-1.7976931348623157e+308 e4 + 1.7976931348623157e+308 e5");
@@ -58,7 +58,7 @@ TEST_CASE("LaTeX") {
 	CHECK(to_latex(basis("eo") + basis("einf") * 0.5, true) == "0.5 \\mathbf{e}_{\\infty} + \\mathbf{e}_{o}");
 }
 
-TEST_CASE("null coefficients are those of the null basis and back") {
+TEST_CASE("null coefficients are those of the null basis, and convert back") {
 	Random random(4);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const Multivector x = random.multivector();

@@ -6,7 +6,7 @@
 
 using namespace cga;
 
-TEST_CASE("an error's place counts characters of its line") {
+TEST_CASE("the column of an error counts the characters of its line") {
 	const TextError first = text_error("a + b", 4, "expected a number");
 	CHECK(first.offset == 4);
 	CHECK(first.line == 1);
@@ -31,7 +31,7 @@ TEST_CASE("characters of UTF-8") {
 	CHECK(character_count("aö∧\xf0\x9f\x98\x80") == 4);
 }
 
-TEST_CASE("bytes that are no UTF-8 are a character each") {
+TEST_CASE("each invalid byte of UTF-8 counts as a character") {
 	for (const std::string_view wrong : { "\x80", "\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8", "\xe2\x88" }) {
 		const Character character = character_at(wrong, 0);
 		CHECK_FALSE(character.is_valid);
@@ -40,7 +40,7 @@ TEST_CASE("bytes that are no UTF-8 are a character each") {
 	}
 }
 
-TEST_CASE("what stands somewhere is always printable") {
+TEST_CASE("describe_character() is always printable") {
 	CHECK(describe_character("x", 0) == "'x'");
 	CHECK(describe_character("∧", 0) == "'∧'");
 	CHECK(describe_character("x", 1) == "the end");

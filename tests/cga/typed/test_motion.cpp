@@ -64,11 +64,11 @@ TEST_CASE("the pose maps a sphere's center and scales its radius") {
 	}
 }
 
-TEST_CASE("moves_into_itself() tells the types that motors preserve") {
-	CHECK(typed::moves_into_itself(typed::Line<>::BLADES));
-	CHECK(typed::moves_into_itself(typed::Plane<>().dual().BLADES));
-	CHECK(typed::moves_into_itself(typed::MOTOR_BLADES));
-	CHECK_FALSE(typed::moves_into_itself(typed::BladeSet(1) << E1));
-	CHECK_FALSE(typed::moves_into_itself(typed::BladeSet(1) << E5));
-	CHECK_FALSE(typed::moves_into_itself(typed::BladeSet(1) << E123));
+TEST_CASE("is_closed_under_motors() is true for the types that motors preserve") {
+	CHECK(typed::is_closed_under_motors(typed::Line<>::BLADES));
+	CHECK(typed::is_closed_under_motors(typed::Plane<>().dual().BLADES));
+	CHECK(typed::is_closed_under_motors(typed::MOTOR_BLADES));
+	CHECK_FALSE(typed::is_closed_under_motors(typed::BladeSet(1) << E1));
+	CHECK_FALSE(typed::is_closed_under_motors(typed::BladeSet(1) << E5));
+	CHECK_FALSE(typed::is_closed_under_motors(typed::BladeSet(1) << E123));
 }

@@ -102,7 +102,7 @@ TEST_CASE("two spheres meet in the circle that meet() finds, real or imaginary")
 	CHECK(imaginary > CASES / 10);
 }
 
-TEST_CASE("in float, too") {
+TEST_CASE("objects with float coefficients") {
 	const auto a = typed::point(Vector3<float>(1, 2, 3)), b = typed::point(Vector3<float>(1, 2, 5));
 	CHECK(typed::squared_distance(a, b) == doctest::Approx(4.0f));
 	const typed::Line<float> line = a.outer_product(b).outer_product(typed::infinity<float>());

@@ -86,7 +86,7 @@ TEST_CASE("sums, signs, duals and conversions agree with Multivector's") {
 	check_alone<Versor<>>(random);
 }
 
-TEST_CASE("types store what they need, and products compute nothing else") {
+TEST_CASE("types store only their coefficients, and products have only the terms that they need") {
 	CHECK(Point<>::SIZE == 5);
 	CHECK(PointPair<>::SIZE == 10);
 	CHECK(Circle<>::SIZE == 10);

@@ -26,7 +26,7 @@ inline LongMultivector multiplied(const LongMultivector &left, const LongMultive
 }
 
 inline LongMultivector long_exp(const cga::Multivector &x) {
-	const int halvings = std::max(0, std::ilogb(x.max_abs() + 1e-300) - 1); // few squarings, which lose digits, and many terms
+	const int halvings = std::max(0, std::ilogb(x.max_abs() + 1e-300) - 1); // squarings lose digits: few of them, and many terms
 	LongMultivector small{};
 	for (int index = 0; index < cga::BLADE_COUNT; ++index) {
 		small[size_t(index)] = std::ldexp((long double)(x[index]), -halvings);
@@ -62,7 +62,7 @@ inline double relative_error(const cga::Multivector &x, const cga::Multivector &
 	return (x - expected).max_abs() / expected.max_abs();
 }
 
-// The same up to the sign of the whole.
+// The smaller of the errors of x and -x.
 inline double relative_error_up_to_sign(const cga::Multivector &x, const cga::Multivector &expected) {
 	return std::min(relative_error(x, expected), relative_error(-x, expected));
 }

@@ -7,7 +7,7 @@
 
 namespace cga_test {
 
-// A vector whose square is not near zero: a plane or sphere to reflect in, imaginary ones among them.
+// A vector whose square is not near zero: a plane or a real or imaginary sphere to reflect in.
 inline cga::Multivector random_mirror(Random &random) {
 	for (;;) {
 		const cga::Multivector vector = random.multivector().grade(1);

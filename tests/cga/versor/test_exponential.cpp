@@ -76,7 +76,7 @@ TEST_CASE("exp of bivectors whose parts are null, equal, or nearly so") {
 		worst = std::max(worst, error_of_exp(bivector));
 	}
 	CHECK(worst < 1e-12);
-	// In the axes, where the squares are exact.
+	// Along the axes, where the squares are exact.
 	CHECK(error_of_exp(blade("e12") + blade("e34")) < 1e-15);
 	CHECK(error_of_exp((blade("e12") + blade("e34")) * 3.0) < 1e-14);
 	CHECK(error_of_exp(blade("e12") * 3.0 - blade("e34") * (3.0 + 1e-9)) < 1e-14);
@@ -98,7 +98,7 @@ TEST_CASE("exp(B) is a versor of unit weight, with the inverse exp(-B)") {
 	}
 }
 
-TEST_CASE("exp of numbers, vectors and arbitrary elements") {
+TEST_CASE("exp of scalars, vectors and arbitrary elements") {
 	CHECK(*exp(Multivector()) == Multivector::scalar(1.0));
 	CHECK((*exp(Multivector::scalar(2.0)))[0] == doctest::Approx(std::exp(2.0)).epsilon(1e-15));
 	// e1^2 = 1, e5^2 = -1, e_inf^2 = 0.

@@ -74,7 +74,7 @@ TEST_CASE("every function of any finite element is finite or an error") {
 		check("sqrt", cga::sqrt(x));
 		check("power", power(x, random.uniform(-1000.0, 1000.0)));
 		check("whole power", power(x, std::round(random.uniform(-9.0, 9.0))));
-		// Predicates only must not crash; a blade's dual is one.
+		// Predicates must not crash; the dual of a blade is a blade.
 		CHECK(is_blade(x) == is_blade(x.dual()));
 		CHECK((is_versor(x) || !is_motor(x, 1e-10)));
 	}

@@ -20,7 +20,7 @@ Multivector blade(const char *name) {
 	return *Multivector::basis(name);
 }
 
-// How far X X^-1 and X^-1 X are from 1, relative to the sizes of both.
+// The deviation of X X^-1 and X^-1 X from 1, relative to the sizes of both.
 double error_of_inverse(const Multivector &x) {
 	const MultivectorResult result = inverse(x);
 	REQUIRE_MESSAGE(result, describe(result.error()));
@@ -39,7 +39,7 @@ TEST_CASE("random elements of all grades, whatever their size") {
 	CHECK(worst < 1e-13);
 }
 
-TEST_CASE("elements of some grades only that are not versors") {
+TEST_CASE("elements of some grades that are not versors") {
 	Random random(22);
 	double worst = 0.0;
 	for (int repeat = 0; repeat < 3000; ++repeat) {

@@ -50,7 +50,7 @@ TEST_CASE("log of angles below 1e-4 keeps every digit (NaN in klein's rotor log)
 	}
 }
 
-TEST_CASE("log of half a turn, alone and with translation and scale (wrong in clifford's general_logarithm)") {
+TEST_CASE("log of a rotation by pi, alone and with translation and scale (wrong in clifford's general_logarithm)") {
 	Random random(152);
 	for (int repeat = 0; repeat < 1000; ++repeat) {
 		const Vector3D axis = glm::normalize(random.vector(1.0));
@@ -79,7 +79,7 @@ TEST_CASE("q and -q, the identity and minus it: one logarithm (NaN in GA-Unity)"
 }
 
 TEST_CASE("exp and log are the closed form of the whole motor, not of its translator and rotor separately (gafro's)") {
-	// A screw motion along z and round the axis through (1, 0, 0): all of its powers stay on the screw.
+	// A screw motion along z and about the axis through (1, 0, 0): all of its powers stay on the screw.
 	const Multivector turn = translator({ 1.0, 0.0, 0.0 }).geometric_product(turn_about_z(2.0)).geometric_product(translator({ -1.0, 0.0, 0.0 }));
 	const Multivector screw = translator({ 0.0, 0.0, 3.0 }).geometric_product(turn);
 	for (const double part : { 0.25, 0.5, 0.75 }) {
@@ -102,7 +102,7 @@ TEST_CASE("a sum of motors is not a motor; normalizing it from the left gives on
 		CHECK_FALSE(is_motor(blend));
 		const Multivector unit = *normalized(blend);
 		CHECK(is_motor(unit));
-		// Noise in all twelve coefficients is what the side matters for.
+		// With noise in all twelve coefficients, the two sides give different results.
 		const Motor<double> exact = Motor<double>::from_pose({ random.vector(1.0), random.rotation(), 2.0 });
 		const auto shake = [&](const QuaternionD &q) { return q + QuaternionD(random.normal(), random.normal(), random.normal(), random.normal()) * 1e-2; };
 		const Multivector x = to_multivector(Motor<double>{ shake(exact.a), shake(exact.b), shake(exact.v) });

@@ -33,7 +33,7 @@ double round_trip_error(const Multivector &versor) {
 
 } // namespace
 
-TEST_CASE("log undoes exp over the grid of angle and ln of the scale, digit for digit in each part") {
+TEST_CASE("log inverts exp over the grid of angle and ln of the scale, digit for digit in each part") {
 	Random random(111);
 	double worst = 0.0;
 	double worst_dilation = 0.0;
@@ -56,7 +56,7 @@ TEST_CASE("log undoes exp over the grid of angle and ln of the scale, digit for 
 	CHECK(worst_dilation < 1e-13);
 }
 
-TEST_CASE("half a turn: the versor determines the direction, and exp returns the versor") {
+TEST_CASE("rotation by pi: the versor determines the direction, and exp returns the versor") {
 	Random random(112);
 	for (const double dilation : { 0.0, 1e-12, -5.0, 2.0 }) {
 		for (int repeat = 0; repeat < 200; ++repeat) {
@@ -161,7 +161,7 @@ TEST_CASE("transversions") {
 	}
 }
 
-TEST_CASE("two rotations at once, including half turns") {
+TEST_CASE("two rotations at once, including rotations by pi") {
 	Random random(119);
 	constexpr double HALF_TURN = PI / 2.0;
 	for (const double first : { 0.0, 1e-12, 1e-6, 0.3, 1.0, HALF_TURN - 1e-6, HALF_TURN - 1e-12, HALF_TURN }) {
@@ -177,7 +177,7 @@ TEST_CASE("two rotations at once, including half turns") {
 			}
 		}
 	}
-	// The double half turn alone: any pair of planes is valid; exp verifies it.
+	// The double rotation by pi alone: any pair of planes is valid; exp verifies it.
 	CHECK(relative_error(*exp(log_of(blade("e1234"))), blade("e1234")) < 1e-15);
 	CHECK(relative_error(*exp(log_of(-blade("e1234"))), -blade("e1234")) < 1e-15);
 	for (int repeat = 0; repeat < 500; ++repeat) {
@@ -187,7 +187,7 @@ TEST_CASE("two rotations at once, including half turns") {
 	}
 }
 
-TEST_CASE("what has no logarithm says why") {
+TEST_CASE("log() reports why an element has no logarithm") {
 	CHECK(log(blade("e1")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
 	CHECK(log(blade("I")).error() == AlgebraError::ODD_HAS_NO_LOGARITHM);
 	// One real and one imaginary inversion: M M~ = -1.

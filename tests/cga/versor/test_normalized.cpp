@@ -92,8 +92,8 @@ TEST_CASE("null elements are reported as an error, at any size and position") {
 	Random random(145);
 	for (int repeat = 0; repeat < 500; ++repeat) {
 		const double size = std::pow(10.0, random.uniform(-200.0, 200.0));
-		const Multivector place = point(random.vector(std::pow(10.0, random.uniform(-3.0, 5.0))));
-		for (const Multivector &null : { place, e_infinity(), euclidean(random.vector(1.0)).outer_product(e_infinity()), place + place.dual() }) {
+		const Multivector position = point(random.vector(std::pow(10.0, random.uniform(-3.0, 5.0))));
+		for (const Multivector &null : { position, e_infinity(), euclidean(random.vector(1.0)).outer_product(e_infinity()), position + position.dual() }) {
 			const MultivectorResult result = normalized(null * size);
 			REQUIRE_FALSE(result);
 			CHECK(result.error() == AlgebraError::NULL_HAS_NO_NORM);

@@ -106,13 +106,13 @@ TEST_CASE("integer powers are products, also of odd versors") {
 	CHECK(power_of(blade("e1"), 999999999.0) == blade("e1"));
 }
 
-TEST_CASE("numbers") {
+TEST_CASE("powers of scalars") {
 	CHECK((*cga::sqrt(Multivector::scalar(4.0)))[0] == doctest::Approx(2.0).epsilon(1e-15));
 	CHECK(power_of(Multivector::scalar(2.0), 10.0)[0] == doctest::Approx(1024.0).epsilon(1e-14));
 	CHECK(power_of(Multivector::scalar(1.0), 1e300) == Multivector::scalar(1.0));
 }
 
-TEST_CASE("what is not defined says why") {
+TEST_CASE("power() reports why a power is not defined") {
 	CHECK(cga::sqrt(blade("e1")).error() == AlgebraError::FRACTIONAL_POWER);
 	CHECK(power(blade("e15"), 0.3).error() == AlgebraError::FRACTIONAL_POWER);
 	CHECK(power(blade("e1"), 1e10).error() == AlgebraError::EXPONENT_TOO_LARGE);

@@ -58,7 +58,7 @@ TEST_CASE("link: without impairment datagrams arrive at once, in order") {
 	CHECK(std::isinf(link.next_arrival()));
 }
 
-TEST_CASE("link: delay and jitter are uniform, and let datagrams overtake each other") {
+TEST_CASE("link: transit times are uniformly distributed, and jitter reorders datagrams") {
 	LinkSettings settings;
 	settings.delay = 0.05;
 	settings.jitter = 0.03;
@@ -67,7 +67,7 @@ TEST_CASE("link: delay and jitter are uniform, and let datagrams overtake each o
 	double squares = 0.0;
 	double min = 1.0;
 	double max = 0.0;
-	int overtakes = 0;
+	int reordered = 0;
 	double last = 0.0;
 	for (int i = 0; i < MANY; ++i) {
 		const double sent = 0.01 * i;
@@ -78,7 +78,7 @@ TEST_CASE("link: delay and jitter are uniform, and let datagrams overtake each o
 		squares += transit * transit;
 		min = std::min(min, transit);
 		max = std::max(max, transit);
-		overtakes += fate.arrivals[0] < last;
+		reordered += fate.arrivals[0] < last;
 		last = fate.arrivals[0];
 	}
 	const double mean = sum / MANY;
@@ -88,7 +88,7 @@ TEST_CASE("link: delay and jitter are uniform, and let datagrams overtake each o
 	CHECK(max <= 0.08 + 1e-9);
 	CHECK(max - min > 0.0299);
 	// Two transit times, uniform over a width J, of datagrams sent d apart: the probability is (1 - d / J)^2 / 2.
-	CHECK(double(overtakes) / MANY == doctest::Approx(0.5 * std::pow(1.0 - 0.01 / 0.03, 2)).epsilon(0.02));
+	CHECK(double(reordered) / MANY == doctest::Approx(0.5 * std::pow(1.0 - 0.01 / 0.03, 2)).epsilon(0.02));
 }
 
 TEST_CASE("link: independent losses and bursts have the configured probability and mean length") {

@@ -36,7 +36,7 @@ TEST_CASE("bit stream: reading past the end fails and stays failed") {
 	CHECK(reader.failed());
 }
 
-TEST_CASE("bit stream: varints take 7 bits a byte") {
+TEST_CASE("bit stream: varints take 7 bits per byte") {
 	struct Row {
 		uint64_t value;
 		size_t size;
@@ -51,8 +51,8 @@ TEST_CASE("bit stream: varints take 7 bits a byte") {
 		CHECK(reader.read_varint() == row.value);
 		CHECK_FALSE(reader.failed());
 	}
-	const std::vector<uint8_t> endless(12, 0xff);
-	BitReader reader(endless.data(), endless.size());
+	const std::vector<uint8_t> unbounded(12, 0xff);
+	BitReader reader(unbounded.data(), unbounded.size());
 	reader.read_varint();
 	CHECK(reader.failed());
 }

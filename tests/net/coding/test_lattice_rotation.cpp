@@ -28,7 +28,7 @@ TEST_CASE("lattice rotation: within 3/2 steps of every rotation, of unit length"
 		worst = std::max(worst, cga_test::angle_between(q, lattice.value()));
 		max_deviation = std::max(max_deviation, std::abs(glm::length(lattice.value()) - 1.0));
 	}
-	// Three components off by half a step, and the fourth by up to 3/2: sqrt(3) steps of the quaternion, twice that in angle.
+	// The error is half a step in three components and up to 3/2 in the fourth: sqrt(3) steps of the quaternion, twice that in angle.
 	CHECK(worst < 2.0 * std::sqrt(3.0) / LatticeRotation::STEPS);
 	CHECK(worst > 1.0 / LatticeRotation::STEPS);
 	CHECK(max_deviation < 1e-15);
@@ -41,7 +41,7 @@ TEST_CASE("lattice rotation: its own value is nearest to itself, so that states 
 		const LatticeRotation lattice = LatticeRotation::nearest(random.rotation());
 		moved += is_same(LatticeRotation::nearest(lattice.value()), lattice) ? 0 : 1;
 	}
-	// Where the two largest components are as good as equal, another one may be dropped: the rotation stays the same.
+	// Where the two largest components are nearly equal, another one may be dropped: the rotation stays the same.
 	CHECK(moved < 25);
 	for (const QuaternionD &q : { QuaternionD(1, 0, 0, 0), QuaternionD(0, 1, 0, 0), QuaternionD(0, 0, 1, 0), QuaternionD(0, 0, 0, 1) }) {
 		CHECK(LatticeRotation::nearest(q).value() == q);
@@ -53,12 +53,12 @@ TEST_CASE("lattice rotation: q and -q are the same") {
 	cga_test::Random random(33);
 	for (int i = 0; i < 2000; ++i) {
 		const QuaternionD q = random.rotation();
-		// Rounding is to the upper neighbor, so that exact halves alone could differ; random ones are not.
+		// Halves are rounded up, so only exact halves could differ, which random components are not.
 		CHECK(is_same(LatticeRotation::nearest(q), LatticeRotation::nearest(-q)));
 	}
 }
 
-TEST_CASE("lattice rotation: components of no unit quaternion are rejected") {
+TEST_CASE("lattice rotation: components that no unit quaternion has are rejected") {
 	struct Row {
 		LatticeRotation lattice;
 		bool valid;

@@ -14,7 +14,7 @@ glm::quat random_rotation(std::mt19937 &random) {
 	return glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
 }
 
-/// Angle between two rotations in degrees, from the chord so that small ones are exact.
+/// Angle between two rotations in degrees, computed from the chord, which is accurate for small angles.
 double angle_between(const glm::quat &a, const glm::quat &b) {
 	const double sign = glm::dot(a, b) < 0 ? -1.0 : 1.0;
 	double chord = 0;
@@ -27,7 +27,7 @@ double angle_between(const glm::quat &a, const glm::quat &b) {
 
 } // namespace
 
-TEST_CASE("rotors: the error stays within the tolerance, and fewer bits would not do") {
+TEST_CASE("rotors: the error stays within the tolerance, and fewer bits would not suffice") {
 	std::mt19937 random(7);
 	for (const float tolerance : { 5.0f, 1.0f, 0.25f, 0.05f, 0.01f }) {
 		const int bits = rotor_bits(tolerance);
@@ -40,11 +40,11 @@ TEST_CASE("rotors: the error stays within the tolerance, and fewer bits would no
 		}
 		CAPTURE(tolerance);
 		CHECK(worst <= tolerance);
-		CHECK(worst > tolerance / 8); // not wastefully fine
+		CHECK(worst > tolerance / 8); // not finer than needed
 	}
 }
 
-TEST_CASE("rotors: the identity and half turns about the axes are exact") {
+TEST_CASE("rotors: the identity and rotations by pi about the axes are exact") {
 	for (const glm::quat &q : { glm::quat(1, 0, 0, 0), glm::quat(0, 1, 0, 0), glm::quat(0, 0, 1, 0), glm::quat(0, 0, 0, 1) }) {
 		const std::optional<glm::quat> back = dequantize_rotor(quantize_rotor(q, 9), 9);
 		REQUIRE(back);
@@ -65,7 +65,7 @@ TEST_CASE("rotors: q and -q have the same code") {
 	}
 }
 
-TEST_CASE("rotors: components of no unit quaternion are rejected") {
+TEST_CASE("rotors: components that no unit quaternion has are rejected") {
 	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 0, 0, 0 } }, 10)); // three of -1/sqrt(2)
 	CHECK_FALSE(dequantize_rotor(SmallestThree{ 3, { 1023, 511, 511 } }, 10)); // a level above 2n
 }

@@ -15,7 +15,7 @@ double entropy(double p) {
 	return -p * std::log2(p) - (1.0 - p) * std::log2(1.0 - p);
 }
 
-/// Codes the bits with one adaptive model and reads them back; the coded size.
+/// Codes the bits with one adaptive model and reads them back. Returns the coded size in bytes.
 size_t round_trip(const std::vector<bool> &bits) {
 	Bytes bytes;
 	RangeEncoder encoder(bytes);
@@ -50,7 +50,7 @@ std::vector<bool> random_bits(size_t count, double probability, unsigned seed) {
 
 } // namespace
 
-TEST_CASE("range coder: bits of a probability take their entropy and little more") {
+TEST_CASE("range coder: bits of a given probability cost little more than their entropy") {
 	constexpr size_t COUNT = 20000;
 	unsigned seed = 1;
 	for (const double p : { 0.5, 0.3, 0.1, 0.03, 0.01, 0.97 }) {
@@ -70,12 +70,12 @@ TEST_CASE("range coder: long runs of either bit cost 1/170 bit each") {
 		CHECK(size <= 100);
 	}
 	CHECK(round_trip({}) == 0);
-	CHECK(round_trip({ false }) == 0); // the reader's zeros stand for it
+	CHECK(round_trip({ false }) == 0); // the decoder reads zeros past the end
 	CHECK(round_trip({ true }) == 1);
 }
 
-TEST_CASE("range coder: carries run through any number of bytes") {
-	// A unlikely 1 after every run puts the low end just below the top of its range, run after run.
+TEST_CASE("range coder: carries propagate through any number of bytes") {
+	// An unlikely 1 after each run leaves the low end just below the top of its range.
 	for (int run = 1; run < 400; ++run) {
 		std::vector<bool> bits;
 		for (int i = 0; i < 6; ++i) {
@@ -85,7 +85,7 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 		}
 		round_trip(bits);
 	}
-	// All ones in equal halves: the low end is 0xffff...; then a carry or no carry.
+	// Ones of equal probability: the low end is 0xffff..., and the last field decides whether a carry follows.
 	for (uint32_t last : { 0u, 1u, 0xffffffffu }) {
 		for (int words = 1; words < 40; ++words) {
 			Bytes bytes;
@@ -120,7 +120,7 @@ TEST_CASE("range coder: carries run through any number of bytes") {
 	}
 }
 
-TEST_CASE("range coder: fields of every width and bits of many models round-trip, after bytes that were there before") {
+TEST_CASE("range coder: fields of every width and bits of many models round-trip, appended to existing bytes") {
 	std::mt19937 random(11);
 	for (int round = 0; round < 300; ++round) {
 		struct Symbol {
@@ -157,7 +157,7 @@ TEST_CASE("range coder: fields of every width and bits of many models round-trip
 		REQUIRE(bytes.size() >= 3);
 		CHECK(bytes[0] == 1);
 		CHECK((bytes.size() == 3 || bytes.back() != 0));
-		// The cost meter knows the size beforehand.
+		// The cost meter predicts the size.
 		CHECK(8.0 * double(bytes.size() - 3) < cost * 1.01 + 16);
 		RangeDecoder decoder(bytes.data() + 3, bytes.size() - 3);
 		AdaptiveBit read_models[5];

@@ -13,15 +13,15 @@ using Bytes = std::vector<uint8_t>;
 
 } // namespace
 
-TEST_CASE("residual model: every magnitude round-trips, whatever was expected") {
+TEST_CASE("residual model: every magnitude round-trips, for any expected magnitude") {
 	std::vector<int32_t> values;
 	for (int32_t i = 0; i <= 3000; ++i) {
 		values.push_back(i);
 	}
 	for (int bit = 11; bit <= 21; ++bit) {
-		for (int off = -2; off <= 2; ++off) {
-			values.push_back(std::min((1 << bit) + off, ResidualModel::MAX_MAGNITUDE));
-			values.push_back(std::min((1 << bit) + off + ResidualModel::MAX_UNARY, ResidualModel::MAX_MAGNITUDE));
+		for (int offset = -2; offset <= 2; ++offset) {
+			values.push_back(std::min((1 << bit) + offset, ResidualModel::MAX_MAGNITUDE));
+			values.push_back(std::min((1 << bit) + offset + ResidualModel::MAX_UNARY, ResidualModel::MAX_MAGNITUDE));
 		}
 	}
 	for (const int32_t expected : { 0, 1, 256, 5000, 1 << 18, 1 << 20 }) {
@@ -69,7 +69,7 @@ TEST_CASE("residual model: arbitrary bytes decode to numbers within the limit") 
 		}
 	}
 	CHECK(max <= ResidualModel::MAX_MAGNITUDE);
-	// What an encoder of another mind writes, beyond the limit.
+	// Residuals beyond the limit, as a different encoder may write them.
 	for (const int32_t beyond : { ResidualModel::MAX_MAGNITUDE + 1, 2 * ResidualModel::MAX_MAGNITUDE, -2 * ResidualModel::MAX_MAGNITUDE }) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
@@ -84,7 +84,7 @@ TEST_CASE("residual model: arbitrary bytes decode to numbers within the limit") 
 	}
 }
 
-TEST_CASE("residual model: two-sided geometric numbers take little more than their entropy, from the beginning") {
+TEST_CASE("residual model: two-sided geometric numbers cost little more than their entropy, from the first one on") {
 	for (const double mean : { 0.05, 0.3, 1.0, 4.0, 20.0 }) {
 		const double r = (std::sqrt(1.0 + mean * mean) - 1.0) / mean;
 		std::mt19937 random(unsigned(mean * 100));
@@ -93,7 +93,7 @@ TEST_CASE("residual model: two-sided geometric numbers take little more than the
 		const double entropy = -std::log2((1.0 - r) / (1.0 + r)) - mean * std::log2(r);
 		for (const int count : { 60, 4000 }) {
 			double bits = 0.0;
-			double own = 0.0; // what these numbers would take with their true probabilities
+			double own = 0.0; // cost of these numbers with their true probabilities
 			for (int round = 0; round < 4000 / count; ++round) {
 				Bytes bytes;
 				RangeEncoder encoder(bytes);
@@ -114,7 +114,7 @@ TEST_CASE("residual model: two-sided geometric numbers take little more than the
 	}
 }
 
-TEST_CASE("residual model: wrong expectations cost bits, and are corrected by adaptation") {
+TEST_CASE("residual model: wrong expected magnitudes cost bits, and adaptation corrects them") {
 	const auto size = [](int32_t expected, int count) {
 		Bytes bytes;
 		RangeEncoder encoder(bytes);
@@ -127,10 +127,10 @@ TEST_CASE("residual model: wrong expectations cost bits, and are corrected by ad
 		return bytes.size();
 	};
 	CHECK(size(38 * 256, 20) < size(16, 20));
-	CHECK(size(16, 2000) < 2000 * 1.5); // 4 and a bit of golomb, a sign; not the 9 bytes of the start
+	CHECK(size(16, 2000) < 2000 * 1.5); // after adaptation, at most 12 bits each; the first ones take 9 bytes
 }
 
-TEST_CASE("mean magnitude: a bounded average of about the last 8") {
+TEST_CASE("mean magnitude: a bounded average over about 8 values") {
 	MeanMagnitude mean(0);
 	for (int i = 0; i < 100; ++i) {
 		mean.add(i % 2 == 0 ? 10 : -10);

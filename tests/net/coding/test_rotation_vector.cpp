@@ -11,11 +11,11 @@ using cga_test::Vector3D;
 
 namespace {
 
-double largest_difference(const QuaternionD &a, const QuaternionD &b) {
+double max_difference(const QuaternionD &a, const QuaternionD &b) {
 	return std::max({ std::abs(a.w - b.w), std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z) });
 }
 
-/// The same with the C library's sine and cosine.
+/// exp_rotation() with the C library's sine and cosine.
 QuaternionD by_library(const Vector3D &vector) {
 	const double angle = glm::length(vector);
 	const double scale = angle == 0.0 ? 0.5 : std::sin(angle / 2.0) / angle;
@@ -24,14 +24,14 @@ QuaternionD by_library(const Vector3D &vector) {
 
 } // namespace
 
-TEST_CASE("rotation vector: exp agrees with the standard library to the last bits up to half a turn, to 1e-10 at the end of its range") {
+TEST_CASE("rotation vector: exp agrees with the standard library to the last bits up to an angle of pi, to 1e-10 at the end of its range") {
 	cga_test::Random random(21);
 	double worst[9] = {};
 	for (int i = 0; i < 20000; ++i) {
 		const double angle = 8.0 * i / 20000.0;
 		const Vector3D vector = glm::normalize(random.vector(1.0)) * angle;
 		double &max = worst[int(angle)];
-		max = std::max(max, largest_difference(exp_rotation(vector), by_library(vector)));
+		max = std::max(max, max_difference(exp_rotation(vector), by_library(vector)));
 	}
 	const double bounds[8] = { 2e-15, 2e-15, 2e-15, 8e-15, 2e-13, 2e-12, 1e-11, 1e-10 };
 	for (int radians = 0; radians < 8; ++radians) {
@@ -46,8 +46,8 @@ TEST_CASE("rotation vector: exp at the ends of its range") {
 	CHECK(tiny.w == 1.0);
 	CHECK(tiny.x == doctest::Approx(5e-13).epsilon(1e-12));
 	CHECK(tiny.y == doctest::Approx(-1e-12).epsilon(1e-12));
-	CHECK(largest_difference(exp_rotation(Vector3D(0.0, PI, 0.0)), { 0.0, 0.0, 1.0, 0.0 }) < 4e-15);
-	CHECK(largest_difference(exp_rotation(Vector3D(0.0, 0.0, 2.0 * PI)), { -1.0, 0.0, 0.0, 0.0 }) < 1e-11);
+	CHECK(max_difference(exp_rotation(Vector3D(0.0, PI, 0.0)), { 0.0, 0.0, 1.0, 0.0 }) < 4e-15);
+	CHECK(max_difference(exp_rotation(Vector3D(0.0, 0.0, 2.0 * PI)), { -1.0, 0.0, 0.0, 0.0 }) < 1e-11);
 }
 
 TEST_CASE("rotation vector: exp has unit length, which segments rely on") {
@@ -60,7 +60,7 @@ TEST_CASE("rotation vector: exp has unit length, which segments rely on") {
 	CHECK(worst < 1e-10);
 }
 
-TEST_CASE("rotation vector: log gives the shortest vector, from nothing to half a turn") {
+TEST_CASE("rotation vector: log gives the shortest vector, for angles from 0 to pi") {
 	cga_test::Random random(23);
 	for (const double angle : { 0.0, 1e-300, 1e-12, 1e-9, 3e-9, 1e-5, 0.1, 1.0, 3.0, PI - 1e-7, PI - 1e-12 }) {
 		for (int i = 0; i < 50; ++i) {
@@ -74,7 +74,7 @@ TEST_CASE("rotation vector: log gives the shortest vector, from nothing to half 
 	CHECK(glm::length(log_rotation({ 0.0, 0.0, 1.0, 0.0 })) == doctest::Approx(PI).epsilon(1e-15));
 }
 
-TEST_CASE("rotation vector: beyond half a turn log turns in the other direction") {
+TEST_CASE("rotation vector: beyond an angle of pi, log gives the shorter rotation in the opposite direction") {
 	cga_test::Random random(24);
 	for (const double angle : { PI + 1e-6, 4.0, 6.0, 2.0 * PI - 1e-6 }) {
 		const Vector3D axis = glm::normalize(random.vector(1.0));

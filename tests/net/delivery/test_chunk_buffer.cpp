@@ -25,7 +25,7 @@ bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, u
 	return added.has_value();
 }
 
-/// The bytes of the windows that can be taken, each ended by a 255.
+/// The bytes of all complete windows, with a 255 after each.
 Bytes taken(ChunkBuffer &buffer) {
 	Bytes all;
 	Bytes window;
@@ -78,7 +78,7 @@ TEST_CASE("chunk buffer: duplicates and chunks too far ahead or behind are dropp
 	CHECK_FALSE(add(*buffer, 201));
 }
 
-TEST_CASE("chunk buffer: a short chunk's number is completed to the one near the first missing chunk") {
+TEST_CASE("chunk buffer: a short chunk's full number is the one near the first missing chunk") {
 	const auto buffer = started(250);
 	const auto add_short = [&](int number) {
 		const uint8_t byte = uint8_t(number);
@@ -105,7 +105,7 @@ TEST_CASE("chunk buffer: a short chunk's number is completed to the one near the
 	CHECK_FALSE(unstarted.add(chunk));
 }
 
-TEST_CASE("chunk buffer: it acknowledges what has arrived, across the wrap of numbers") {
+TEST_CASE("chunk buffer: it acknowledges what has arrived, across the wraparound of numbers") {
 	const auto buffer = started(254);
 	CHECK(buffer->ack().next == 254);
 	CHECK(buffer->ack().later == 0);
@@ -146,7 +146,7 @@ TEST_CASE("chunk buffer: chunks that do not form a window break it, until the ne
 	}
 }
 
-TEST_CASE("chunk buffer: chunks that overtook the snapshot are kept; those before it are not") {
+TEST_CASE("chunk buffer: chunks after the snapshot that arrive before it are kept; earlier chunks are dropped") {
 	ChunkBuffer buffer;
 	CHECK(add(buffer, 40));
 	CHECK(add(buffer, 51));
@@ -169,7 +169,7 @@ TEST_CASE("chunk buffer: chunks that overtook the snapshot are kept; those befor
 	CHECK(taken(buffer).size() == 256);
 }
 
-TEST_CASE("chunk buffer: going back to a snapshot keeps the chunks after it") {
+TEST_CASE("chunk buffer: restarting at an earlier snapshot keeps the chunks after it") {
 	const auto buffer = started(10);
 	add(*buffer, 10);
 	add(*buffer, 11);

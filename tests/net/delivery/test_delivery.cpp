@@ -6,7 +6,7 @@ using namespace net;
 
 namespace {
 
-/// A delivery, and its receiver's side as far as acknowledgements go.
+/// A delivery, and the acknowledgements of its receiver.
 struct Line {
 	Line() {
 		auto snapshot = std::make_shared<Snapshot>();
@@ -48,7 +48,7 @@ struct Line {
 		delivery.accept(content, ring, time);
 	}
 
-	/// All of the snapshot arrives.
+	/// Sends the snapshot; all of it arrives.
 	void finish_snapshot(double time) {
 		(void)send(time);
 		accept_snapshot_ack(3, 3, 0, time);
@@ -62,7 +62,7 @@ struct Line {
 
 } // namespace
 
-TEST_CASE("delivery: fragments are repeated after a timeout until they have arrived") {
+TEST_CASE("delivery: fragments are retransmitted after a timeout until they have arrived") {
 	Line line;
 	CHECK(line.send(0.0).fragments.size() == 3);
 	CHECK(line.packets == 3);
@@ -70,12 +70,12 @@ TEST_CASE("delivery: fragments are repeated after a timeout until they have arri
 	CHECK(line.delivery.rto() == 0.2); // before the first measurement
 	line.accept_snapshot_ack(3, 0, 1, 0.05); // fragment 1
 	line.accept_snapshot_ack(4, 3, 0, 0.05); // of another snapshot
-	const PacketContent repeated = line.send(0.21);
-	REQUIRE(repeated.fragments.size() == 2);
-	CHECK(repeated.fragments[0].index == 0);
-	CHECK(repeated.fragments[1].index == 2);
-	CHECK(repeated.fragments[1].size == Snapshot::FRAGMENT_BYTES - 5);
-	CHECK(line.delivery.repeated() == 2);
+	const PacketContent retransmitted = line.send(0.21);
+	REQUIRE(retransmitted.fragments.size() == 2);
+	CHECK(retransmitted.fragments[0].index == 0);
+	CHECK(retransmitted.fragments[1].index == 2);
+	CHECK(retransmitted.fragments[1].size == Snapshot::FRAGMENT_BYTES - 5);
+	CHECK(line.delivery.retransmissions() == 2);
 	line.accept_snapshot_ack(3, 3, 0, 0.3);
 	CHECK(line.send(1.0).fragments.empty());
 }
@@ -89,7 +89,7 @@ TEST_CASE("delivery: chunks are sent once, and again if they are not acknowledge
 	PacketContent content = line.send(0.1);
 	REQUIRE(content.chunks.size() == 3);
 	CHECK(line.packets == 1);
-	CHECK_FALSE(content.chunks[0].is_short); // only the last of a packet can be
+	CHECK_FALSE(content.chunks[0].is_short); // only the last one of a packet can be short
 	CHECK(content.chunks[2].is_short);
 	line.accept_ack(0, 1 << 1, 0.2); // chunk 2
 	CHECK(line.delivery.round_trip() == doctest::Approx(0.1));
@@ -102,7 +102,7 @@ TEST_CASE("delivery: chunks are sent once, and again if they are not acknowledge
 	CHECK(line.delivery.loss() == doctest::Approx(1.0 - std::pow(31.0 / 32.0, 2)));
 	line.accept_ack(3, 0, 0.6);
 	CHECK(line.send(2.0).chunks.empty());
-	CHECK(line.delivery.round_trip() == doctest::Approx(0.1)); // repeated chunks give no sample
+	CHECK(line.delivery.round_trip() == doctest::Approx(0.1)); // retransmitted chunks give no sample
 }
 
 TEST_CASE("delivery: stale and invalid acknowledgements change nothing") {
@@ -122,7 +122,7 @@ TEST_CASE("delivery: stale and invalid acknowledgements change nothing") {
 	CHECK(line.delivery.round_trip() == doctest::Approx(0.05));
 }
 
-TEST_CASE("delivery: a receiver that is stuck, far behind or asks gets a snapshot, at most every half second") {
+TEST_CASE("delivery: a receiver that is stuck, far behind or requests it gets a snapshot, at most every half second") {
 	Line stuck;
 	stuck.finish_snapshot(0.0);
 	CHECK_FALSE(stuck.delivery.needs_snapshot());
@@ -144,16 +144,16 @@ TEST_CASE("delivery: a receiver that is stuck, far behind or asks gets a snapsho
 	CHECK(behind.delivery.needs_snapshot());
 	CHECK(behind.send(0.2).chunks.empty()); // it waits for the snapshot
 
-	Line asking;
+	Line requesting;
 	PacketContent request;
 	request.requests_snapshot = true;
 	for (const double when : { 1.0, 1.4, 1.51 }) {
-		asking.finish_snapshot(when);
-		asking.delivery.accept(request, asking.ring, when);
-		CHECK(asking.delivery.needs_snapshot() == (when != 1.4));
+		requesting.finish_snapshot(when);
+		requesting.delivery.accept(request, requesting.ring, when);
+		CHECK(requesting.delivery.needs_snapshot() == (when != 1.4));
 		auto snapshot = std::make_shared<Snapshot>();
 		snapshot->bytes.resize(10);
-		asking.delivery.start_snapshot(snapshot);
+		requesting.delivery.start_snapshot(snapshot);
 	}
 }
 

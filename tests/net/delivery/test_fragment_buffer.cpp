@@ -21,7 +21,7 @@ FragmentItem fragment(const Bytes &bytes, int index, int count, uint8_t snapshot
 
 } // namespace
 
-TEST_CASE("fragment buffer: fragments in any order make the snapshot") {
+TEST_CASE("fragment buffer: the snapshot is reassembled from fragments in any order") {
 	const Bytes pieces[] = { { 1, 2, 3 }, { 4 }, { 5, 6 } };
 	FragmentBuffer buffer;
 	CHECK_FALSE(buffer.is_open());
@@ -54,7 +54,7 @@ TEST_CASE("fragment buffer: fragments of another snapshot, or another count, do 
 	CHECK_FALSE(buffer.belongs(fragment(bytes, 1, 4)));
 	buffer.start(fragment(bytes, 1, 2, 8));
 	CHECK(buffer.add(fragment(bytes, 1, 2, 8)));
-	CHECK_FALSE(buffer.is_complete()); // fragment 0 was of the one before
+	CHECK_FALSE(buffer.is_complete()); // fragment 0 belonged to the previous snapshot
 	CHECK(buffer.add(fragment(bytes, 0, 2, 8)));
 	CHECK(buffer.is_complete());
 }
@@ -70,12 +70,12 @@ TEST_CASE("fragment buffer: it acknowledges what has arrived, or all of a decode
 		CHECK(buffer.add(fragment(bytes, index, 60)));
 	}
 	CHECK(buffer.ack(false).next == 2);
-	CHECK(buffer.ack(false).later == (1u | 1u << 31)); // 3 and 34; 35 is out of reach
+	CHECK(buffer.ack(false).later == (1u | 1u << 31)); // 3 and 34; 35 is beyond the mask
 	CHECK(buffer.ack(true).next == 60);
 	CHECK(buffer.ack(true).later == 0);
 }
 
-TEST_CASE("snapshot: its fragments are full but for the last") {
+TEST_CASE("snapshot: all fragments but the last are full") {
 	Snapshot snapshot;
 	for (const size_t size : { size_t(1), Snapshot::FRAGMENT_BYTES, Snapshot::FRAGMENT_BYTES + 1, 10 * Snapshot::FRAGMENT_BYTES }) {
 		snapshot.bytes.resize(size);

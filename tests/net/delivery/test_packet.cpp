@@ -104,7 +104,7 @@ TEST_CASE("packet: items of every kind have the documented size and round-trip")
 	CHECK(read(packet).snapshot_acks[0].later == 0xdeadbeefu);
 }
 
-TEST_CASE("packet: an acknowledgement takes the bytes that its last bit needs") {
+TEST_CASE("packet: an acknowledgement mask takes as many bytes as its highest bit needs") {
 	struct Row {
 		uint64_t later;
 		size_t size;
@@ -123,7 +123,7 @@ TEST_CASE("packet: an acknowledgement takes the bytes that its last bit needs") 
 	}
 }
 
-TEST_CASE("packet: round-trip times are in tenths of a millisecond, up to 6.5 s") {
+TEST_CASE("packet: round-trip times are sent in tenths of a millisecond, up to 6.5 s") {
 	struct Row {
 		double sent;
 		double read;
@@ -136,7 +136,7 @@ TEST_CASE("packet: round-trip times are in tenths of a millisecond, up to 6.5 s"
 	}
 }
 
-TEST_CASE("packet: several items in one, in any order; reused content keeps nothing of the previous packet") {
+TEST_CASE("packet: it can have several items in any order; reused content keeps nothing of the previous packet") {
 	const PacketContent content = read(all_items());
 	CHECK(content.fragments.size() == 1);
 	CHECK(content.round_trip == 0.25);
@@ -156,7 +156,7 @@ TEST_CASE("packet: several items in one, in any order; reused content keeps noth
 
 TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item") {
 	const Bytes packet = all_items();
-	// Truncated after an item it is a packet; within the last chunk it is one with a shorter chunk.
+	// Truncated after an item, it is a valid packet; within the last chunk, a packet with a shorter chunk.
 	const std::vector<size_t> whole = { 26, 29, 31, 36, 44, 45, 69 };
 	CHECK(packet.size() == 77);
 	for (size_t size = 0; size < packet.size(); ++size) {

@@ -79,7 +79,7 @@ struct Stream {
 
 } // namespace
 
-TEST_CASE("playback clock: before it is started it does not move") {
+TEST_CASE("playback clock: it does not advance before it is started") {
 	PlaybackClock clock;
 	clock.advance(5.0);
 	CHECK_FALSE(clock.is_running());
@@ -126,7 +126,7 @@ TEST_CASE("playback clock: after silence it jumps ahead once, not back") {
 	Stream stream;
 	stream.run(5.0, 0.05, 0.01);
 	const double before = stream.clock.media_time();
-	stream.now += 5.0; // no frames: a machine that slept
+	stream.now += 5.0; // no frames: as when a machine was suspended
 	stream.run(3.0 * FRAME, 0.05, 0.01); // everything arrives at once
 	CHECK(stream.clock.media_time() > before + 4.0);
 	CHECK(stream.clock.media_time() < stream.now - 1000.0);

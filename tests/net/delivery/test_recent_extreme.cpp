@@ -10,7 +10,7 @@ TEST_CASE("recent extreme: it covers the current span and the one before") {
 	largest.add(5.0, 0.0);
 	largest.add(3.0, 1.0);
 	CHECK(largest.value() == 5.0);
-	largest.add(1.0, 2.5); // a new span: the last one still counts
+	largest.add(1.0, 2.5); // a new span: the previous one still counts
 	CHECK(largest.value() == 5.0);
 	largest.add(2.0, 5.0);
 	CHECK(largest.value() == 2.0);

@@ -8,7 +8,7 @@
 using namespace net;
 using namespace net_test;
 
-TEST_CASE("receiver: over a good link every pose shown is within the tolerance") {
+TEST_CASE("receiver: over an unimpaired link every pose shown is within the tolerance") {
 	for (const cga::Mode mode : { cga::Mode::SEPARATE, cga::Mode::LINEAR, cga::Mode::SCREW }) {
 		StreamSettings settings;
 		settings.mode = mode;
@@ -55,7 +55,7 @@ TEST_CASE("receiver: over any link, media time never runs backwards and playback
 		session.run(2.0, [&] { worst = std::max(worst, session.error(other)); });
 		CHECK(worst <= 1.3);
 		CHECK(other.receiver->statistics().late_windows <= 1);
-		// All bodies stop while the link stays as it is.
+		// All bodies stop; the link does not change.
 		for (auto &body : session.bodies) {
 			const PoseD last = body.second.path(session.now);
 			body.second.path = [last](double) { return last; };
@@ -152,7 +152,7 @@ TEST_CASE("receiver: bodies are added and removed, with events in order") {
 	CHECK(events.empty());
 }
 
-TEST_CASE("receiver: memory stays flat for a minute at 30 % loss, and is released") {
+TEST_CASE("receiver: memory does not grow for a minute at 30 % loss, and is released") {
 	const size_t initial = harness::live_bytes();
 	{
 		SimulatedSession session;

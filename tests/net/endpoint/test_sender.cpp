@@ -47,7 +47,7 @@ TEST_CASE("sender: invalid bodies, poses and receivers are rejected") {
 	CHECK(sender.packets().empty());
 }
 
-TEST_CASE("sender: acknowledgements from unknown peers and random ones do not affect other receivers") {
+TEST_CASE("sender: random acknowledgements and those from unknown peers do not affect other receivers") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 5);
 	RemoteEnd &end = session.add_receiver(1);
@@ -76,7 +76,7 @@ TEST_CASE("sender: acknowledgements from unknown peers and random ones do not af
 	});
 	CHECK(worst <= 1.3);
 	CHECK(end.items.count(0xe0) == 0); // no snapshot
-	// The receiver in whose name they were sent recovers.
+	// The receiver that they claimed to come from recovers.
 	session.run(6.0);
 	CHECK(session.error(*session.ends[2]) <= 1.3);
 }
@@ -111,12 +111,12 @@ TEST_CASE("sender: a late receiver shows all bodies within two round trips and a
 		CHECK(first.items.count(0xe0) == 0); // no snapshot for it
 		bytes[with_late] = first.bytes_sent.size() - before;
 	}
-	// Only that windows may be shorter while the new link has not been measured, and that one more ends at the snapshot.
+	// The only cost: windows may be shorter until the new link has been measured, and one more ends at the snapshot.
 	CHECK(bytes[1] < bytes[0] * 2);
 	CHECK(bytes[0] > 300);
 }
 
-TEST_CASE("sender: a removed receiver gets no packets; a silent one only probes, until it is back") {
+TEST_CASE("sender: a removed receiver gets no packets; a silent one gets only probes until it returns") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 8);
 	RemoteEnd &quiet = session.add_receiver(1);
@@ -160,16 +160,16 @@ TEST_CASE("sender: receivers recover from outages at the join, one-way outages, 
 	};
 	const double never = 1e9;
 	for (const Row &row : {
-				 Row{ "nothing for 4 s at the join", 0.0, 4.0, 0.0, 4.0, never, never },
+				 Row{ "no packets either way for 4 s at the join", 0.0, 4.0, 0.0, 4.0, never, never },
 				 Row{ "no acks for 4 s at the join", never, never, 0.0, 4.0, never, never },
-				 Row{ "cut off in the middle of the join", 0.1, 4.5, 0.1, 4.5, never, never },
+				 Row{ "no packets either way from the middle of the join", 0.1, 4.5, 0.1, 4.5, never, never },
 				 Row{ "no acks for 5 s", never, never, 3.0, 8.0, never, never },
 				 Row{ "no packets for 5 s", 3.0, 8.0, never, never, never, never },
-				 Row{ "nothing for 25 s", 3.0, 28.0, 3.0, 28.0, never, never },
+				 Row{ "no packets either way for 25 s", 3.0, 28.0, 3.0, 28.0, never, never },
 				 Row{ "a new receiver behind the same address", never, never, never, never, 3.0, never },
 				 Row{ "a new sender", never, never, never, never, never, 3.0 },
 				 Row{ "a new sender while a snapshot arrives", 0.02, 0.5, never, never, never, 0.3 },
-				 Row{ "a new sender soon", never, never, never, never, never, 0.5 },
+				 Row{ "a new sender soon after the join", never, never, never, never, never, 0.5 },
 		 }) {
 		SimulatedSession session;
 		add_smooth_bodies(session, 30);
@@ -243,7 +243,7 @@ TEST_CASE("sender: settings can change at any time") {
 	}
 }
 
-TEST_CASE("sender: a still scene costs a few bytes a second") {
+TEST_CASE("sender: a scene at rest costs a few bytes per second") {
 	SimulatedSession session;
 	for (uint32_t id = 0; id < 200; ++id) {
 		session.add_body(id, [id](double) { return at(double(id)); });
@@ -259,7 +259,7 @@ TEST_CASE("sender: a still scene costs a few bytes a second") {
 	CHECK(session.sender->moving_count() == 0);
 }
 
-TEST_CASE("sender: after an hour of sleep there is no flood of packets") {
+TEST_CASE("sender: after an hour without a flush there is no flood of packets") {
 	SimulatedSession session;
 	add_smooth_bodies(session, 3);
 	RemoteEnd &end = session.add_receiver(1);

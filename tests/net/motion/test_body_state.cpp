@@ -48,7 +48,7 @@ PoseD pose_of(double x) {
 
 } // namespace
 
-TEST_CASE("body state: the nearest pose, near and at 10 km") {
+TEST_CASE("body state: set_pose finds the nearest pose, near the origin and at 10 km") {
 	cga_test::Random random(51);
 	for (const double distance : { 1.0, 10000.0 }) {
 		for (int i = 0; i < 300; ++i) {
@@ -106,9 +106,9 @@ TEST_CASE("body state: poses that are not finite or out of range are rejected wi
 
 TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 	struct Row {
-		int64_t speed; // steps a tick
+		int64_t speed; // steps per tick
 		int ticks;
-		int64_t most_error;
+		int64_t max_error;
 	};
 	for (const Row &row : { Row{ 97, 6, 1 }, Row{ -100000, 3, 1 }, Row{ 0, 10, 0 } }) {
 		BodyState state;
@@ -116,15 +116,15 @@ TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 		follow(state, row.ticks, 8, [&](int64_t tick) { return row.speed * tick; });
 		CAPTURE(row.speed);
 		for (int c = 0; c < 3; ++c) {
-			CHECK(std::abs(state.predicted(c, row.ticks) - row.speed * row.ticks) <= row.most_error);
-			CHECK(std::abs(state.predicted(c, 1) - row.speed) <= row.most_error);
+			CHECK(std::abs(state.predicted(c, row.ticks) - row.speed * row.ticks) <= row.max_error);
+			CHECK(std::abs(state.predicted(c, 1) - row.speed) <= row.max_error);
 			CHECK(state.predicted(3 + c, row.ticks) == 0);
 		}
 	}
 	// A fall of 9.81 m/s^2 at 60 Hz, in windows of 12 ticks with their curvature: the next window's displacement is predicted to a few percent.
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
-	const double g = -0.5 * 9.81 / 3600.0 / GRID.position_step; // steps a tick^2
+	const double g = -0.5 * 9.81 / 3600.0 / GRID.position_step; // steps per tick^2
 	int64_t displacement = 0;
 	for (int i = 0; i < 10; ++i) {
 		SegmentCode code;
@@ -143,7 +143,7 @@ TEST_CASE("body state: rest, steady motion and free fall are predicted") {
 	CHECK(std::abs(double(displacement) - next) > std::abs(next) * 0.08); // repeating the last displacement would be worse
 }
 
-TEST_CASE("body state: after rest no motion is predicted") {
+TEST_CASE("body state: after reset_motion no motion is predicted") {
 	BodyState state;
 	REQUIRE(state.set_pose(PoseD(), GRID));
 	follow(state, 5, 5, [](int64_t tick) { return 30 * tick; });

@@ -30,7 +30,7 @@ MotionSegment random_segment(cga_test::Random &random, cga::Mode mode) {
 	return segment;
 }
 
-/// The formulas of motion_segment.hpp, by the C library.
+/// The formulas of motion_segment.hpp, with the functions of the C library.
 PoseD by_formula(const MotionSegment &s, double u) {
 	const double w = u * (1.0 - u);
 	PoseD pose;
@@ -67,7 +67,7 @@ TEST_CASE("motion segment: poses follow the formulas in all modes") {
 	}
 }
 
-TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw about an axis off the center") {
+TEST_CASE("motion segment: a parabola as curvature, a rotation by nearly tau, and a screw about an axis off the center") {
 	MotionSegment segment;
 	segment.begin = 10.0;
 	segment.length = 4.0;
@@ -79,13 +79,13 @@ TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw ab
 
 	MotionSegment turn;
 	turn.length = 8.0;
-	turn.rotation = Vector3D(0.0, 0.0, 6.0); // nearly a whole turn: a third of it turns in the same direction
+	turn.rotation = Vector3D(0.0, 0.0, 6.0); // nearly tau: half of it is not the shorter rotation
 	CHECK(cga_test::angle_between(turn.pose_at(4.0).rotation, turned(Vector3D(0.0, 0.0, 3.0))) < 1e-12);
 
 	MotionSegment screw;
 	screw.mode = cga::Mode::SCREW;
 	screw.start.translation = Vector3D(1.0, 0.0, 0.0);
-	screw.displacement = Vector3D(-1.0, 1.0, 0.0); // a quarter about the origin
+	screw.displacement = Vector3D(-1.0, 1.0, 0.0); // with a rotation by pi/2 about the origin
 	screw.rotation = Vector3D(0.0, 0.0, cga_test::PI / 2.0);
 	const double eighth = std::sqrt(0.5);
 	CHECK(glm::length(screw.pose_at(0.5).translation - Vector3D(eighth, eighth, 0.0)) < 1e-12);
@@ -93,7 +93,7 @@ TEST_CASE("motion segment: a parabola by curvature, a whole turn, and a screw ab
 	CHECK(glm::length(screw.pose_at(0.5).translation - Vector3D(0.5, 0.5, 0.0)) < 1e-12);
 }
 
-TEST_CASE("motion segment: outside its time it stays at its ends") {
+TEST_CASE("motion segment: outside its time span it stays at its ends") {
 	cga_test::Random random(42);
 	for (const cga::Mode mode : MODES) {
 		const MotionSegment segment = random_segment(random, mode);
@@ -119,7 +119,7 @@ TEST_CASE("motion segment: the next segment begins where the last one ends, to w
 			code.ticks = 1 + i % 20;
 			code.fine = i % 3 == 0;
 			for (int c = 0; c < 6; ++c) {
-				// Anywhere near where it is: what is predicted is taken back, or it would run away.
+				// Cancel the prediction, so that the body stays near its start.
 				const int64_t back = -state.predicted(c, code.ticks) / (code.fine ? StreamGrid::FINE : StreamGrid::COARSE);
 				code.residual[c] = int32_t(back + int64_t(random.uniform(-9.0, 9.0)));
 				code.curvature[c] = int32_t(random.uniform(-5.0, 5.0));

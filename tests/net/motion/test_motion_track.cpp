@@ -81,7 +81,7 @@ TEST_CASE("motion track: bodies appear, vanish and appear again") {
 	CHECK_FALSE(track.is_empty());
 }
 
-TEST_CASE("motion track: a new motion replaces what was known from its beginning on") {
+TEST_CASE("motion track: a new motion replaces known motion from its begin on") {
 	MotionTrack track;
 	track.add(moving(0.0, 10.0, 0.0, 10.0));
 	track.add(moving(10.0, 20.0, 10.0, 10.0));
@@ -98,7 +98,7 @@ TEST_CASE("motion track: a new motion replaces what was known from its beginning
 	CHECK(x_at(other, 5.5) == 1.5);
 }
 
-TEST_CASE("motion track: what was shown is forgotten, and memory is bounded even if nothing is shown") {
+TEST_CASE("motion track: segments that have been shown are dropped, and memory is bounded even if none is shown") {
 	MotionTrack track;
 	for (int i = 0; i < 10; ++i) {
 		track.add(moving(i, i + 1, i, 1.0));

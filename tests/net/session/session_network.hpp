@@ -27,7 +27,7 @@ public:
 
 	struct Peer {
 		net::Session session{ net::StreamSettings() };
-		std::map<uint32_t, PeerId> owners; // as this peer knows them
+		std::map<uint32_t, PeerId> owners; // as known to this peer
 		std::vector<std::pair<PeerId, net::Rejections::Report>> reports;
 		double origin = 0.0; // virtual time at which the media time of its stream is 0
 		int poses_rejected = 0;
@@ -70,20 +70,20 @@ public:
 		peer.owners.clear();
 	}
 
-	/// `knowing` learns who owns a body.
-	void set_owner(PeerId knowing, uint32_t body, PeerId owner) {
-		peers[knowing].owners[body] = owner;
-		peers[knowing].session.set_owner(body, owner);
+	/// Sets the owner of a body at one peer.
+	void set_owner(PeerId at, uint32_t body, PeerId owner) {
+		peers[at].owners[body] = owner;
+		peers[at].session.set_owner(body, owner);
 	}
 
-	/// All peers learn it.
+	/// Sets the owner of a body at all peers.
 	void set_owner(uint32_t body, PeerId owner) {
 		for (auto &entry : peers) {
 			set_owner(entry.first, body, owner);
 		}
 	}
 
-	/// A tick of each peer, and its frames.
+	/// Advances all peers by a tick and its frames.
 	void step() {
 		for (int frame = 0; frame < frames_per_tick; ++frame) {
 			now += tick / frames_per_tick;
@@ -110,7 +110,7 @@ public:
 		run(seconds, [] {});
 	}
 
-	/// A packet arrives at once.
+	/// Delivers a packet at once.
 	void inject(PeerId from, PeerId to, const std::vector<uint8_t> &bytes) {
 		peers.at(to).session.accept(from, bytes.data(), bytes.size(), local(to));
 	}
@@ -230,7 +230,17 @@ inline Path smooth_path(uint32_t body) {
 	};
 }
 
-/// A packet of a session with any content.
+/// Peers 1 and 2. Peer 1 owns body 5, which moves smoothly.
+inline SessionNetwork network_of_two(const LinkSettings &link = { 0.03 }) {
+	SessionNetwork network(link);
+	network.join(1);
+	network.join(2);
+	network.paths[5] = smooth_path(5);
+	network.set_owner(5, 1);
+	return network;
+}
+
+/// A session packet with the given content.
 inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}, uint16_t key = SessionNetwork::KEY) {
 	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
 	net::write_envelope({ kind, key, link, net::ENVELOPE_VERSION }, bytes.data());

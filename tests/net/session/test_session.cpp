@@ -37,7 +37,7 @@ TEST_CASE("session: poses of several peers arrive at all others within the toler
 	}
 }
 
-TEST_CASE("session: over bad links all peers end at the owner's poses") {
+TEST_CASE("session: over impaired links all peers end at the owner's poses") {
 	for (const LinkSettings &link : { LinkSettings{ 0.03, 0.1, 0.3, 0.1 }, LinkSettings{ 0.05, 0.02, 0.5 }, LinkSettings{ 0.01, 0.2, 0.0, 1.0 } }) {
 		SessionNetwork network(link);
 		for (PeerId id = 1; id <= 3; ++id) {
@@ -60,11 +60,7 @@ TEST_CASE("session: over bad links all peers end at the owner's poses") {
 }
 
 TEST_CASE("session: a pose that is not finite or out of range is rejected, and peers keep the last one") {
-	SessionNetwork network;
-	network.join(1);
-	network.join(2);
-	network.paths[5] = smooth_path(5);
-	network.set_owner(5, 1);
+	SessionNetwork network = network_of_two();
 	network.run(2.0);
 	for (const double bad : { std::numeric_limits<double>::quiet_NaN(), 1e300 }) {
 		network.paths[5] = smooth_path(5);
@@ -81,7 +77,7 @@ TEST_CASE("session: a pose that is not finite or out of range is rejected, and p
 		network.run(1.0);
 		CHECK(network.error(5, 2) <= 1.3);
 	}
-	// A body whose first pose is bad is not there.
+	// A body whose first pose is invalid is not shown.
 	network.paths[6] = [](double) { return turned_at(Vector3D(1e300), Vector3D(1.0, 0.0, 0.0), 0.0); };
 	network.set_owner(6, 1);
 	network.run(1.0);
@@ -133,7 +129,7 @@ TEST_CASE("session: a teleport is not interpolated") {
 	CHECK(after > 60);
 }
 
-TEST_CASE("session: another tick length does not turn media time back") {
+TEST_CASE("session: after a change of the tick length the stream restarts, and its media time increases") {
 	SessionNetwork network;
 	network.join(1);
 	network.join(2);
@@ -146,7 +142,7 @@ TEST_CASE("session: another tick length does not turn media time back") {
 		network.tick = 1.0 / rate;
 		network.step();
 		CAPTURE(rate);
-		// The stream begins again.
+		// The stream restarts.
 		CHECK(network.session(1).media_time(1) >= 0.0);
 		CHECK(network.session(1).media_time(1) <= 2.0 * network.tick);
 		double media_time = 0.0;
@@ -168,11 +164,7 @@ TEST_CASE("session: another tick length does not turn media time back") {
 }
 
 TEST_CASE("session: settings and limits of the playback delay can change at any time") {
-	SessionNetwork network;
-	network.join(1);
-	network.join(2);
-	network.paths[5] = smooth_path(5);
-	network.set_owner(5, 1);
+	SessionNetwork network = network_of_two();
 	network.run(2.0);
 	StreamSettings settings;
 	settings.position_tolerance = 0.02;
@@ -194,7 +186,7 @@ TEST_CASE("session: settings and limits of the playback delay can change at any 
 	CHECK(network.statistics(1, 2).playback_delay == doctest::Approx(0.3).epsilon(0.1));
 }
 
-TEST_CASE("session: media time of streams; 0 where there is none") {
+TEST_CASE("session: media_time() is 0 if there is no stream") {
 	SessionNetwork network;
 	network.join(1);
 	network.join(2);

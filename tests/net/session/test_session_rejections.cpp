@@ -95,7 +95,7 @@ TEST_CASE("session: packets of another session, of the game or of peers that are
 	CHECK(network.is_streaming(1, 2));
 }
 
-TEST_CASE("session: rejections are counted for each peer and in all, and reported at most twice a second") {
+TEST_CASE("session: rejections are counted per peer and in total, and reported at most twice a second") {
 	SessionNetwork network = running_network();
 	network.join(3);
 	const Bytes bad = make_packet(PacketKind::CLOSE, 1);
@@ -128,7 +128,7 @@ TEST_CASE("session: rejections are counted for each peer and in all, and reporte
 	CHECK(network.total(1).rejected == 6 * ticks);
 }
 
-TEST_CASE("session: the receiver of a report may change the session") {
+TEST_CASE("session: the callee of report_rejections() may change the session") {
 	SessionNetwork network = running_network();
 	network.inject(2, 1, make_packet(PacketKind::CLOSE, 1));
 	int reports = 0;
@@ -213,7 +213,7 @@ TEST_CASE("session: statistics describe the traffic with each peer") {
 	network.link(1, 2).unreliable.settings().loss = 0.3;
 	network.run(20.0);
 	CHECK(network.statistics(2, 1).loss == doctest::Approx(0.3).epsilon(0.6));
-	CHECK(network.statistics(1, 2).loss > 0.01); // it counts only chunks that later ones overtake
+	CHECK(network.statistics(1, 2).loss > 0.01); // it counts only chunks that arrive after newer ones
 	// Late windows of streams that have ended stay counted.
 	const uint64_t late = network.total(2).late;
 	network.set_owner(2, 0, 2);
@@ -227,12 +227,8 @@ TEST_CASE("session: statistics describe the traffic with each peer") {
 
 TEST_CASE("session: round trips are measured in less than a tick, at any frame rate") {
 	for (const int frames : { 1, 4 }) {
-		SessionNetwork network({ 0.045 });
+		SessionNetwork network = network_of_two({ 0.045 });
 		network.frames_per_tick = frames;
-		network.join(1);
-		network.join(2);
-		network.paths[5] = smooth_path(5);
-		network.set_owner(5, 1);
 		network.run(4.0);
 		CAPTURE(frames);
 		CHECK(network.statistics(2, 1).round_trip >= 0.09);

@@ -54,11 +54,7 @@ TEST_CASE("session: a stream opens whichever peer starts first") {
 }
 
 TEST_CASE("session: OPEN is repeated until the stream arrives, and when it is silent") {
-	SessionNetwork network;
-	network.join(1);
-	network.join(2);
-	network.paths[5] = smooth_path(5);
-	network.set_owner(5, 1);
+	SessionNetwork network = network_of_two();
 	LinkSettings &up = network.link(2, 1).unreliable.settings();
 	up.outage_begin = network.now;
 	up.outage_end = network.now + 3.0;
@@ -95,11 +91,7 @@ TEST_CASE("session: OPEN is repeated until the stream arrives, and when it is si
 
 TEST_CASE("session: a stream opens under loss") {
 	for (const double loss : { 0.3, 0.6 }) {
-		SessionNetwork network({ 0.03, 0.02, loss });
-		network.join(1);
-		network.join(2);
-		network.paths[5] = smooth_path(5);
-		network.set_owner(5, 1);
+		SessionNetwork network = network_of_two({ 0.03, 0.02, loss });
 		network.run(4.0);
 		CAPTURE(loss);
 		CHECK(network.is_streaming(1, 2));
@@ -184,11 +176,7 @@ TEST_CASE("session: bodies that their sender does not own are counted, and the o
 }
 
 TEST_CASE("session: either peer closes a stream") {
-	SessionNetwork network;
-	network.join(1);
-	network.join(2);
-	network.paths[5] = smooth_path(5);
-	network.set_owner(5, 1);
+	SessionNetwork network = network_of_two();
 	network.run(1.0);
 	REQUIRE(network.is_streaming(1, 2));
 	network.close_session(1);
@@ -198,7 +186,7 @@ TEST_CASE("session: either peer closes a stream") {
 	network.run(0.03 + 2.0 * network.tick);
 	CHECK_FALSE(network.is_streaming(1, 2));
 	network.run(2.0);
-	CHECK(network.packets(2, 1, PacketKind::OPEN, closed).size() >= 7); // it may come back
+	CHECK(network.packets(2, 1, PacketKind::OPEN, closed).size() >= 7); // the owner may return
 	network.join(1);
 	network.set_owner(1, 5, 1);
 	network.run(1.0);
@@ -223,11 +211,7 @@ TEST_CASE("session: either peer closes a stream") {
 
 TEST_CASE("session: packets in flight of an ended stream are not rejected for two seconds") {
 	for (const bool has_stream : { false, true }) {
-		SessionNetwork network;
-		network.join(1);
-		network.join(2);
-		network.paths[5] = smooth_path(5);
-		network.set_owner(5, 1);
+		SessionNetwork network = network_of_two();
 		network.run(1.0);
 		const std::vector<uint8_t> motion = network.packets(1, 2, PacketKind::MOTION).back().bytes;
 		const std::vector<uint8_t> ack = network.packets(2, 1, PacketKind::ACK).back().bytes;
@@ -277,7 +261,7 @@ TEST_CASE("session: a peer cannot make the owner start a stream more often than 
 	}
 }
 
-TEST_CASE("session: a peer that leaves is returned and its state freed") {
+TEST_CASE("session: set_peers() returns the peers that have left and frees their state") {
 	SessionNetwork network;
 	Session &session = network.join(1);
 	network.join(2);

@@ -24,9 +24,8 @@ SnapshotHeader valid_header() {
 }
 
 std::optional<PacketError> error_of(const Bytes &bytes) {
-	SnapshotHeader header;
-	const PacketResult result = read_snapshot_header(bytes.data(), bytes.size(), header);
-	return result ? std::nullopt : std::optional<PacketError>(result.error());
+	const auto header = read_snapshot_header(bytes.data(), bytes.size());
+	return header ? std::nullopt : std::optional<PacketError>(header.error());
 }
 
 std::optional<PacketError> error_of(const SnapshotHeader &header) {
@@ -41,8 +40,9 @@ TEST_CASE("snapshot header: settings round-trip in BYTES bytes") {
 	Bytes bytes;
 	put_snapshot_header(bytes, valid_header());
 	CHECK(bytes.size() == SnapshotHeader::BYTES);
-	SnapshotHeader header;
-	REQUIRE(read_snapshot_header(bytes.data(), bytes.size(), header));
+	const auto read = read_snapshot_header(bytes.data(), bytes.size());
+	REQUIRE(read);
+	const SnapshotHeader &header = *read;
 	CHECK(float(header.settings.position_tolerance) == 0.0025f);
 	CHECK(float(header.settings.rotation_tolerance) == 0.75f);
 	CHECK(float(header.settings.max_latency) == 0.15f);

@@ -92,7 +92,7 @@ Bytes corrupted(const Bytes &bytes, std::mt19937 &random) {
 
 } // namespace
 
-TEST_CASE("stream decoder: corrupted windows are rejected without a change, but for those the checksum cannot detect") {
+TEST_CASE("stream decoder: corrupted windows are rejected without a change, except those that the checksum does not detect") {
 	const Recording recording(71, 60);
 	std::mt19937 random(1);
 	StreamDecoder decoder(0.005f, 1.4f, 100);
@@ -116,7 +116,7 @@ TEST_CASE("stream decoder: corrupted windows are rejected without a change, but 
 			} else {
 				CHECK(motions.empty());
 				CHECK(is_same(poses(copy), before));
-				CHECK(decode(copy, window.bytes, window.check, window.begin, motions)); // the decoder goes on as if nothing had arrived
+				CHECK(decode(copy, window.bytes, window.check, window.begin, motions)); // the decoder continues with the intact window
 			}
 		}
 		REQUIRE(decode(decoder, window.bytes, window.check, window.begin, motions));
@@ -179,7 +179,7 @@ TEST_CASE("stream decoder: corrupted snapshots are rejected without a change, or
 	CHECK(rejected > 200);
 }
 
-TEST_CASE("stream decoder: no input makes it exceed its maximum of bodies, or allocate memory for more") {
+TEST_CASE("stream decoder: no input makes it exceed its maximum number of bodies or allocate memory for more") {
 	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 	for (uint32_t id = 0; id < 50; ++id) {
 		REQUIRE(encoder.add_body(id, 0.0, PoseD()));
@@ -199,7 +199,7 @@ TEST_CASE("stream decoder: no input makes it exceed its maximum of bodies, or al
 		REQUIRE(decoder.read_snapshot(empty_snapshot.data(), empty_snapshot.size()));
 		CHECK(decode(decoder, window, encoder.check(), 0.0, motions) == (max_bodies == 50));
 	}
-	// A count of bodies that does not fit into the bytes.
+	// A number of bodies that exceeds the number of bytes.
 	Bytes false_count;
 	RangeEncoder coder(false_count);
 	uint32_t number = 12;

@@ -105,7 +105,7 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 	}
 }
 
-TEST_CASE("stream: a decoder that starts at a later snapshot agrees with one that got all windows") {
+TEST_CASE("stream: a decoder that starts at a later snapshot agrees with one that decoded all windows") {
 	Link link;
 	StreamScene scene(link.encoder, 9);
 	std::vector<std::unique_ptr<StreamDecoder>> others;
@@ -137,7 +137,7 @@ TEST_CASE("stream: a decoder that starts at a later snapshot agrees with one tha
 	}
 }
 
-TEST_CASE("stream: 200 resting bodies cost at most two bytes a window together") {
+TEST_CASE("stream: 200 bodies at rest together cost at most two bytes per window") {
 	Link link;
 	for (uint32_t id = 0; id < 200; ++id) {
 		REQUIRE(link.encoder.add_body(id, 0.0, at(double(id))));
@@ -208,7 +208,7 @@ TEST_CASE("stream: a jump is shown at its time; several in a window become one t
 	CHECK(link.shown.translation.x == doctest::Approx(103.0).epsilon(1e-4));
 }
 
-TEST_CASE("stream: a jump right after a pose, and one whose pose follows in a later window") {
+TEST_CASE("stream: a jump right after a pose, and a jump whose pose follows in a later window") {
 	for (const double after : { 0.0, 0.05, 3.0 }) {
 		Link link;
 		REQUIRE(link.encoder.add_body(1, 0.0, at(0.0)));
@@ -273,7 +273,7 @@ TEST_CASE("stream: bodies added and removed within a window, after its end, and 
 	CHECK(link.shown.translation.x == doctest::Approx(-1.0).epsilon(1e-3));
 }
 
-TEST_CASE("stream: a body without poses for long jumps; after a short gap it moves on") {
+TEST_CASE("stream: after a long gap between its poses a body jumps") {
 	Link link;
 	REQUIRE(link.encoder.add_body(1, 0.0, at(0.0)));
 	for (int tick = 1; tick <= 40; ++tick) {
@@ -284,7 +284,7 @@ TEST_CASE("stream: a body without poses for long jumps; after a short gap it mov
 		}
 	}
 	REQUIRE(link.shows(1, 36.0));
-	CHECK(link.shown.translation.x < 4.0); // it went on for a while, and stopped
+	CHECK(link.shown.translation.x < 4.0); // its motion was extrapolated for a while, then it stopped
 	REQUIRE(link.window(4));
 	REQUIRE(link.shows(1, 36.9));
 	CHECK(link.shown.translation.x < 4.0);

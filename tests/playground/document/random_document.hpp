@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-// Random changes of documents with few names, so that entries come, go, break and meet each other in cycles often.
+// Random changes of a document with few names, so that errors, cycles and name collisions are frequent.
 
 namespace playground_test {
 
@@ -23,7 +23,7 @@ public:
 
 	std::string number() { return one_of({ "0", "1", "2", "-1", "0.5", "3", "1e+200" }); }
 
-	// Right ones mostly.
+	// Mostly valid.
 	std::string expression() {
 		switch (below(12)) {
 			case 0:

@@ -6,7 +6,7 @@
 
 using namespace playground;
 
-TEST_CASE("known attributes have defaults, which are not kept") {
+TEST_CASE("known attributes have defaults, which are not stored") {
 	Attributes attributes;
 	CHECK(is_set(attributes, "visible"));
 	CHECK(is_set(attributes, "label"));
@@ -24,7 +24,7 @@ TEST_CASE("known attributes have defaults, which are not kept") {
 	CHECK(attributes.empty());
 }
 
-TEST_CASE("other attributes are open") {
+TEST_CASE("any other attribute may be set, to a value of any type") {
 	Attributes attributes;
 	CHECK(get_attribute(attributes, "interpolation/mode") == AttributeValue());
 	CHECK(set_attribute(attributes, "interpolation/mode", std::string("screw")));
@@ -36,7 +36,7 @@ TEST_CASE("other attributes are open") {
 	CHECK(attributes.empty());
 }
 
-TEST_CASE("what an attribute cannot be") {
+TEST_CASE("check_attribute refuses invalid keys and values") {
 	CHECK(check_attribute("visible", true));
 	CHECK(check_attribute("visible", 1.0).error().message == "the attribute 'visible' must be a bool, not a number");
 	CHECK(check_attribute("note", false).error().message == "the attribute 'note' must be a string, not a bool");

@@ -10,14 +10,14 @@ using namespace playground;
 
 namespace {
 
-// What the scripted person at the dock copies as C++ (tests/screenshots/dock_probe/chapters/copying.gd).
+// The C++ code that the screenshot test copies from the dock (tests/screenshots/dock_probe/chapters/copying.gd).
 namespace copied {
 #include "../../screenshots/dock_probe/copied.inc"
 } // namespace copied
 
 } // namespace
 
-TEST_CASE("entries copied as C++ compile, and have the values of the document") {
+TEST_CASE("entries copied as C++ code compile and have the values of the document") {
 	Document document;
 	REQUIRE(document.add("A", "point(1, 2, 3)"));
 	REQUIRE(document.add("for", "sphere(A, 2)"));

@@ -10,7 +10,7 @@ using namespace playground;
 
 namespace {
 
-// Entries on their own, to look at what the walks do with them.
+// The entries of a document, for calling the graph traversals directly.
 class Graph {
 public:
 	Graph(std::initializer_list<std::pair<const char *, const char *>> entries) {
@@ -48,7 +48,7 @@ std::string names_of(const std::vector<Component> &components) {
 
 } // namespace
 
-TEST_CASE("dependencies come before what depends on them") {
+TEST_CASE("dependencies come before their dependents") {
 	Graph graph{ { "d", "b + c" }, { "b", "a" }, { "c", "a + b" }, { "a", "1" } };
 	CHECK(names_of(components_in_evaluation_order(graph.all())) == "a b c d");
 	CHECK(names_of(components_in_evaluation_order({ graph["d"], graph["c"] })) == "c d");
@@ -56,14 +56,14 @@ TEST_CASE("dependencies come before what depends on them") {
 	CHECK(with_dependents({ graph["d"], graph["d"] }).size() == 1);
 }
 
-TEST_CASE("circles are found, and the shortest way round") {
+TEST_CASE("cycles are found, and the shortest path around each") {
 	Graph graph{ { "a", "b + c" }, { "b", "d" }, { "c", "a" }, { "d", "a" }, { "e", "e + a" }, { "f", "missing" } };
 	const std::vector<Component> components = components_in_evaluation_order(graph.all());
 	CHECK(names_of(components) == "abdc* e* f");
-	std::string way;
+	std::string path;
 	for (const Entry *entry : shortest_cycle(*graph["a"], components[0])) {
-		way += entry->name;
+		path += entry->name;
 	}
-	CHECK(way == "ac");
+	CHECK(path == "ac");
 	CHECK(shortest_cycle(*graph["e"], components[1]).size() == 1);
 }

@@ -17,7 +17,7 @@ std::string description(const char *text, bool ipns = false) {
 
 } // namespace
 
-TEST_CASE("entries in one line") {
+TEST_CASE("describe() gives the value of an entry in one line") {
 	CHECK(description("circle(e2, e3, 1.5)") == "circle, radius 1.5, center (0, 1, 0), normal (0, 0, 1)");
 	CHECK(description("!sphere(e1, 2)", true) == "dual sphere, radius 2, center (1, 0, 0)");
 	CHECK(description("2.5") == "number 2.5");

@@ -40,7 +40,7 @@ Names names_of(const Document &document) {
 
 } // namespace
 
-TEST_CASE("entries are computed from each other, earlier or later") {
+TEST_CASE("an entry may refer to earlier and to later entries") {
 	Document document;
 	CHECK(changed_names(document.add("c", "a + b")) == "c");
 	CHECK(changed_names(document.add("a", "1")) == "a c");
@@ -54,7 +54,7 @@ TEST_CASE("entries are computed from each other, earlier or later") {
 	CHECK(document.dependents_of("nobody").empty());
 }
 
-TEST_CASE("what did not change is not recomputed and not reported") {
+TEST_CASE("unchanged entries are neither recomputed nor reported") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "floor(a)"));
@@ -63,14 +63,14 @@ TEST_CASE("what did not change is not recomputed and not reported") {
 	CHECK(changed_names(document.set_expression("a", "1.5")) == "a d");
 	CHECK(document.set_expression("a", "3 / 2")->empty());
 	CHECK(document.set_expression("a", "3 / 2")->empty());
-	// Zero and minus zero are equal, but what is computed from them is not.
+	// 0 and -0 are equal, but atan2 distinguishes them, so the change must propagate.
 	REQUIRE(document.set_expression("a", "0"));
 	REQUIRE(document.add("e", "atan2(a, -1)"));
 	CHECK(changed_names(document.set_expression("a", "-1 * 0")) == "a b d e");
 	CHECK(number(document, "e") < 0.0);
 }
 
-TEST_CASE("an error stays with its entry, and what depends on it says where it comes from") {
+TEST_CASE("an error in one entry leaves the others unaffected, and its dependents name the cause") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "2 / a"));
@@ -89,7 +89,7 @@ TEST_CASE("an error stays with its entry, and what depends on it says where it c
 	CHECK(number(document, "d") == 7.0);
 }
 
-TEST_CASE("a missing entry is named, with the one that may have been meant") {
+TEST_CASE("the error for a missing entry suggests a similar name") {
 	Document document;
 	REQUIRE(document.add("sum", "2 + radius_1"));
 	CHECK(error(document, "sum") == "column 5: there is no entry 'radius_1'");
@@ -99,7 +99,7 @@ TEST_CASE("a missing entry is named, with the one that may have been meant") {
 	CHECK(error(document, "f") == "column 1: there is no entry 'sqrt'; to call the function write 'sqrt('");
 }
 
-TEST_CASE("cycles are errors of those in them only") {
+TEST_CASE("a cycle is an error of its members only; their dependents report them") {
 	Document document;
 	REQUIRE(document.add("a", "a + 1"));
 	CHECK(error(document, "a") == "column 1: 'a' refers to itself");
@@ -116,7 +116,7 @@ TEST_CASE("cycles are errors of those in them only") {
 	CHECK(number(document, "a") == 6.0);
 }
 
-TEST_CASE("an entry that leaves a cycle others stay in is no part of it any more") {
+TEST_CASE("an entry that leaves a cycle is no longer a member of it") {
 	Document document;
 	REQUIRE(document.add("a", "b + x"));
 	REQUIRE(document.add("b", "a"));
@@ -144,7 +144,7 @@ TEST_CASE("long cycles and long chains") {
 	CHECK(number(document, "x0") == COUNT + 1);
 }
 
-TEST_CASE("renaming rewrites what refers to the entry, and nothing else") {
+TEST_CASE("renaming an entry rewrites the references to it and nothing else") {
 	Document document;
 	REQUIRE(document.add("p", "point(1, 2, 3)"));
 	REQUIRE(document.add("point", "2"));
@@ -164,7 +164,7 @@ TEST_CASE("renaming rewrites what refers to the entry, and nothing else") {
 	CHECK(names_of(document) == Names{ "größe", "number", "q", "pp", "broken" });
 }
 
-TEST_CASE("renaming to a name that others wait for") {
+TEST_CASE("renaming an entry to a name that other entries already refer to") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "x + 1"));
@@ -187,7 +187,7 @@ TEST_CASE("renaming within cycles and errors") {
 	CHECK(error(document, "c") == "column 1: 'y' has an error");
 }
 
-TEST_CASE("a name that would make an expression too long is refused") {
+TEST_CASE("rename() refuses a name that would make an expression too long") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	std::string text = "a";
@@ -199,7 +199,7 @@ TEST_CASE("a name that would make an expression too long is refused") {
 	CHECK(document.find("a") != nullptr);
 }
 
-TEST_CASE("removing leaves dependents that say what is missing") {
+TEST_CASE("after an entry is removed, its dependents name it as missing") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "a + a"));
@@ -213,7 +213,7 @@ TEST_CASE("removing leaves dependents that say what is missing") {
 	CHECK(document.remove("nobody").error().message == "there is no entry 'nobody'");
 }
 
-TEST_CASE("moving changes the order only") {
+TEST_CASE("moving an entry changes only the order") {
 	Document document;
 	for (const char *name : { "a", "b", "c", "d" }) {
 		REQUIRE(document.add(name, "1"));
@@ -230,7 +230,7 @@ TEST_CASE("moving changes the order only") {
 	CHECK(document.index_of("x") == 4);
 }
 
-TEST_CASE("a state restores all there was") {
+TEST_CASE("restoring a state restores entries, values and attributes") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "a + 1"));
@@ -248,13 +248,13 @@ TEST_CASE("a state restores all there was") {
 	CHECK(document.restore(before)->empty());
 }
 
-TEST_CASE("a state with names that cannot be leaves them out") {
+TEST_CASE("entries with invalid or duplicate names are not restored") {
 	Document document;
 	CHECK(changed_names(document.restore({ { { "a", "1", {} }, { "a", "2", {} }, { "e1", "3", {} }, { "", "3", {} } }, {} })) == "a");
 	CHECK(number(document, "a") == 1.0);
 }
 
-TEST_CASE("expressions over the entries") {
+TEST_CASE("an expression may refer to entries without becoming one") {
 	Document document;
 	REQUIRE(document.add("a", "2"));
 	REQUIRE(document.add("b", "1 / 0"));
@@ -265,7 +265,7 @@ TEST_CASE("expressions over the entries") {
 	CHECK(document.size() == 2);
 }
 
-TEST_CASE("coefficients can be pasted") {
+TEST_CASE("coefficients in the format of ganja.js can be pasted") {
 	Document document;
 	std::string array = "[0, -1.5";
 	std::string object = "{\"0\":0,\"1\":-1.5";
@@ -285,7 +285,7 @@ TEST_CASE("coefficients can be pasted") {
 	CHECK(error(document, "b") == "column 1: '{' is not part of the language; write '(' and ')'");
 }
 
-TEST_CASE("parameters") {
+TEST_CASE("set_parameter changes a literal or is refused") {
 	Document document;
 	REQUIRE(document.add("s", "sphere(e1, r)"));
 	REQUIRE(document.add("r", "2"));

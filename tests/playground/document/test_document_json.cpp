@@ -20,7 +20,7 @@ const char *const EXAMPLE = R"json({
 }
 )json";
 
-// The errors, a line each.
+// One error per line.
 std::string joined(const Texts &errors) {
 	std::string text;
 	for (const std::string &error : errors) {
@@ -51,7 +51,7 @@ std::string array(int count) {
 
 } // namespace
 
-TEST_CASE("a document is read and written") {
+TEST_CASE("a document is read, and written as the same text") {
 	const LoadedDocument loaded = read_document(EXAMPLE);
 	CHECK(joined(loaded.errors) == "");
 	CHECK(loaded.is_document);
@@ -63,7 +63,7 @@ TEST_CASE("a document is read and written") {
 	CHECK(read_document(to_json({})).is_document);
 }
 
-TEST_CASE("any text survives") {
+TEST_CASE("any text survives writing and reading") {
 	DocumentState state;
 	state.entries.push_back({ "größe", "1 +\n\t\"x\\ ∧ \x01 {\"name\": 1}", {} });
 	state.entries[0].attributes["note"] = std::string("𝔸 \r\b\f / \\u0041 {\"name\"");
@@ -73,7 +73,7 @@ TEST_CASE("any text survives") {
 	CHECK(loaded.state == state);
 }
 
-TEST_CASE("bytes that are no text are replaced when they are written") {
+TEST_CASE("invalid UTF-8 is replaced when it is written") {
 	DocumentState state;
 	state.entries.push_back({ "a", "1 \xff", {} });
 	const LoadedDocument loaded = read_document(to_json(state));
@@ -81,7 +81,7 @@ TEST_CASE("bytes that are no text are replaced when they are written") {
 	CHECK(loaded.state.entries[0].text == "1 \xef\xbf\xbd");
 }
 
-TEST_CASE("broken entries are skipped, with their place") {
+TEST_CASE("invalid entries are skipped, and their positions reported") {
 	const auto errors = [](const std::string &entries) { return read_document(with_entries(entries)).errors; };
 	const std::string good = "{\"name\": \"z\", \"expression\": \"1\"}";
 	CHECK(joined(errors(good)) == "");
@@ -100,7 +100,7 @@ TEST_CASE("broken entries are skipped, with their place") {
 	}
 }
 
-TEST_CASE("a document that was cut off keeps what is whole") {
+TEST_CASE("a truncated document keeps its complete entries") {
 	const std::string text = EXAMPLE;
 	for (size_t size = 0; size < text.size() - 2; ++size) {
 		const LoadedDocument loaded = read_document(text.substr(0, size));
@@ -109,7 +109,7 @@ TEST_CASE("a document that was cut off keeps what is whole") {
 	}
 }
 
-TEST_CASE("what is no document, or of another version") {
+TEST_CASE("texts that are not documents, and documents of other versions") {
 	const auto errors = [](const char *text) { return read_document(text).errors; };
 	CHECK(joined(errors("")) == "column 1: expected '{' before a document or '[' before 32 coefficients, found the end");
 	CHECK(joined(errors("{}")) == "column 1: expected the key \"entries\" in the document");
@@ -126,7 +126,7 @@ TEST_CASE("what is no document, or of another version") {
 	CHECK(joined(read_document(std::string(MAX_DOCUMENT_LENGTH + 1, ' ')).errors) == "column 1: the document is too long; at most 16777216 bytes are accepted");
 }
 
-TEST_CASE("coefficients of ganja.js are a document") {
+TEST_CASE("multivectors in the format of ganja.js are a document") {
 	CHECK(names_of(read_document(array(32))) == Texts{ "x1" });
 	CHECK(names_of(read_document(" [" + array(32) + ", " + array(32) + "] ")) == Texts{ "x1", "x2" });
 	const LoadedDocument loaded = read_document("[" + array(31) + "," + array(32) + "]");

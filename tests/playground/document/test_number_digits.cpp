@@ -4,7 +4,7 @@
 
 using namespace playground;
 
-TEST_CASE("numbers that were typed stay, numbers that were dragged are rounded") {
+TEST_CASE("numbers of at most ten digits are written exactly, all others are rounded") {
 	CHECK(number_text(0.0, 1.0) == "0");
 	CHECK(number_text(-0.0, 1.0) == "0");
 	CHECK(number_text(0.123456789, 1.0) == "0.123456789");

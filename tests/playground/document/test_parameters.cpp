@@ -13,7 +13,7 @@ namespace {
 using Vector = cga::Vector3<double>;
 using Rotation = cga::Quaternion<double>;
 
-// "position center", in order.
+// The names in order: "center radius".
 std::string names_of(const char *text) {
 	std::string names;
 	for (const Parameter &parameter : parameters_of(text)) {
@@ -41,7 +41,7 @@ std::string changed(const char *text, const char *name, const LiteralValue &valu
 
 } // namespace
 
-TEST_CASE("what can be dragged of each constructor") {
+TEST_CASE("the parameters of each constructor") {
 	CHECK(names_of("2.5") == "value coefficients");
 	CHECK(names_of("scalar(2)") == "value");
 	CHECK(names_of("vector(1, 2, 3)") == "vector");
@@ -75,7 +75,7 @@ TEST_CASE("what can be dragged of each constructor") {
 	CHECK(names_of("1 + 2 e12 - 0.5 e13*3") == "coefficients");
 }
 
-TEST_CASE("duals and brackets around it change nothing") {
+TEST_CASE("duals, signs and parentheses around a constructor are ignored") {
 	CHECK(names_of("!sphere(e1, 2)") == "center radius");
 	CHECK(names_of("-(~dual((sphere(e1, 2))))") == "center radius");
 	CHECK(changed(" !( sphere(e1, 2) ) ", "radius", 3.0) == " !( sphere(e1, 3) ) ");
@@ -94,7 +94,7 @@ TEST_CASE("all arguments of a constructor, by name") {
 	}
 }
 
-TEST_CASE("what is computed cannot be dragged") {
+TEST_CASE("computed arguments are not parameters") {
 	CHECK(names_of("sphere(a, 2)") == "radius");
 	CHECK(names_of("sphere(a, r)") == "");
 	CHECK(names_of("sphere(2 e1, sqrt(2))") == "center");
@@ -116,14 +116,14 @@ TEST_CASE("values of parameters") {
 	CHECK(value_of<Vector>("sphere(2 e1 - e3*0.5, 1)", "center") == Vector(2.0, 0.0, -0.5));
 	CHECK(value_of<Vector>("sphere(0, 1)", "center") == Vector(0.0));
 	CHECK(value_of<double>("rotor(e3, deg(180))", "angle") == doctest::Approx(3.141592653589793));
-	const Rotation turn = value_of<Rotation>("rotor(2 e3, deg(90))", "rotation");
-	CHECK(turn.w == doctest::Approx(0.7071067811865476));
-	CHECK(turn.z == doctest::Approx(0.7071067811865476));
+	const Rotation rotation = value_of<Rotation>("rotor(2 e3, deg(90))", "rotation");
+	CHECK(rotation.w == doctest::Approx(0.7071067811865476));
+	CHECK(rotation.z == doctest::Approx(0.7071067811865476));
 	CHECK(value_of<Rotation>("rotor(1, 2, 3, 4)", "rotation") == Rotation(4.0, 1.0, 2.0, 3.0));
 	CHECK(value_of<cga::Multivector>("1 - 2 e12", "coefficients")[6] == -2.0);
 }
 
-TEST_CASE("literals are rewritten in place") {
+TEST_CASE("a new value rewrites only the literal") {
 	CHECK(changed("2", "value", -3.25) == "-3.25");
 	CHECK(changed("point( 1.0 , 2, -3 )", "position", Vector(1.0, 2.5, 3.0)) == "point( 1.0 , 2.5, 3 )");
 	CHECK(changed("point(1, 2, 3)", "position", Vector(float(1.2f), 0.0, -1e-9)) == "point(1.2, 0, -1e-09)");
@@ -139,7 +139,7 @@ TEST_CASE("literals are rewritten in place") {
 	CHECK(changed("1 + 2 e12", "coefficients", cga::Multivector::basis_blade(6, 3.5)) == "3.5 e12");
 }
 
-TEST_CASE("a rotation sets axis and angle") {
+TEST_CASE("a new rotation rewrites axis and angle") {
 	const double half = 0.7071067811865476;
 	CHECK(changed("rotor(e3, deg(10))", "rotation", Rotation(half, 0.0, 0.0, half)) == "rotor(e3, deg(90))");
 	CHECK(changed("rotor(e3, deg(10))", "rotation", Rotation(half, 0.0, 0.0, -half)) == "rotor(e3, deg(-90))");
@@ -148,7 +148,7 @@ TEST_CASE("a rotation sets axis and angle") {
 	CHECK(changed("motor(0, rotor(e3, deg(10)))", "rotation", Rotation(half, half, 0.0, 0.0)) == "motor(0, rotor(e1, deg(90)))");
 }
 
-TEST_CASE("coefficients in a list are rewritten one by one") {
+TEST_CASE("only the coefficients that differ are rewritten in a list") {
 	std::string list = "[ 0";
 	std::string expected = "[ 0";
 	for (int index = 1; index < 32; ++index) {
@@ -161,14 +161,14 @@ TEST_CASE("coefficients in a list are rewritten one by one") {
 	CHECK(changed(("~" + list + "]").c_str(), "coefficients", value) == "~" + expected + "]");
 }
 
-TEST_CASE("what a parameter cannot be") {
+TEST_CASE("unknown parameters, values of other types and values that are not finite are refused") {
 	CHECK(changed("sphere(e1, 2)", "center", 1.0) == "error: the parameter 'center' must be a vector, not a number");
 	CHECK(changed("sphere(e1, 2)", "size", 1.0) == "error: the expression has no parameter 'size'; it has center, radius");
 	CHECK(changed("a", "size", 1.0) == "error: the expression has no parameter 'size'; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)");
 	CHECK(changed("sphere(e1, 2)", "radius", std::numeric_limits<double>::infinity()) == "error: the parameter 'radius' must be finite");
 }
 
-TEST_CASE("setting a parameter to what it is changes no letter, and the value set is the value got") {
+TEST_CASE("setting a parameter to its current value leaves the text unchanged") {
 	for (const char *text : { "2.50", "point(1.0, 2, 3)", "sphere( e2*2, 01.5)", "rotor(e3, deg(33.3))", "rotor(e3, deg(111111111111111133.3))", "motor(2 e1, rotor(e1 + e2, 0.3), 2)", "plane(1, 2, 3, 4)", "1 + 2 e12 - e3", "pair(0, e1)" }) {
 		for (const Parameter &parameter : parameters_of(text)) {
 			CHECK_MESSAGE(changed(text, parameter.name.c_str(), parameter.literal.value) == text, text, " ", parameter.name);

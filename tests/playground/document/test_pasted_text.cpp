@@ -4,7 +4,7 @@
 
 using namespace playground;
 
-TEST_CASE("what ganja.js writes becomes an expression, and all else stays") {
+TEST_CASE("an element of ganja.js becomes an expression; any other text is unchanged") {
 	std::string object = " {";
 	std::string list = "[";
 	for (int index = 31; index >= 0; --index) {

@@ -1,5 +1,5 @@
-// Random documents after random changes, beside what a full evaluation of the same text gives, entry by entry, by the
-// meaning of the document alone: values bit for bit, errors, the set of names that a change tells.
+// After each random change of a random document, compares every entry with a full evaluation and with a naive recursive
+// one: the bits of its value, its error, and whether the change reported its name.
 
 #include "random_document.hpp"
 
@@ -29,7 +29,8 @@ Values values_of(const Document &document) {
 	return values;
 }
 
-// Each entry's value from scratch: none where its text is none, or names what has none, or leads back to it.
+// The value of each entry, computed recursively; empty if its expression is invalid, or refers to an entry without a value
+// or, through others, to the entry itself.
 std::map<std::string, std::optional<Multivector>> naive_values(const DocumentState &state) {
 	std::map<std::string, std::optional<Multivector>> values;
 	std::map<std::string, std::string> texts;
@@ -46,25 +47,25 @@ std::map<std::string, std::optional<Multivector>> naive_values(const DocumentSta
 			return false;
 		}
 		const cga::TextResult<Expression> expression = parse(found->second);
-		bool is_sound = expression.has_value();
+		bool is_valid = expression.has_value();
 		Variables variables;
-		if (is_sound) {
+		if (is_valid) {
 			for (const std::string &dependency : expression->variables()) {
 				if (compute(dependency)) {
 					variables.emplace(dependency, *values[dependency]);
 				} else {
-					is_sound = false;
+					is_valid = false;
 				}
 			}
 		}
 		open.erase(name);
 		std::optional<Multivector> value;
-		if (is_sound) {
+		if (is_valid) {
 			if (const cga::TextResult<Multivector> result = evaluate(*expression, variables)) {
 				value = *result;
 			}
 		}
-		// What was cut short inside of a cycle is not known to be without value elsewhere; computed anew when asked for.
+		// Within a pending evaluation an empty value may be due to the cycle only, so it is not stored but computed again.
 		if (value || open.empty()) {
 			values[name] = value;
 		}
@@ -94,7 +95,7 @@ std::set<std::string> differences(const Values &before, const Values &after) {
 
 } // namespace
 
-TEST_CASE("incremental evaluation is full evaluation, and tells exactly what changed") {
+TEST_CASE("incremental evaluation gives the values of full evaluation and reports exactly the changes") {
 	int changes = 0;
 	int refusals = 0;
 	int values = 0;
@@ -151,7 +152,7 @@ TEST_CASE("incremental evaluation is full evaluation, and tells exactly what cha
 	CHECK(cycles > 500);
 }
 
-TEST_CASE("a change is undone by the state before it, exactly") {
+TEST_CASE("restoring the state before a change undoes exactly that change") {
 	playground_test::RandomDocument random(99);
 	Document document;
 	for (int step = 0; step < 1000; ++step) {

@@ -29,7 +29,7 @@ TEST_CASE("a trial entry has the value, the description and the error of its exp
 	CHECK(document.size() == 4);
 }
 
-TEST_CASE("a trial entry has the attributes of the entry of its name") {
+TEST_CASE("a trial entry has the attributes of the entry with its name") {
 	Document document;
 	REQUIRE(document.add("p", "e1 ^ e2 ^ einf"));
 	REQUIRE(document.set_attribute("p", "ipns", true));
@@ -38,7 +38,7 @@ TEST_CASE("a trial entry has the attributes of the entry of its name") {
 	CHECK(document.find("p")->text == "e1 ^ e2 ^ einf");
 }
 
-TEST_CASE("a trial entry in a cycle") {
+TEST_CASE("a trial entry reports the cycle that it would close") {
 	Document document;
 	REQUIRE(document.add("a", "1"));
 	REQUIRE(document.add("b", "a + 1"));
@@ -61,7 +61,7 @@ TEST_CASE("a trial entry breaks the cycle that its entry is in") {
 	CHECK(document.find("a")->value.error().is_cycle);
 }
 
-TEST_CASE("a trial entry is what the entry becomes with that expression, and changes nothing") {
+TEST_CASE("a trial entry equals the entry after set_expression, and leaves the document unchanged") {
 	int changes = 0;
 	int values = 0;
 	int cycles = 0;
@@ -87,7 +87,7 @@ TEST_CASE("a trial entry is what the entry becomes with that expression, and cha
 			if (changed.find(name)) {
 				REQUIRE(changed.set_expression(name, text));
 			} else if (!changed.add(name, text)) {
-				continue; // a name that no entry can have
+				continue; // invalid name
 			}
 			const Entry &entry = *changed.find(name);
 			REQUIRE(is_same(trial.value, entry.value));
@@ -101,7 +101,7 @@ TEST_CASE("a trial entry is what the entry becomes with that expression, and cha
 	CHECK(cycles > 100);
 }
 
-TEST_CASE("a trial entry in a long chain") {
+TEST_CASE("a trial entry at the end of a long chain") {
 	Document document;
 	REQUIRE(document.add("x0", "1"));
 	for (int index = 1; index < 2000; ++index) {

@@ -17,6 +17,6 @@ float nearest_angle(vec3 eye, float radius, float ring);
 float spread_angle(float s, float radius, float distance);
 float ring_arrow_angle(float index, float eye_angle, float radius, float distance);
 float height_above_sphere(vec3 eye, float radius);
-vec3 cap_point(float s, float turn, vec3 eye, float radius);
+vec3 cap_point(float s, float azimuth, vec3 eye, float radius);
 
 } // namespace playground::drawing::shader_functions

@@ -34,12 +34,12 @@ Vector on_ring(const Part &part, float angle, float ring = 0.0f) {
 
 } // namespace
 
-TEST_CASE("a drawn circle is the circle, and turns as it does") {
+TEST_CASE("a drawn circle has the center, radius and orientation of the circle") {
 	for (const Vector &center : CENTERS) {
 		for (const Vector &axis : NORMALS) {
 			for (const double radius : RADII) {
 				if (radius < 1e-6 * glm::length(center)) {
-					continue; // beyond what the coefficients hold
+					continue; // beyond the precision of the coefficients
 				}
 				const Vector normal = glm::normalize(axis);
 				const Figure figure = figure_of(*cga::circle(center, axis, radius));
@@ -48,7 +48,7 @@ TEST_CASE("a drawn circle is the circle, and turns as it does") {
 				CHECK(part.form == Form::CIRCLE);
 				CHECK_FALSE(figure.imaginary);
 				check_rigid(part.placement);
-				// The last is what rounding of coefficients far from the origin leaves of the radius.
+				// The second term is the rounding error of the radius far from the origin.
 				const double tolerance = 1e-5 * radius + 1e-10 * glm::dot(center, center);
 				for (float angle = -3.0f; angle < 3.1f; angle += 0.5f) {
 					const Vector point = on_ring(part, angle);
@@ -71,7 +71,7 @@ TEST_CASE("points of a drawn circle satisfy its equation") {
 	}
 }
 
-TEST_CASE("a huge circle passes where it does") {
+TEST_CASE("a huge circle is precise near the origin") {
 	// Almost a line along y at x = -7.
 	const Figure figure = figure_of(*cga::circle({ 1e5 - 7.0, 0.0, 3.0 }, { 0.0, 0.0, 1.0 }, 1e5));
 	for (const float along : { -20.0f, 0.0f, 5.0f }) {
@@ -81,7 +81,7 @@ TEST_CASE("a huge circle passes where it does") {
 	}
 }
 
-TEST_CASE("a drawn sphere is the sphere, its orientation the side of its ticks") {
+TEST_CASE("a drawn sphere has the center and radius of the sphere; its sign is the orientation") {
 	for (const Vector &center : CENTERS) {
 		for (const double radius : RADII) {
 			if (radius < 1e-6 * glm::length(center)) {
@@ -103,15 +103,15 @@ TEST_CASE("a drawn sphere is the sphere, its orientation the side of its ticks")
 	}
 }
 
-TEST_CASE("lines and planes, their direction and side") {
-	for (const Vector &place : CENTERS) {
+TEST_CASE("drawn lines and planes have the position and orientation of the object") {
+	for (const Vector &position : CENTERS) {
 		for (const Vector &axis : NORMALS) {
 			const Vector direction = glm::normalize(axis);
-			const Figure line = figure_of(*cga::line(place, axis));
+			const Figure line = figure_of(*cga::line(position, axis));
 			REQUIRE(line.parts.size() == 1);
 			CHECK(line.parts[0].form == Form::LINE);
 			CHECK(glm::length(line.parts[0].placement.x - direction) < 1e-9);
-			CHECK(glm::length(glm::cross(line.parts[0].placement.origin - place, direction)) < 1e-9 * (1.0 + glm::length(place)));
+			CHECK(glm::length(glm::cross(line.parts[0].placement.origin - position, direction)) < 1e-9 * (1.0 + glm::length(position)));
 			const Figure plane = figure_of(*cga::plane(axis, 2.5));
 			REQUIRE(plane.parts.size() == 2);
 			CHECK(plane.parts[0].form == Form::PLANE);
@@ -124,7 +124,7 @@ TEST_CASE("lines and planes, their direction and side") {
 	}
 }
 
-TEST_CASE("a pair runs from its first point to its second") {
+TEST_CASE("a drawn point pair is directed from its first point to its second") {
 	const Vector a(1.0, 2.0, 3.0), b(-2.0, 0.0, 1.0);
 	const Figure figure = figure_of(*cga::point_pair(a, b));
 	REQUIRE(figure.parts.size() == 1);
@@ -133,7 +133,7 @@ TEST_CASE("a pair runs from its first point to its second") {
 	CHECK(glm::length(*figure.label_position - b) < 1e-12);
 }
 
-TEST_CASE("imaginary ones have the absolute radius") {
+TEST_CASE("imaginary objects are drawn with the absolute value of their radius") {
 	CHECK(figure_of(*cga::imaginary_circle({ 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.7)).imaginary);
 	CHECK(figure_of(*cga::imaginary_sphere({ 1.0, 0.0, 0.0 }, 0.7)).imaginary);
 	CHECK(figure_of(*cga::imaginary_circle({ 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.7)).parts[0].radius == doctest::Approx(0.7));
@@ -142,18 +142,18 @@ TEST_CASE("imaginary ones have the absolute radius") {
 	CHECK(pair.imaginary);
 }
 
-TEST_CASE("the other kinds") {
-	const Vector place(1.0, 2.0, 3.0), axis(0.0, 0.6, 0.8);
+TEST_CASE("the forms of the other kinds of objects") {
+	const Vector position(1.0, 2.0, 3.0), axis(0.0, 0.6, 0.8);
 	const auto only_form = [](const Multivector &x, bool ipns = false) {
 		const Figure figure = figure_of(x, ipns);
 		REQUIRE(figure.parts.size() == 1);
 		return figure.parts[0].form;
 	};
-	CHECK(only_form(cga::point(place)) == Form::POINT);
-	CHECK(only_form(cga::point(place).dual(), true) == Form::POINT);
-	CHECK(only_form(*cga::flat_point(place)) == Form::FLAT_POINT);
-	CHECK(only_form(*cga::tangent_along(place, axis)) == Form::TANGENT_ALONG);
-	CHECK(only_form(*cga::tangent_across(place, axis)) == Form::TANGENT_ACROSS);
+	CHECK(only_form(cga::point(position)) == Form::POINT);
+	CHECK(only_form(cga::point(position).dual(), true) == Form::POINT);
+	CHECK(only_form(*cga::flat_point(position)) == Form::FLAT_POINT);
+	CHECK(only_form(*cga::tangent_along(position, axis)) == Form::TANGENT_ALONG);
+	CHECK(only_form(*cga::tangent_across(position, axis)) == Form::TANGENT_ACROSS);
 	CHECK(only_form(*cga::direction(axis)) == Form::DIRECTION_ALONG);
 	CHECK(only_form(*cga::direction_across(axis)) == Form::DIRECTION_ACROSS);
 	CHECK(glm::length(figure_of(*cga::direction(axis)).parts[0].placement.z - axis) < 1e-12);
@@ -163,14 +163,14 @@ TEST_CASE("the other kinds") {
 	}
 }
 
-TEST_CASE("a motor's axis stays where it is, and its path ends where it moves the origin") {
-	const cga::Quaternion<double> turn = glm::angleAxis(2.0, glm::normalize(Vector(1.0, 2.0, -1.0)));
+TEST_CASE("the axis of a motor is invariant, and its path ends at the image of the origin") {
+	const cga::Quaternion<double> rotation = glm::angleAxis(2.0, glm::normalize(Vector(1.0, 2.0, -1.0)));
 	for (const double scale : { 1.0, 0.5, 2.0 }) {
-		const cga::Pose<double> pose{ { 1.0, -0.5, 2.0 }, turn, scale };
+		const cga::Pose<double> pose{ { 1.0, -0.5, 2.0 }, rotation, scale };
 		const MotorAxis axis = *axis_of(pose);
 		for (const double along : { -1.0, 0.0, 2.0 }) {
 			const Vector point = axis.point + along * axis.direction;
-			const Vector moved = pose.translation + scale * (turn * point);
+			const Vector moved = pose.translation + scale * (rotation * point);
 			CHECK(glm::length(glm::cross(moved - axis.point, axis.direction)) < 1e-9);
 		}
 		const Figure figure = figure_of(cga::to_multivector(cga::Motor<double>::from_pose(pose)));
@@ -185,7 +185,7 @@ TEST_CASE("a motor's axis stays where it is, and its path ends where it moves th
 	CHECK(figure_of(cga::translator({ 1.0, 2.0, 3.0 })).parts.size() == 1);
 }
 
-TEST_CASE("boxes hold what is drawn") {
+TEST_CASE("bounds contain the drawn points") {
 	const Figure figure = figure_of(*cga::circle({ 1.0, 2.0, 3.0 }, { 0.0, 1.0, 1.0 }, 5.0));
 	const Box box = bounds_of(figure.parts[0], figure.custom);
 	for (float angle = -3.0f; angle < 3.1f; angle += 0.1f) {
@@ -195,7 +195,7 @@ TEST_CASE("boxes hold what is drawn") {
 	}
 }
 
-TEST_CASE("a placement within a placed space") {
+TEST_CASE("placements are composed") {
 	const Placement space{ { 0.0, 2.0, 0.0 }, { -2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0 }, { 10.0, 0.0, 1.0 } };
 	const Placement inner{ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, { 0.0, -1.0, 0.0 }, { 3.0, 4.0, 5.0 } };
 	const Vector point(0.3, -0.7, 1.1);
@@ -203,7 +203,7 @@ TEST_CASE("a placement within a placed space") {
 	CHECK(glm::length(apart) < 1e-12);
 }
 
-TEST_CASE("a box around two contains both") {
+TEST_CASE("the merged box contains both boxes") {
 	const Box a{ { -1.0, 0.0, 2.0 }, { 0.0, 1.0, 3.0 } }, b{ { -0.5, -4.0, 2.5 }, { 6.0, 0.5, 2.6 } };
 	const Box both = merged(a, b);
 	CHECK(contains(both, a));

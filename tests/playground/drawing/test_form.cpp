@@ -8,7 +8,7 @@
 
 using namespace playground::drawing;
 
-TEST_CASE("every form is a mesh of sound triangles") {
+TEST_CASE("the mesh of each form has valid triangles") {
 	for (int i = 0; i < SHARED_FORM_COUNT; ++i) {
 		CAPTURE(i);
 		const FormMesh mesh = mesh_of(Form(i));
@@ -33,14 +33,14 @@ TEST_CASE("every form is a mesh of sound triangles") {
 	CHECK(mesh_of(Form::CUSTOM).strokes.vertices.empty());
 }
 
-TEST_CASE("what has a face") {
+TEST_CASE("only surfaces have fills") {
 	for (const Form form : { Form::SPHERE, Form::PLANE, Form::TANGENT_ACROSS }) {
 		CHECK_FALSE(mesh_of(form).fill.indices.empty());
 	}
 	CHECK(mesh_of(Form::CIRCLE).fill.indices.empty());
 }
 
-TEST_CASE("a curve is one strip with its length along it") {
+TEST_CASE("a curve is a strip whose arc length increases along it") {
 	Strokes strokes;
 	strokes.add_curve({ { { 0.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f } }, { { 3.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f } }, { { 3.0f, 4.0f, 0.0f }, { 0.0f, 1.0f, 0.0f } } });
 	CHECK(strokes.vertices.size() == 6);
@@ -49,7 +49,7 @@ TEST_CASE("a curve is one strip with its length along it") {
 	CHECK(strokes.vertices[4].offset.y == -strokes.vertices[5].offset.y);
 }
 
-TEST_CASE("the pair's arrow points from the first to the second") {
+TEST_CASE("the arrow of a point pair points from the first point to the second") {
 	const FormMesh mesh = mesh_of(Form::POINT_PAIR);
 	int arrows = 0, dots = 0;
 	for (const StrokeVertex &vertex : mesh.strokes.vertices) {

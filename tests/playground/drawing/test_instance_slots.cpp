@@ -7,7 +7,7 @@
 
 using playground::drawing::InstanceSlots;
 
-TEST_CASE("the last instance takes the place of a removed one") {
+TEST_CASE("the last instance moves into the slot of a removed one") {
 	InstanceSlots slots;
 	const size_t a = slots.add(), b = slots.add(), c = slots.add();
 	CHECK(slots.size() == 3);
@@ -16,7 +16,7 @@ TEST_CASE("the last instance takes the place of a removed one") {
 	CHECK(slots.size() == 2);
 	CHECK(slots.slot_of(c) == 0);
 	CHECK(slots.slot_of(b) == 1);
-	// The last one leaves without a move.
+	// Removing the last slot moves nothing.
 	const size_t freed = slots.remove(b);
 	CHECK(freed == slots.size());
 	CHECK(slots.slot_of(c) == 0);
@@ -24,26 +24,26 @@ TEST_CASE("the last instance takes the place of a removed one") {
 	CHECK(slots.size() == 0);
 }
 
-TEST_CASE("slots stay dense and tell owners apart, whatever comes and goes") {
+TEST_CASE("slots stay dense and distinct after any sequence of additions and removals") {
 	std::mt19937 random(2026);
 	InstanceSlots slots;
 	std::vector<size_t> owners;
-	std::vector<size_t> row; // what a row of instances would hold, kept as the comments say
+	std::vector<size_t> instances; // the owner of each slot, updated as the caller of remove() must
 	for (int step = 0; step < 5000; ++step) {
 		if (owners.empty() || random() % 100 < 52) {
 			owners.push_back(slots.add());
-			row.push_back(owners.back());
+			instances.push_back(owners.back());
 		} else {
 			const size_t index = random() % owners.size();
 			const size_t slot = slots.remove(owners[index]);
-			row[slot] = row.back();
-			row.pop_back();
+			instances[slot] = instances.back();
+			instances.pop_back();
 			owners.erase(owners.begin() + ptrdiff_t(index));
 		}
 		REQUIRE(slots.size() == owners.size());
-		REQUIRE(slots.size() == row.size());
+		REQUIRE(slots.size() == instances.size());
 		for (const size_t owner : owners) {
-			REQUIRE(row[slots.slot_of(owner)] == owner);
+			REQUIRE(instances[slots.slot_of(owner)] == owner);
 		}
 	}
 }

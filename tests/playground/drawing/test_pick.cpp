@@ -14,7 +14,7 @@ using namespace playground::drawing;
 
 namespace {
 
-// From the eye at (0, 0, 10) through a point; a pixel is a thousandth of the distance wide.
+// The ray from the eye at (0, 0, 10) through a point. The width of a pixel is a thousandth of the depth.
 PickRay through(const Vector &point) {
 	const Vector eye(0.0, 0.0, 10.0);
 	return { eye, glm::normalize(point - eye), 0.0, 1e-3 };
@@ -27,19 +27,19 @@ double pixels(const cga::Multivector &x, const PickRay &ray) {
 
 } // namespace
 
-TEST_CASE("a point a few pixels away") {
+TEST_CASE("the distance to a point in pixels") {
 	const cga::Multivector point = cga::point({ 1.0, 2.0, 0.0 });
 	CHECK(pixels(point, through({ 1.0, 2.0, 0.0 })) == doctest::Approx(0.0));
 	CHECK(pixels(point, through({ 1.05, 2.0, 0.0 })) == doctest::Approx(5.0).epsilon(0.05));
 	CHECK(pixels(cga::point({ 0.0, 0.0, 20.0 }), through({ 0.0, 0.0, 0.0 })) == INFINITY);
 }
 
-TEST_CASE("the same in a parallel view") {
+TEST_CASE("the distance to a point in an orthogonal view") {
 	const PickRay ray{ { 1.05, 2.0, 10.0 }, { 0.0, 0.0, -1.0 }, 0.01, 0.0 };
 	CHECK(pixels(cga::point({ 1.0, 2.0, 0.0 }), ray) == doctest::Approx(5.0));
 }
 
-TEST_CASE("curves at their nearest point") {
+TEST_CASE("the distance to a curve is that to its nearest point") {
 	CHECK(pixels(*cga::line({ 0.0, 1.0, 0.0 }, { 1.0, 0.0, 0.0 }), through({ 3.0, 1.02, 0.0 })) == doctest::Approx(2.0).epsilon(0.1));
 	CHECK(pixels(*cga::line({ 0.0, 0.0, 30.0 }, { 1.0, 0.0, 0.0 }), through({ 0.0, 0.0, 0.0 })) == INFINITY);
 	for (const double radius : { 1e-3, 1.0, 1e3, 1e5 }) {
@@ -50,7 +50,7 @@ TEST_CASE("curves at their nearest point") {
 	CHECK(pixels(*cga::point_pair({ -1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }), through({ 0.5, 0.03, 0.0 })) == doctest::Approx(3.0).epsilon(0.05));
 }
 
-TEST_CASE("surfaces under the ray, and the outline beside it") {
+TEST_CASE("the distance to a surface is 0 on it, and beside a sphere that to its outline") {
 	const Figure sphere = figure_of(*cga::sphere({ 0.0, 0.0, 0.0 }, 2.0));
 	const PickHit inside = *pick(sphere, through({ 0.5, 0.0, 0.0 }));
 	CHECK(inside.on_surface);
@@ -64,12 +64,12 @@ TEST_CASE("surfaces under the ray, and the outline beside it") {
 	CHECK_FALSE(pick(figure_of(*cga::plane({ 0.0, 0.0, 1.0 }, 50.0)), through({ 3.0, 0.0, 0.0 })).has_value());
 }
 
-TEST_CASE("the arrow of a plane goes before its face") {
+TEST_CASE("the arrow of a plane takes precedence over its surface") {
 	const PickHit at_foot = *pick(figure_of(*cga::plane({ 0.0, 1.0, 0.2 }, 0.0)), through({ 0.0, 0.1, 0.0 }));
 	CHECK_FALSE(at_foot.on_surface);
 }
 
-TEST_CASE("edge on, and from within, nothing breaks") {
+TEST_CASE("picking is finite for objects seen edge-on and from inside") {
 	for (const cga::Multivector &x : { *cga::plane({ 0.0, 1.0, 0.0 }, 0.0), *cga::circle({ 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, 2.0), *cga::sphere({ 0.0, 0.0, 10.0 }, 3.0), *cga::line({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }) }) {
 		const std::optional<PickHit> found = pick(figure_of(x), through({ 0.0, 0.0, 0.0 }));
 		CHECK((!found || std::isfinite(found->pixels)));
@@ -77,7 +77,7 @@ TEST_CASE("edge on, and from within, nothing breaks") {
 	CHECK(pick(figure_of(*cga::sphere({ 0.0, 0.0, 10.0 }, 3.0)), through({ 0.0, 0.0, 0.0 }))->depth == doctest::Approx(3.0));
 }
 
-TEST_CASE("motors by their path") {
+TEST_CASE("a motor is picked by its path") {
 	const cga::Multivector translator = cga::translator({ 4.0, 0.0, 0.0 });
 	CHECK(pixels(translator, through({ 2.2, 0.0, 0.0 })) < 0.5);
 	CHECK(pixels(translator, through({ 2.2, 2.0, 0.0 })) > 50.0);

@@ -21,7 +21,7 @@ std::string error_of(std::string_view text, const Variables &variables = {}) {
 
 } // namespace
 
-TEST_CASE("each operator is the product or the sign that it stands for") {
+TEST_CASE("each operator computes its product or sign") {
 	Random random(1);
 	for (int repeat = 0; repeat < 200; ++repeat) {
 		const Multivector a = random.multivector();
@@ -42,7 +42,7 @@ TEST_CASE("each operator is the product or the sign that it stands for") {
 		CHECK(value("+a") == a);
 		CHECK(value("2 a") == a * 2.0);
 		CHECK(value("a / 3")[7] == a[7] / 3.0);
-		// A product of 32 x 32 terms and its inverse: digits are lost with the condition of b.
+		// The tolerance allows for an ill-conditioned b.
 		const Multivector quotient = value("a / b");
 		CHECK(quotient.geometric_product(b).is_equal_approx(a, 1e-9));
 		CHECK(value("(a + b) * ~(a - b)") == (a + b).geometric_product((a - b).reverse()));
@@ -68,7 +68,7 @@ TEST_CASE("numbers and constants") {
 TEST_CASE("variables") {
 	const Variables variables = { { "x", Multivector::scalar(3.0) }, { "größe", *Multivector::basis("e1") }, { "sin", Multivector::scalar(0.5) } };
 	CHECK(*evaluate("x * größe", variables) == *Multivector::basis("e1") * 3.0);
-	// Names of functions are free.
+	// A variable may have the name of a function.
 	CHECK((*evaluate("sin + sin(0)", variables))[0] == 0.5);
 	// The same expression with other values.
 	const Expression expression = *parse("x ^ größe + 1");
@@ -76,7 +76,7 @@ TEST_CASE("variables") {
 	CHECK(*evaluate(expression, { { "x", *Multivector::basis("e2") }, { "größe", *Multivector::basis("e1") } }) == Multivector::scalar(1.0) - *Multivector::basis("e12"));
 }
 
-TEST_CASE("an error of evaluation names the column and what was expected") {
+TEST_CASE("an evaluation error gives the column and what was expected") {
 	const double most = std::numeric_limits<double>::max();
 	Multivector not_finite;
 	not_finite[3] = std::numeric_limits<double>::infinity();
@@ -116,19 +116,19 @@ TEST_CASE("an error of evaluation names the column and what was expected") {
 		CAPTURE(each.first);
 		CHECK(error_of(each.first, variables) == each.second);
 	}
-	// A function's own reason is passed on.
+	// Errors of functions in cga are passed on.
 	CHECK(error_of("1 + inverse(e1 + e5)").find("column 5: inverse: ") == 0);
 	CHECK(error_of("e1 / (e1 + e5)").find("column 4: ") == 0);
 	CHECK(error_of("  normalized(einf)").find("column 3: normalized: ") == 0);
 	CHECK(error_of("log(e1)").find("column 1: log: ") == 0);
 }
 
-TEST_CASE("a variable that no expression can refer to is an error") {
+TEST_CASE("a variable with an invalid name is an error") {
 	CHECK(error_of("1", { { "e1", Multivector() } }) == "column 1: invalid variable name: 'e1' is a constant; choose another name");
 	CHECK(error_of("1", { { "a b", Multivector() } }) == "column 1: invalid variable name: a name may have only letters, digits and underscores, and may not begin with a digit");
 }
 
-TEST_CASE("what to_text writes is read back: the same coefficients") {
+TEST_CASE("evaluate reads the coefficients that to_text writes") {
 	Random random(2);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
 		Multivector x = random.multivector();
@@ -143,7 +143,7 @@ TEST_CASE("what to_text writes is read back: the same coefficients") {
 		const std::string text = cga::to_text(x);
 		const cga::TextResult<Multivector> read = evaluate(text);
 		REQUIRE_MESSAGE(read.has_value(), text);
-		// Equal numbers have the same bits, but for the sign of zeros.
+		// == ignores only the sign of zero.
 		CHECK_MESSAGE(*read == x, text);
 	}
 	const double most = std::numeric_limits<double>::max();
@@ -155,7 +155,7 @@ TEST_CASE("what to_text writes is read back: the same coefficients") {
 	}
 }
 
-TEST_CASE("the null basis is read back to rounding") {
+TEST_CASE("evaluate reads the null basis of to_text within rounding") {
 	Random random(3);
 	for (int repeat = 0; repeat < 5000; ++repeat) {
 		Multivector x = random.multivector();

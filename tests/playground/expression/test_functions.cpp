@@ -19,7 +19,7 @@ struct Case {
 	std::string expected; // an expression with the same value
 };
 
-// Known values, by another way than the function that is tested.
+// Known values, or values from another formula than that of the tested function.
 const std::vector<Case> CASES = {
 	{ "sin(pi / 6)", "0.5" },
 	{ "cos(pi)", "-1" },
@@ -161,7 +161,7 @@ const std::vector<Case> CASES = {
 	{ "interpolate_separate(dilator(0.5), dilator(2), 0.5)", "dilator(1.25)" },
 };
 
-// Arguments of the right kind that a function refuses.
+// Arguments of an accepted kind whose values the function refuses.
 const std::vector<std::pair<std::string, std::string>> REFUSED = {
 	{ "asin(1.1)", "asin: expected a number in -1..1, not 1.1" },
 	{ "acos(-2)", "acos: expected a number in -1..1, not -2" },
@@ -200,7 +200,7 @@ const std::vector<std::pair<std::string, std::string>> REFUSED = {
 	{ "transform_point(0, e1)", "transform_point: expected a motor (a product of translators, rotors and dilators)" },
 };
 
-// The names that stand before a bracket.
+// The called functions with their numbers of arguments: "sphere/2".
 std::set<std::string> called_names(const std::string &expression) {
 	const cga::TextResult<Expression> parsed = parse(expression);
 	REQUIRE_MESSAGE(parsed.has_value(), expression);
@@ -215,7 +215,7 @@ std::set<std::string> called_names(const std::string &expression) {
 
 } // namespace
 
-TEST_CASE("each function gives what it says") {
+TEST_CASE("each function has its documented value") {
 	for (const Case &each : CASES) {
 		CAPTURE(each.expression);
 		const cga::TextResult<Multivector> value = evaluate(each.expression);
@@ -225,7 +225,7 @@ TEST_CASE("each function gives what it says") {
 	}
 }
 
-TEST_CASE("a function says why it has no result") {
+TEST_CASE("a function explains why it refuses an argument") {
 	for (const auto &each : REFUSED) {
 		const auto &expression = each.first;
 		CAPTURE(expression);
@@ -236,7 +236,7 @@ TEST_CASE("a function says why it has no result") {
 	}
 }
 
-TEST_CASE("every function is tested above, with every number of arguments") {
+TEST_CASE("the cases above cover every function and number of arguments") {
 	std::set<std::string> tested;
 	for (const Case &each : CASES) {
 		const std::set<std::string> names = called_names(each.expression);
@@ -253,7 +253,7 @@ TEST_CASE("every function is tested above, with every number of arguments") {
 	CHECK(overloads > 70);
 }
 
-TEST_CASE("the table is in order and each entry complete") {
+TEST_CASE("the table is sorted and each entry is complete") {
 	std::string_view before;
 	for (const Function &function : functions()) {
 		CHECK(before < function.name);
@@ -273,7 +273,7 @@ TEST_CASE("the table is in order and each entry complete") {
 	CHECK_FALSE(find_function("zzz").has_value());
 }
 
-TEST_CASE("kinds of arguments, with rounding") {
+TEST_CASE("is_of_kind allows for rounding") {
 	const auto is = [](std::string_view text, ArgumentKind kind) { return is_of_kind(*evaluate(text), kind); };
 	CHECK(is("3", ArgumentKind::NUMBER));
 	CHECK(is("3 + 1e-13 * e12", ArgumentKind::NUMBER));

@@ -1,4 +1,4 @@
-// docs/guides/expressions.md: its examples are right, and it names every function. Run from the repository's root.
+// Checks the examples and the function tables of docs/guides/expressions.md. Run from the repository's root.
 
 #include "cga/text/text.hpp"
 #include "playground/expression/evaluate.hpp"
@@ -49,7 +49,7 @@ std::string in_table(std::string text) {
 
 } // namespace
 
-TEST_CASE("every example of the guide does what the guide says") {
+TEST_CASE("every example of the guide has the stated value or error") {
 	const std::string error_mark = " error: ";
 	const std::string equals_mark = " = ";
 	int equalities = 0;
@@ -77,7 +77,7 @@ TEST_CASE("every example of the guide does what the guide says") {
 	CHECK(errors > 10);
 }
 
-TEST_CASE("the guide names every function with its meaning") {
+TEST_CASE("the guide lists every function with its meaning") {
 	const std::string text = guide();
 	for (const Function &function : functions()) {
 		for (const Overload *overload : function.overloads) {

@@ -1,4 +1,4 @@
-// interpolate_linear, _screw and _separate: values by other ways, and where two poses do not name one way.
+// interpolate_linear, interpolate_screw and interpolate_separate: values from other formulas, half turns and special cases.
 
 #include "cga/text/text.hpp"
 #include "playground/expression/evaluate.hpp"
@@ -32,7 +32,7 @@ void check_equal(const std::string &text, const std::string &expected, double to
 	CHECK_MESSAGE(value.is_equal_approx(other, tolerance * std::max(1.0, other.max_abs())), text, " = ", cga::to_text(value), " is not ", cga::to_text(other));
 }
 
-// The same pose, whatever the sign of the motor.
+// Compares poses: the motors may differ in sign.
 void check_same_pose(const std::string &text, const std::string &expected, double tolerance = 1e-14) {
 	const Multivector value = value_of(text);
 	const Multivector other = value_of(expected);
@@ -43,31 +43,31 @@ void check_same_pose(const std::string &text, const std::string &expected, doubl
 
 } // namespace
 
-TEST_CASE("a blend of coefficients, written out") {
-	// A motor in a plane stays one, so that only the weight is to be divided out.
+TEST_CASE("interpolate_linear is the normalized blend of coefficients") {
+	// A blend of planar motors is a planar motor, so it only needs normalization.
 	check_equal("interpolate_linear(1, motor(e1, rotor(e3, 2)), 0.3)", "normalized(0.7 * 1 + 0.3 * motor(e1, rotor(e3, 2)))");
 	check_equal("get_rotation(interpolate_linear(1, motor(e1, rotor(e3, 2)), 0.3))", "normalized(0.7 * 1 + 0.3 * rotor(e3, 2))");
-	// Half way it is the screw, whatever the turn.
+	// Halfway it equals the screw motion, for any rotation.
 	check_equal("interpolate_linear(translator(e2), motor(e1, rotor(e3, 2)), 0.5)", "interpolate_screw(translator(e2), motor(e1, rotor(e3, 2)), 0.5)");
-	// At a quarter of a half turn it is behind by 45 - 2 atan(1/3) degrees: 8.13.
+	// A quarter of the way through a half turn, it lags by 45 - 2 atan(1/3) = 8.13 degrees.
 	const Multivector quarter = value_of("get_rotation(interpolate_linear(1, rotor(e3, pi), 0.25))");
 	CHECK(quarter[0] == doctest::Approx(3.0 / std::sqrt(10.0)).epsilon(1e-14));
 	CHECK(quarter[6] == doctest::Approx(-1.0 / std::sqrt(10.0)).epsilon(1e-14));
 }
 
-TEST_CASE("a screw is the power of the motion from one to the other") {
+TEST_CASE("interpolate_screw is a power of the motion between the motors") {
 	for (const std::string t : { "0.1", "0.5", "0.9", "-0.5", "1.75" }) {
 		check_equal(call("interpolate_screw", "motor(e1 + e2, rotor(e3, 1), 2)", "motor(3 e3, rotor(e1 + e2, 2), 0.7)", t),
 				"power(motor(3 e3, rotor(e1 + e2, 2), 0.7) / motor(e1 + e2, rotor(e3, 1), 2), " + t + ") * motor(e1 + e2, rotor(e3, 1), 2)", 1e-13);
 	}
 }
 
-TEST_CASE("separate: a straight line, the turn's part, the scale's mean") {
+TEST_CASE("interpolate_separate interpolates translation, rotation and scale separately") {
 	const std::string middle = call("interpolate_separate", "motor(e1, rotor(e3, 1), 2)", "motor(5 e2, rotor(e3, 2), 4)", "0.25");
 	check_equal(middle, "motor(0.75 * e1 + 1.25 * e2, rotor(e3, 1.25), 2.5)");
 }
 
-TEST_CASE("weight and sign of the motors do not count") {
+TEST_CASE("weight and sign of the motors are ignored") {
 	const std::string from = "motor(e1 + e2, rotor(e3, 1), 2)";
 	const std::string to = "motor(3 e3, rotor(e1 + e2, 2), 0.7)";
 	for (const std::string &method : METHODS) {
@@ -76,12 +76,12 @@ TEST_CASE("weight and sign of the motors do not count") {
 		check_same_pose(call(method, from, "-" + to, "0.3"), plain);
 		check_same_pose(call(method, "-" + from, to, "0.3"), plain);
 		check_same_pose(call(method, "-2 " + from, "-1e-5 * " + to, "0.3"), plain);
-		// Of weight 1.
+		// The result is normalized.
 		CHECK(value_of("norm_squared(" + plain + ")")[0] == doctest::Approx(1.0).epsilon(1e-14));
 	}
 }
 
-TEST_CASE("the ends are the poses, and equal poses stay") {
+TEST_CASE("t = 0 and t = 1 give the poses, and equal poses give that pose") {
 	const std::string from = "motor(e1 + e2, rotor(e3, 1), 2)";
 	const std::string to = "motor(3 e3, rotor(e1 + e2, 2), 0.7)";
 	for (const std::string &method : METHODS) {
@@ -97,27 +97,27 @@ TEST_CASE("the ends are the poses, and equal poses stay") {
 	}
 }
 
-TEST_CASE("half turns go one of the two ways, never nowhere") {
+TEST_CASE("a half turn is interpolated in one of the two directions") {
 	for (const std::string &method : METHODS) {
-		for (const std::string turn : { "rotor(e3, pi)", "-rotor(e3, pi)", "e12", "-e12", "rotor(e3, pi - 1e-9)", "rotor(e3, pi + 1e-9)" }) {
-			const Multivector middle = value_of(call(method, "1", turn, "0.5"));
-			CAPTURE(turn);
+		for (const std::string half_turn : { "rotor(e3, pi)", "-rotor(e3, pi)", "e12", "-e12", "rotor(e3, pi - 1e-9)", "rotor(e3, pi + 1e-9)" }) {
+			const Multivector middle = value_of(call(method, "1", half_turn, "0.5"));
+			CAPTURE(half_turn);
 			CHECK(std::abs(middle[0]) == doctest::Approx(std::sqrt(0.5)).epsilon(1e-8));
 			CHECK(std::abs(middle[6]) == doctest::Approx(std::sqrt(0.5)).epsilon(1e-8));
 		}
 	}
-	// A door that turns by 180 degrees stays on its hinge's circle.
+	// A door that turns by 180 degrees keeps its distance from the hinge.
 	check_equal("norm(get_translation(interpolate_screw(translator(e1), rotor(e3, pi) * translator(e1), 0.37)))", "1");
 }
 
-TEST_CASE("tiny and huge motions, and scales far apart") {
+TEST_CASE("small and large motions, and a large ratio of scales") {
 	for (const std::string &method : METHODS) {
 		check_same_pose(call(method, "1", "rotor(e3, 1e-9)", "0.5"), "rotor(e3, 5e-10)");
 		check_same_pose(call(method, "translator(1e6, 0, 0)", "translator(1e6 + 2, 0, 0)", "0.5"), "translator(1e6 + 1, 0, 0)");
 	}
 	check_equal("get_scale(interpolate_screw(dilator(1e-6), dilator(1e+6), 0.5))", "1", 1e-12);
 	check_equal("get_scale(interpolate_linear(dilator(1e-6), dilator(1e+6), 0.5))", "0.5 * (1e+6 + 1e-6)", 1e-11);
-	// Growing about a point that is not the origin: the screw's fixed point stays.
+	// Scaling about a point other than the origin keeps that point fixed.
 	check_equal("get_translation(interpolate_screw(1, translator(-e1) * dilator(2), 0.5))", "(1 - sqrt(2)) * e1");
 }
 

@@ -7,7 +7,7 @@
 using namespace playground;
 using cga::Multivector;
 
-TEST_CASE("names with a fixed value") {
+TEST_CASE("the constants") {
 	for (int index = 1; index < cga::BLADE_COUNT; ++index) {
 		CHECK(constant(cga::blade_name(index).view()) == Multivector::basis_blade(index));
 	}
@@ -25,7 +25,7 @@ TEST_CASE("names with a fixed value") {
 	}
 }
 
-TEST_CASE("names that a variable can have") {
+TEST_CASE("check_name accepts valid names and explains why others are invalid") {
 	for (const char *name : { "a", "A", "_", "a1", "snake_case", "CamelCase", "x_1", "größe", "δ", "Точка", "点", "sphere", "e", "e_1", "ex", "E1", "i", "j2" }) {
 		CAPTURE(name);
 		CHECK(check_name(name));
@@ -42,7 +42,7 @@ TEST_CASE("names that a variable can have") {
 	CHECK(check_name(std::string(65, 'a')).error().message == "'" + std::string(65, 'a') + "' is too long; a name may have at most 64 characters");
 }
 
-TEST_CASE("the name that was meant") {
+TEST_CASE("closest_name finds the candidate for a misspelled name") {
 	const std::vector<std::string_view> names = { "sphere", "circle", "circle_through", "point", "eo", "Radius" };
 	CHECK(closest_name("shpere", names) == "sphere");
 	CHECK(closest_name("spere", names) == "sphere");

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 
 using namespace playground;
@@ -26,7 +28,7 @@ const std::map<NodeKind, std::string> OPERATORS = {
 	{ NodeKind::REGRESSIVE, " & " },
 };
 
-// The expression with all its brackets: what binds to what.
+// The expression with all parentheses, which shows the precedence.
 std::string structure(const Expression &expression) {
 	std::vector<std::string> stack;
 	const auto pop = [&stack] {
@@ -65,6 +67,20 @@ std::string structure(const Expression &expression) {
 	return stack.back();
 }
 
+std::vector<Node> variable_nodes(const Expression &expression) {
+	std::vector<Node> found;
+	std::copy_if(expression.nodes().begin(), expression.nodes().end(), std::back_inserter(found), [](const Node &node) { return node.kind == NodeKind::VARIABLE; });
+	return found;
+}
+
+std::vector<int> columns_of(const Expression &expression) {
+	std::vector<int> columns;
+	for (const Node &node : variable_nodes(expression)) {
+		columns.push_back(cga::text_error(expression.text(), node.offset, {}).column);
+	}
+	return columns;
+}
+
 std::string structure(std::string_view text) {
 	const cga::TextResult<Expression> expression = parse(text);
 	return expression ? structure(*expression) : expression.error().describe();
@@ -72,7 +88,7 @@ std::string structure(std::string_view text) {
 
 } // namespace
 
-TEST_CASE("products bind tighter than sums, inner ones tighter than the geometric one, outer ones tightest") {
+TEST_CASE("precedence increases from sums to geometric, inner and outer products") {
 	CHECK(structure("a + b * c") == "(a + (b * c))");
 	CHECK(structure("a * b + c") == "((a * b) + c)");
 	CHECK(structure("a * b | c") == "(a * (b | c))");
@@ -85,7 +101,7 @@ TEST_CASE("products bind tighter than sums, inner ones tighter than the geometri
 	CHECK(structure("a + b * c | d ^ e") == "(a + (b * (c | (d ^ e))))");
 }
 
-TEST_CASE("operators of one level go from left to right") {
+TEST_CASE("operators of equal precedence associate to the left") {
 	CHECK(structure("a - b + c - d") == "(((a - b) + c) - d)");
 	CHECK(structure("a / b * c / d") == "(((a / b) * c) / d)");
 	CHECK(structure("a | b << c >> d & e") == "((((a | b) << c) >> d) & e)");
@@ -102,7 +118,7 @@ TEST_CASE("prefix operators bind tighter than all others") {
 	CHECK(structure("-f") == "(-f)");
 }
 
-TEST_CASE("a number before a name, a call or a bracket multiplies it first of all") {
+TEST_CASE("a number before a name, a call or a parenthesis is an implicit product, which binds tightest") {
 	CHECK(structure("2 e12") == "(2 * e12)");
 	CHECK(structure("2einf") == "(2 * einf)");
 	CHECK(structure("2(a + b)") == "(2 * (a + b))");
@@ -116,14 +132,14 @@ TEST_CASE("a number before a name, a call or a bracket multiplies it first of al
 	CHECK(structure("a ^ 1/2 * b") == "(((a ^ 1) / 2) * b)");
 }
 
-TEST_CASE("brackets and calls") {
+TEST_CASE("parentheses and calls") {
 	CHECK(structure("(a + b) * c") == "((a + b) * c)");
 	CHECK(structure("((((a))))") == "a");
 	CHECK(structure("atan2(a + b, -c) * d") == "(atan2((a + b), (-c)) * d)");
 	CHECK(structure("min(max(a, b), (c), 2 d)") == "min(max(a, b), c, (2 * d))");
 	CHECK(structure("dual ( a )") == "dual(a)");
 	CHECK(structure("\t a\n+\r\nb ") == "(a + b)");
-	// A name is a function only before a bracket.
+	// A name before a parenthesis is a function, any other a variable.
 	CHECK(structure("dual + dual(dual)") == "(dual + dual(dual))");
 }
 
@@ -156,7 +172,7 @@ TEST_CASE("numbers") {
 	}
 }
 
-TEST_CASE("an error names the column and what was expected") {
+TEST_CASE("a parse error gives the column and what was expected") {
 	const std::vector<std::pair<std::string, std::string>> errors = {
 		{ "", "column 1: expected a number, a name or '(', found the end" },
 		{ "   ", "column 4: expected a number, a name or '(', found the end" },
@@ -222,7 +238,7 @@ TEST_CASE("an error names the column and what was expected") {
 	}
 }
 
-TEST_CASE("a text of any depth and length ends with an error at once") {
+TEST_CASE("texts that are too deep or too long are refused quickly") {
 	const auto start = std::chrono::steady_clock::now();
 	for (const std::string unit : { "(", "-", "~", "!", "sin(", "2(", "min(1,", "-(", "a+(", "a*(a|(a^" }) {
 		std::string text;
@@ -236,7 +252,7 @@ TEST_CASE("a text of any depth and length ends with an error at once") {
 		}
 		CHECK(structure(text) == "column 16385: the expression is too long; at most 16384 bytes are accepted");
 	}
-	// As deep and as long as it may be.
+	// The accepted maxima of depth and length.
 	CHECK(structure(std::string(256, '(') + "a" + std::string(256, ')')) == "a");
 	CHECK(structure(std::string(257, '(') + "a" + std::string(257, ')')) == "column 257: the expression is nested too deeply; at most 256 levels are accepted");
 	std::string sum = "a";
@@ -252,33 +268,31 @@ TEST_CASE("a text of any depth and length ends with an error at once") {
 	CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
 }
 
-TEST_CASE("an expression knows the variables it refers to and where") {
+TEST_CASE("an expression lists its variables and where they occur") {
 	const Expression expression = *parse("ä + sphere2 * ä | e1 - sin(b)^dual");
 	CHECK(expression.variables() == std::vector<std::string>{ "ä", "sphere2", "b", "dual" });
-	REQUIRE(expression.uses().size() == 5);
-	const std::vector<int> columns = { 1, 5, 15, 28, 31 };
-	for (size_t index = 0; index < columns.size(); ++index) {
-		CHECK(expression.uses()[index].column == columns[index]);
-	}
-	CHECK(expression.uses()[2].variable == 0);
-	CHECK(expression.uses()[2].offset == 15);
+	const std::vector<Node> uses = variable_nodes(expression);
+	CHECK(columns_of(expression) == std::vector<int>{ 1, 5, 15, 28, 31 });
+	CHECK(uses[2].index == 0);
+	CHECK(uses[2].offset == 15);
+	CHECK(expression.first_use(0) == 0);
+	CHECK(expression.first_use(1) == 5);
 	CHECK(expression.refers_to("dual"));
 	CHECK_FALSE(expression.refers_to("sin"));
 	CHECK_FALSE(expression.refers_to("e1"));
 	CHECK(parse("1 + e1 * pi")->variables().empty());
-	CHECK(parse("a +\n  ä + b")->uses()[1].column == 3);
-	CHECK(parse("a +\n  ä + b")->uses()[2].column == 7);
+	CHECK(columns_of(*parse("a +\n  ä + b")) == std::vector<int>{ 1, 3, 7 });
 }
 
-TEST_CASE("renaming a variable changes nothing else") {
-	const Expression expression = *parse("a +ab * abs(a) ^ -a ");
-	CHECK(expression.renamed("a", "center") == "center +ab * abs(center) ^ -center ");
-	CHECK(expression.renamed("ab", "ä") == "a +ä * abs(a) ^ -a ");
-	CHECK(expression.renamed("abs", "x") == expression.text());
-	CHECK(expression.renamed("missing", "x") == expression.text());
+TEST_CASE("renaming a variable leaves the rest of the text unchanged") {
+	const char *text = "a +ab * abs(a) ^ -a ";
+	CHECK(with_variable_renamed(text, "a", "center") == "center +ab * abs(center) ^ -center ");
+	CHECK(with_variable_renamed(text, "ab", "ä") == "a +ä * abs(a) ^ -a ");
+	CHECK(with_variable_renamed(text, "abs", "x") == text);
+	CHECK(with_variable_renamed(text, "missing", "x") == text);
 }
 
-TEST_CASE("literals and arguments have their places") {
+TEST_CASE("literals and arguments have their offsets") {
 	const Expression expression = *parse("max(1.5, -20)");
 	CHECK(expression.nodes()[0].offset == 4);
 	CHECK(expression.nodes()[0].length == 3);

@@ -1,5 +1,5 @@
-// Tens of thousands of random expressions, right ones, nearly right ones and nonsense: each has a finite value or an
-// error with a place, none crashes or takes long.
+// Evaluates tens of thousands of random expressions: valid, mutated and random tokens. Each must give a finite value or an
+// error with a position, within bounded time.
 
 #include "playground/expression/evaluate.hpp"
 
@@ -27,7 +27,7 @@ public:
 	template <size_t COUNT>
 	std::string one_of(const char *const (&texts)[COUNT]) { return texts[below(COUNT)]; }
 
-	// Right by the grammar; operands and arguments of any kind.
+	// Valid by the grammar; operands and arguments of any kind.
 	std::string make(int depth) {
 		if (depth <= 0) {
 			return one_of(OPERANDS);
@@ -52,7 +52,7 @@ public:
 		}
 	}
 
-	// Some bytes changed, taken away, added or doubled.
+	// Changes, erases, inserts or duplicates some bytes.
 	std::string mutated(std::string text) {
 		for (size_t change = 1 + below(4); change-- > 0 && !text.empty();) {
 			const size_t at = below(text.size());
@@ -73,7 +73,7 @@ public:
 		return text;
 	}
 
-	// Pieces of expressions in any order.
+	// Tokens in any order.
 	std::string nonsense() {
 		std::string text;
 		for (size_t count = below(30); count-- > 0;) {
@@ -83,7 +83,7 @@ public:
 	}
 
 private:
-	// Mostly of the kind that is asked for, so that functions have work to do.
+	// Mostly of the requested kind, so that most calls are evaluated.
 	std::string argument(ArgumentKind kind, int depth) {
 		if (below(4) == 0) {
 			return make(depth - 1);
@@ -126,7 +126,7 @@ void check(const std::string &text, const Variables &variables, Counts &counts) 
 	CHECK_MESSAGE(error.offset <= text.size(), text);
 	CHECK_MESSAGE(error.column >= 1, text);
 	CHECK_MESSAGE(!error.message.empty(), text);
-	// What is shown is UTF-8, whatever the text was.
+	// Messages are valid UTF-8 for any text.
 	for (size_t offset = 0; offset < error.message.size();) {
 		const cga::Character character = cga::character_at(error.message, offset);
 		CHECK_MESSAGE(character.is_valid, text);
@@ -136,12 +136,12 @@ void check(const std::string &text, const Variables &variables, Counts &counts) 
 
 } // namespace
 
-TEST_CASE("random expressions have a finite value or an error with a place") {
+TEST_CASE("random expressions have a finite value or an error with a position") {
 	const auto start = std::chrono::steady_clock::now();
 	cga_test::Random random(1);
 	ExpressionMaker maker(2);
 	Variables variables;
-	Counts right;
+	Counts valid;
 	Counts mutated;
 	Counts nonsense;
 	for (int repeat = 0; repeat < 20000; ++repeat) {
@@ -149,17 +149,17 @@ TEST_CASE("random expressions have a finite value or an error with a place") {
 			variables = { { "a", random.multivector() }, { "b", random.multivector().grade(2) }, { "c", random.multivector().grade(1) * 1e150 }, { "x", Multivector::scalar(random.normal()) } };
 		}
 		const std::string text = maker.make(1 + repeat % 5);
-		check(text, variables, right);
+		check(text, variables, valid);
 		check(maker.mutated(text), variables, mutated);
 		check(maker.nonsense(), variables, nonsense);
 	}
-	// All three kinds of text reach what they are meant to reach.
-	CHECK(right.values > 5000);
-	CHECK(right.errors > 1000);
+	// Enough texts of each kind are evaluated, or refused.
+	CHECK(valid.values > 5000);
+	CHECK(valid.errors > 1000);
 	CHECK(mutated.values > 300);
 	CHECK(mutated.errors > 5000);
 	CHECK(nonsense.errors > 10000);
-	MESSAGE("values and errors: right ", right.values, " ", right.errors, ", mutated ", mutated.values, " ", mutated.errors, ", nonsense ", nonsense.values, " ", nonsense.errors);
+	MESSAGE("values and errors: valid ", valid.values, " ", valid.errors, ", mutated ", mutated.values, " ", mutated.errors, ", nonsense ", nonsense.values, " ", nonsense.errors);
 	CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
 }
 

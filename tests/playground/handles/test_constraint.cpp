@@ -12,13 +12,13 @@ using namespace playground::handles;
 
 namespace {
 
-// From the eye at (0, 0, 10), which looks along -z, through a point.
+// The ray from the eye through a point; the view direction is -z.
 ViewRay through(const Vector &point, const Vector &eye = { 0.0, 0.0, 10.0 }) {
 	return { eye, point - eye, { 0.0, 0.0, -1.0 } };
 }
 
-double distance(const ViewRay &ray, const Vector &place) {
-	return glm::length(glm::cross(place - ray.origin, glm::normalize(ray.direction)));
+double distance(const ViewRay &ray, const Vector &position) {
+	return glm::length(glm::cross(position - ray.origin, glm::normalize(ray.direction)));
 }
 
 bool is_near(const Vector &left, const Vector &right, double tolerance = 1e-9) {
@@ -27,21 +27,21 @@ bool is_near(const Vector &left, const Vector &right, double tolerance = 1e-9) {
 
 } // namespace
 
-TEST_CASE("free: in the plane across the view, under the mouse") {
-	const Constraint held{ Motion::FREE, { 1.0, 2.0, 3.0 }, {}, {} };
-	const std::optional<Vector> place = position_on(through({ 4.0, -1.0, 0.0 }), held);
-	REQUIRE(place);
-	CHECK(place->z == doctest::Approx(3.0));
-	CHECK(distance(through({ 4.0, -1.0, 0.0 }), *place) < 1e-9);
-	const std::optional<Vector> on_level = position_on({ { 0.0, 5.0, 0.0 }, { 1.0, -1.0, 0.0 }, { 0.0, 1.0, 0.0 } }, held);
+TEST_CASE("Motion::FREE: under the mouse, in the plane perpendicular to the view") {
+	const Constraint constraint{ Motion::FREE, { 1.0, 2.0, 3.0 }, {}, {} };
+	const std::optional<Vector> position = position_on(through({ 4.0, -1.0, 0.0 }), constraint);
+	REQUIRE(position);
+	CHECK(position->z == doctest::Approx(3.0));
+	CHECK(distance(through({ 4.0, -1.0, 0.0 }), *position) < 1e-9);
+	const std::optional<Vector> on_level = position_on({ { 0.0, 5.0, 0.0 }, { 1.0, -1.0, 0.0 }, { 0.0, 1.0, 0.0 } }, constraint);
 	REQUIRE(on_level);
 	CHECK(is_near(*on_level, { 3.0, 2.0, 0.0 }));
 }
 
-TEST_CASE("along a line: the place nearest to the ray") {
-	const Constraint held{ Motion::LINE, { 1.0, 0.0, 0.0 }, {}, { 1.0, 0.0, 0.0 } };
-	CHECK(is_near(*position_on(through({ 3.5, 0.0, 0.0 }), held), { 3.5, 0.0, 0.0 }));
-	const std::optional<Vector> beside = position_on(through({ 3.5, 2.0, 0.0 }), held);
+TEST_CASE("Motion::LINE: the point of the line nearest to the ray") {
+	const Constraint constraint{ Motion::LINE, { 1.0, 0.0, 0.0 }, {}, { 1.0, 0.0, 0.0 } };
+	CHECK(is_near(*position_on(through({ 3.5, 0.0, 0.0 }), constraint), { 3.5, 0.0, 0.0 }));
+	const std::optional<Vector> beside = position_on(through({ 3.5, 2.0, 0.0 }), constraint);
 	REQUIRE(beside);
 	CHECK(is_near(*beside, { beside->x, 0.0, 0.0 }));
 	for (const double step : { -1e-3, 1e-3 }) {
@@ -49,37 +49,37 @@ TEST_CASE("along a line: the place nearest to the ray") {
 	}
 }
 
-TEST_CASE("on a sphere: under the mouse on the side where it is, else on the outline") {
+TEST_CASE("Motion::SPHERE: under the mouse on the side of the handle, or on the outline") {
 	const Constraint front{ Motion::SPHERE, { 0.0, 0.0, 2.0 }, { 0.0, 0.0, 0.0 }, {} };
 	const Constraint back{ Motion::SPHERE, { 0.0, 0.0, -2.0 }, { 0.0, 0.0, 0.0 }, {} };
 	const ViewRay ray = through({ 0.7, 0.4, 0.0 });
-	for (const Constraint &held : { front, back }) {
-		const std::optional<Vector> place = position_on(ray, held);
-		REQUIRE(place);
-		CHECK(glm::length(*place) == doctest::Approx(2.0));
-		CHECK(distance(ray, *place) < 1e-9);
-		CHECK(place->z * held.position.z > 0.0);
+	for (const Constraint &constraint : { front, back }) {
+		const std::optional<Vector> position = position_on(ray, constraint);
+		REQUIRE(position);
+		CHECK(glm::length(*position) == doctest::Approx(2.0));
+		CHECK(distance(ray, *position) < 1e-9);
+		CHECK(position->z * constraint.position.z > 0.0);
 	}
 	const std::optional<Vector> outline = position_on(through({ 5.0, 0.0, 0.0 }), front);
 	REQUIRE(outline);
 	CHECK(glm::length(*outline) == doctest::Approx(2.0));
 	CHECK(distance(through({ 5.0, 0.0, 0.0 }), *outline) == doctest::Approx(glm::length(glm::cross(Vector(0.0, 0.0, 10.0), glm::normalize(Vector(5.0, 0.0, -10.0)))) - 2.0));
-	// From inside the only place that is before the eye.
+	// From inside the sphere, only one intersection is in front of the eye.
 	CHECK(is_near(*position_on({ {}, { 1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, front), { 2.0, 0.0, 0.0 }));
 }
 
-TEST_CASE("on a circle: under the mouse where it can be, else nearest") {
-	const Constraint held{ Motion::CIRCLE, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
-	const Vector on_it(2.0 * std::cos(1.0), 2.0 * std::sin(1.0), 0.0);
-	CHECK(is_near(*position_on(through(on_it), held), on_it));
-	CHECK(is_near(*position_on({ { 0.0, 3.0, 10.0 }, { 0.0, 0.0, -1.0 }, {} }, held), { 0.0, 2.0, 0.0 }, 1e-6));
-	CHECK(is_near(*position_on({ { 0.5, 0.5, 10.0 }, { 0.0, 0.0, -1.0 }, {} }, held), { std::sqrt(2.0), std::sqrt(2.0), 0.0 }, 1e-6));
-	// Seen from the side: of the two places behind each other that on its side.
+TEST_CASE("Motion::CIRCLE: under the mouse, or the point of the circle nearest to it") {
+	const Constraint constraint{ Motion::CIRCLE, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+	const Vector on_circle(2.0 * std::cos(1.0), 2.0 * std::sin(1.0), 0.0);
+	CHECK(is_near(*position_on(through(on_circle), constraint), on_circle));
+	CHECK(is_near(*position_on({ { 0.0, 3.0, 10.0 }, { 0.0, 0.0, -1.0 }, {} }, constraint), { 0.0, 2.0, 0.0 }, 1e-6));
+	CHECK(is_near(*position_on({ { 0.5, 0.5, 10.0 }, { 0.0, 0.0, -1.0 }, {} }, constraint), { std::sqrt(2.0), std::sqrt(2.0), 0.0 }, 1e-6));
+	// Seen edge-on, the ray meets the circle twice: the point on the side of the handle.
 	const Constraint from_side{ Motion::CIRCLE, { 0.0, 0.0, 2.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
 	CHECK(is_near(*position_on(through({ 0.5, 0.0, std::sqrt(3.75) }), from_side), { 0.5, 0.0, std::sqrt(3.75) }));
 }
 
-TEST_CASE("where there is no place") {
+TEST_CASE("no position: parallel rays, positions behind the eye, degenerate or not finite input") {
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	const Constraint along_view{ Motion::LINE, { 0.0, 0.0, 0.0 }, {}, { 0.0, 0.0, -1.0 } };
 	const Constraint free{ Motion::FREE, { 0.0, 0.0, 0.0 }, {}, {} };
@@ -97,38 +97,38 @@ TEST_CASE("where there is no place") {
 	CHECK_FALSE(position_on({ { 1e300, 0.0, 1e300 }, { 0.0, 0.0, -1e300 }, { 0.0, 0.0, -1.0 } }, free));
 }
 
-TEST_CASE("whatever the ray and the constraint, a place is finite and keeps to it") {
+TEST_CASE("for random rays and constraints, a position is finite and satisfies the constraint") {
 	std::mt19937 random(7);
 	std::uniform_real_distribution<double> number(-5.0, 5.0);
 	const auto vector = [&] { return Vector(number(random), number(random), number(random)); };
 	int found = 0;
 	for (int i = 0; i < 4000; ++i) {
-		Constraint held{ Motion(i % 4), vector(), vector(), glm::normalize(vector()) };
-		if (held.motion == Motion::CIRCLE) {
-			held.position -= held.axis * glm::dot(held.position - held.center, held.axis);
+		Constraint constraint{ Motion(i % 4), vector(), vector(), glm::normalize(vector()) };
+		if (constraint.motion == Motion::CIRCLE) {
+			constraint.position -= constraint.axis * glm::dot(constraint.position - constraint.center, constraint.axis);
 		}
 		const double size = i % 3 == 0 ? std::pow(10.0, number(random) * 4.0) : 1.0;
 		const ViewRay ray{ vector() * size, vector(), vector() };
-		const std::optional<Vector> place = position_on(ray, held);
-		if (!place) {
+		const std::optional<Vector> position = position_on(ray, constraint);
+		if (!position) {
 			continue;
 		}
 		++found;
-		REQUIRE(glm::length(*place) <= MAX_DISTANCE);
-		const double tolerance = 1e-9 * (1.0 + size + glm::length(*place));
-		CHECK(glm::dot(*place - ray.origin, ray.direction) > -tolerance);
-		switch (held.motion) {
+		REQUIRE(glm::length(*position) <= MAX_DISTANCE);
+		const double tolerance = 1e-9 * (1.0 + size + glm::length(*position));
+		CHECK(glm::dot(*position - ray.origin, ray.direction) > -tolerance);
+		switch (constraint.motion) {
 			case Motion::FREE:
-				CHECK(distance(ray, *place) < tolerance);
+				CHECK(distance(ray, *position) < tolerance);
 				break;
 			case Motion::LINE:
-				CHECK(glm::length(glm::cross(*place - held.position, held.axis)) < tolerance);
+				CHECK(glm::length(glm::cross(*position - constraint.position, constraint.axis)) < tolerance);
 				break;
 			case Motion::CIRCLE:
-				CHECK(std::abs(glm::dot(*place - held.center, held.axis)) < tolerance);
+				CHECK(std::abs(glm::dot(*position - constraint.center, constraint.axis)) < tolerance);
 				[[fallthrough]];
 			case Motion::SPHERE:
-				CHECK(std::abs(glm::length(*place - held.center) - glm::length(held.position - held.center)) < tolerance);
+				CHECK(std::abs(glm::length(*position - constraint.center) - glm::length(constraint.position - constraint.center)) < tolerance);
 				break;
 		}
 	}

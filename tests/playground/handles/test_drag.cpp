@@ -19,8 +19,8 @@ ViewRay through(const Vector &point, const Vector &eye = { 3.0, 4.0, 10.0 }) {
 	return { eye, point - eye, glm::normalize(-eye) };
 }
 
-double distance(const ViewRay &ray, const Vector &place) {
-	return glm::length(glm::cross(place - ray.origin, glm::normalize(ray.direction)));
+double distance(const ViewRay &ray, const Vector &position) {
+	return glm::length(glm::cross(position - ray.origin, glm::normalize(ray.direction)));
 }
 
 std::optional<Handle> find(const Document &document, const char *name, const std::string &key) {
@@ -32,7 +32,7 @@ std::optional<Handle> find(const Document &document, const char *name, const std
 	return std::nullopt;
 }
 
-// The expression afterwards; as it was if nothing follows.
+// The expression after the drag; unchanged if the handle cannot follow.
 std::string dragged(const char *text, const char *key, const ViewRay &ray, const Steps &steps = {}) {
 	Document document;
 	REQUIRE(document.add("x", text));
@@ -87,10 +87,10 @@ TEST_CASE("after a drag the handle is under the mouse") {
 		const ViewRay ray = through(target);
 		const std::optional<Drag> result = drag(document, "x", start, ray);
 		REQUIRE_MESSAGE(result, std::string(text), " ", std::string(key));
-		const std::optional<Vector> place = position_on(ray, start.constraint);
-		REQUIRE(place);
-		CHECK(distance(ray, *place) < 1e-9);
-		CHECK_MESSAGE((is_free || glm::distance(*place, target) < 1e-6), text, " ", key);
+		const std::optional<Vector> position = position_on(ray, start.constraint);
+		REQUIRE(position);
+		CHECK(distance(ray, *position) < 1e-9);
+		CHECK_MESSAGE((is_free || glm::distance(*position, target) < 1e-6), text, " ", key);
 		const ChangeResult change = document.set_parameter("x", result->parameter, result->value);
 		REQUIRE_MESSAGE(change, text, " ", key, ": ", change.error().message);
 		const std::optional<Handle> end = find(document, "x", key);
@@ -100,12 +100,12 @@ TEST_CASE("after a drag the handle is under the mouse") {
 	}
 }
 
-TEST_CASE("what is written") {
+TEST_CASE("a drag rewrites literals, rounded to the steps") {
 	const Steps steps{ 0.1, 15.0 * DEGREE };
 	const ViewRay straight{ { 2.34, 5.0, -1.27 }, { 0.0, -1.0, 0.0 }, { 0.0, 1.0, 0.0 } };
 	CHECK(dragged("point( 1, 2,3 )", "position", straight, steps) == "point( 2.3, 2,-1.3 )");
 	CHECK(dragged("point( 1, 2,3 )", "position", straight) == "point( 2.34, 2,-1.27 )");
-	// The height on a level is not on the grid.
+	// The coordinate along the view direction is not rounded.
 	CHECK(dragged("point(1, 2.06, 3)", "position", straight, steps) == "point(2.3, 2.06, -1.3)");
 	CHECK(dragged("sphere(point(1, 2, 3), 2)", "radius", { { 2.66, 2.0, 9.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 } }, steps) == "sphere(point(1, 2, 3), 1.7)");
 	CHECK(dragged("plane(e2, 1)", "distance", through({ 0.0, -2.02, 0.0 }), steps) == "plane(e2, -2)");
@@ -116,7 +116,7 @@ TEST_CASE("what is written") {
 	CHECK(dragged("e1 + 0.5 einf + eo", "object", straight, { 1.0, 0.0 }) == "2 e1 - e3 + 2 e4 + 3 e5");
 }
 
-TEST_CASE("the one coordinate that is free") {
+TEST_CASE("the only literal coordinate of a point can be dragged") {
 	Document document;
 	REQUIRE(document.add("t", "2"));
 	REQUIRE(document.add("x", "point(t, 1, t + 1)"));
@@ -128,7 +128,7 @@ TEST_CASE("the one coordinate that is free") {
 	CHECK(document.find("x")->text == "point(t, -1.5, t + 1)");
 }
 
-TEST_CASE("a grid does not wear off the depth: planes across the view are those of the start") {
+TEST_CASE("repeated drags of a handle to one ray, with a step, give the same position") {
 	Document document;
 	REQUIRE(document.add("x", "point(1, 2, 3)"));
 	const Handle start = *find(document, "x", "position");
@@ -142,7 +142,7 @@ TEST_CASE("a grid does not wear off the depth: planes across the view are those 
 	}
 }
 
-TEST_CASE("what was taken hold of stays under the mouse") {
+TEST_CASE("the grabbed point stays under the mouse") {
 	Document document;
 	REQUIRE(document.add("x", "sphere(point(1, 2, 3), 2)"));
 	Handle start = *find(document, "x", "center");
@@ -153,20 +153,20 @@ TEST_CASE("what was taken hold of stays under the mouse") {
 	CHECK(glm::distance(*std::get_if<Vector>(&result->value), Vector(5.0, 5.8, 3.0)) < 1e-9);
 }
 
-TEST_CASE("nothing follows a ray that leads nowhere") {
+TEST_CASE("a handle does not follow a ray without a valid position") {
 	const ViewRay behind{ { 0.0, 0.0, -10.0 }, { 0.0, 0.0, -1.0 }, { 0.0, 0.0, -1.0 } };
 	for (const auto &[text, key] : { std::pair<const char *, const char *>{ "point(1, 2, 3)", "position" }, { "sphere(e1, 2)", "radius" }, { "circle(e1, e2, 2)", "normal" }, { "plane(e1, 1)", "distance" }, { "motor(e1, rotor(e1, 1), 2)", "angle" } }) {
 		CHECK(dragged(text, key, behind) == text);
 		CHECK(dragged(text, key, { {}, {}, {} }) == text);
 		CHECK(dragged(text, key, { { NAN, 0.0, 0.0 }, { NAN, 1.0, 0.0 }, { 1.0, 0.0, 0.0 } }) == text);
 	}
-	// Across the center: no radius below zero, with a grid the least of it.
+	// Beyond the center a radius would be negative. With a step, the smallest radius is the step.
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 })) == "sphere(0, 2)");
 	CHECK(dragged("sphere(0, 2)", "radius", through({ -1.0, 0.0, 0.0 }), { 0.1, 0.0 }) == "sphere(0, 0.1)");
 	CHECK(dragged("motor(0, 1, 2)", "scale", through({ -1.0, -1.0, -1.0 })) == "motor(0, 1, 2)");
 }
 
-TEST_CASE("nor what changed meanwhile") {
+TEST_CASE("a handle that no longer exists does not follow") {
 	Document document;
 	REQUIRE(document.add("x", "sphere(e1, 2)"));
 	const Handle start = *find(document, "x", "radius");
@@ -178,7 +178,7 @@ TEST_CASE("nor what changed meanwhile") {
 	CHECK_FALSE(drag(document, "x", start, through({ 3.0, 0.0, 0.0 })));
 }
 
-TEST_CASE("everything that depends on it follows") {
+TEST_CASE("dependent entries follow a drag") {
 	Document document;
 	REQUIRE(document.add("A", "point(0, 0, 0)"));
 	REQUIRE(document.add("s", "sphere(A, 1)"));

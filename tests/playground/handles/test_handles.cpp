@@ -44,7 +44,7 @@ bool is_near(const Vector &left, const Vector &right) {
 
 } // namespace
 
-TEST_CASE("which handles an expression has") {
+TEST_CASE("the handles of each constructor") {
 	CHECK(keys("point(1, 2, 3)") == "position");
 	CHECK(keys("flat_point(e1)") == "position");
 	CHECK(keys("point(k, 1, k)") == "y");
@@ -78,15 +78,15 @@ TEST_CASE("which handles an expression has") {
 	CHECK(keys("motor(e1, 1)") == "translation angle");
 }
 
-TEST_CASE("objects that are written as sums move as a whole") {
+TEST_CASE("objects written as sums of blades move as a whole") {
 	CHECK(keys("e1 + 0.5 einf + eo") == "object");
 	CHECK(is_near(handle("e2 + 0.5 einf + eo", "object").constraint.position, { 0.0, 1.0, 0.0 }));
-	const Handle plane = handle("2 e1245", "object"); // e1 ^ e2 ^ ... across e3, through the origin
+	const Handle plane = handle("2 e1245", "object"); // the plane through the origin with normal e3
 	CHECK(plane.constraint.motion == Motion::LINE);
 	CHECK(std::abs(plane.constraint.axis.z) == doctest::Approx(1.0));
 }
 
-TEST_CASE("no handles of what has no place, no value, or is computed") {
+TEST_CASE("computed entries and entries without a value or position have no handles") {
 	CHECK(keys("2.5") == "");
 	CHECK(keys("sphere(e1, -2)") == "");
 	CHECK(keys("sphere(A, k)") == "");
@@ -99,20 +99,20 @@ TEST_CASE("no handles of what has no place, no value, or is computed") {
 	CHECK(handles_of(Document(), "nothing").empty());
 }
 
-TEST_CASE("where they are, and what moves the object") {
+TEST_CASE("positions of handles, and which ones move the object") {
 	CHECK(is_near(handle("point(1, 2, 3)", "position").constraint.position, { 1.0, 2.0, 3.0 }));
 	CHECK(handle("point(1, 2, 3)", "position").moves_body);
 	CHECK_FALSE(handle("pair(e1, e2)", "a").moves_body);
 	const Handle radius = handle("sphere(A, 2)", "radius", { 0.0, 0.0, -1.0 });
 	CHECK(is_near(radius.constraint.position, { 0.0, 3.0, -2.0 }));
 	CHECK(is_near(radius.stem, { 0.0, 3.0, 0.0 }));
-	// Within the circle's plane, also where the view's right is along the normal.
+	// In the plane of the circle, even if `right` is along the normal.
 	CHECK(is_near(handle("circle(A, e2, 2)", "radius", { 0.6, 0.8, 0.0 }).constraint.position, { 2.0, 3.0, 0.0 }));
 	CHECK(handle("circle(A, e2, 2)", "radius", { 0.0, 1.0, 0.0 }).constraint.position.y == doctest::Approx(3.0));
 	CHECK(is_near(handle("circle(A, 2 e2, 2)", "normal").constraint.position, { 0.0, 4.0, 0.0 }));
 	CHECK(is_near(handle("plane(2 e3, 1.5)", "distance").constraint.position, { 0.0, 0.0, 1.5 }));
 	CHECK(is_near(handle("plane(e3, k)", "normal").constraint.position, { 0.0, 0.0, 3.0 }));
-	// Away from the origin, about which it turns.
+	// The arm points away from the origin, about which the plane rotates.
 	CHECK(is_near(handle("plane(e3, -1)", "normal").constraint.position, { 0.0, 0.0, -2.0 }));
 	CHECK(is_near(handle("line(A, e1)", "direction").constraint.position, { 1.0, 3.0, 0.0 }));
 	const char *motor = "motor(e1, rotor(e3, deg(90)), 2)";

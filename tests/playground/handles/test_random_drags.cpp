@@ -52,8 +52,8 @@ public:
 			case 1:
 				return std::pow(10.0, _any(_engine) * 60.0) * (_engine() % 2 == 0 ? 1.0 : -1.0);
 			case 2: {
-				constexpr double WILD[] = { 1e308, -1e308, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
-				return _engine() % 4 == 0 ? WILD[_engine() % 5] : 1.0;
+				constexpr double EXTREMES[] = { 1e308, -1e308, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
+				return _engine() % 4 == 0 ? EXTREMES[_engine() % 5] : 1.0;
 			}
 			default:
 				return _any(_engine) * 5.0;
@@ -69,7 +69,7 @@ private:
 
 } // namespace
 
-TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its handles a finite place") {
+TEST_CASE("for random rays, a dragged object has a finite value, and its handles finite positions") {
 	Random random;
 	int done = 0, refused = 0;
 	for (const char *text : TEXTS) {
@@ -78,7 +78,7 @@ TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its 
 		REQUIRE_MESSAGE(document.find("x")->value, std::string(text));
 		for (int i = 0; i < 1500; ++i) {
 			const std::vector<Handle> handles = handles_of(document, "x", random.vector());
-			// Dragged beyond where things are dragged to.
+			// It was dragged beyond MAX_DISTANCE.
 			if (handles.empty()) {
 				REQUIRE(document.set_expression("x", text));
 				continue;
@@ -101,6 +101,6 @@ TEST_CASE("wherever the mouse goes, what is dragged has a finite value, and its 
 			REQUIRE(document.find("x")->value->is_finite());
 		}
 	}
-	MESSAGE(done, " drags, ", refused, " that led nowhere");
+	MESSAGE(done, " drags, ", refused, " refused");
 	CHECK(done > 5000);
 }

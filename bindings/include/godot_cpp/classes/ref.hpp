@@ -19,7 +19,7 @@ class Ref {
 		ONE_MORE,
 	};
 
-	// A new object starts with a count that no reference owns; init_ref takes it over.
+	// A new object has an initial count that no reference owns; init_ref takes ownership of it.
 	Ref(T *p_object, Count p_count) :
 			_object(p_object) {
 		if (_object && p_count != ALREADY_COUNTED && !(p_count == FIRST_MAYBE ? _object->init_ref() : _object->reference())) {
@@ -88,7 +88,7 @@ struct Arg<Ref<T>> : ObjectArg<T> {
 		return Ref<T>(Object::cast_to<T>(get_binding(object)), Ref<T>::ONE_MORE);
 	}
 	static void store(void *r_result, const Ref<T> &p_value) { gdextension_interface::ref_set_object(r_result, encode(p_value)); }
-	// The engine has counted the reference that it returns.
+	// The engine has already incremented the count for the reference that it returns.
 	static Ref<T> from_result(Result p_result) { return Ref<T>(Object::cast_to<T>(get_binding(p_result)), Ref<T>::ALREADY_COUNTED); }
 	static Ref<T> from_variant(const Variant &p_variant) { return Ref<T>(p_variant); }
 };

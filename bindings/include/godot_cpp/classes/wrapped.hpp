@@ -29,7 +29,7 @@ class Wrapped {
 public:
 	GDExtensionObjectPtr _owner = nullptr;
 
-	// Whether this is an object of that class or of a derived class.
+	// True if this is an object of the class or of a derived one.
 	virtual bool _is_a(const StringName &p_class) const = 0;
 
 	template <typename T>
@@ -45,7 +45,7 @@ public:
 	static const StringName *_extension_class_name() { return nullptr; }
 
 protected:
-	// Creates the engine object, of that class, for the C++ object under construction.
+	// Creates the engine object for the C++ object under construction.
 	explicit Wrapped(const StringName &p_engine_class);
 	explicit Wrapped(GDExtensionObjectPtr p_owner) :
 			_owner(p_owner) {}
@@ -102,7 +102,7 @@ public:
 
 } // namespace godot
 
-// Starts each extension class. m_class must have a protected static void _bind_methods(), and may have
+// Begins the definition of an extension class. m_class must have a protected static void _bind_methods(), and may have
 // _notification(int) and _to_string() const. Overridden virtual methods must be public.
 #define GDCLASS(m_class, m_inherits) \
 private: \
@@ -142,7 +142,7 @@ protected: \
 \
 private:
 
-// Starts each generated class.
+// Begins the definition of a generated class.
 #define GDEXTENSION_CLASS(m_class, m_inherits) \
 	friend class ::godot::ClassDB; \
 	friend class ::godot::internal::WrapperFactory; \

@@ -40,7 +40,7 @@ struct ValueArg : ArgBase<TYPE> {
 	static T from_variant(const Variant &p_variant) { return p_variant; }
 };
 
-// Types that the engine widens: integers to 64 bits, floats to doubles.
+// Types that the engine passes in a wider type: integers as 64 bits, floats as doubles.
 template <typename T, typename WIDE, GDExtensionVariantType TYPE, GDExtensionClassMethodArgumentMetadata METADATA = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE>
 struct WideArg : ArgBase<TYPE, METADATA> {
 	using Result = WIDE;
@@ -161,7 +161,7 @@ void TypedArray<T>::set_type() {
 
 } // namespace godot
 
-// Makes an enum usable in bound methods. Place it after the enum's class, outside all namespaces, with the full name.
+// Allows an enum in bound methods. Place it after the enum's class, outside all namespaces, with the full name.
 #define VARIANT_ENUM_CAST(m_enum) \
 	namespace godot::internal { \
 	template <> \

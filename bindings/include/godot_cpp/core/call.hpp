@@ -7,12 +7,12 @@
 // Calls from here into the engine.
 namespace godot::internal {
 
-// Each looks a function of the engine up by name and by the hash of its signature, and reports one that is not there.
+// Each looks up an engine function by its name and the hash of its signature. If it does not exist, prints an error.
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash);
 GDExtensionPtrBuiltInMethod find_builtin_method(GDExtensionVariantType p_type, const char *p_method, int64_t p_hash);
 GDExtensionPtrUtilityFunction find_utility_function(const char *p_function, int64_t p_hash);
 
-// Calls p_call with pointers to the encoded arguments and to a place for the result, and returns the result.
+// Calls p_call with pointers to the encoded arguments and to memory for the result. Returns the result.
 template <typename R, typename Call, typename... Args>
 R call_encoded(Call p_call, const Args &...p_encoded) {
 	const std::array<GDExtensionConstTypePtr, sizeof...(Args) + 1> pointers = { &p_encoded..., nullptr };
@@ -25,7 +25,7 @@ R call_encoded(Call p_call, const Args &...p_encoded) {
 	}
 }
 
-// A function that the engine lacks has been reported when it was looked up; calling it does nothing.
+// If the engine does not have the function, the lookup has printed an error, and the call does nothing.
 template <typename R, typename... Args>
 R call_method(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_owner, const Args &...p_args) {
 	const auto call = [&](const GDExtensionConstTypePtr *p_pointers, GDExtensionTypePtr r_result) {

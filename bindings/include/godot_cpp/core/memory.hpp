@@ -20,8 +20,8 @@ void release(void *p_memory);
 void post_initialize(Wrapped *p_object);
 void destroy_object(Wrapped *p_object);
 
-// Names the extension class under construction to the constructor of Wrapped, which knows only the engine class. Scopes
-// nest, because an argument of a constructor may call memnew.
+// Passes the extension class under construction to the constructor of Wrapped, which knows only the engine class.
+// Scopes nest, because an argument of a constructor may call memnew.
 class Construction {
 	const StringName *_extension_class;
 	Construction *_outer;

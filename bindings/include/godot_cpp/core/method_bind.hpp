@@ -60,7 +60,7 @@ struct Signature<R (*)(Args...)> : Signature<R (Wrapped::*)(Args...)> {
 template <typename S>
 inline constexpr size_t ARGUMENT_COUNT = std::tuple_size_v<typename S::Arguments>;
 
-// Calls a method of the instance, or a static one, with the arguments that p_get returns for a type and an index.
+// Calls a method, which may be static. p_get returns the argument of a given type and index.
 template <typename M, typename Get, size_t... I>
 auto invoke(M p_method, [[maybe_unused]] GDExtensionClassInstancePtr p_instance, [[maybe_unused]] const Get &p_get, std::index_sequence<I...>) {
 	using S = Signature<M>;
@@ -107,8 +107,8 @@ protected:
 	MethodBind(const S &, const MethodDefinition &p_definition, std::vector<Variant> &&p_defaults, GDExtensionClassMethodCall p_call, GDExtensionClassMethodPtrCall p_typed_call) :
 			definition(p_definition), defaults(std::move(p_defaults)), flags(S::FLAGS), argument_count(internal::ARGUMENT_COUNT<S>), argument_types(S::TYPES), result_type(result<typename S::Result>()), call(p_call), typed_call(p_typed_call) {}
 
-	// Fills r_complete with the arguments and the defaults of those that are missing. False, with r_error set, if there
-	// are too many or too few, or one has the wrong type.
+	// Fills r_complete with the arguments, and with defaults for missing ones. Returns false and sets r_error if their
+	// number or a type is wrong.
 	bool complete_arguments(GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_args, int64_t p_count, const Variant **r_complete, GDExtensionCallError &r_error) const;
 
 private:

@@ -7,13 +7,13 @@ namespace godot {
 
 class ObjectDB {
 public:
-	// The object with that id; null if it was freed.
+	// The object with an id; null if it was freed.
 	static Object *get_instance(uint64_t p_id) { return internal::get_binding(gdextension_interface::object_get_instance_from_id(p_id)); }
 };
 
 namespace internal {
 
-// What pointers and references to objects of class T have in common. Null and freed objects pass and arrive as null.
+// The parts of Arg that pointers and references to objects of class T share. Null and freed objects convert to null.
 template <typename T>
 struct ObjectArg : ArgBase<GDEXTENSION_VARIANT_TYPE_OBJECT> {
 	static bool accepts(const Variant &p_variant) {

@@ -7,8 +7,8 @@
 
 namespace godot::internal {
 
-// Selects a constructor that leaves the memory uninitialized, for values that the engine constructs in place. A default
-// construction before that would leak.
+// Selects a constructor that leaves the memory uninitialized, for values that the engine constructs in place: these would
+// leak a default-constructed value.
 struct Uninitialized {};
 
 // A value whose destructor never runs. For static StringNames, which must not be destroyed.

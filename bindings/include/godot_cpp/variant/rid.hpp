@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// A handle of a resource in one of the engine's servers. It is not reference-counted: free it with its server.
+// A handle of a resource in one of the engine's servers. Not reference-counted: the server's free_rid() frees it.
 struct RID {
 	RID() = default;
 

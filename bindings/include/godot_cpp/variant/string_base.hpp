@@ -48,10 +48,10 @@ public:
 	using Opaque::Opaque;
 	StringNameBase() = default;
 
-	// p_static is for names that are never destroyed and whose text outlives the library.
+	// Set p_static for names that are never destroyed and whose text outlives the library.
 	StringNameBase(const char *p_latin1, bool p_static = false);
 
-	// Equal names are the same handle.
+	// Equal names have the same handle.
 	bool operator==(const StringNameBase &p_other) const { return is_same_handle(p_other); }
 	bool operator!=(const StringNameBase &p_other) const { return !is_same_handle(p_other); }
 };

@@ -29,8 +29,8 @@ namespace godot {
 
 class Object;
 
-// A value of any type. Conversions to a type it does not hold give what the engine's own conversion gives, for instance
-// 0 for a number; see get_type().
+// A value of any type. Conversions to another type than get_type() give the result of the engine's own conversion, for
+// example 0 for a number.
 class Variant {
 	alignas(8) uint8_t _opaque[24];
 
@@ -180,7 +180,7 @@ public:
 	operator PackedVector3Array() const { return convert<PackedVector3Array>(PACKED_VECTOR3_ARRAY); }
 	operator PackedColorArray() const { return convert<PackedColorArray>(PACKED_COLOR_ARRAY); }
 
-	// Null where there is no object or it has been freed.
+	// Null if this is not an object or the object has been freed.
 	operator Object *() const { return get_validated_object(); }
 	Object *get_validated_object() const;
 
@@ -210,7 +210,7 @@ private:
 	}
 };
 
-// p_text with each %s, %d and so on replaced by the next argument, as the % operator of scripts does it.
+// p_text with each placeholder (%s, %d, ...) replaced by the next argument, as by the % operator of GDScript.
 template <typename... Args>
 String vformat(const String &p_text, const Args &...p_args) {
 	return p_text % Array{ Variant(p_args)... };

@@ -2,7 +2,7 @@
 ## several methods ("arms").
 ##
 ## godot --headless --path godot_project --script res://tests/bench/engine/engine.gd --
-##     --rivals=FILE.gdextension [--sizes=50,250] [--rounds=N] [--arms=NAME,...] [--json=FILE]
+##     --baselines=FILE.gdextension [--sizes=50,250] [--rounds=N] [--arms=NAME,...] [--json=FILE]
 ##
 ## The arms take turns of several frames, in an order that is shuffled in each round. A row holds,
 ## in microseconds, the median and 95th percentile of the whole frame and of the arm's work (the
@@ -32,8 +32,8 @@ func _initialize() -> void:
 	for argument in OS.get_cmdline_user_args():
 		var value := argument.get_slice("=", 1)
 		match argument.get_slice("=", 0):
-			"--rivals":
-				_load_rivals(value)
+			"--baselines":
+				_load_baselines(value)
 			"--sizes":
 				sizes = PackedInt64Array(
 					Array(value.split(",")).map(func(size: String) -> int: return size.to_int())
@@ -50,8 +50,8 @@ func _initialize() -> void:
 	if not ClassDB.class_exists(Arms.NATIVE_CLASS):
 		printerr(
 			(
-				"The rivals in C++ are missing: build them with scons bench_engine and give "
-				+ "--rivals=FILE."
+				"The C++ baselines are missing: build them with scons bench_engine and pass "
+				+ "--baselines=FILE."
 			)
 		)
 		quit(1)
@@ -59,7 +59,7 @@ func _initialize() -> void:
 	_measure_all.call_deferred(sizes, path)
 
 
-func _load_rivals(path: String) -> void:
+func _load_baselines(path: String) -> void:
 	var status := GDExtensionManager.load_extension(path)
 	if status != GDExtensionManager.LOAD_STATUS_OK:
 		printerr("%s could not be loaded: status %d" % [path, status])
