@@ -2,6 +2,8 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
+#include <cmath>
+
 // Properties, methods and signals.
 
 namespace ga_godot {
@@ -26,6 +28,11 @@ void MotorSynchronizer::set_channel(int64_t channel) {
 	_channel = channel;
 }
 
+void MotorSynchronizer::set_blend_time(double seconds) {
+	ERR_FAIL_COND_MSG(!std::isfinite(seconds) || seconds < 0.0, vformat("MotorSynchronizer: blend_time is %f, but must be at least 0 seconds.", seconds));
+	_blend_time = seconds;
+}
+
 void MotorSynchronizer::_bind_methods() {
 	using godot::ClassDB;
 	using godot::D_METHOD;
@@ -35,7 +42,7 @@ void MotorSynchronizer::_bind_methods() {
 
 	ClassDB::bind_method(D_METHOD("set_targets", "paths"), &MotorSynchronizer::set_targets);
 	ClassDB::bind_method(D_METHOD("get_targets"), &MotorSynchronizer::get_targets);
-	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "targets", godot::PROPERTY_HINT_TYPE_STRING, vformat("%d/%d:Node3D", int64_t(Variant::NODE_PATH), int64_t(godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES))), "set_targets", "get_targets");
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "targets", godot::PROPERTY_HINT_TYPE_STRING, vformat("%d/%d:Node3D,Node2D", int64_t(Variant::NODE_PATH), int64_t(godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES))), "set_targets", "get_targets");
 	ClassDB::bind_method(D_METHOD("set_target_group", "group"), &MotorSynchronizer::set_target_group);
 	ClassDB::bind_method(D_METHOD("get_target_group"), &MotorSynchronizer::get_target_group);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "target_group"), "set_target_group", "get_target_group");
@@ -45,23 +52,29 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_channel"), &MotorSynchronizer::get_channel);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "channel", godot::PROPERTY_HINT_RANGE, "0,255,1"), "set_channel", "get_channel");
 
+	bind_property("hides", &MotorSynchronizer::set_hide_until_known, &MotorSynchronizer::is_hide_until_known, PropertyInfo(Variant::BOOL, "hide_until_known"));
+	bind_property("seconds", &MotorSynchronizer::set_blend_time, &MotorSynchronizer::get_blend_time, PropertyInfo(Variant::FLOAT, "blend_time", godot::PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
+
 	ClassDB::bind_method(D_METHOD("add_target", "node"), &MotorSynchronizer::add_target);
 	ClassDB::bind_method(D_METHOD("remove_target", "node"), &MotorSynchronizer::remove_target);
 	ClassDB::bind_method(D_METHOD("get_active_targets"), &MotorSynchronizer::get_active_targets);
 	ClassDB::bind_method(D_METHOD("teleport", "node"), &MotorSynchronizer::teleport);
+	ClassDB::bind_method(D_METHOD("free_target", "node"), &MotorSynchronizer::free_target);
 	ClassDB::bind_method(D_METHOD("get_media_time", "peer"), &MotorSynchronizer::get_media_time);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
 
 	// Callbacks of the engine's signals and monitors.
 	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
+	ClassDB::bind_method(D_METHOD("_on_physics_frame"), &MotorSynchronizer::_on_physics_frame);
 	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
 	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);
 	ClassDB::bind_method(D_METHOD("_get_monitor", "key"), &MotorSynchronizer::_get_monitor);
 
-	const PropertyInfo node(Variant::OBJECT, "node", godot::PROPERTY_HINT_NODE_TYPE, "Node3D", godot::PROPERTY_USAGE_DEFAULT, "Node3D");
+	const PropertyInfo node(Variant::OBJECT, "node", godot::PROPERTY_HINT_NODE_TYPE, "Node", godot::PROPERTY_USAGE_DEFAULT, "Node");
 	ADD_SIGNAL(MethodInfo("target_added", node));
 	ADD_SIGNAL(MethodInfo("target_removed", node));
+	ADD_SIGNAL(MethodInfo("target_ended", node));
 	ADD_SIGNAL(MethodInfo("packet_rejected", PropertyInfo(Variant::INT, "peer"), PropertyInfo(Variant::STRING, "reason")));
 }
 

@@ -1,6 +1,7 @@
 #include "godot/net/setup_warnings.hpp"
 
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/spatial_node.hpp"
 #include "godot/net/target.hpp"
 
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
@@ -14,7 +15,6 @@ namespace ga_godot {
 
 using godot::MultiplayerSynchronizer;
 using godot::Node;
-using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
 using godot::PackedStringArray;
@@ -27,9 +27,9 @@ using godot::vformat;
 
 static constexpr int64_t MAX_TARGET_FAULTS = 6;
 
-/// True if a property of a Node3D changes its pose. No other synchronizer may replicate it.
+/// True if a property of a Node3D or Node2D changes its pose. No other synchronizer may replicate it.
 static bool is_pose_property(const String &name) {
-	static constexpr const char *NAMES[] = { "transform", "position", "rotation", "rotation_degrees", "quaternion", "basis", "scale", "global_transform", "global_position", "global_rotation", "global_rotation_degrees", "global_basis" };
+	static constexpr const char *NAMES[] = { "transform", "position", "rotation", "rotation_degrees", "skew", "quaternion", "basis", "scale", "global_transform", "global_position", "global_rotation", "global_rotation_degrees", "global_basis" };
 	return std::any_of(std::begin(NAMES), std::end(NAMES), [&](const char *pose) { return name == String(pose); });
 }
 
@@ -73,7 +73,8 @@ static std::vector<ReplicatedPose> find_replicated_poses(const Node *top) {
 			const String property = String(path.get_concatenated_subnames()).get_slice(":", 0);
 			const String names = path.get_concatenated_names();
 			const Node *node = names.is_empty() ? root : root->get_node_or_null(NodePath(names));
-			if (node != nullptr && is_pose_property(property)) {
+			const bool is_replicated = config->property_get_replication_mode(path) != SceneReplicationConfig::REPLICATION_MODE_NEVER;
+			if (node != nullptr && is_replicated && is_pose_property(property)) {
 				poses.push_back({ node, property, synchronizer->get_name() });
 			}
 		}
@@ -81,11 +82,11 @@ static std::vector<ReplicatedPose> find_replicated_poses(const Node *top) {
 	return poses;
 }
 
-static void find_target_faults(const Node &synchronizer, const std::vector<const Node3D *> &nodes, PackedStringArray &faults) {
+static void find_target_faults(const Node &synchronizer, const std::vector<const Node *> &nodes, PackedStringArray &faults) {
 	const std::vector<ReplicatedPose> poses = find_replicated_poses(find_top(synchronizer));
 	const TypedArray<Node> others = synchronizer.get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
 	const int64_t max_faults = faults.size() + MAX_TARGET_FAULTS;
-	for (const Node3D *node : nodes) {
+	for (const Node *node : nodes) {
 		if (faults.size() >= max_faults) {
 			faults.push_back("Other targets have similar faults.");
 			return;
@@ -101,8 +102,8 @@ static void find_target_faults(const Node &synchronizer, const std::vector<const
 				faults.push_back(vformat("The MultiplayerSynchronizer %s also replicates %s of %s. Remove the property there.", pose.synchronizer, pose.property, node->get_name()));
 			}
 		}
-		if (node->is_class("RigidBody3D") && !bool(node->get("freeze"))) {
-			faults.push_back(vformat("%s is a RigidBody3D that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is true.", node->get_name()));
+		if ((node->is_class("RigidBody3D") || node->is_class("RigidBody2D")) && !bool(node->get("freeze"))) {
+			faults.push_back(vformat("%s is a %s that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is true.", node->get_name(), node->get_class()));
 		}
 	}
 }
@@ -112,14 +113,14 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 	if (selection.is_empty()) {
 		faults.push_back("Nothing is replicated. Assign \"targets\", set \"target_group\", or call add_target() from a script.");
 	}
-	std::vector<const Node3D *> nodes;
+	std::vector<const Node *> nodes;
 	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
-		if (const Node3D *node = find_node(synchronizer, path)) {
+		if (const Node *node = find_spatial(synchronizer, path)) {
 			nodes.push_back(node);
 		} else {
-			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D.", i, path));
+			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D or Node2D.", i, path));
 		}
 	}
 	const StringName &group = selection.group();
@@ -127,12 +128,13 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 		const size_t before = nodes.size();
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(group);
 		for (int64_t i = 0; i < members.size(); i++) {
-			if (const Node3D *node = Object::cast_to<Node3D>(members[i].get_validated_object())) {
+			const Node *node = Object::cast_to<Node>(members[i].get_validated_object());
+			if (is_spatial(node)) {
 				nodes.push_back(node);
 			}
 		}
 		if (nodes.size() == before) {
-			faults.push_back(vformat("No Node3D of this scene is in the group \"%s\". This is correct only if all of its members are spawned later.", group));
+			faults.push_back(vformat("No Node3D or Node2D of this scene is in the group \"%s\". This is correct only if all of its members are spawned later.", group));
 		}
 	}
 	find_target_faults(synchronizer, nodes, faults);
