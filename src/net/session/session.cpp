@@ -106,13 +106,13 @@ void Session::set_owner(uint32_t body, PeerId owner) {
 	count_owner(owner, 1);
 }
 
-void Session::remove_body(uint32_t body) {
+void Session::remove_body(uint32_t body, bool freed) {
 	const auto found = _owners.find(body);
 	if (found == _owners.end()) {
 		return;
 	}
 	if (found->second == _self && _sender) {
-		_sender->remove_body(body);
+		_sender->remove_body(body, freed);
 	}
 	count_owner(found->second, -1);
 	_owners.erase(found);

@@ -47,7 +47,9 @@ public:
 
 	/// Adds a body, or changes its owner.
 	void set_owner(uint32_t body, PeerId owner);
-	void remove_body(uint32_t body);
+	void remove_body(uint32_t body) { remove_body(body, false); }
+	/// Removes a body whose object is freed: peers see it up to its last pose, then Receiver::end reports BodyEnd::FREED.
+	void free_body(uint32_t body) { remove_body(body, true); }
 
 	/// Begins a tick and advances media time by `length` seconds.
 	void begin_tick(double now, double length);
@@ -93,6 +95,7 @@ public:
 
 private:
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
+	void remove_body(uint32_t body, bool freed);
 	void count_owner(PeerId owner, int change);
 	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
 	void update_streams();
