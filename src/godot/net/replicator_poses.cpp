@@ -115,11 +115,9 @@ void Replicator::sample_targets(double now) {
 void Replicator::sample(Target &target, Node *node) {
 	const Transform3D transform = local_transform(node);
 	const bool moves_in_frames = target.after_scripts(transform);
-	const bool is_unchanged = target.is_unchanged(transform);
-	const double time = _frame_clock.tick_time() - _frame_clock.lag();
-	if (is_unchanged && (!moves_in_frames || target.sampler.is_empty() || target.sampler.rests_at(time)) && _session.observe(target.body)) {
-		if (moves_in_frames && !target.sampler.is_empty()) {
-			target.sampler.add(_frame_clock.frame_time(), target.sampler.at(time));
+	if (target.is_unchanged(transform) && (!moves_in_frames || target.is_settled) && _session.observe(target.body)) {
+		if (moves_in_frames) {
+			target.sampler.extend(_frame_clock.frame_time());
 		}
 		return;
 	}
@@ -129,10 +127,13 @@ void Replicator::sample(Target &target, Node *node) {
 		return;
 	}
 	if (moves_in_frames) {
+		const double time = _frame_clock.tick_time() - _frame_clock.lag();
 		target.sampler.add(_frame_clock.frame_time(), *pose);
+		target.is_settled = target.sampler.rests_at(time);
 		pose = target.sampler.at(time);
 	} else {
 		target.sampler.clear();
+		target.is_settled = false;
 	}
 	if (_session.observe(target.body, *pose)) {
 		target.clear_fault();

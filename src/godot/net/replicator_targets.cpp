@@ -214,7 +214,7 @@ void Replicator::target_exiting(uint64_t id) {
 }
 
 void Replicator::node_renamed(const Node *renamed) {
-	const auto is_above = [renamed](const Node *below) { return below != nullptr && (renamed == below || renamed->is_ancestor_of(below)); };
+	const auto is_above = [renamed](Node *below) { return below != nullptr && (renamed == below || renamed->is_ancestor_of(below)); };
 	_are_names_stale = _are_names_stale || std::any_of(_targets.begin(), _targets.end(), [&](const Target &target) { return is_above(find_spatial(target.node)); });
 }
 

@@ -33,6 +33,7 @@ public:
 	MultivectorLerp::Mode get_mode() const { return MultivectorLerp::Mode(_settings.mode); }
 
 protected:
+	StreamProperties() { _settings.max_latency = 0.1; }
 	static bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 	static void bind_stream_properties() {

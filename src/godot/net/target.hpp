@@ -45,6 +45,7 @@ public:
 	/// Records whether the scripts of this tick moved the node. Returns true if it moves in frames instead.
 	bool after_scripts(const godot::Transform3D &transform);
 	net::FrameSampler sampler; ///< of a node that moves in frames
+	bool is_settled = false; ///< the last pose of `sampler` has been observed
 
 	/// Sets the node's transform to the one shown by its stream.
 	void place(const godot::Transform3D &transform, bool is_physics_interpolated);

@@ -55,8 +55,9 @@ BodyView::Frame BodyView::frame(const Session &session, double now) {
 		return frame;
 	}
 	if (!_has_shown && stream != nullptr) {
-		frame.pose = stream->first_known(_source.body, min_life);
-		frame.phase = frame.pose ? Phase::UNBORN : Phase::UNKNOWN;
+		const std::optional<ShownBody> first = stream->first_known(_source.body, min_life);
+		frame.pose = first ? std::optional(first->pose) : std::nullopt;
+		frame.phase = first ? Phase::UNBORN : Phase::UNKNOWN;
 	}
 	return frame;
 }

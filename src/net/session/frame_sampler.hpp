@@ -36,6 +36,8 @@ private:
 class FrameSampler {
 public:
 	void add(double time, const cga::Pose<double> &pose);
+	/// Records that the body is still at its last pose.
+	void extend(double time) { add(time, at(time)); }
 	/// The pose at `time`: between two frames interpolated, otherwise the nearest. `add` must have been called.
 	[[nodiscard]] cga::Pose<double> at(double time) const;
 	[[nodiscard]] bool is_empty() const { return _count == 0; }
