@@ -12,7 +12,7 @@
 namespace net {
 
 /// The coded form of one segment. Coordinates 0 to 2 are the translation in world axes, 3 to 5 the rotation vector in the
-/// body's axes at the start of the segment; they form the groups 0 and 1.
+/// body's axes at the start of the segment; they form the groups 0 and 1. Of a planar body, 2, 3 and 4 are zero and not coded.
 struct SegmentCode {
 	int ticks = 1;
 	bool fine = false; ///< the residuals are in units of StreamGrid::FINE instead of COARSE
@@ -87,7 +87,12 @@ public:
 
 	/// True if a pose is finite and at most 2^46 steps from the origin, with a non-zero rotation and a scale from 2^-16 to 2^16.
 	[[nodiscard]] static bool is_in_range(const cga::Pose<double> &pose, const StreamGrid &grid);
-	/// Quantizes a pose and puts the body at rest there. Returns false and changes nothing if the pose is out of range.
+	/// The pose of a planar body: `pose` projected onto the plane z = 0, with only the rotation about z.
+	[[nodiscard]] static cga::Pose<double> planar_part(const cga::Pose<double> &pose) {
+		return { cga::Vector3<double>(pose.translation.x, pose.translation.y, 0.0), cga::Quaternion<double>(pose.rotation.w, 0.0, 0.0, pose.rotation.z), pose.scale };
+	}
+	/// Quantizes a pose and puts the body at rest there. The pose of a planar body must be its own planar_part(). Returns
+	/// false and changes nothing if the pose is out of range.
 	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
 	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;
 	/// Resets velocity, curvature and the predictors' statistics: the body is at rest.
@@ -114,6 +119,10 @@ public:
 	[[nodiscard]] bool is_valid() const;
 	[[nodiscard]] uint32_t hash() const;
 
+	/// True if a coordinate of a segment is coded: all six, or of a planar body x, y and the rotation about z.
+	[[nodiscard]] bool is_coded(int coordinate) const { return !planar || coordinate < 2 || coordinate == 5; }
+
+	bool planar = false; ///< moves in the plane z = 0 and rotates about z only
 	bool active = false; ///< moved in the last window
 	bool rest_corrected = true; ///< at rest, and its last sample is matched to within a step
 
@@ -148,16 +157,24 @@ void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) cons
 	for (int group = 0; group < 2; ++group) {
 		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
 		int32_t magnitudes = 0; // sum over the preceding coordinates
-		for (int i = 0; i < 3; ++i) {
-			int32_t &value = code.residual[3 * group + i];
-			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);
+		int preceding = 0;
+		for (int i = 3 * group; i < 3 * group + 3; ++i) {
+			int32_t &value = code.residual[i];
+			if (!is_coded(i)) {
+				value = code.curvature[i] = 0;
+				continue;
+			}
+			models.residual[group].code(coder, value, preceding == 0 ? mean : (3 * mean + magnitudes * (preceding == 1 ? 256 : 128)) / 4);
 			magnitudes += std::min(std::abs(value), MeanMagnitude::MAX);
+			++preceding;
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
 		coder.bit(models.curved[group][_curved[group] ? 1 : 0], code.curved[group]);
 		for (int i = 3 * group; code.curved[group] && i < 3 * group + 3; ++i) {
-			models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
+			if (is_coded(i)) {
+				models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
+			}
 		}
 	}
 	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
@@ -171,9 +188,13 @@ void BodyState::visit(Visit &&visit) {
 	for (int64_t &value : _position) {
 		visit(value, 48);
 	}
-	visit(_rotation.dropped, 3);
-	for (int32_t &value : _rotation.level) {
-		visit(value, LatticeRotation::BITS);
+	// The dropped component is negative if the body is planar.
+	int32_t dropped = int32_t(_rotation.dropped) - (planar ? 4 : 0);
+	visit(dropped, 3);
+	planar = dropped < 0;
+	_rotation.dropped = uint8_t(dropped + (planar ? 4 : 0));
+	for (int i = planar ? 2 : 0; i < 3; ++i) {
+		visit(_rotation.level[i], LatticeRotation::BITS);
 	}
 	visit(_scale, 20);
 	visit(active, 2);
@@ -182,8 +203,10 @@ void BodyState::visit(Visit &&visit) {
 		return;
 	}
 	for (int i = 0; i < 6; ++i) {
-		visit(_velocity[i], 32);
-		visit(_curvature[i], 32);
+		if (is_coded(i)) {
+			visit(_velocity[i], 32);
+			visit(_curvature[i], 32);
+		}
 	}
 	visit(_ticks, 8);
 	visit(_scaled, 2);

@@ -106,7 +106,7 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 		body.target.visit(state_coder);
 		body.event_tick = tick;
 		body.event = Event::JUMPS;
-		if (event != WindowEvent::JUMPED || !body.target.is_valid() || body.target.active) {
+		if (event != WindowEvent::JUMPED || !body.target.is_valid() || body.target.active || body.target.planar != body.state.planar) {
 			return false;
 		}
 	}
