@@ -135,6 +135,8 @@ private:
 		PREDICTOR_COUNT
 	};
 
+	template <bool PLANAR, class Coder>
+	void code_coordinates(Coder &coder, MotionModels &models, SegmentCode &code) const;
 	[[nodiscard]] int64_t predicted_by(int predictor, int coordinate, int ticks) const;
 	[[nodiscard]] int best_predictor(int group) const;
 
@@ -153,33 +155,39 @@ private:
 
 template <class Coder>
 void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) const {
-	coder.bit(models.fine, code.fine);
-	for (int group = 0; group < 2; ++group) {
-		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
-		int32_t magnitudes = 0; // sum over the preceding coordinates
-		int preceding = 0;
-		for (int i = 3 * group; i < 3 * group + 3; ++i) {
-			int32_t &value = code.residual[i];
-			if (!is_coded(i)) {
-				value = code.curvature[i] = 0;
-				continue;
-			}
-			models.residual[group].code(coder, value, preceding == 0 ? mean : (3 * mean + magnitudes * (preceding == 1 ? 256 : 128)) / 4);
-			magnitudes += std::min(std::abs(value), MeanMagnitude::MAX);
-			++preceding;
-		}
-	}
-	for (int group = 0; group < 2; ++group) {
-		coder.bit(models.curved[group][_curved[group] ? 1 : 0], code.curved[group]);
-		for (int i = 3 * group; code.curved[group] && i < 3 * group + 3; ++i) {
-			if (is_coded(i)) {
-				models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
-			}
-		}
+	if (planar) {
+		code_coordinates<true>(coder, models, code);
+	} else {
+		code_coordinates<false>(coder, models, code);
 	}
 	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
 	if (code.scaled) {
 		models.scale.code(coder, code.scale_change, 4096);
+	}
+}
+
+template <bool PLANAR, class Coder>
+void BodyState::code_coordinates(Coder &coder, MotionModels &models, SegmentCode &code) const {
+	constexpr int BEGIN[2] = { 0, PLANAR ? 5 : 3 };
+	constexpr int END[2] = { PLANAR ? 2 : 3, 6 };
+	coder.bit(models.fine, code.fine);
+	for (int group = 0; group < 2; ++group) {
+		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
+		int32_t magnitudes = 0; // sum over the preceding coordinates
+		for (int i = 0; i < END[group] - BEGIN[group]; ++i) {
+			int32_t &value = code.residual[BEGIN[group] + i];
+			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);
+			magnitudes += std::min(std::abs(value), MeanMagnitude::MAX);
+		}
+	}
+	for (int group = 0; group < 2; ++group) {
+		coder.bit(models.curved[group][_curved[group] ? 1 : 0], code.curved[group]);
+		for (int i = BEGIN[group]; code.curved[group] && i < END[group]; ++i) {
+			models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
+		}
+	}
+	for (int i = END[0]; i < BEGIN[1]; ++i) {
+		code.residual[i] = code.curvature[i] = 0;
 	}
 }
 

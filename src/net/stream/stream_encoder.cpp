@@ -66,12 +66,14 @@ bool StreamEncoder::jump(uint32_t id) {
 }
 
 bool StreamEncoder::set_latest(Body &body, const cga::Pose<double> &pose) const {
-	const cga::Pose<double> used = body.state.planar ? BodyState::planar_part(pose) : pose;
-	if (!BodyState::is_in_range(used, _grid)) {
-		return false;
-	}
-	body.latest = { used.translation, glm::normalize(used.rotation), used.scale };
-	return true;
+	const auto set = [&body, this](const cga::Pose<double> &used) {
+		if (!BodyState::is_in_range(used, _grid)) {
+			return false;
+		}
+		body.latest = { used.translation, glm::normalize(used.rotation), used.scale };
+		return true;
+	};
+	return body.state.planar ? set(BodyState::planar_part(pose)) : set(pose);
 }
 
 bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
