@@ -51,7 +51,7 @@ public:
 			_link(link) {}
 
 	net::Session &join(PeerId id) {
-		peers[id].session.connect(id, KEY);
+		peers[id].session.connect(id);
 		update_peers();
 		return peers[id].session;
 	}
@@ -66,7 +66,7 @@ public:
 		Peer &peer = peers[id];
 		peer.session.close(local(id));
 		send(id, peer);
-		peer.session.connect(0, KEY);
+		peer.session.connect(0);
 		peer.owners.clear();
 	}
 
@@ -154,10 +154,9 @@ public:
 		return result;
 	}
 
-	static constexpr uint16_t KEY = 0xc6a1;
-
 	std::map<PeerId, Peer> peers;
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
+	bool has_planar_bodies = false; // bodies with odd numbers are planar
 	std::vector<SentPacket> sent;
 	double now = 100.0;
 	double tick = 1.0 / 60.0;
@@ -187,7 +186,7 @@ private:
 		for (const auto &[body, owner] : peer.owners) {
 			const auto path = paths.find(body);
 			if (owner == id && path != paths.end() && peer.session.is_sending()) {
-				peer.poses_rejected += peer.session.observe(body, path->second(now)) ? 0 : 1;
+				peer.poses_rejected += peer.session.observe(body, path->second(now), has_planar_bodies && body % 2 == 1) ? 0 : 1;
 			}
 		}
 		peer.session.end_tick();
@@ -241,9 +240,9 @@ inline SessionNetwork network_of_two(const LinkSettings &link = { 0.03 }) {
 }
 
 /// A session packet with the given content.
-inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}, uint16_t key = SessionNetwork::KEY) {
+inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}) {
 	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
-	net::write_envelope({ kind, key, link, net::ENVELOPE_VERSION }, bytes.data());
+	net::write_envelope({ kind, link, net::ENVELOPE_VERSION }, bytes.data());
 	bytes.insert(bytes.end(), content.begin(), content.end());
 	return bytes;
 }

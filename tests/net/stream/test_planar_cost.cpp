@@ -170,7 +170,6 @@ TEST_CASE("planar bodies: what 3D adds costs at most 0.5 bytes per second and bo
 		const double planar = stream_cost(motion, true);
 		const double spatial = stream_cost(motion, false);
 		const double flat = flat_cost(motion);
-		MESSAGE(motion.name, ", bytes per second and body: planar ", planar, ", 3D ", spatial, ", only x, y and angle ", flat);
 		CAPTURE(motion.name);
 		CHECK(planar <= flat + 0.5);
 		CHECK(planar <= spatial);
