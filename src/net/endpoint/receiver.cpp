@@ -123,7 +123,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 		return {};
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
-	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+	if (const PacketResult result = decoder.read_snapshot(_window.data() + next->bytes(), _window.size() - next->bytes()); !result) {
 		return result;
 	}
 	const bool is_earlier = double(next->tick) < _window_end;

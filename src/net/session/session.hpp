@@ -58,7 +58,8 @@ public:
 	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }
 	/// Records the pose of an owned body at this tick. Returns false if the pose is invalid: peers then see the last one.
-	bool observe(uint32_t body, const cga::Pose<double> &pose);
+	/// `planar` applies to a body without a pose in the current stream, see Sender::add_body.
+	bool observe(uint32_t body, const cga::Pose<double> &pose, bool planar = false);
 	/// Records that the body is still at its last pose. Returns false if the current stream has no pose of it yet.
 	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.
