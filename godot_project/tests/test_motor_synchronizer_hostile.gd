@@ -22,7 +22,7 @@ func test_motion_from_a_peer_without_authority() -> void:
 	_expect_rejections(
 		branches[0],
 		branches[1],
-		"Packet rejected: its sender is not the authority of any target here (",
+		"Packet rejected: the packet belongs to a stream that was not requested (",
 		300 + _captured.size()
 	)
 	# The other client is not affected.

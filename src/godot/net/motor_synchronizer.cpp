@@ -3,6 +3,7 @@
 #include "godot/net/setup_warnings.hpp"
 #include "godot/net/spatial_node.hpp"
 
+#include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/core/object.hpp>
 
 namespace ga_godot {
@@ -44,9 +45,11 @@ void MotorSynchronizer::_notification(int what) {
 			}
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			update_replicator();
-			if (_replicator != nullptr) {
-				_replicator->tick();
+			if (is_in_main_thread()) {
+				update_replicator();
+				if (_replicator != nullptr) {
+					_replicator->tick();
+				}
 			}
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
@@ -54,9 +57,11 @@ void MotorSynchronizer::_notification(int what) {
 				watch_warnings();
 				break;
 			}
-			update_replicator();
-			if (_replicator != nullptr) {
-				_replicator->frame();
+			if (is_in_main_thread()) {
+				update_replicator();
+				if (_replicator != nullptr) {
+					_replicator->frame();
+				}
 			}
 			break;
 		default:
@@ -74,6 +79,19 @@ void MotorSynchronizer::stop() {
 	leave_replicator();
 	set_physics_process_internal(false);
 	_is_running = false;
+}
+
+/// Reports once that another thread processes the node. Nothing is replicated then.
+bool MotorSynchronizer::is_in_main_thread() {
+	const godot::OS *os = godot::OS::get_singleton();
+	if (os->get_thread_caller_id() == os->get_main_thread_id()) {
+		return true;
+	}
+	if (!_is_thread_reported) {
+		_is_thread_reported = true;
+		ERR_PRINT(vformat("MotorSynchronizer %s: nothing is replicated. %s", get_path(), thread_fault(*this)));
+	}
+	return false;
 }
 
 /// Joins the replicator of the node's MultiplayerAPI, which a game may replace at any time.
@@ -194,8 +212,11 @@ godot::Variant MotorSynchronizer::_get_monitor(const godot::StringName &key) {
 
 PackedStringArray MotorSynchronizer::get_setup_warnings() const {
 	PackedStringArray warnings = is_inside_tree() ? find_setup_faults(*this, _selection) : PackedStringArray();
-	if (_replicator != nullptr) {
-		warnings.append_array(_replicator->warnings());
+	const PackedStringArray found = _replicator != nullptr ? _replicator->warnings() : PackedStringArray();
+	for (int64_t i = 0; i < found.size(); i++) {
+		if (!warnings.has(found[i])) {
+			warnings.push_back(found[i]);
+		}
 	}
 	return warnings;
 }

@@ -77,6 +77,7 @@ protected:
 private:
 	void start();
 	void stop();
+	bool is_in_main_thread();
 	void update_replicator();
 	void leave_replicator();
 	void settings_changed();
@@ -100,6 +101,7 @@ private:
 	double _blend_time = 0.15;
 	std::shared_ptr<Replicator> _replicator; // null until the first tick, and without a SceneMultiplayer
 	bool _is_api_reported = false; // an unsupported MultiplayerAPI has been reported
+	bool _is_thread_reported = false; // a sub-thread that processes the node has been reported
 	bool _is_running = false;
 	godot::PackedStringArray _shown_warnings;
 	int64_t _frames_to_check = 0;

@@ -2,6 +2,7 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/setup_warnings.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/multiplayer_peer.hpp>
@@ -131,6 +132,10 @@ void Replicator::update_settings() {
 	(void)relay;
 	if (differs) {
 		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, the smallest max_latency and the highest send_rate apply to all of them. Give them the same settings.");
+	}
+	const String fault = send_rate_fault(settings.send_rate);
+	if (!fault.is_empty()) {
+		warn("send rate", fault);
 	}
 	_settings = settings;
 	_session.set_settings(settings);

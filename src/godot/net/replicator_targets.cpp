@@ -2,6 +2,7 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/setup_warnings.hpp"
 #include "godot/net/spatial_node.hpp"
 #include "net/session/path_hash.hpp"
 
@@ -84,8 +85,13 @@ void Replicator::refresh(MotorSynchronizer *synchronizer) {
 void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
 	const String path = relative_path(node);
 	if (path.contains("@")) {
-		warn("automatic name", vformat("%s has an automatic name, which is different on each peer, so it is not replicated, nor are other nodes with such names. Set its name (and that of its parents) before add_child(), the same on all peers.", node->get_path()));
+		warn("automatic name", automatic_name_fault(*node));
 		return;
+	}
+	for (const String &fault : { thread_fault(*node), dimension_fault(*node) }) {
+		if (!fault.is_empty()) {
+			warn(to_utf8(fault), fault);
+		}
 	}
 	const uint64_t id = node->get_instance_id();
 	Target target(id, net::path_body(to_utf8(path)), synchronizer, is_node_2d(node));

@@ -4,7 +4,9 @@
 #include "godot/net/spatial_node.hpp"
 #include "godot/net/target.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
+#include <godot_cpp/classes/scene_multiplayer.hpp>
 #include <godot_cpp/classes/scene_replication_config.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -13,12 +15,14 @@
 
 namespace ga_godot {
 
+using godot::Engine;
 using godot::MultiplayerSynchronizer;
 using godot::Node;
 using godot::NodePath;
 using godot::Object;
 using godot::PackedStringArray;
 using godot::Ref;
+using godot::SceneMultiplayer;
 using godot::SceneReplicationConfig;
 using godot::String;
 using godot::StringName;
@@ -82,6 +86,57 @@ static std::vector<ReplicatedPose> find_replicated_poses(const Node *top) {
 	return poses;
 }
 
+String automatic_name_fault(const Node &node) {
+	return vformat("%s has an automatic name, which is different on each peer, so it is not replicated, nor are other nodes with such names. Set its name (and that of its parents) before add_child(), the same on all peers.", node.get_path());
+}
+
+/// True if the names that identify the node on all peers, those below the MultiplayerAPI's root, include an automatic one.
+static bool has_automatic_name(const Node &synchronizer, const Node *node) {
+	const Ref<SceneMultiplayer> api = synchronizer.is_part_of_edited_scene() ? Ref<SceneMultiplayer>() : Ref<SceneMultiplayer>(synchronizer.get_multiplayer());
+	const Node *root = api.is_valid() ? synchronizer.get_node_or_null(api->get_root_path()) : find_top(synchronizer);
+	for (const Node *named = node; named != nullptr && named != root; named = named->get_parent()) {
+		if (String(named->get_name()).contains("@")) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/// The node itself or the parent whose process group runs `node` in a sub-thread; null if the main thread runs it.
+static const Node *find_thread_group(const Node *node) {
+	while (node != nullptr && node->get_process_thread_group() == Node::PROCESS_THREAD_GROUP_INHERIT) {
+		node = node->get_parent();
+	}
+	return node != nullptr && node->get_process_thread_group() == Node::PROCESS_THREAD_GROUP_SUB_THREAD ? node : nullptr;
+}
+
+String thread_fault(const Node &node) {
+	const Node *group = find_thread_group(&node);
+	return group == nullptr ? String() : vformat("%s runs in a sub-thread, where the engine refuses multiplayer calls such as is_multiplayer_authority(). Set process_thread_group of %s to Main Thread.", node.get_name(), group->get_name());
+}
+
+String dimension_fault(const Node &node) {
+	const Node *parent = node.get_parent();
+	if (!is_spatial(parent) || is_node_2d(parent) == is_node_2d(&node)) {
+		return String();
+	}
+	return vformat("%s is a %s below %s, a %s, which does not move it. Give it a parent of its own kind, or a Node.", node.get_name(), is_node_2d(&node) ? "Node2D" : "Node3D", parent->get_name(), is_node_2d(parent) ? "Node2D" : "Node3D");
+}
+
+String send_rate_fault(double send_rate) {
+	const int64_t ticks = Engine::get_singleton()->get_physics_ticks_per_second();
+	if (send_rate <= double(ticks)) {
+		return String();
+	}
+	return vformat("send_rate is %s Hz, but there are only %d physics ticks per second, and motion is sent at most once per tick. Reduce send_rate or raise Engine.physics_ticks_per_second.", String::num(send_rate, 3), ticks);
+}
+
+static void add_fault(PackedStringArray &faults, const String &fault) {
+	if (!fault.is_empty()) {
+		faults.push_back(fault);
+	}
+}
+
 static void find_target_faults(const Node &synchronizer, const std::vector<const Node *> &nodes, PackedStringArray &faults) {
 	const std::vector<ReplicatedPose> poses = find_replicated_poses(find_top(synchronizer));
 	const TypedArray<Node> others = synchronizer.get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
@@ -91,6 +146,11 @@ static void find_target_faults(const Node &synchronizer, const std::vector<const
 			faults.push_back("Other targets have similar faults.");
 			return;
 		}
+		if (has_automatic_name(synchronizer, node)) {
+			faults.push_back(automatic_name_fault(*node));
+		}
+		add_fault(faults, thread_fault(*node));
+		add_fault(faults, dimension_fault(*node));
 		for (int64_t i = 0; i < others.size(); i++) {
 			const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
 			if (other != nullptr && other != &synchronizer && other->selects(node)) {
@@ -108,11 +168,13 @@ static void find_target_faults(const Node &synchronizer, const std::vector<const
 	}
 }
 
-PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelection &selection) {
+PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const TargetSelection &selection) {
 	PackedStringArray faults;
 	if (selection.is_empty()) {
 		faults.push_back("Nothing is replicated. Assign \"targets\", set \"target_group\", or call add_target() from a script.");
 	}
+	add_fault(faults, thread_fault(synchronizer));
+	add_fault(faults, send_rate_fault(synchronizer.get_send_rate()));
 	std::vector<const Node *> nodes;
 	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
@@ -135,6 +197,12 @@ PackedStringArray find_setup_faults(const Node &synchronizer, const TargetSelect
 		}
 		if (nodes.size() == before) {
 			faults.push_back(vformat("No Node3D or Node2D of this scene is in the group \"%s\". This is correct only if all of its members are spawned later.", group));
+		}
+	}
+	for (const uint64_t id : selection.added()) {
+		const Node *node = find_spatial(id);
+		if (node != nullptr && node->is_inside_tree()) {
+			nodes.push_back(node);
 		}
 	}
 	find_target_faults(synchronizer, nodes, faults);

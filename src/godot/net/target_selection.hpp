@@ -18,6 +18,8 @@ public:
 	[[nodiscard]] const godot::TypedArray<godot::NodePath> &paths() const { return _paths; }
 	void set_group(const godot::StringName &group);
 	[[nodiscard]] const godot::StringName &group() const { return _group; }
+	/// Instance ids of the nodes that add() has selected, freed ones included.
+	[[nodiscard]] const std::vector<uint64_t> &added() const { return _added; }
 	void add(uint64_t node);
 	void remove(uint64_t node);
 
