@@ -30,9 +30,9 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar) {
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
 	if (_encoder) {
-		return _encoder->add_body(id, ticks(_time), pose, planar);
+		return _encoder->add_body(id, ticks(time.value_or(_time)), pose, planar);
 	}
 	IdleBody body;
 	body.planar = planar;

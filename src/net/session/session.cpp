@@ -131,7 +131,7 @@ void Session::begin_tick(double now, double length) {
 }
 
 bool Session::observe(uint32_t body, const cga::Pose<double> &pose, bool planar) {
-	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar))) {
+	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar, time()))) {
 		return false;
 	}
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
