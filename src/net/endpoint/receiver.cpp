@@ -20,6 +20,8 @@ constexpr double RESTART_SILENCE = 1.0;
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+/// Minimum size of a fragment of a snapshot, except the last.
+constexpr size_t MIN_FRAGMENT_BYTES = 200;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
@@ -86,7 +88,7 @@ void Receiver::count_loss(uint8_t number, double now) {
 }
 
 PacketResult Receiver::check_fragments() const {
-	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / Snapshot::FRAGMENT_BYTES + 1;
+	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
 		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;

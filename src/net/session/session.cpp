@@ -33,6 +33,7 @@ void Session::connect(PeerId self) {
 	_connected.clear();
 	_owners.clear();
 	_owned = 0;
+	_size_limit = StreamSettings::MAX_PACKET_SIZE;
 	_sender.reset();
 	_self = self;
 }
@@ -74,8 +75,27 @@ void Session::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	_settings.tick = tick;
 	if (_sender) {
-		_sender->set_settings(_settings);
+		_sender->set_settings(sender_settings());
 	}
+}
+
+StreamSettings Session::sender_settings() const {
+	StreamSettings settings = _settings;
+	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
+	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER;
+	return settings;
+}
+
+size_t Session::packet_refused(PeerId peer, size_t size) {
+	const size_t limit = std::max(size / 4 * 3, StreamSettings::MIN_PACKET_SIZE);
+	if (has_peer(peer) && size > StreamSettings::MIN_PACKET_SIZE) {
+		_size_limit = std::min(limit, _size_limit);
+		if (_sender) {
+			_sender->set_settings(sender_settings());
+			_sender->resend_all(uint32_t(peer));
+		}
+	}
+	return sender_settings().max_packet_size + ENVELOPE_BYTES + ENGINE_HEADER;
 }
 
 void Session::set_margin_limits(double min, double max) {
@@ -123,7 +143,7 @@ void Session::begin_tick(double now, double length) {
 		_tick = 0;
 		_settings.tick = length;
 		if (_sender) {
-			_sender->set_settings(_settings);
+			_sender->set_settings(sender_settings());
 		}
 	}
 	start_requested(); // with media time before this tick, so that this tick is sent at once
@@ -209,7 +229,7 @@ void Session::start_requested() {
 
 void Session::start_stream(PeerId id, Peer &peer) {
 	if (!_sender) {
-		_sender.emplace(_settings);
+		_sender.emplace(sender_settings());
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));

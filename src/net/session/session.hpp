@@ -40,8 +40,13 @@ public:
 	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
-	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
+	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
 	void set_settings(const StreamSettings &settings);
+	static constexpr size_t ENGINE_HEADER = 12;
+	/// Reports that the transport refused a packet of `size` bytes to a peer because it is too large. Reduces the maximum packet size
+	/// to three quarters of that, but not below StreamSettings::MIN_PACKET_SIZE, until the session connects again. Returns it.
+	size_t packet_refused(PeerId peer, size_t size);
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
@@ -98,6 +103,7 @@ public:
 private:
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
+	[[nodiscard]] StreamSettings sender_settings() const;
 	void request_stream(Peer &peer);
 	void end_stream(Peer &peer);
 	void accept_open(PeerId id, Peer &peer, uint8_t link, double now);
@@ -114,6 +120,7 @@ private:
 	void count_unauthorized(PeerId id, Peer &peer);
 
 	StreamSettings _settings;
+	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
