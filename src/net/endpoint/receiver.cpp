@@ -87,13 +87,18 @@ void Receiver::count_loss(uint8_t number, double now) {
 	}
 }
 
-PacketResult Receiver::check_fragments() const {
-	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / MIN_FRAGMENT_BYTES + 1;
+PacketResult Receiver::check_fragments() {
+	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
+	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
 		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
+			return PacketError::TOO_MANY_BODIES;
+		}
+		if (_fragments.belongs(fragment) && _fragments.size() + fragment.size > max_bytes) {
+			_refused_size = _max_bodies + 1;
 			return PacketError::TOO_MANY_BODIES;
 		}
 	}
@@ -126,12 +131,14 @@ PacketResult Receiver::finish_snapshot(double now) {
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
 	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;
 		return result;
 	}
 	const bool is_earlier = double(next->tick) < _window_end;
 	const bool continues = is_ready() && next->settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next->tick) >= _window_end - MAX_TICKS));
 	_header = *next;
 	_decoder = std::move(decoder);
+	_refused_size = 0;
 	_window_end = double(next->tick);
 	_snapshot_done = true;
 	_last_snapshot = _fragments.number();

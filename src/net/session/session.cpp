@@ -206,10 +206,21 @@ void Session::end_stream(Peer &peer) {
 	}
 }
 
+/// Closes a stream with too many bodies and requests it again later.
+void Session::refuse_stream(PeerId id, Peer &peer) {
+	const size_t size = peer.stream->stream_size();
+	send_close(id, peer, peer.link, CloseRole::RECEIVER);
+	end_stream(peer);
+	request_stream(peer);
+	peer.refused_size = size;
+	peer.open.restart(_now + peer.refusal_pause);
+	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
+}
+
 void Session::accept_open(PeerId id, Peer &peer, uint8_t link, double now) {
 	if (peer.requested != link) {
 		peer.requested = link;
-		if (stream(id) == nullptr) {
+		if (stream(id) == nullptr && peer.refused_size == 0) {
 			// The peer's session may be newer than our last request.
 			peer.open.restart(now);
 		}
@@ -288,6 +299,14 @@ const Receiver *Session::stream(PeerId peer) const {
 	return found != _peers.end() && found->second.stream && found->second.stream->is_ready() ? &*found->second.stream : nullptr;
 }
 
+size_t Session::stream_size(PeerId peer) const {
+	const auto found = _peers.find(peer);
+	if (found == _peers.end()) {
+		return 0;
+	}
+	return found->second.stream && found->second.stream->is_ready() ? found->second.stream->stream_size() : found->second.refused_size;
+}
+
 double Session::media_time(PeerId peer) const {
 	if (peer == _self) {
 		return _sender ? _sender->media_time(time()) : 0.0;
@@ -329,7 +348,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
-		result = accept_motion(peer, envelope->link, bytes, size, now);
+		result = accept_motion(id, peer, envelope->link, bytes, size, now);
 	} else {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
@@ -339,7 +358,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	}
 }
 
-PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	if (peer.link != link) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
@@ -348,8 +367,14 @@ PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *byt
 		peer.stream->set_margin_limits(_min_margin, _max_margin);
 	}
 	const PacketResult result = peer.stream->accept(bytes, size, now);
-	if (result) {
+	if (peer.stream->is_refused()) {
+		refuse_stream(id, peer);
+	} else if (result) {
 		peer.open.restart(now + SILENCE);
+		if (peer.stream->is_ready()) {
+			peer.refused_size = 0;
+			peer.refusal_pause = Repetition::FIRST;
+		}
 	}
 	return result;
 }

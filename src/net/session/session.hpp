@@ -75,6 +75,9 @@ public:
 	void advance(double now);
 	/// The incoming stream of a peer; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
+	/// Number of bodies in the incoming stream of a peer. A stream of more than MAX_BODIES is refused, and requested again after pauses
+	/// of 0.25 to 30 s.
+	[[nodiscard]] size_t stream_size(PeerId peer) const;
 	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
 
@@ -106,6 +109,7 @@ private:
 	[[nodiscard]] StreamSettings sender_settings() const;
 	void request_stream(Peer &peer);
 	void end_stream(Peer &peer);
+	void refuse_stream(PeerId id, Peer &peer);
 	void accept_open(PeerId id, Peer &peer, uint8_t link, double now);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
@@ -114,7 +118,7 @@ private:
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
-	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void count_unauthorized(PeerId id, Peer &peer);
