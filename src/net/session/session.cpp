@@ -15,6 +15,8 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
 /// to their end.
 constexpr double LINGER = 2.0;
+/// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
+constexpr double MAX_STEP = 0.25;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
@@ -24,6 +26,11 @@ uint8_t next_link(double now) {
 }
 
 } // namespace
+
+void Session::set_now(double now) {
+	_running_time += std::clamp(now - _now, 0.0, MAX_STEP);
+	_now = now;
+}
 
 void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
@@ -43,7 +50,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	if (peers == _connected) {
 		return left;
 	}
-	_now = now;
+	set_now(now);
 	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
 	for (const PeerId id : left) {
@@ -61,7 +68,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 }
 
 void Session::close(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.subscribed) {
 			send_close(id, peer, peer.subscription, CloseRole::SENDER);
@@ -136,7 +143,7 @@ void Session::remove_body(uint32_t body, bool freed) {
 }
 
 void Session::begin_tick(double now, double length) {
-	_now = _tick_time = now;
+	set_now(now);
 	if (length != _settings.tick) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
@@ -171,7 +178,7 @@ void Session::end_tick() {
 }
 
 void Session::send_motion() {
-	_sender->flush(time());
+	_sender->flush(time(), _running_time);
 	for (const OutgoingPacket &packet : _sender->packets()) {
 		Peer &peer = _peers[PeerId(packet.receiver)];
 		send(PeerId(packet.receiver), peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
@@ -249,7 +256,7 @@ void Session::start_stream(PeerId id, Peer &peer) {
 	peer.subscribed = true;
 	peer.subscription = *peer.requested;
 	peer.subscribed_at = _now;
-	_sender->add_receiver(uint32_t(id), time());
+	_sender->add_receiver(uint32_t(id), time(), _running_time);
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
@@ -265,7 +272,7 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 }
 
 void Session::advance(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
@@ -335,7 +342,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (!envelope || found == _peers.end()) {
 		return;
 	}
-	_now = now;
+	set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;
@@ -383,9 +390,7 @@ PacketResult Session::accept_ack(PeerId id, const Peer &peer, uint8_t link, cons
 	if (!peer.is_subscribed(link)) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
-	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
-	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
-	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
+	return _sender->accept(uint32_t(id), bytes, size, _running_time);
 }
 
 PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
