@@ -100,6 +100,12 @@ public:
 		events.swap(_events);
 	}
 
+	/// Number of bodies in the stream. Of a stream with more than max_bodies, whose snapshot was rejected, the number that the snapshot
+	/// declared, or max_bodies + 1 if it is larger than any snapshot may be.
+	[[nodiscard]] size_t stream_size() const { return _refused_size > 0 ? _refused_size : (_decoder ? _decoder->body_count() : 0); }
+	/// True if the last snapshot was rejected because it has more than max_bodies bodies.
+	[[nodiscard]] bool is_refused() const { return _refused_size > 0; }
+
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
 	void set_margin_limits(double min, double max);
@@ -115,7 +121,7 @@ private:
 	};
 
 	void count_loss(uint8_t number, double now);
-	PacketResult check_fragments() const;
+	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
 	void show_snapshot(bool continues);
@@ -131,6 +137,7 @@ private:
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
+	size_t _refused_size = 0; // bodies in the last snapshot, if there were too many
 	PacketContent _content;
 	ChunkBuffer _chunks;
 	std::optional<StreamDecoder> _decoder; // set by the first snapshot
