@@ -28,12 +28,25 @@ class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynch
 	friend class PlaybackProperties<MotorSynchronizer>;
 
 public:
+	enum LatencyPreset {
+		LATENCY_CUSTOM,
+		LATENCY_RESPONSIVE,
+		LATENCY_BALANCED,
+		LATENCY_ECONOMICAL,
+	};
+
 	MotorSynchronizer();
 
 	void set_targets(const godot::TypedArray<godot::NodePath> &paths);
 	godot::TypedArray<godot::NodePath> get_targets() const { return _selection.paths(); }
 	void set_target_group(const godot::StringName &group);
 	godot::StringName get_target_group() const { return _selection.group(); }
+	void set_latency_preset(LatencyPreset preset);
+	LatencyPreset get_latency_preset() const;
+	void set_position_tolerance_2d(double pixels) { set_positive(_settings.position_tolerance_2d, pixels, "position_tolerance_2d", "pixels"); }
+	double get_position_tolerance_2d() const { return _settings.position_tolerance_2d; }
+	void set_relay(bool relays) { change(_relay, relays); }
+	bool is_relay() const { return _relay; }
 	void set_channel(int64_t channel);
 	int64_t get_channel() const { return _channel; }
 	void set_hide_until_known(bool hides) { _hide_until_known = hides; }
@@ -77,9 +90,12 @@ private:
 	void _on_target_exiting(int64_t id);
 	void _on_node_renamed(const godot::Variant &node);
 	godot::Variant _get_monitor(const godot::StringName &key);
+	// Called by the inspector.
+	godot::PackedStringArray _get_linked_undo_properties(const godot::String &property, const godot::Variant &value) const;
 
 	TargetSelection _selection;
 	int64_t _channel = 0;
+	bool _relay = false;
 	bool _hide_until_known = true;
 	double _blend_time = 0.15;
 	std::shared_ptr<Replicator> _replicator; // null until the first tick, and without a SceneMultiplayer
@@ -90,3 +106,5 @@ private:
 };
 
 } // namespace ga_godot
+
+VARIANT_ENUM_CAST(ga_godot::MotorSynchronizer::LatencyPreset);
