@@ -159,12 +159,14 @@ void Replicator::tick() {
 		refresh(synchronizer);
 	}
 	if (_session.peers().empty()) {
+		end_freed_bodies();
 		remove_departed();
 		return;
 	}
 	_session.begin_tick(now, length);
 	sample_targets(now);
 	_session.end_tick();
+	end_freed_bodies();
 	remove_departed();
 	send_packets();
 }

@@ -93,6 +93,8 @@ private:
 	void sample(Target &target, godot::Node *node);
 	void observe_departed();
 	void remove_departed();
+	void end_freed_bodies();
+	[[nodiscard]] cga::Pose<double> to_stream(cga::Pose<double> pose, bool is_2d) const;
 	void change_authority(Target &target, int32_t authority, double now);
 	void show_streams(double now);
 	void show(Target &target, godot::Node *node, double now);

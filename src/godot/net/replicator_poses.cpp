@@ -31,6 +31,18 @@ static constexpr double MAX_HIDDEN = 1.0;
 static constexpr double CHECK_INTERVAL = 0.5;
 static constexpr double MAX_ABSENT = 2.0;
 
+/// A pose in the units of the stream. Those of a Node2D are pixels.
+cga::Pose<double> Replicator::to_stream(cga::Pose<double> pose, bool is_2d) const {
+	pose.translation *= is_2d ? _settings.planar_unit() : 1.0;
+	return pose;
+}
+
+/// The transform of a pose in a stream with `settings`.
+static Transform3D from_stream(cga::Pose<double> pose, bool is_2d, const net::StreamSettings &settings) {
+	pose.translation *= is_2d ? 1.0 / settings.planar_unit() : 1.0;
+	return to_godot(pose);
+}
+
 /// `transform`, which is relative to the node `from`, relative to the node `to`.
 static Transform3D change_parent(const Transform3D &transform, const Node *from, const Node *to) {
 	if (from == to) {
@@ -60,6 +72,7 @@ void Replicator::change_authority(Target &target, int32_t authority, double now)
 	}
 	if (authority == _session.self()) {
 		target.release();
+		target.view = net::BodyView();
 	}
 	target.authority = authority;
 	target.forget_transform();
@@ -97,6 +110,7 @@ void Replicator::before_scripts() {
 
 void Replicator::sample_targets(double now) {
 	observe_departed();
+	bool has_frame_motion = false;
 	for (Target &target : _targets) {
 		Node *node = find_spatial(target.node);
 		if (node == nullptr) {
@@ -108,7 +122,11 @@ void Replicator::sample_targets(double now) {
 		}
 		if (authority == _session.self() && _session.is_sending()) {
 			sample(target, node);
+			has_frame_motion = has_frame_motion || !target.sampler.is_empty();
 		}
+	}
+	if (!has_frame_motion) {
+		_frame_clock.settle();
 	}
 }
 
@@ -135,7 +153,7 @@ void Replicator::sample(Target &target, Node *node) {
 		target.sampler.clear();
 		target.is_settled = false;
 	}
-	if (_session.observe(target.body, *pose)) {
+	if (_session.observe(target.body, to_stream(*pose, target.is_2d), target.is_2d)) {
 		target.clear_fault();
 	} else {
 		target.report_out_of_range();
@@ -155,7 +173,8 @@ void Replicator::observe_departed() {
 		}
 		const PoseResult pose = nearest_pose_from_transform(change_parent(local_transform(node), node->get_parent(), parent));
 		if (pose) {
-			(void)_session.observe(departed.body, *pose);
+			const bool is_2d = is_node_2d(node);
+			(void)_session.observe(departed.body, to_stream(*pose, is_2d), is_2d);
 		}
 	}
 }
@@ -182,7 +201,10 @@ void Replicator::show(Target &target, Node *node, double now) {
 	const net::BodyView::Frame frame = target.view.frame(_session, now);
 	const Node *parent = node->get_parent();
 	const Node *previous_parent = target.previous_parent != 0 ? Object::cast_to<Node>(ObjectDB::get_instance(target.previous_parent)) : parent;
-	const auto from_previous = [&](const cga::Pose<double> &pose) { return change_parent(to_godot(pose), previous_parent, parent); };
+	const net::Receiver *stream = _session.stream(target.authority);
+	const net::StreamSettings &settings = stream != nullptr ? stream->settings() : _settings;
+	const auto to_transform = [&](const cga::Pose<double> &pose) { return from_stream(pose, target.is_2d, settings); };
+	const auto from_previous = [&](const cga::Pose<double> &pose) { return change_parent(to_transform(pose), previous_parent, parent); };
 	const bool is_interpolated = node->get_tree()->is_physics_interpolation_enabled();
 	switch (frame.phase) {
 		case Phase::UNKNOWN:
@@ -193,7 +215,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 			}
 			break;
 		case Phase::UNBORN:
-			target.place(to_godot(*frame.pose), is_interpolated);
+			target.place(to_transform(*frame.pose), is_interpolated);
 			target.reveal();
 			break;
 		case Phase::PREVIOUS:
@@ -203,7 +225,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 			}
 			break;
 		case Phase::CURRENT: {
-			const Transform3D transform = to_godot(*frame.pose);
+			const Transform3D transform = to_transform(*frame.pose);
 			if (frame.begins && had_shown) {
 				const Transform3D from = frame.previous_pose && previous_parent != nullptr ? from_previous(*frame.previous_pose) : local_transform(node);
 				target.begin_blend(from, transform, now);
@@ -215,6 +237,9 @@ void Replicator::show(Target &target, Node *node, double now) {
 		case Phase::ENDED:
 			if (!target.is_ended) {
 				target.is_ended = true;
+				if (frame.pose) {
+					target.place(to_transform(*frame.pose), is_interpolated);
+				}
 				set_shown(node, false);
 				target.synchronizer->emit_signal("target_ended", node);
 			}

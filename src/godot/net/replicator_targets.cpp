@@ -226,19 +226,27 @@ void Replicator::node_renamed(const Node *renamed) {
 
 void Replicator::free_target(Target &target) {
 	Node *node = find_spatial(target.node);
-	MotorSynchronizer *synchronizer = target.synchronizer;
-	_session.free_body(target.body);
-	_node_of_body.erase(target.body);
-	node->disconnect("tree_exiting", Callable(synchronizer, "_on_target_exiting"));
-	_targets.erase(_targets.begin() + (&target - _targets.data()));
-	index_targets();
-	synchronizer->selection().remove(node->get_instance_id());
+	target.is_freed = true;
 	set_shown(node, false);
 	node->set_process_mode(Node::PROCESS_MODE_DISABLED);
 	const double now = clock_seconds();
-	const double delay = _settings.max_latency + synchronizer->get_jitter_allowance() + _session.total_statistics(now).round_trip;
-	_freed.push_back({ node->get_instance_id(), now + delay + FREE_MARGIN });
-	synchronizer->emit_signal("target_removed", node);
+	const double delay = _settings.max_latency + target.synchronizer->get_jitter_allowance() + _session.total_statistics(now).round_trip;
+	_freed.push_back({ target.node, now + delay + FREE_MARGIN });
+}
+
+/// Ends the bodies of nodes that free_target ends, after their last pose has been observed.
+void Replicator::end_freed_bodies() {
+	for (size_t i = _targets.size(); i-- > 0;) {
+		if (!_targets[i].is_freed) {
+			continue;
+		}
+		const Target target = _targets[i];
+		_session.free_body(target.body);
+		_node_of_body.erase(target.body);
+		end_target(i);
+		target.synchronizer->selection().remove(target.node);
+		target.synchronizer->emit_signal("target_removed", find_spatial(target.node));
+	}
 }
 
 void Replicator::free_ended(double now) {

@@ -27,6 +27,7 @@ public:
 	int32_t authority = 0; ///< 0 until the first tick
 	net::BodyView view; ///< what is shown while another peer has the authority
 	uint64_t previous_parent = 0; ///< instance id of the parent in whose space the view's old source is
+	bool is_freed = false; ///< free_target was called: the target ends after this tick's pose
 	bool is_ended = false; ///< target_ended has been emitted
 
 	/// Forgets the last transform, so that the next one counts as changed.

@@ -70,7 +70,7 @@ private:
 	double _packet_time = 0.0;
 	double _packet_interval = 0.1; // moving average
 	double _silence_end = -1e9; // when a packet last arrived after unusual silence
-	bool _is_silence_over = false; // the packets of this instant are the first after unusual silence
+	bool _is_silence_rare = false; // the last silence was the first in a long time
 };
 
 } // namespace net

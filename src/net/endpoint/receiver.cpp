@@ -20,6 +20,8 @@ constexpr double RESTART_SILENCE = 1.0;
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+/// Minimum size of a fragment of a snapshot, except the last.
+constexpr size_t MIN_FRAGMENT_BYTES = 200;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
@@ -85,13 +87,18 @@ void Receiver::count_loss(uint8_t number, double now) {
 	}
 }
 
-PacketResult Receiver::check_fragments() const {
-	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / Snapshot::FRAGMENT_BYTES + 1;
+PacketResult Receiver::check_fragments() {
+	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
+	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
 		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
+			return PacketError::TOO_MANY_BODIES;
+		}
+		if (_fragments.belongs(fragment) && _fragments.size() + fragment.size > max_bytes) {
+			_refused_size = _max_bodies + 1;
 			return PacketError::TOO_MANY_BODIES;
 		}
 	}
@@ -124,12 +131,14 @@ PacketResult Receiver::finish_snapshot(double now) {
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
 	if (const PacketResult result = decoder.read_snapshot(_window.data() + next->bytes(), _window.size() - next->bytes()); !result) {
+		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;
 		return result;
 	}
 	const bool is_earlier = double(next->tick) < _window_end;
 	const bool continues = is_ready() && next->settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next->tick) >= _window_end - MAX_TICKS));
 	_header = *next;
 	_decoder = std::move(decoder);
+	_refused_size = 0;
 	_window_end = double(next->tick);
 	_snapshot_done = true;
 	_last_snapshot = _fragments.number();
@@ -196,7 +205,8 @@ void Receiver::add(MotionTrack &track, BodyMotion &motion) {
 	const bool is_new = motion.appears && !motion.jumps;
 	motion.life = track.life();
 	if (motion.life != 0 && (is_new || motion.vanishes)) {
-		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin };
+		const BodyMotion *last = track.motion_at(motion.segment.begin);
+		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin, last != nullptr ? std::optional(last->segment.pose_at(motion.segment.begin)) : std::nullopt };
 		if (_ends.size() > MAX_ENDS) {
 			_ends.erase(_ends.begin());
 		}
@@ -319,6 +329,11 @@ std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) c
 BodyEnd Receiver::end(uint32_t id, uint64_t life) const {
 	const auto found = _ends.find(life);
 	return found != _ends.end() && found->second.id == id && found->second.tick <= media_time() / tick() ? found->second.kind : BodyEnd::NONE;
+}
+
+std::optional<cga::Pose<double>> Receiver::last_pose(uint32_t id, uint64_t life) const {
+	const auto found = _ends.find(life);
+	return found != _ends.end() && found->second.id == id ? found->second.pose : std::nullopt;
 }
 
 uint64_t Receiver::life_at_known_end(uint32_t id) const {

@@ -88,6 +88,8 @@ public:
 	/// otherwise NONE.
 	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life) const;
 	static constexpr double END_MEMORY = 2.0;
+	/// The last pose of a life that has ended (see `end`).
+	[[nodiscard]] std::optional<cga::Pose<double>> last_pose(uint32_t id, uint64_t life) const;
 	/// The life of the body at known_time(); 0 if it does not exist then.
 	[[nodiscard]] uint64_t life_at_known_end(uint32_t id) const;
 	/// Ids of the bodies shown.
@@ -97,6 +99,12 @@ public:
 		events.clear();
 		events.swap(_events);
 	}
+
+	/// Number of bodies in the stream. Of a stream with more than max_bodies, whose snapshot was rejected, the number that the snapshot
+	/// declared, or max_bodies + 1 if it is larger than any snapshot may be.
+	[[nodiscard]] size_t stream_size() const { return _refused_size > 0 ? _refused_size : (_decoder ? _decoder->body_count() : 0); }
+	/// True if the last snapshot was rejected because it has more than max_bodies bodies.
+	[[nodiscard]] bool is_refused() const { return _refused_size > 0; }
 
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
@@ -109,10 +117,11 @@ private:
 		uint32_t id;
 		BodyEnd kind;
 		double tick;
+		std::optional<cga::Pose<double>> pose; // the last one
 	};
 
 	void count_loss(uint8_t number, double now);
-	PacketResult check_fragments() const;
+	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
 	void show_snapshot(bool continues);
@@ -128,6 +137,7 @@ private:
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
+	size_t _refused_size = 0; // bodies in the last snapshot, if there were too many
 	PacketContent _content;
 	ChunkBuffer _chunks;
 	std::optional<StreamDecoder> _decoder; // set by the first snapshot

@@ -30,9 +30,9 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar) {
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
 	if (_encoder) {
-		return _encoder->add_body(id, ticks(_time), pose, planar);
+		return _encoder->add_body(id, ticks(time.value_or(_time)), pose, planar);
 	}
 	IdleBody body;
 	body.planar = planar;
@@ -68,10 +68,11 @@ bool Sender::observe(uint32_t id, double time) {
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
 }
 
-void Sender::add_receiver(uint32_t receiver, double time) {
+void Sender::add_receiver(uint32_t receiver, double time, double now) {
 	begin_at(time);
+	_now = now;
 	_peers.erase(receiver);
-	_peers.emplace(receiver, Peer{ Delivery(time) });
+	_peers.emplace(receiver, Peer{ Delivery(now) });
 }
 
 void Sender::remove_receiver(uint32_t receiver) {
@@ -102,7 +103,7 @@ void Sender::start_encoder() {
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
-		peer.second.delivery = Delivery(_time);
+		peer.second.delivery = Delivery(_now);
 	}
 	_changed_since = -1;
 }
@@ -119,7 +120,7 @@ double Sender::max_window() const {
 	double network = FRAME;
 	for (const auto &peer : _peers) {
 		const Delivery &delivery = peer.second.delivery;
-		if (!delivery.is_silent(_time)) {
+		if (!delivery.is_silent(_now)) {
 			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
@@ -147,7 +148,7 @@ void Sender::close_window(int64_t end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check());
+		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
 		_window_begin += length;
 	}
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;
@@ -157,7 +158,7 @@ void Sender::start_snapshots() {
 	std::shared_ptr<Snapshot> snapshot;
 	for (auto &peer : _peers) {
 		Delivery &delivery = peer.second.delivery;
-		if (delivery.needs_snapshot() && !delivery.is_silent(_time)) {
+		if (delivery.needs_snapshot() && !delivery.is_silent(_now)) {
 			snapshot = snapshot != nullptr ? snapshot : make_snapshot();
 			delivery.start_snapshot(snapshot);
 		}
@@ -172,6 +173,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 	auto snapshot = std::make_shared<Snapshot>();
 	snapshot->number = ++_snapshot_number;
 	snapshot->next_chunk = _ring.next();
+	snapshot->fragment_size = _settings.max_packet_size - FRAGMENT_HEADER;
 	SnapshotHeader header;
 	header.settings = _settings;
 	header.tick = uint32_t(_window_begin);
@@ -184,7 +186,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
-		peer.delivery.send(_ring, _time, _bytes, [&](size_t begin, size_t size) {
+		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
 			++peer.packets_sent;
@@ -192,39 +194,40 @@ void Sender::send_all() {
 	}
 }
 
-void Sender::flush(double time) {
+void Sender::flush(double time, double now) {
 	_bytes.clear();
 	_packets.clear();
 	begin_at(time);
 	_time = std::max(time, _time);
-	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
-	if (now > _last_flush) {
+	_now = now;
+	const int64_t tick = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	if (tick > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
-		_step = std::clamp(double(now - _last_flush), 0.9 * _step, MAX_STEP);
+		_step = std::clamp(double(tick - _last_flush), 0.9 * _step, MAX_STEP);
 	}
 	const int64_t before = _last_flush;
-	_last_flush = now;
+	_last_flush = tick;
 	if (_peers.empty()) {
-		_window_begin = now;
+		_window_begin = tick;
 		return;
 	}
 	if (!_encoder) {
-		_window_begin = now > 0 ? now - 1 : 0;
+		_window_begin = tick > 0 ? tick - 1 : 0;
 		start_encoder();
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.
-		close_window(std::max(_window_begin, std::min(before, now - 1)));
+		close_window(std::max(_window_begin, std::min(before, tick - 1)));
 		_changed_since = _window_begin;
 	}
-	if (now > _window_begin && is_window_due(now)) {
-		close_window(now);
+	if (tick > _window_begin && is_window_due(tick)) {
+		close_window(tick);
 		start_snapshots();
 	}
 	send_all();
 }
 
-PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
 	const auto found = _peers.find(receiver);
 	if (found == _peers.end()) {
 		return PacketError::UNKNOWN_RECEIVER;
@@ -232,7 +235,7 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 	if (const PacketResult result = read_packet(packet, size, _content); !result) {
 		return result;
 	}
-	found->second.delivery.accept(_content, _ring, time);
+	found->second.delivery.accept(_content, _ring, now);
 	return {};
 }
 
@@ -245,6 +248,13 @@ void Sender::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	if (restarts) {
 		stop_encoder();
+	}
+}
+
+void Sender::resend_all(uint32_t receiver) {
+	const auto found = _peers.find(receiver);
+	if (found != _peers.end()) {
+		found->second.delivery.restart();
 	}
 }
 

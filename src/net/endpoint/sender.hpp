@@ -29,7 +29,8 @@ struct ReceiverStatistics {
 };
 
 /// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
-/// `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
+/// `flush` and passes acknowledgements to `accept`. Times are in seconds. `time` is the clock of the motion, which may stand still;
+/// `now` is the clock of the network, on which round trips and silence are measured. They may be the same.
 ///
 /// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
 /// receiver that is new or too far behind gets a snapshot.
@@ -40,7 +41,8 @@ public:
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
 	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
-	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false);
+	/// It exists from `time` on; by default, from the last flush on.
+	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false, std::optional<double> time = std::nullopt);
 	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
 	bool remove_body(uint32_t id, bool freed = false) { return _encoder ? _encoder->remove_body(id, ticks(_time), freed) : _idle_bodies.erase(id) != 0; }
 	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
@@ -54,20 +56,26 @@ public:
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
 	bool teleport(uint32_t id) { return _encoder ? _encoder->jump(id) : has_body(id); }
 
-	void add_receiver(uint32_t receiver, double time);
+	void add_receiver(uint32_t receiver, double time, double now);
+	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
 	void remove_receiver(uint32_t receiver);
 	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
 
 	/// Builds the packets that are due. Call it every tick, after all poses up to `time` have been observed.
-	void flush(double time);
+	void flush(double time, double now);
+	void flush(double time) { flush(time, time); }
 	/// The packets of the last flush, valid until the next.
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
 	/// Processes a packet from a receiver.
-	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
-	/// New settings apply from the next window on. A change of any setting but the send rate restarts the stream.
+	/// Sends the receiver a snapshot instead of anything that is in flight.
+	void resend_all(uint32_t receiver);
+
+	/// New settings apply from the next window on. A change of any setting but send_rate and max_packet_size restarts
+	/// the stream.
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
@@ -113,6 +121,7 @@ private:
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
+	double _now = 0.0;
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;
 	int64_t _window_begin = 0; // ticks

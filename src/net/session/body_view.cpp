@@ -45,7 +45,9 @@ BodyView::Frame BodyView::frame(const Session &session, double now) {
 		return frame;
 	}
 	if (_is_current) {
-		frame.phase = stream != nullptr && stream->end(_source.body, _life) == BodyEnd::FREED ? Phase::ENDED : Phase::HELD;
+		const bool is_freed = stream != nullptr && stream->end(_source.body, _life) == BodyEnd::FREED;
+		frame.phase = is_freed ? Phase::ENDED : Phase::HELD;
+		frame.pose = is_freed ? stream->last_pose(_source.body, _life) : std::nullopt;
 		return frame;
 	}
 	if (_previous) {

@@ -26,7 +26,7 @@ public:
 		PREVIOUS, ///< the new source shows nothing yet; the old one does
 		HELD, ///< the new source shows nothing yet, and the old one has ended: its last pose; or the source has ended: no pose
 		CURRENT,
-		ENDED, ///< playback has reached the end of the body, which its owner has freed
+		ENDED, ///< playback has reached the end of the body, which its owner has freed: its last pose
 	};
 
 	struct Frame {

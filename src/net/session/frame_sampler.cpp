@@ -13,7 +13,7 @@ namespace {
 constexpr double OFFSET_RATE = 2.0;
 constexpr double MAX_OFFSET_ERROR = 0.1;
 /// Change of the lag per second: it grows at once, and shrinks slowly, so that the speed of bodies hardly changes.
-constexpr double LAG_DECAY = 0.02;
+constexpr double LAG_DECAY = 0.01;
 /// A longer frame is a pause, for which the lag does not grow.
 constexpr double MAX_DURATION = 0.11;
 

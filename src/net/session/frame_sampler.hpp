@@ -15,6 +15,8 @@ public:
 	/// A frame of `duration` begins. `fraction` is the part of a tick that has passed since the last tick.
 	void frame(double duration, double fraction);
 	void tick(double length);
+	/// Sets the lag to what the latest frames need. Call it while no body moves in frames, as it would jump.
+	void settle() { _lag = _max_duration.is_empty() ? 0.0 : _max_duration.value(); }
 
 	/// The time of the last frame.
 	[[nodiscard]] double frame_time() const { return _frames + _offset; }

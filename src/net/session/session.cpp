@@ -15,6 +15,8 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
 /// to their end.
 constexpr double LINGER = 2.0;
+/// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
+constexpr double MAX_STEP = 0.25;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
@@ -25,6 +27,11 @@ uint8_t next_link(double now) {
 
 } // namespace
 
+void Session::set_now(double now) {
+	_running_time += std::clamp(now - _now, 0.0, MAX_STEP);
+	_now = now;
+}
+
 void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
 		end_stream(peer);
@@ -33,6 +40,7 @@ void Session::connect(PeerId self) {
 	_connected.clear();
 	_owners.clear();
 	_owned = 0;
+	_size_limit = StreamSettings::MAX_PACKET_SIZE;
 	_sender.reset();
 	_self = self;
 }
@@ -42,7 +50,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	if (peers == _connected) {
 		return left;
 	}
-	_now = now;
+	set_now(now);
 	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
 	for (const PeerId id : left) {
@@ -60,7 +68,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 }
 
 void Session::close(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.subscribed) {
 			send_close(id, peer, peer.subscription, CloseRole::SENDER);
@@ -74,8 +82,27 @@ void Session::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	_settings.tick = tick;
 	if (_sender) {
-		_sender->set_settings(_settings);
+		_sender->set_settings(sender_settings());
 	}
+}
+
+StreamSettings Session::sender_settings() const {
+	StreamSettings settings = _settings;
+	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
+	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER;
+	return settings;
+}
+
+size_t Session::packet_refused(PeerId peer, size_t size) {
+	const size_t limit = std::max(size / 4 * 3, StreamSettings::MIN_PACKET_SIZE);
+	if (has_peer(peer) && size > StreamSettings::MIN_PACKET_SIZE) {
+		_size_limit = std::min(limit, _size_limit);
+		if (_sender) {
+			_sender->set_settings(sender_settings());
+			_sender->resend_all(uint32_t(peer));
+		}
+	}
+	return sender_settings().max_packet_size + ENVELOPE_BYTES + ENGINE_HEADER;
 }
 
 void Session::set_margin_limits(double min, double max) {
@@ -116,14 +143,14 @@ void Session::remove_body(uint32_t body, bool freed) {
 }
 
 void Session::begin_tick(double now, double length) {
-	_now = _tick_time = now;
+	set_now(now);
 	if (length != _settings.tick) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
 		_tick = 0;
 		_settings.tick = length;
 		if (_sender) {
-			_sender->set_settings(_settings);
+			_sender->set_settings(sender_settings());
 		}
 	}
 	start_requested(); // with media time before this tick, so that this tick is sent at once
@@ -131,7 +158,7 @@ void Session::begin_tick(double now, double length) {
 }
 
 bool Session::observe(uint32_t body, const cga::Pose<double> &pose, bool planar) {
-	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar))) {
+	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar, time()))) {
 		return false;
 	}
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
@@ -151,7 +178,7 @@ void Session::end_tick() {
 }
 
 void Session::send_motion() {
-	_sender->flush(time());
+	_sender->flush(time(), _running_time);
 	for (const OutgoingPacket &packet : _sender->packets()) {
 		Peer &peer = _peers[PeerId(packet.receiver)];
 		send(PeerId(packet.receiver), peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
@@ -186,10 +213,21 @@ void Session::end_stream(Peer &peer) {
 	}
 }
 
+/// Closes a stream with too many bodies and requests it again later.
+void Session::refuse_stream(PeerId id, Peer &peer) {
+	const size_t size = peer.stream->stream_size();
+	send_close(id, peer, peer.link, CloseRole::RECEIVER);
+	end_stream(peer);
+	request_stream(peer);
+	peer.refused_size = size;
+	peer.open.restart(_now + peer.refusal_pause);
+	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
+}
+
 void Session::accept_open(PeerId id, Peer &peer, uint8_t link, double now) {
 	if (peer.requested != link) {
 		peer.requested = link;
-		if (stream(id) == nullptr) {
+		if (stream(id) == nullptr && peer.refused_size == 0) {
 			// The peer's session may be newer than our last request.
 			peer.open.restart(now);
 		}
@@ -209,7 +247,7 @@ void Session::start_requested() {
 
 void Session::start_stream(PeerId id, Peer &peer) {
 	if (!_sender) {
-		_sender.emplace(_settings);
+		_sender.emplace(sender_settings());
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
@@ -218,7 +256,7 @@ void Session::start_stream(PeerId id, Peer &peer) {
 	peer.subscribed = true;
 	peer.subscription = *peer.requested;
 	peer.subscribed_at = _now;
-	_sender->add_receiver(uint32_t(id), time());
+	_sender->add_receiver(uint32_t(id), time(), _running_time);
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
@@ -234,7 +272,7 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 }
 
 void Session::advance(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
@@ -268,6 +306,14 @@ const Receiver *Session::stream(PeerId peer) const {
 	return found != _peers.end() && found->second.stream && found->second.stream->is_ready() ? &*found->second.stream : nullptr;
 }
 
+size_t Session::stream_size(PeerId peer) const {
+	const auto found = _peers.find(peer);
+	if (found == _peers.end()) {
+		return 0;
+	}
+	return found->second.stream && found->second.stream->is_ready() ? found->second.stream->stream_size() : found->second.refused_size;
+}
+
 double Session::media_time(PeerId peer) const {
 	if (peer == _self) {
 		return _sender ? _sender->media_time(time()) : 0.0;
@@ -296,7 +342,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (!envelope || found == _peers.end()) {
 		return;
 	}
-	_now = now;
+	set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;
@@ -309,7 +355,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
-		result = accept_motion(peer, envelope->link, bytes, size, now);
+		result = accept_motion(id, peer, envelope->link, bytes, size, now);
 	} else {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
@@ -319,7 +365,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	}
 }
 
-PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	if (peer.link != link) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
@@ -328,8 +374,14 @@ PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *byt
 		peer.stream->set_margin_limits(_min_margin, _max_margin);
 	}
 	const PacketResult result = peer.stream->accept(bytes, size, now);
-	if (result) {
+	if (peer.stream->is_refused()) {
+		refuse_stream(id, peer);
+	} else if (result) {
 		peer.open.restart(now + SILENCE);
+		if (peer.stream->is_ready()) {
+			peer.refused_size = 0;
+			peer.refusal_pause = Repetition::FIRST;
+		}
 	}
 	return result;
 }
@@ -338,9 +390,7 @@ PacketResult Session::accept_ack(PeerId id, const Peer &peer, uint8_t link, cons
 	if (!peer.is_subscribed(link)) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
-	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
-	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
-	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
+	return _sender->accept(uint32_t(id), bytes, size, _running_time);
 }
 
 PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {

@@ -40,8 +40,13 @@ public:
 	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
-	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
+	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
 	void set_settings(const StreamSettings &settings);
+	static constexpr size_t ENGINE_HEADER = 12;
+	/// Reports that the transport refused a packet of `size` bytes to a peer because it is too large. Reduces the maximum packet size
+	/// to three quarters of that, but not below StreamSettings::MIN_PACKET_SIZE, until the session connects again. Returns it.
+	size_t packet_refused(PeerId peer, size_t size);
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
@@ -71,6 +76,9 @@ public:
 	void advance(double now);
 	/// The incoming stream of a peer; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
+	/// Number of bodies in the incoming stream of a peer. A stream of more than MAX_BODIES is refused, and requested again after pauses
+	/// of 0.25 to 30 s.
+	[[nodiscard]] size_t stream_size(PeerId peer) const;
 	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
 
@@ -97,10 +105,13 @@ public:
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
+	void set_now(double now);
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
+	[[nodiscard]] StreamSettings sender_settings() const;
 	void request_stream(Peer &peer);
 	void end_stream(Peer &peer);
+	void refuse_stream(PeerId id, Peer &peer);
 	void accept_open(PeerId id, Peer &peer, uint8_t link, double now);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
@@ -109,12 +120,13 @@ private:
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
-	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void count_unauthorized(PeerId id, Peer &peer);
 
 	StreamSettings _settings;
+	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
@@ -124,8 +136,8 @@ private:
 	std::optional<Sender> _sender; // while a peer is subscribed
 	double _first_tick = 0.0; // time() when the tick length last changed
 	int64_t _tick = 0; // ticks since _first_tick
-	double _tick_time = 0.0; // local time of the last tick
 	double _now = 0.0; // local time of the last call
+	double _running_time = 0.0; // local time without the time in which the process stood still
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // total over all peers

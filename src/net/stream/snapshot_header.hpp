@@ -17,7 +17,7 @@ struct SnapshotHeader {
 	static constexpr size_t MIN_BYTES = 30;
 	static constexpr size_t MAX_BYTES = 34;
 
-	StreamSettings settings; ///< send_rate is not transmitted
+	StreamSettings settings; ///< send_rate and max_packet_size are not transmitted
 	uint32_t tick = 0; ///< the snapshot's media time
 	float window = 0.0f; ///< the sender's maximum window length, in seconds
 

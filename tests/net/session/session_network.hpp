@@ -32,6 +32,7 @@ public:
 		double origin = 0.0; // virtual time at which the media time of its stream is 0
 		int poses_rejected = 0;
 		double held_until = 0.0; // virtual time until which it makes no ticks
+		double blocked_until = 0.0; // virtual time until which its process does nothing
 		double tick_share = 1.0; // fraction of its ticks that it makes
 		double due_ticks = 0.0;
 		int64_t ticks = 0;
@@ -88,6 +89,9 @@ public:
 		for (int frame = 0; frame < frames_per_tick; ++frame) {
 			now += tick / frames_per_tick;
 			for (auto &[id, peer] : peers) {
+				if (now < peer.blocked_until) {
+					continue;
+				}
 				receive(id, peer);
 				if (frame == 0) {
 					step_tick(id, peer);
@@ -158,9 +162,11 @@ public:
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
 	bool has_planar_bodies = false; // bodies with odd numbers are planar
 	std::vector<SentPacket> sent;
+	std::vector<size_t> refusals; // what packet_refused() returned
 	double now = 100.0;
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
+	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
 	void update_peers() {
@@ -211,6 +217,10 @@ private:
 		peer.session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
 			const std::optional<net::Envelope> envelope = net::read_envelope(bytes, packet.size);
 			REQUIRE(envelope);
+			if (packet.size + net::Session::ENGINE_HEADER > transport_limit) {
+				refusals.push_back(peer.session.packet_refused(packet.peer, packet.size));
+				return;
+			}
 			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
 			Link &to = link(id, packet.peer);
 			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);
