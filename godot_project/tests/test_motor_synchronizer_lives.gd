@@ -73,9 +73,10 @@ func test_a_freed_target_is_shown_to_its_end() -> void:
 	var last := projectile.position
 	await tree.physics_frame
 	branches[0].synchronizer.free_target(projectile)
-	expect_equal(branches[0].changes[-1], "-Body0", "signals of the authority")
 	expect_true(not projectile.visible, "the projectile is hidden at once")
 	expect_equal(projectile.process_mode, Node.PROCESS_MODE_DISABLED, "process_mode")
+	await wait_frames(2)
+	expect_equal(branches[0].changes[-1], "-Body0", "signals of the authority")
 	expect_equal(ended.size(), 0, "ends before playback has reached them")
 	expect_true(branches[1].get_body(0).visible, "the projectile is still shown")
 	await wait_until(func() -> bool: return ended.size() == 2, "the projectile to end")
@@ -85,8 +86,9 @@ func test_a_freed_target_is_shown_to_its_end() -> void:
 	expect_true(
 		is_instance_valid(projectile), "the authority frees it after other peers see the end"
 	)
+	var id := projectile.get_instance_id()
 	await wait_until(
-		func() -> bool: return not is_instance_valid(projectile), "the projectile to be freed"
+		func() -> bool: return not is_instance_id_valid(id), "the projectile to be freed"
 	)
 	await move(branches[0], 0.3)
 	expect_equal(ended.size(), 2, "number of ends")
@@ -94,17 +96,21 @@ func test_a_freed_target_is_shown_to_its_end() -> void:
 		expect_equal(branch.rejections, [] as Array[Array], "rejections")
 
 
-func test_a_removed_target_ends() -> void:
+func test_a_removed_target_rests_at_its_last_pose() -> void:
 	await connect_peers(1, 2)
 	var ended := PackedStringArray()
-	branches[1].synchronizer.target_ended.connect(
-		func(node: Node3D) -> void: ended.append(node.name)
-	)
+	branches[1].synchronizer.target_ended.connect(func(node: Node) -> void: ended.append(node.name))
 	await move(branches[0], SETTLE)
+	await tree.physics_frame
 	branches[0].synchronizer.remove_target(branches[0].get_body(1))
-	await wait_until(func() -> bool: return not ended.is_empty(), "the end")
-	expect_equal(ended, PackedStringArray(["Body1"]), "ended targets")
-	await expect_motion_of(0, 0.3)
+	var last := branches[0].get_body(1).position
+	await move(branches[0], 2.0 * SETTLE)
+	var shown := branches[1].get_body(1)
+	# It is at most a frame short of its end.
+	expect_vector_near(shown.position, last, 0.025, "position of the removed target")
+	expect_true(shown.visible, "the removed target is shown")
+	expect_equal(ended, PackedStringArray(), "ended targets")
+	expect_true(distance_from_path(branches[1].get_body(0)) < 0.008, "the other one moves")
 
 
 func test_only_the_authority_frees() -> void:
@@ -198,11 +204,3 @@ func test_nodes_in_2d() -> void:
 	)
 	expect_near(bodies[1].rotation, 1.0, 0.03, "rotation")
 	expect_near(bodies[1].scale.x, 1.5, 0.05, "scale")
-
-
-## Moves all bodies of the server and expects that the client shows one of them on its path.
-func expect_motion_of(index: int, seconds: float) -> void:
-	await move(branches[0], SETTLE + seconds)
-	expect_true(
-		distance_from_path(branches[1].get_body(index)) < 0.008, "body %d is on its path" % index
-	)

@@ -4,6 +4,7 @@ extends "res://tests/framework/network_test.gd"
 
 func test_warnings() -> void:
 	var scene := Node3D.new()
+	scene.name = "Scene"
 	add_node(scene)
 	var node := MotorSynchronizer.new()
 	scene.add_child(node)
@@ -82,7 +83,7 @@ func test_warning_of_a_send_rate_above_the_tick_rate() -> void:
 	_expect_warnings(node, [])
 	await _settle()
 	var warning := (
-		"send_rate is 90 Hz, but there are only 60 physics ticks per second, and motion is sent at "
+		"send_rate is 90.0 Hz, but there are only 60 physics ticks per second, and motion is sent at "
 		+ "most once per tick. Reduce send_rate or raise Engine.physics_ticks_per_second."
 	)
 	expect_warning("MotorSynchronizer: " + warning)

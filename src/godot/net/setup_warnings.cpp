@@ -90,10 +90,15 @@ String automatic_name_fault(const Node &node) {
 	return vformat("%s has an automatic name, which is different on each peer, so it is not replicated, nor are other nodes with such names. Set its name (and that of its parents) before add_child(), the same on all peers.", node.get_path());
 }
 
-/// True if the names that identify the node on all peers, those below the MultiplayerAPI's root, include an automatic one.
-static bool has_automatic_name(const Node &synchronizer, const Node *node) {
+/// The node below which the synchronizer's targets are.
+static const Node *find_root(const Node &synchronizer) {
 	const Ref<SceneMultiplayer> api = synchronizer.is_part_of_edited_scene() ? Ref<SceneMultiplayer>() : Ref<SceneMultiplayer>(synchronizer.get_multiplayer());
-	const Node *root = api.is_valid() ? synchronizer.get_node_or_null(api->get_root_path()) : find_top(synchronizer);
+	const Node *root = api.is_valid() ? synchronizer.get_node_or_null(api->get_root_path()) : nullptr;
+	return root != nullptr ? root : find_top(synchronizer);
+}
+
+/// True if the names that identify the node on all peers, those below `root`, include an automatic one.
+static bool has_automatic_name(const Node *root, const Node *node) {
 	for (const Node *named = node; named != nullptr && named != root; named = named->get_parent()) {
 		if (String(named->get_name()).contains("@")) {
 			return true;
@@ -137,7 +142,7 @@ static void add_fault(PackedStringArray &faults, const String &fault) {
 	}
 }
 
-static void find_target_faults(const Node &synchronizer, const std::vector<const Node *> &nodes, PackedStringArray &faults) {
+static void find_target_faults(const Node &synchronizer, const Node *root, const std::vector<const Node *> &nodes, PackedStringArray &faults) {
 	const std::vector<ReplicatedPose> poses = find_replicated_poses(find_top(synchronizer));
 	const TypedArray<Node> others = synchronizer.get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
 	const int64_t max_faults = faults.size() + MAX_TARGET_FAULTS;
@@ -146,14 +151,14 @@ static void find_target_faults(const Node &synchronizer, const std::vector<const
 			faults.push_back("Other targets have similar faults.");
 			return;
 		}
-		if (has_automatic_name(synchronizer, node)) {
+		if (has_automatic_name(root, node)) {
 			faults.push_back(automatic_name_fault(*node));
 		}
 		add_fault(faults, thread_fault(*node));
 		add_fault(faults, dimension_fault(*node));
 		for (int64_t i = 0; i < others.size(); i++) {
 			const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
-			if (other != nullptr && other != &synchronizer && other->selects(node)) {
+			if (other != nullptr && other != &synchronizer && other->get_multiplayer() == synchronizer.get_multiplayer() && other->selects(node)) {
 				faults.push_back(vformat("%s is also a target of %s. Remove it from one of the two.", node->get_name(), other->get_name()));
 			}
 		}
@@ -175,6 +180,7 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 	}
 	add_fault(faults, thread_fault(synchronizer));
 	add_fault(faults, send_rate_fault(synchronizer.get_send_rate()));
+	const Node *root = find_root(synchronizer);
 	std::vector<const Node *> nodes;
 	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
@@ -190,8 +196,9 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 		const size_t before = nodes.size();
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(group);
 		for (int64_t i = 0; i < members.size(); i++) {
-			const Node *node = Object::cast_to<Node>(members[i].get_validated_object());
-			if (is_spatial(node)) {
+			Node *node = Object::cast_to<Node>(members[i].get_validated_object());
+			// Others may belong to another MultiplayerAPI.
+			if (is_spatial(node) && (node == root || root->is_ancestor_of(node))) {
 				nodes.push_back(node);
 			}
 		}
@@ -205,7 +212,7 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 			nodes.push_back(node);
 		}
 	}
-	find_target_faults(synchronizer, nodes, faults);
+	find_target_faults(synchronizer, root, nodes, faults);
 	return faults;
 }
 
