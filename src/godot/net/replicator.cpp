@@ -117,19 +117,19 @@ void Replicator::update_settings() {
 	net::StreamSettings settings = lead()->stream_settings();
 	double min_delay = 0.0;
 	double jitter_allowance = 0.0;
-	bool relay = false;
 	bool differs = false;
 	for (const MotorSynchronizer *synchronizer : _synchronizers) {
 		const net::StreamSettings &other = synchronizer->stream_settings();
 		differs = differs || !settings.is_same_stream(other) || settings.send_rate != other.send_rate;
 		settings.position_tolerance = std::min(settings.position_tolerance, other.position_tolerance);
 		settings.rotation_tolerance = std::min(settings.rotation_tolerance, other.rotation_tolerance);
+		settings.position_tolerance_2d = std::min(settings.position_tolerance_2d, other.position_tolerance_2d);
+		settings.max_packet_size = std::min(settings.max_packet_size, other.max_packet_size);
 		settings.max_latency = std::min(settings.max_latency, other.max_latency);
 		settings.send_rate = std::max(settings.send_rate, other.send_rate);
 		min_delay = std::max(min_delay, synchronizer->get_min_delay());
 		jitter_allowance = std::max(jitter_allowance, synchronizer->get_jitter_allowance());
 	}
-	(void)relay;
 	if (differs) {
 		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, the smallest max_latency and the highest send_rate apply to all of them. Give them the same settings.");
 	}
@@ -257,9 +257,18 @@ void Replicator::close_session() {
 
 void Replicator::send_packets() {
 	const int32_t channel = lead() != nullptr ? int32_t(lead()->get_channel()) : 0;
+	net::Outbox::Packet refused{};
 	_session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
-		_api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, channel);
+		const godot::Error error = _api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, channel);
+		if (error != godot::OK && packet.size > refused.size) {
+			refused = packet;
+		}
 	});
+	// Smaller packets are refused for other reasons, such as a peer that is about to leave.
+	if (refused.size > net::StreamSettings::MIN_PACKET_SIZE && _api->get_peers().has(refused.peer)) {
+		const size_t limit = _session.packet_refused(refused.peer, refused.size);
+		warn("packet size", vformat("the MultiplayerPeer refused to send a packet of %d bytes to peer %d. Packets are limited to %d bytes from now on. Set max_packet_size to the limit of the transport.", int64_t(refused.size), refused.peer, int64_t(limit)));
+	}
 }
 
 void Replicator::packet_received(int32_t peer, const PackedByteArray &packet) {

@@ -34,9 +34,9 @@ public:
 
 	void set_max_packet_size(int64_t bytes) {
 		ERR_FAIL_COND_MSG(bytes < MIN_PACKET_SIZE || bytes > MAX_PACKET_SIZE, godot::vformat("%s: max_packet_size is %d, but must be %d to %d bytes.", Self::get_class_static(), bytes, MIN_PACKET_SIZE, MAX_PACKET_SIZE));
-		change(_max_packet_size, bytes);
+		change(_settings.max_packet_size, size_t(bytes));
 	}
-	int64_t get_max_packet_size() const { return _max_packet_size; }
+	int64_t get_max_packet_size() const { return int64_t(_settings.max_packet_size); }
 
 protected:
 	static constexpr int64_t MIN_PACKET_SIZE = 256;
@@ -74,7 +74,6 @@ protected:
 	}
 
 private:
-	int64_t _max_packet_size = 1100;
 };
 
 } // namespace ga_godot
