@@ -72,8 +72,6 @@ protected:
 		ERR_FAIL_COND_MSG(!is_positive(value), godot::vformat("%s: %s is %f, but must be a positive number of %s.", Self::get_class_static(), name, value, units));
 		change(setting, value);
 	}
-
-private:
 };
 
 } // namespace ga_godot
