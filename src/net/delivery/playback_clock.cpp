@@ -1,6 +1,7 @@
 #include "net/delivery/playback_clock.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace net {
 
@@ -25,6 +26,8 @@ constexpr double LOSS_MEMORY = 0.25;
 constexpr double LOSS_MEMORY_SLOPE = 5.0;
 /// The delay is adapted to silences only if they are less than this many seconds apart.
 constexpr double RARE_SILENCE = 6.0;
+/// A change of the sender's rate after which the required delay is measured again.
+constexpr double NEW_RATE = 0.03;
 /// Seconds in which everything arrives that was held up during a silence.
 constexpr double BACKLOG_TIME = 0.1;
 
@@ -87,6 +90,11 @@ void PlaybackClock::close_batch() {
 			_position = _batch.begin;
 			_last = std::max(_last, _batch.time);
 		}
+	}
+	if (std::fabs(_line.rate() - _delay_rate) > NEW_RATE && _batch.time >= _losses_until) {
+		// What was required of a sender of another rate says little.
+		_delay_rate = _line.rate();
+		_required_delay = RecentExtreme(1.0, 6.0);
 	}
 	if (_suspect_delay > 0.0) {
 		_required_delay.add(_suspect_delay, _batch.time);

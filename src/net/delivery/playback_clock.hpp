@@ -63,6 +63,7 @@ private:
 	double _losses_until = -1e9;
 	ArrivalLine _line;
 	RecentExtreme _required_delay{ 1.0, 6.0 }; // media time from the begin of a motion to its arrival
+	double _delay_rate = 1.0; // the sender's rate for which _required_delay was measured
 	double _suspect_delay = 0.0; // required by the last arrival, if that was suspect
 	Batch _batch;
 	double _known = 0.0; // media time

@@ -128,6 +128,7 @@ private:
 	int64_t _last_flush = 0; // ticks
 	int64_t _changed_since = -1; // tick; -1: nothing has changed
 	double _step = 1.0; // ticks between flushes
+	double _chunks_per_tick = 0.0; // in the last window
 };
 
 } // namespace net

@@ -20,10 +20,14 @@ void BodyView::follow(const BodySource &source, double now) {
 	_followed_at = now;
 }
 
+/// The pose of the old source, or its last one if it has ended.
 std::optional<cga::Pose<double>> BodyView::previous_pose(const Session &session) const {
 	const Receiver *stream = _previous ? session.stream(_previous->owner) : nullptr;
-	const std::optional<ShownBody> shown = stream != nullptr ? stream->shown(_previous->body) : std::nullopt;
-	return shown && shown->life == _previous_life ? std::optional(shown->pose) : std::nullopt;
+	if (stream == nullptr) {
+		return std::nullopt;
+	}
+	const std::optional<ShownBody> shown = stream->shown(_previous->body);
+	return shown && shown->life == _previous_life ? std::optional(shown->pose) : stream->last_pose(_previous->body, _previous_life);
 }
 
 BodyView::Frame BodyView::frame(const Session &session, double now) {

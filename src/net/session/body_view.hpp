@@ -23,8 +23,8 @@ public:
 	enum class Phase {
 		UNKNOWN, ///< no pose is known
 		UNBORN, ///< playback has not reached the first pose, which is shown
-		PREVIOUS, ///< the new source shows nothing yet; the old one does
-		HELD, ///< the new source shows nothing yet, and the old one has ended: its last pose; or the source has ended: no pose
+		PREVIOUS, ///< the new source shows nothing yet; the old one does, or did until its end
+		HELD, ///< the new source shows nothing yet, and the old stream has closed: its last pose; or the source has ended: no pose
 		CURRENT,
 		ENDED, ///< playback has reached the end of the body, which its owner has freed: its last pose
 	};
