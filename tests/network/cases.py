@@ -78,6 +78,18 @@ def method_tolerance_and_interpolation_change_during_the_scene(run):
     expect_errors_within(run, other, 80, share=0.5, maximum=2.0)
 
 
+def players_have_different_names(run):
+    run.start_server("--cubes=20", "--seconds=2", "--clients=4", "--record=")
+    for name in ("", "", "Ada", "Ada"):
+        run.start_client(f"--name={name}", "--record=")
+    run.wait(30)
+    run.check_logs()
+    joined = sorted(re.findall(r"^(.*) has joined\.$", run.server.log(), re.MULTILINE))
+    expect(len(set(joined)) == 4, f"the players are called {joined}")
+    expect(joined[:2] == ["Ada", "Ada (2)"] and all(re.fullmatch(r"Player \d", name) for name in joined[2:]),
+           f"the players are called {joined}")
+
+
 def clients_quit_with_a_message_when_the_server_stops(run):
     run.start_server("--cubes=20", "--record=")
     client = run.start_client("--record=")
@@ -132,6 +144,7 @@ CASES = (
     late_joiner_gets_the_snapshot_and_a_killed_client_affects_no_other,
     kick_by_one_client_moves_the_cube_on_all_peers,
     method_tolerance_and_interpolation_change_during_the_scene,
+    players_have_different_names,
     clients_quit_with_a_message_when_the_server_stops,
     server_without_clients_quits,
     invalid_arguments_and_used_ports_are_reported,

@@ -40,8 +40,8 @@ var record := ""
 var conditions := LineConditions.new()
 ## Seed of the network impairments.
 var seed_value := 1
-## Name shown above the player's ball.
-var player_name := "Player"
+## Name shown above the player's ball. If empty, the server assigns "Player" and a number.
+var player_name := ""
 ## Scripted player: "none", "circle" (drives in a circle), "kick" (kicks cube 0 every second) or
 ## "settings" (changes method, tolerance and mode in turn, one per second, and ends with the initial
 ## ones).

@@ -212,16 +212,27 @@ func _on_entered(peer: int, player_name: String) -> void:
 		_session.refuse.rpc_id(peer, "The server is full.")
 		return
 	_slots[peer] = slot
-	_names[peer] = player_name
+	_names[peer] = _get_unique_name(player_name.strip_edges(), slot)
 	_heard_at[peer] = Time.get_ticks_msec() * 1e-3
 	_add_body(_options.cubes + slot)
 	_session.tune.rpc_id(peer, _tolerance, _mode)
 	_set_method(peer, _options.method)
 	_send_roster()
-	print("%s has joined." % player_name)
+	print("%s has joined." % _names[peer])
 	if _first_tick >= 0:
 		_session.begin.rpc_id(peer)
 	_begin_if_complete()
+
+
+## A name that no other player has: the requested one, with a number if it is taken.
+func _get_unique_name(requested: String, slot: int) -> String:
+	var base := requested if not requested.is_empty() else "Player %d" % slot
+	var unique := base
+	var number := 1
+	while _names.values().has(unique):
+		number += 1
+		unique = "%s (%d)" % [base, number]
+	return unique
 
 
 func _add_body(id: int) -> void:

@@ -53,6 +53,7 @@ func _init(options: Options, message: String) -> void:
 	if not message.is_empty():
 		_add_label(column, message, &"HeadingLabel")
 	_name.text = options.player_name
+	_name.placeholder_text = "Player"
 	_name.max_length = 24
 	_address.text = "%s:%d" % [options.address, options.port]
 	_add_field(column, "Name", _name)
@@ -119,8 +120,7 @@ func _on_host() -> void:
 
 
 func _play() -> void:
-	var player_name := _name.text.strip_edges()
-	_options.player_name = player_name if not player_name.is_empty() else "Player"
+	_options.player_name = _name.text.strip_edges()
 	chosen.emit()
 
 
