@@ -183,7 +183,7 @@ func _on_connect_timeout() -> void:
 		_close("The server at %s:%d does not respond." % [_options.address, _options.port])
 
 
-func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
+func _on_welcomed(scene: String, cubes: int, p_method: String, session: String) -> void:
 	if (
 		link != null
 		or cubes < 1
@@ -191,6 +191,20 @@ func _on_welcomed(scene: String, cubes: int, p_method: String) -> void:
 		or not Options.SCENES.has(scene)
 	):
 		return
+	if not _options.session.is_empty() and session != _options.session:
+		_close(
+			(
+				"Another server is at %s:%d (scene %s, %d cubes). Stop it or use another port."
+				% [_options.address, _options.port, scene, cubes]
+			)
+		)
+		return
+	print(
+		(
+			"Joined the server at %s:%d: scene %s, %d cubes."
+			% [_options.address, _options.port, scene, cubes]
+		)
+	)
 	cube_count = cubes
 	method = p_method
 	link = _links[method]

@@ -16,6 +16,9 @@ var role := ""
 ## Address at which a client connects to the server.
 var address := "127.0.0.1"
 var port := DEFAULT_PORT
+## Identifies the run that this process belongs to: a client leaves a server of another one. Empty
+## for a client that joins any server.
+var session := ""
 ## "cubes" or "push". A client gets it from the server.
 var scene := "cubes"
 ## Number of cubes, 0 for the default of the scene. A client gets it from the server.
@@ -84,6 +87,8 @@ func _parse_argument(argument: String) -> void:
 			address = value
 		"name":
 			player_name = value.left(24)
+		"session":
+			session = value
 		"record":
 			record = value
 		"screenshot":

@@ -178,7 +178,9 @@ func _finish(sent_tick: float) -> void:
 
 func _on_peer_connected(peer: int) -> void:
 	Connection.prepare(_peer.get_peer(peer))
-	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method)
+	_session.welcome.rpc_id(
+		peer, _options.scene, _options.cubes, _options.method, _options.session
+	)
 
 
 func _on_peer_disconnected(peer: int) -> void:

@@ -8,6 +8,7 @@ const CameraRig := preload("camera_rig.gd")
 const CubesView := preload("cubes_view.gd")
 const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
+const Ports := preload("../network/ports.gd")
 const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
@@ -27,6 +28,8 @@ var _background: Node3D
 
 func _init(options: Options, message: String) -> void:
 	_options = options
+	# Only hosting chooses a server of a certain run.
+	options.session = ""
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_add_background()
 	# On the left, so that the scene stays visible.
@@ -97,8 +100,13 @@ func _on_join() -> void:
 	_play()
 
 
-## Starts a server process that quits when the last player leaves.
+## Starts a server process that quits when the last player leaves. If the port is in use, for example
+## by a server whose players were just killed, takes the next free one.
 func _on_host() -> void:
+	var port := Ports.find_free(_options.port)
+	if port != 0:
+		_options.port = port
+	_options.session = "%d-%d" % [OS.get_process_id(), Time.get_ticks_usec()]
 	var arguments: PackedStringArray = ["--headless"]
 	if OS.has_feature("editor"):
 		arguments.append_array(["--path", ProjectSettings.globalize_path("res://")])
@@ -109,6 +117,7 @@ func _on_host() -> void:
 			"--role=server",
 			"--quit-when-empty=on",
 			"--port=%d" % _options.port,
+			"--session=%s" % _options.session,
 			"--scene=%s" % _options.scene,
 			"--cubes=%d" % _options.cubes,
 			"--method=%s" % _options.method
