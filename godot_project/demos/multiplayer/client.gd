@@ -155,6 +155,7 @@ func _process(_delta: float) -> void:
 	var local := Time.get_ticks_usec() * 1e-6
 	if _peer.host != null:
 		meter.update()
+		meter.count_drops()
 	if link == null:
 		return
 	if meter.arrived != _heard_bytes:

@@ -166,6 +166,8 @@ func _finish(sent_tick: float) -> void:
 				{
 					"role": "server",
 					"seconds": _simulation.seconds,
+					"total_packets":
+					_peer.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS),
 					"rejected": _links["motors"].get_counts()["rejected"],
 				}
 			)
@@ -178,9 +180,7 @@ func _finish(sent_tick: float) -> void:
 
 func _on_peer_connected(peer: int) -> void:
 	Connection.prepare(_peer.get_peer(peer))
-	_session.welcome.rpc_id(
-		peer, _options.scene, _options.cubes, _options.method, _options.session
-	)
+	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method, _options.session)
 
 
 func _on_peer_disconnected(peer: int) -> void:

@@ -7,6 +7,7 @@ const TrafficMeter := preload("traffic_meter.gd")
 var _begun_at := 0.0
 var _bytes := 0
 var _packets := 0
+var _lost := 0
 var _values: Dictionary = {}
 
 
@@ -16,6 +17,7 @@ func begin(meter: TrafficMeter) -> void:
 	_begun_at = _get_seconds()
 	_bytes = meter.bytes
 	_packets = meter.packets
+	_lost = meter.lost
 
 
 ## Call when the scene has ended on the server.
@@ -27,6 +29,8 @@ func finish(method: String, meter: TrafficMeter) -> void:
 		"seconds": _get_seconds() - _begun_at,
 		"bytes": meter.bytes - _bytes,
 		"packets": meter.packets - _packets,
+		"lost": meter.lost - _lost,
+		"total_packets": meter.packets,
 	}
 
 
