@@ -77,7 +77,8 @@ func _add_background() -> void:
 	var yaw := _rig.yaw if _rig != null else CameraRig.YAW
 	_rig = CameraRig.new(layout.half_extent)
 	_rig.yaw = yaw
-	_rig.camera.h_offset = -layout.half_extent * 0.45
+	# The panel is on the left.
+	_rig.free_area = Rect2(0.38, 0.0, 0.62, 1.0)
 	_background.add_child(Stage.new(_options.scene, layout.half_extent))
 	_background.add_child(CubesView.new(layout, layout.poses.size()))
 	_background.add_child(_rig)
@@ -100,8 +101,8 @@ func _on_join() -> void:
 	_play()
 
 
-## Starts a server process that quits when the last player leaves. If the port is in use, for example
-## by a server whose players were just killed, takes the next free one.
+## Starts a server process that quits when the last player leaves. If the port is in use, for
+## example by a server whose players were just killed, takes the next free one.
 func _on_host() -> void:
 	var port := Ports.find_free(_options.port)
 	if port != 0:
