@@ -241,7 +241,9 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 		_snapshot_ack_due = false;
 	}
 	if (_ack_due && is_ready() && !_broken) {
-		put_ack(packet, _chunks.ack());
+		AckItem ack = _chunks.ack();
+		ack.packets = uint8_t(_statistics.packets_received);
+		put_ack(packet, ack);
 	}
 	_ack_due = false;
 }

@@ -13,13 +13,15 @@ namespace {
 /// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
 constexpr double IDLE_WINDOW = 0.5;
 /// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
-constexpr double MIN_WINDOW = 0.25;
+constexpr double MIN_WINDOW = 0.4;
 /// Above this loss, windows are shortened to leave time for a retransmission.
 constexpr double NOTABLE_LOSS = 0.004;
 /// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
-/// Times that differ by less, in ticks, are the same tick.
-constexpr double SAME_TICK = 1e-5;
+/// Rounding error of times, in ticks.
+constexpr double SAME_TIME = 1e-5;
+/// A time this short of a tick counts as that tick: recorded times are rounded.
+constexpr double SAME_TICK = 0.01;
 
 /// A pseudorandom number, determined by `time`.
 uint8_t number_from(double time) {
@@ -42,6 +44,7 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return false;
 	}
 	begin_at(time);
+	_observed = time;
 	if (_encoder) {
 		return _encoder->observe(id, ticks(time), pose);
 	}
@@ -82,6 +85,10 @@ void Sender::begin_at(double first_time) {
 }
 
 void Sender::start_encoder() {
+	// Move the ticks by less than one, so that the snapshot's poses are those of a tick.
+	const double begin = ticks(std::max(_observed, _origin + double(_last_flush) * _settings.tick));
+	_window_begin = int64_t(std::floor(begin + SAME_TICK));
+	_origin += (begin - double(_window_begin)) * _settings.tick;
 	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
 	std::vector<uint32_t> ids;
 	ids.reserve(_idle_bodies.size());
@@ -90,7 +97,7 @@ void Sender::start_encoder() {
 	}
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
-		(void)_encoder->add_body(id, double(_window_begin), _idle_bodies[id]);
+		(void)_encoder->add_known_body(id, double(_window_begin), _idle_bodies[id]);
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
@@ -122,14 +129,14 @@ double Sender::max_window() const {
 
 bool Sender::is_window_due(int64_t now) const {
 	const double next = double(now) + _step;
-	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TICK) {
+	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TIME) {
 		return true;
 	}
 	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
 		return true;
 	}
 	if (_changed_since >= 0) {
-		return next - double(_changed_since) > max_window() + SAME_TICK;
+		return next - double(_changed_since) > max_window() + SAME_TIME;
 	}
 	return next - double(_window_begin) > IDLE_WINDOW / _settings.tick;
 }
@@ -189,6 +196,10 @@ void Sender::flush(double time) {
 	_packets.clear();
 	begin_at(time);
 	_time = std::max(time, _time);
+	const bool starts = !_encoder && !_peers.empty();
+	if (starts) {
+		start_encoder();
+	}
 	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
 	if (now > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
@@ -200,9 +211,8 @@ void Sender::flush(double time) {
 		_window_begin = now;
 		return;
 	}
-	if (!_encoder) {
-		_window_begin = now > 0 ? now - 1 : 0;
-		start_encoder();
+	if (starts) {
+		start_snapshots();
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.

@@ -84,6 +84,7 @@ private:
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
 	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const { return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance))); }
 	void begin_at(double first_time);
+	/// Starts the stream with a snapshot of the last poses.
 	void start_encoder();
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
@@ -105,6 +106,7 @@ private:
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
+	double _observed = 0.0; // time of the last pose
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;
 	int64_t _window_begin = 0; // ticks

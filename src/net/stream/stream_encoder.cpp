@@ -43,6 +43,14 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 	return true;
 }
 
+bool StreamEncoder::add_known_body(uint32_t id, double time, const cga::Pose<double> &pose) {
+	const bool is_added = add_body(id, time, pose);
+	if (is_added) {
+		_bodies.back().added = false;
+	}
+	return is_added;
+}
+
 bool StreamEncoder::remove_body(uint32_t id, double time) {
 	const auto found = _index.find(id);
 	if (found == _index.end()) {
