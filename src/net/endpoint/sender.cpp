@@ -61,6 +61,7 @@ bool Sender::observe(uint32_t id, double time) {
 		return false;
 	}
 	begin_at(time);
+	_observed = time;
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
 }
 
@@ -84,11 +85,9 @@ void Sender::begin_at(double first_time) {
 	}
 }
 
-void Sender::start_encoder() {
-	// Move the ticks by less than one, so that the snapshot's poses are those of a tick.
-	const double begin = ticks(std::max(_observed, _origin + double(_last_flush) * _settings.tick));
-	_window_begin = int64_t(std::floor(begin + SAME_TICK));
-	_origin += (begin - double(_window_begin)) * _settings.tick;
+void Sender::start_encoder(int64_t last_flush) {
+	const double begin = std::max(ticks(_observed), double(last_flush));
+	_window_begin = int64_t(std::ceil(begin - SAME_TICK));
 	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
 	std::vector<uint32_t> ids;
 	ids.reserve(_idle_bodies.size());
@@ -97,13 +96,14 @@ void Sender::start_encoder() {
 	}
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
-		(void)_encoder->add_known_body(id, double(_window_begin), _idle_bodies[id]);
+		(void)_encoder->add_body(id, begin, _idle_bodies[id]);
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
 		peer.second.delivery = Delivery(_time);
 	}
 	_changed_since = -1;
+	_is_starting = true;
 }
 
 void Sender::stop_encoder() {
@@ -196,10 +196,6 @@ void Sender::flush(double time) {
 	_packets.clear();
 	begin_at(time);
 	_time = std::max(time, _time);
-	const bool starts = !_encoder && !_peers.empty();
-	if (starts) {
-		start_encoder();
-	}
 	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
 	if (now > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
@@ -211,8 +207,13 @@ void Sender::flush(double time) {
 		_window_begin = now;
 		return;
 	}
-	if (starts) {
+	if (!_encoder) {
+		start_encoder(before);
+	}
+	if (_is_starting && now >= _window_begin) {
+		_encoder->start_at(double(_window_begin));
 		start_snapshots();
+		_is_starting = false;
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.

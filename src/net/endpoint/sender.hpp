@@ -84,8 +84,8 @@ private:
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
 	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const { return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance))); }
 	void begin_at(double first_time);
-	/// Starts the stream with a snapshot of the last poses.
-	void start_encoder();
+	/// Starts the stream at the first tick at which all poses are known.
+	void start_encoder(int64_t last_flush);
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
 	[[nodiscard]] bool is_window_due(int64_t now) const;
@@ -96,6 +96,7 @@ private:
 
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
+	bool _is_starting = false; // the encoder waits for the poses of its first tick
 	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // last poses, while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;

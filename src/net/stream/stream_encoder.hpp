@@ -18,8 +18,9 @@ public:
 
 	/// False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
-	/// Adds a body that exists before the first window, so that snapshots contain it.
-	bool add_known_body(uint32_t id, double time, const cga::Pose<double> &pose);
+	/// Starts the stream at `tick`, before the first window: a snapshot contains all bodies added until then, at their
+	/// poses at that tick. Poses observed between ticks are interpolated.
+	void start_at(double tick);
 	bool remove_body(uint32_t id, double time);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _index.size(); }

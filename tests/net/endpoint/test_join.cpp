@@ -52,25 +52,44 @@ TEST_CASE("join: all that a new receiver shows is within the tolerance, whether 
 	}
 }
 
-TEST_CASE("join: a stream begins at the newest poses, also after a pause without receivers and between ticks") {
-	SimulatedSession session;
-	session.add_receiver(9); // media time begins now
-	session.sender->remove_receiver(9);
-	session.ends.clear();
-	session.now += 0.4 * SimulatedSession::TICK; // observations are between ticks
-	session.add_body(0, swing(0));
-	for (int turn = 0; turn < 3; ++turn) {
-		session.run(0.71);
-		RemoteEnd &end = session.add_receiver(1);
-		double worst = 0.0;
-		session.run(1.5, [&] {
-			session.origin = session.now - session.sender->media_time(session.now);
-			worst = end.receiver->is_ready() ? std::max(worst, session.error(end)) : worst;
-		});
-		CAPTURE(turn);
-		CHECK(end.ready_at > 0.0);
-		CHECK(worst <= 1.5);
-		session.sender->remove_receiver(1);
+TEST_CASE("join: a stream begins at the newest poses, also after a pause without receivers, with poses between ticks") {
+	for (const double fraction : { 0.0, 0.4, 0.7 }) {
+		SimulatedSession session;
+		session.add_receiver(9); // media time begins now
+		session.sender->remove_receiver(9);
 		session.ends.clear();
+		session.now += fraction * SimulatedSession::TICK;
+		session.add_body(0, swing(0));
+		for (int turn = 0; turn < 3; ++turn) {
+			session.run(0.71);
+			const double joined = session.now;
+			RemoteEnd &end = session.add_receiver(1);
+			const StreamGrid grid(float(session.sender->settings().position_tolerance), float(session.sender->settings().rotation_tolerance));
+			double worst = 0.0;
+			int samples = 0;
+			double first_media = -1.0;
+			session.run(1.5, [&] {
+				if (!end.receiver->is_ready()) {
+					return;
+				}
+				const double media_time = end.receiver->media_time();
+				first_media = first_media < 0.0 ? media_time : first_media;
+				// At the times of the samples, up to the end of the known motion.
+				for (double time = joined + SimulatedSession::TICK; time - session.origin <= end.receiver->known_time(); time += SimulatedSession::TICK) {
+					if (time - session.origin >= media_time) {
+						worst = std::max(worst, error_share(*end.receiver->pose_at(0, time - session.origin), swing(0)(time), grid));
+						++samples;
+					}
+				}
+			});
+			CAPTURE(fraction);
+			CAPTURE(turn);
+			CHECK(first_media <= joined - session.origin + (fraction > 0.0 ? 2.0 : 1.0) * SimulatedSession::TICK + 1e-6);
+			CHECK(first_media > joined - session.origin);
+			CHECK(samples > 200);
+			CHECK(worst <= 1.02);
+			session.sender->remove_receiver(1);
+			session.ends.clear();
+		}
 	}
 }
