@@ -25,9 +25,11 @@ constexpr int PROMPT_RETRANSMISSIONS = 3;
 /// A retransmission is sent again after this time, as a second loss would be noticed too late.
 constexpr double PAIR_INTERVAL = 0.01;
 /// At a loss p, copies are COPY_INTERVAL * -ln p apart, so that all copies of some time are lost with the same probability
-/// at any p. Between HIGH_LOSS and FULL_LOSS, they are farther apart.
+/// at any p. Just above the loss at which copies begin, they are farther apart.
 constexpr double COPY_INTERVAL = 0.04;
-constexpr double FULL_LOSS = 0.2;
+/// If a timeout would stall playback, copies begin at this loss, for this many seconds after a loss.
+constexpr double LOW_LOSS = 0.015;
+constexpr double LOSS_MEMORY = 30.0;
 /// A packet that is sent anyway takes copies that are due after this fraction of their interval.
 constexpr double EARLY_COPY = 0.5;
 /// After this many consecutive ambiguous acknowledgements, an ambiguous one is used as a round-trip sample.
@@ -73,6 +75,7 @@ bool Delivery::is_due(Sent &sent, double time) {
 		sent.first = time;
 	} else if (!sent.lost && time - sent.first >= timeout) {
 		sent.lost = true;
+		_lost = time;
 		_loss += (1.0 - _loss) * LOSS_WEIGHT;
 	}
 	// The interval backs off linearly, up to 4 timeouts.
@@ -86,12 +89,11 @@ bool Delivery::is_due(Sent &sent, double time) {
 	return true;
 }
 
-double Delivery::copy_interval() const {
-	const double p = loss();
-	if (p <= HIGH_LOSS) {
-		return std::numeric_limits<double>::infinity();
-	}
-	return COPY_INTERVAL * -std::log(std::min(p, 0.9)) / std::min((p - HIGH_LOSS) / (FULL_LOSS - HIGH_LOSS), 1.0);
+double Delivery::copy_interval(double time) const {
+	const bool is_urgent = rto() + 3.0 * _deviation > _patience && time - _lost < LOSS_MEMORY && _meter.loss() > LOW_LOSS;
+	const double bound = is_urgent ? LOW_LOSS : HIGH_LOSS;
+	const double p = is_urgent ? std::max(loss(), _meter.loss()) : loss();
+	return p > bound ? COPY_INTERVAL * -std::log(std::min(p, 0.9)) / std::min(p / bound - 1.0, 1.0) : std::numeric_limits<double>::infinity();
 }
 
 bool Delivery::is_copy_due(const Sent &sent, double time, double interval) {
@@ -125,7 +127,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		request_snapshot(time);
 		return;
 	}
-	const double interval = copy_interval() * (new_bytes > 0 ? EARLY_COPY : 1.0);
+	const double interval = copy_interval(time) * (new_bytes > 0 ? EARLY_COPY : 1.0);
 	const bool is_far_behind = _fragments.empty() && behind > MAX_CHUNKS_BEHIND;
 	size_t packet = new_bytes;
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {

@@ -40,6 +40,8 @@ public:
 	static constexpr double SILENCE = 3.0;
 	static constexpr double PROBE_INTERVAL = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
+	/// How long after its first transmission a chunk may arrive without stalling playback.
+	void set_patience(double seconds) { _patience = seconds; }
 	/// Retransmission timeout.
 	[[nodiscard]] double rto() const;
 	[[nodiscard]] double round_trip() const { return _round_trip; }
@@ -52,7 +54,7 @@ public:
 	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
 private:
-	/// Above this loss, chunks are sent several times before they can have been acknowledged.
+	/// Above this loss, chunks are sent several times before a timeout.
 	static constexpr double HIGH_LOSS = 0.1;
 
 	struct Sent {
@@ -69,8 +71,8 @@ private:
 
 	void collect_due(const ChunkRing &ring, double time);
 	[[nodiscard]] bool is_due(Sent &sent, double time);
-	/// Time between copies of a chunk before a timeout; infinite up to HIGH_LOSS.
-	[[nodiscard]] double copy_interval() const;
+	/// Time between copies of a chunk before a timeout; infinite if it can wait for the timeout.
+	[[nodiscard]] double copy_interval(double time) const;
 	/// True if a copy is due without a timeout.
 	[[nodiscard]] static bool is_copy_due(const Sent &sent, double time, double interval);
 	void mark_sent(Sent &sent, double time);
@@ -97,6 +99,8 @@ private:
 	double _probed = -1e9; // time of the last probe
 	double _loss = 0.0; // recent fraction of chunks that had not arrived after a timeout
 	LossMeter _meter;
+	double _lost = -1e9; // when a chunk was last counted as lost
+	double _patience = 1e9;
 	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
 	uint64_t _retransmissions = 0;

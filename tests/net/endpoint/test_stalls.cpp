@@ -24,7 +24,7 @@ struct Stalls {
 };
 
 /// Stalls of what is shown, after the first seconds, in runs with several seeds.
-Stalls measure_stalls(const LinkSettings &link, double max_latency, int runs) {
+Stalls measure_stalls(const LinkSettings &link, double max_latency, int runs, uint32_t bodies = 1) {
 	constexpr double WINDOW = 5.0;
 	Stalls stalls;
 	for (int run = 0; run < runs; ++run) {
@@ -32,6 +32,7 @@ Stalls measure_stalls(const LinkSettings &link, double max_latency, int runs) {
 		settings.max_latency = max_latency;
 		SimulatedSession session(settings);
 		session.add_body(0, hand);
+		for (uint32_t id = 1; id < bodies; ++id) { session.add_body(id, [id](double t) { PoseD p = hand(t + 0.37 * id); p.translation.x += id; return p; }); }
 		RemoteEnd &end = session.add_receiver(uint32_t(run + 1), link);
 		session.run(WINDOW);
 		const uint64_t before = session.sender->statistics(uint32_t(run + 1)).bytes_sent;
@@ -86,4 +87,12 @@ TEST_CASE("stalls: copies are sent only at high loss") {
 	CHECK(clean.total == 0.0);
 	CHECK(lossy.longest <= 0.25);
 	CHECK(lossy.bytes < 2.5 * clean.bytes);
+}
+
+TEST_CASE("variants") {
+	struct V { const char *name; LinkSettings link; double latency; uint32_t bodies; };
+	for (const V &v : { V{ "lat .05", { 0.0, 0.1, 0.3 }, 0.05, 1 }, V{ "delay .1", { 0.1, 0.1, 0.3 }, 0.2, 1 }, V{ "delay .1 lat .1", { 0.1, 0.1, 0.3 }, 0.1, 1 }, V{ "dup", { 0.0, 0.1, 0.3, 0.1 }, 0.2, 1 }, V{ "dup .3 lat .1", { 0.02, 0.1, 0.3, 0.3 }, 0.1, 1 }, V{ "40 bodies", { 0.0, 0.1, 0.3 }, 0.2, 40 }, V{ "40 bodies .1", { 0.0, 0.1, 0.3 }, 0.1, 40 }, V{ "200 bodies", { 0.0, 0.1, 0.3 }, 0.1, 200 }, V{ "20 %", { 0.0, 0.1, 0.2 }, 0.1, 1 }, V{ "15 %", { 0.0, 0.1, 0.15 }, 0.1, 1 }, V{ "10 %", { 0.0, 0.1, 0.1 }, 0.1, 1 }, V{ "5 %", { 0.0, 0.1, 0.05 }, 0.1, 1 }, V{ "40 %", { 0.0, 0.1, 0.4 }, 0.2, 1 }, V{ "burst", { 0.0, 0.1, 0.3, 0.0, 0.0, 0.0, 2.5 }, 0.2, 1 } }) {
+		const Stalls s = measure_stalls(v.link, v.latency, v.bodies > 100 ? 4 : 20, v.bodies);
+		MESSAGE(v.name << ": stalled " << s.stalled << "/" << s.windows << " longest " << s.longest << " share " << s.total / s.shown << " delay " << s.delay << " B/s " << s.bytes);
+	}
 }
