@@ -26,9 +26,8 @@ constexpr int PROMPT_RETRANSMISSIONS = 3;
 constexpr double PAIR_INTERVAL = 0.01;
 /// At a loss p, copies are COPY_INTERVAL * -ln p apart, so that all copies of some time are lost with the same probability
 /// at any p. Just above the loss at which copies begin, they are farther apart.
-constexpr double COPY_INTERVAL = 0.04;
-/// If a timeout would stall playback, copies begin at this loss, for this many seconds after a loss.
-constexpr double LOW_LOSS = 0.015;
+constexpr double COPY_INTERVAL = 0.05;
+/// For this many seconds after a loss, others are expected.
 constexpr double LOSS_MEMORY = 30.0;
 /// A packet that is sent anyway takes copies that are due after this fraction of their interval.
 constexpr double EARLY_COPY = 0.5;
@@ -89,10 +88,9 @@ bool Delivery::is_due(Sent &sent, double time) {
 	return true;
 }
 
-double Delivery::copy_interval(double time) const {
-	const bool is_urgent = rto() + 3.0 * _deviation > _patience && time - _lost < LOSS_MEMORY && _meter.loss() > LOW_LOSS;
-	const double bound = is_urgent ? LOW_LOSS : HIGH_LOSS;
-	const double p = is_urgent ? std::max(loss(), _meter.loss()) : loss();
+double Delivery::copy_interval() const {
+	const double bound = _is_urgent ? LOW_LOSS : HIGH_LOSS;
+	const double p = _is_urgent ? _meter.loss() : loss();
 	return p > bound ? COPY_INTERVAL * -std::log(std::min(p, 0.9)) / std::min(p / bound - 1.0, 1.0) : std::numeric_limits<double>::infinity();
 }
 
@@ -127,7 +125,8 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 		request_snapshot(time);
 		return;
 	}
-	const double interval = copy_interval(time) * (new_bytes > 0 ? EARLY_COPY : 1.0);
+	_is_urgent = rto() + 3.0 * _deviation > _patience && time - _lost < LOSS_MEMORY;
+	const double interval = copy_interval() * (new_bytes > 0 ? EARLY_COPY : 1.0);
 	const bool is_far_behind = _fragments.empty() && behind > MAX_CHUNKS_BEHIND;
 	size_t packet = new_bytes;
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {

@@ -47,7 +47,7 @@ public:
 	[[nodiscard]] double round_trip() const { return _round_trip; }
 	[[nodiscard]] double round_trip_deviation() const { return _deviation; }
 	/// Recent fraction of packets lost.
-	[[nodiscard]] double loss() const { return _meter.loss() > HIGH_LOSS ? std::max(_loss, _meter.loss()) : _loss; }
+	[[nodiscard]] double loss() const { return _meter.loss() > (_is_urgent ? LOW_LOSS : HIGH_LOSS) ? std::max(_loss, _meter.loss()) : _loss; }
 	/// loss() plus the prior, which decays as chunks arrive.
 	[[nodiscard]] double expected_loss() const { return loss() + _prior_loss; }
 	/// Number of retransmissions of chunks and fragments.
@@ -56,6 +56,8 @@ public:
 private:
 	/// Above this loss, chunks are sent several times before a timeout.
 	static constexpr double HIGH_LOSS = 0.1;
+	/// The same if a timeout would stall playback.
+	static constexpr double LOW_LOSS = 0.015;
 
 	struct Sent {
 		double first = 0.0; // time of the first transmission
@@ -72,7 +74,7 @@ private:
 	void collect_due(const ChunkRing &ring, double time);
 	[[nodiscard]] bool is_due(Sent &sent, double time);
 	/// Time between copies of a chunk before a timeout; infinite if it can wait for the timeout.
-	[[nodiscard]] double copy_interval(double time) const;
+	[[nodiscard]] double copy_interval() const;
 	/// True if a copy is due without a timeout.
 	[[nodiscard]] static bool is_copy_due(const Sent &sent, double time, double interval);
 	void mark_sent(Sent &sent, double time);
@@ -101,6 +103,7 @@ private:
 	LossMeter _meter;
 	double _lost = -1e9; // when a chunk was last counted as lost
 	double _patience = 1e9;
+	bool _is_urgent = false; // chunks get lost, and a timeout would stall playback
 	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
 	uint64_t _retransmissions = 0;

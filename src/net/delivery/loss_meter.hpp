@@ -21,19 +21,21 @@ public:
 			++_due;
 		}
 		const uint32_t due = _due - _counted;
-		if (_is_started && due < SPAN) {
+		const uint32_t arrived = uint8_t(received - _received);
+		// Too many have arrived if the round trip has become shorter, or if the receiver is a new one.
+		if (_is_started && due <= MAX_SPAN && (due < SPAN || arrived > 2 * due)) {
 			return;
 		}
 		if (_is_started && due <= MAX_SPAN && !is_lagging) {
-			const double arrived = double(uint8_t(received - _received));
-			_loss += (std::clamp(1.0 - arrived / double(due), 0.0, 1.0) - _loss) * WEIGHT;
+			// Negative if the round trip has become shorter, which cancels the excess of when it became longer.
+			_loss += (1.0 - double(arrived) / double(due) - _loss) * WEIGHT;
 		}
 		_is_started = true;
 		_counted = _due;
 		_received = received;
 	}
 	/// The recent fraction of packets lost. Jitter can make it wrong by a few percent.
-	[[nodiscard]] double loss() const { return _loss; }
+	[[nodiscard]] double loss() const { return std::clamp(_loss, 0.0, 1.0); }
 
 private:
 	/// Number of packets in one sample. The count is modulo 256, so that it says nothing about more than MAX_SPAN.

@@ -59,3 +59,26 @@ TEST_CASE("loss meter: without reports for a long time, it waits for the next tw
 	meter.reported(77, now);
 	CHECK(meter.loss() > 0.0);
 }
+
+TEST_CASE("loss meter: neither a longer round trip nor a new receiver is loss for long") {
+	LossMeter meter;
+	double now = 0.0;
+	uint8_t received = 0;
+	const auto run = [&](int packets, double delay) {
+		for (int i = 0; i < packets; ++i) {
+			meter.sent(now += 0.05);
+			received += now > delay ? 1 : 0;
+			meter.reported(received, now);
+		}
+	};
+	run(100, 0.0);
+	CHECK(meter.loss() < 0.01);
+	run(10, 1e9); // a gap: those packets arrive later
+	run(50, 0.0);
+	received += 10;
+	run(100, 0.0);
+	CHECK(meter.loss() < 0.03);
+	received = 77;
+	run(60, 0.0);
+	CHECK(meter.loss() < 0.03);
+}
