@@ -11,7 +11,7 @@ var _tick := 0
 func test_properties() -> void:
 	expect_near(_sender.position_tolerance, 0.005, 1e-9, "position_tolerance")
 	expect_near(_sender.rotation_tolerance, 1.4, 1e-9, "rotation_tolerance")
-	expect_near(_sender.max_latency, 0.2, 1e-9, "max_latency")
+	expect_near(_sender.max_latency, 0.1, 1e-9, "max_latency")
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 	expect_near(_sender.ticks_per_second, 60.0, 1e-9, "ticks_per_second")
 	expect_equal(_sender.mode, MultivectorLerp.SEPARATE, "mode")

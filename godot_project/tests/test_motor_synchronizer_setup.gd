@@ -7,7 +7,7 @@ func test_defaults() -> void:
 	add_node(node)
 	expect_near(node.position_tolerance, 0.005, 1e-9, "position_tolerance")
 	expect_near(node.rotation_tolerance, 1.4, 1e-9, "rotation_tolerance")
-	expect_near(node.max_latency, 0.2, 1e-9, "max_latency")
+	expect_near(node.max_latency, 0.1, 1e-9, "max_latency")
 	expect_near(node.send_rate, 20.0, 1e-9, "send_rate")
 	expect_equal(node.mode, MultivectorLerp.SEPARATE, "mode")
 	expect_equal(node.target_group, &"", "target_group")
@@ -49,7 +49,7 @@ func test_invalid_values_change_nothing() -> void:
 	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be at least 0 seconds.")
 	node.jitter_allowance = NAN
 	expect_near(node.position_tolerance, 0.005, 1e-9)
-	expect_near(node.max_latency, 0.2, 1e-9)
+	expect_near(node.max_latency, 0.1, 1e-9)
 	expect_equal(node.channel, 0)
 	expect_error("MotorSynchronizer.add_target: the node is null.")
 	node.add_target(null)

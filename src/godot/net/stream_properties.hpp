@@ -47,6 +47,11 @@ protected:
 		bind_property<Self, MultivectorLerp::Mode, MultivectorLerp::Mode>("mode", &Self::set_mode, &Self::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
 	}
 
+	/// The default of max_latency, in seconds: games react sooner than net::StreamSettings, which is economical.
+	static constexpr double DEFAULT_LATENCY = 0.1;
+
+	StreamProperties() { _settings.max_latency = DEFAULT_LATENCY; }
+
 	net::StreamSettings _settings;
 
 private:
