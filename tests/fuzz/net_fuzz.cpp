@@ -41,7 +41,7 @@ struct Recording {
 		net::Sender sender{ net::StreamSettings() };
 		net::Receiver receiver(MAX_BODIES);
 		for (uint32_t id = 0; id < 12; ++id) {
-			(void)sender.add_body(id, pose_at(id, 0.0));
+			(void)sender.add_body(id, pose_at(id, 0.0), id % 3 == 0);
 		}
 		sender.add_receiver(1, 0.0);
 		Bytes ack;
@@ -49,6 +49,9 @@ struct Recording {
 			const double now = tick * TICK;
 			for (uint32_t id = 0; id < 12; ++id) {
 				(void)sender.observe(id, now, pose_at(id, now));
+			}
+			if (tick % 40 == 0) {
+				(void)sender.remove_body(uint32_t(tick / 40), tick % 80 == 0);
 			}
 			sender.flush(now);
 			for (const net::OutgoingPacket &packet : sender.packets()) {
@@ -63,12 +66,16 @@ struct Recording {
 		}
 		net::StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 		for (int window = 0; window < 20; ++window) {
-			(void)encoder.add_body(uint32_t(window), window * 12.0, pose_at(0, 0.0));
+			(void)encoder.add_body(uint32_t(window), window * 12.0, pose_at(0, 0.0), window % 3 == 0);
+			if (window % 4 == 3) {
+				(void)encoder.jump(uint32_t(window) / 2);
+			}
 			for (int tick = 1; tick <= 12; ++tick) {
 				for (uint32_t id = 0; id <= uint32_t(window); ++id) {
 					(void)encoder.observe(id, window * 12.0 + tick, pose_at(id, (window * 12.0 + tick) * TICK));
 				}
 			}
+			(void)encoder.remove_body(uint32_t(window) / 3, window * 12.0 + 7.0, window % 2 == 0);
 			Bytes bytes;
 			encoder.encode_window(window * 12.0, 12, bytes);
 			if (window < 10) {
@@ -104,7 +111,12 @@ void fuzz_receiver(Pieces pieces) {
 		receiver.take_events(events);
 		require(std::isfinite(receiver.media_time()), "the media time is not finite");
 		for (uint32_t id = 0; id < 12; ++id) {
-			require_finite(receiver.pose(id).value_or(cga::Pose<double>()));
+			const auto shown = receiver.shown(id);
+			require_finite(shown.value_or(net::ShownBody()).pose);
+			const auto known = receiver.first_known(id, shown ? shown->life + 1 : 0);
+			require_finite(known.value_or(net::ShownBody()).pose);
+			require(!shown || receiver.end(id, shown->life) == net::BodyEnd::NONE, "a life that is shown has ended");
+			require(!shown || !known || known->life > shown->life, "lives are not ascending");
 		}
 	}
 }
@@ -123,7 +135,7 @@ void fuzz_sender(Pieces pieces) {
 		sender.flush(now);
 		size_t total = 0;
 		for (const net::OutgoingPacket &packet : sender.packets()) {
-			require(packet.size <= size_t(net::MAX_PACKET_BYTES), "a packet has more than MAX_PACKET_BYTES");
+			require(packet.size <= net::StreamSettings().max_packet_size, "a packet is larger than max_packet_size");
 			total += packet.size;
 		}
 		require(total < 400000, "the sender sends 400,000 bytes or more in a tick");

@@ -102,9 +102,12 @@ bool Delivery::is_copy_due(const Sent &sent, double time, double interval) {
 	return is_pair_due || time - sent.time >= interval;
 }
 
-void Delivery::collect_due(const ChunkRing &ring, double time) {
+void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) {
 	_due_fragments.clear();
 	_due_chunks.clear();
+	if (_snapshot != nullptr && _snapshot->fragment_size + FRAGMENT_HEADER > max_size) {
+		restart();
+	}
 	if (_needs_snapshot) {
 		return;
 	}
@@ -118,7 +121,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 	size_t new_bytes = 0;
 	for (; _sent_until < ring.next(); ++_sent_until) {
 		_sent[_sent_until % ChunkRing::RING] = Sent();
-		new_bytes += CHUNK_HEADER + ring.chunk(_sent_until).size;
+		new_bytes += CHUNK_HEADER + ring.chunk(_sent_until).bytes.size();
 	}
 	const uint32_t behind = ring.next() - _first_missing;
 	if (behind > MAX_CHUNKS_KEPT) {
@@ -131,10 +134,16 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 	size_t packet = new_bytes;
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {
 		Sent &sent = _sent[number % ChunkRing::RING];
-		const size_t size = CHUNK_HEADER + ring.chunk(number).size;
+		const size_t size = CHUNK_HEADER + ring.chunk(number).bytes.size();
 		if (is_due(sent, time)) {
 			_due_chunks.push_back(number);
-		} else if (packet + size <= size_t(MAX_PACKET_BYTES) && is_copy_due(sent, time, interval)) {
+			if (size > max_size) {
+				restart();
+				_due_fragments.clear();
+				_due_chunks.clear();
+				return;
+			}
+		} else if (packet + size <= max_size && is_copy_due(sent, time, interval)) {
 			packet += size;
 			sent.is_paired = true;
 			mark_sent(sent, time);

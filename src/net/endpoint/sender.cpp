@@ -18,6 +18,8 @@ constexpr double MIN_WINDOW = 0.4;
 constexpr double NOTABLE_LOSS = 0.004;
 /// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
+/// Windows are shortened to about this many chunks, so that few are in flight.
+constexpr double MAX_WINDOW_CHUNKS = 24.0;
 /// Rounding error of times, in ticks.
 constexpr double SAME_TIME = 1e-5;
 /// A time this short of a tick counts as that tick: recorded times are rounded.
@@ -32,11 +34,22 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
 	if (_encoder) {
-		return _encoder->add_body(id, ticks(_time), pose);
+		return _encoder->add_body(id, ticks(time.value_or(_time)), pose, planar);
 	}
-	return id < ID_LIMIT && is_in_range(pose) && _idle_bodies.emplace(id, pose).second;
+	IdleBody body;
+	body.planar = planar;
+	return id < ID_LIMIT && set_idle_pose(body, pose) && _idle_bodies.emplace(id, body).second;
+}
+
+bool Sender::set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const {
+	const cga::Pose<double> used = body.planar ? BodyState::planar_part(pose) : pose;
+	if (!BodyState::is_in_range(used, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)))) {
+		return false;
+	}
+	body.pose = used;
+	return true;
 }
 
 bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
@@ -49,11 +62,7 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return _encoder->observe(id, ticks(time), pose);
 	}
 	const auto found = _idle_bodies.find(id);
-	if (found == _idle_bodies.end() || !is_in_range(pose)) {
-		return false;
-	}
-	found->second = pose;
-	return true;
+	return found != _idle_bodies.end() && set_idle_pose(found->second, pose);
 }
 
 bool Sender::observe(uint32_t id, double time) {
@@ -65,10 +74,11 @@ bool Sender::observe(uint32_t id, double time) {
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
 }
 
-void Sender::add_receiver(uint32_t receiver, double time) {
+void Sender::add_receiver(uint32_t receiver, double time, double now) {
 	begin_at(time);
+	_now = now;
 	_peers.erase(receiver);
-	_peers.emplace(receiver, Peer{ Delivery(time) });
+	_peers.emplace(receiver, Peer{ Delivery(now) });
 }
 
 void Sender::remove_receiver(uint32_t receiver) {
@@ -96,11 +106,12 @@ void Sender::start_encoder(int64_t last_flush) {
 	}
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
-		(void)_encoder->add_body(id, begin, _idle_bodies[id]);
+		const IdleBody &body = _idle_bodies[id];
+		(void)_encoder->add_body(id, begin, body.pose, body.planar);
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
-		peer.second.delivery = Delivery(_time);
+		peer.second.delivery = Delivery(_now);
 	}
 	_changed_since = -1;
 	_is_starting = true;
@@ -108,7 +119,7 @@ void Sender::start_encoder(int64_t last_flush) {
 
 void Sender::stop_encoder() {
 	if (_encoder) {
-		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose) { _idle_bodies.emplace(id, pose); });
+		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar) { _idle_bodies.emplace(id, IdleBody{ pose, planar }); });
 		_encoder.reset();
 	}
 }
@@ -118,7 +129,7 @@ double Sender::max_window() const {
 	double network = FRAME;
 	for (const auto &peer : _peers) {
 		const Delivery &delivery = peer.second.delivery;
-		if (!delivery.is_silent(_time)) {
+		if (!delivery.is_silent(_now)) {
 			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
@@ -135,6 +146,9 @@ bool Sender::is_window_due(int64_t now) const {
 	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
 		return true;
 	}
+	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
+		return true;
+	}
 	if (_changed_since >= 0) {
 		return next - double(_changed_since) > max_window() + SAME_TIME;
 	}
@@ -144,9 +158,11 @@ bool Sender::is_window_due(int64_t now) const {
 void Sender::close_window(int64_t end) {
 	while (_window_begin < end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
+		const uint32_t first_chunk = _ring.next();
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check());
+		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
+		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
 		_window_begin += length;
 	}
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;
@@ -156,7 +172,7 @@ void Sender::start_snapshots() {
 	std::shared_ptr<Snapshot> snapshot;
 	for (auto &peer : _peers) {
 		Delivery &delivery = peer.second.delivery;
-		if (delivery.needs_snapshot() && !delivery.is_silent(_time)) {
+		if (delivery.needs_snapshot() && !delivery.is_silent(_now)) {
 			snapshot = snapshot != nullptr ? snapshot : make_snapshot();
 			delivery.start_snapshot(snapshot);
 		}
@@ -171,6 +187,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 	auto snapshot = std::make_shared<Snapshot>();
 	snapshot->number = ++_snapshot_number;
 	snapshot->next_chunk = _ring.next();
+	snapshot->fragment_size = _settings.max_packet_size - FRAGMENT_HEADER;
 	SnapshotHeader header;
 	header.settings = _settings;
 	header.tick = uint32_t(_window_begin);
@@ -186,7 +203,7 @@ void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
 		peer.delivery.set_patience(patience);
-		peer.delivery.send(_ring, _time, _bytes, [&](size_t begin, size_t size) {
+		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
 			++peer.packets_sent;
@@ -194,43 +211,44 @@ void Sender::send_all() {
 	}
 }
 
-void Sender::flush(double time) {
+void Sender::flush(double time, double now) {
 	_bytes.clear();
 	_packets.clear();
 	begin_at(time);
 	_time = std::max(time, _time);
-	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
-	if (now > _last_flush) {
+	_now = now;
+	const int64_t tick = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	if (tick > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
-		_step = std::clamp(double(now - _last_flush), 0.9 * _step, MAX_STEP);
+		_step = std::clamp(double(tick - _last_flush), 0.9 * _step, MAX_STEP);
 	}
 	const int64_t before = _last_flush;
-	_last_flush = now;
+	_last_flush = tick;
 	if (_peers.empty()) {
-		_window_begin = now;
+		_window_begin = tick;
 		return;
 	}
 	if (!_encoder) {
 		start_encoder(before);
 	}
-	if (_is_starting && now >= _window_begin) {
+	if (_is_starting && tick >= _window_begin) {
 		_encoder->start_at(double(_window_begin));
 		start_snapshots();
 		_is_starting = false;
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.
-		close_window(std::max(_window_begin, std::min(before, now - 1)));
+		close_window(std::max(_window_begin, std::min(before, tick - 1)));
 		_changed_since = _window_begin;
 	}
-	if (now > _window_begin && is_window_due(now)) {
-		close_window(now);
+	if (tick > _window_begin && is_window_due(tick)) {
+		close_window(tick);
 		start_snapshots();
 	}
 	send_all();
 }
 
-PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
 	const auto found = _peers.find(receiver);
 	if (found == _peers.end()) {
 		return PacketError::UNKNOWN_RECEIVER;
@@ -238,7 +256,7 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 	if (const PacketResult result = read_packet(packet, size, _content); !result) {
 		return result;
 	}
-	found->second.delivery.accept(_content, _ring, time);
+	found->second.delivery.accept(_content, _ring, now);
 	return {};
 }
 
@@ -251,6 +269,13 @@ void Sender::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	if (restarts) {
 		stop_encoder();
+	}
+}
+
+void Sender::resend_all(uint32_t receiver) {
+	const auto found = _peers.find(receiver);
+	if (found != _peers.end()) {
+		found->second.delivery.restart();
 	}
 }
 

@@ -29,7 +29,8 @@ struct ReceiverStatistics {
 };
 
 /// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
-/// `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
+/// `flush` and passes acknowledgements to `accept`. Times are in seconds. `time` is the clock of the motion, which may stand still;
+/// `now` is the clock of the network, on which round trips and silence are measured. They may be the same.
 ///
 /// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
 /// receiver that is new or too far behind gets a snapshot.
@@ -38,9 +39,12 @@ public:
 	explicit Sender(const StreamSettings &settings) :
 			_settings(settings) {}
 
-	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range.
-	bool add_body(uint32_t id, const cga::Pose<double> &pose);
-	bool remove_body(uint32_t id) { return _encoder ? _encoder->remove_body(id, ticks(_time)) : _idle_bodies.erase(id) != 0; }
+	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
+	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
+	/// It exists from `time` on; by default, from the last flush on.
+	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false, std::optional<double> time = std::nullopt);
+	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
+	bool remove_body(uint32_t id, bool freed = false) { return _encoder ? _encoder->remove_body(id, ticks(_time), freed) : _idle_bodies.erase(id) != 0; }
 	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _encoder ? _encoder->body_count() : _idle_bodies.size(); }
 
@@ -52,20 +56,26 @@ public:
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
 	bool teleport(uint32_t id) { return _encoder ? _encoder->jump(id) : has_body(id); }
 
-	void add_receiver(uint32_t receiver, double time);
+	void add_receiver(uint32_t receiver, double time, double now);
+	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
 	void remove_receiver(uint32_t receiver);
 	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
 
 	/// Builds the packets that are due. Call it every tick, after all poses up to `time` have been observed.
-	void flush(double time);
+	void flush(double time, double now);
+	void flush(double time) { flush(time, time); }
 	/// The packets of the last flush, valid until the next.
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
 	/// Processes a packet from a receiver.
-	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
-	/// New settings apply from the next window on. A change of any setting but the send rate restarts the stream.
+	/// Sends the receiver a snapshot instead of anything that is in flight.
+	void resend_all(uint32_t receiver);
+
+	/// New settings apply from the next window on. A change of any setting but send_rate and max_packet_size restarts
+	/// the stream.
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
@@ -75,6 +85,11 @@ public:
 	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
 
 private:
+	struct IdleBody {
+		cga::Pose<double> pose; // the last one
+		bool planar = false;
+	};
+
 	struct Peer {
 		Delivery delivery;
 		uint64_t bytes_sent = 0;
@@ -82,7 +97,8 @@ private:
 	};
 
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
-	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const { return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance))); }
+	/// Sets the pose of a body while there is no encoder. Returns false if it is not finite or out of range.
+	[[nodiscard]] bool set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const;
 	void begin_at(double first_time);
 	/// Starts the stream at the first tick at which all poses are known.
 	void start_encoder(int64_t last_flush);
@@ -97,7 +113,7 @@ private:
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
 	bool _is_starting = false; // the encoder waits for the poses of its first tick
-	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // last poses, while there is no encoder
+	std::unordered_map<uint32_t, IdleBody> _idle_bodies; // while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;
 	std::vector<uint8_t> _window;
@@ -108,12 +124,14 @@ private:
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
 	double _observed = 0.0; // time of the last pose
+	double _now = 0.0;
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;
 	int64_t _window_begin = 0; // ticks
 	int64_t _last_flush = 0; // ticks
 	int64_t _changed_since = -1; // tick; -1: nothing has changed
 	double _step = 1.0; // ticks between flushes
+	double _chunks_per_tick = 0.0; // in the last window
 };
 
 } // namespace net

@@ -1,21 +1,19 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 namespace net {
 
 namespace {
 
-/// Seconds between two OPEN packets, until the stream arrives.
-constexpr double OPEN_INTERVAL = 0.25;
-/// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
-constexpr double SILENCE = 1.0;
 /// Minimum seconds between two subscriptions of a peer, so that it cannot make us start a stream every tick.
 constexpr double SUBSCRIPTION_INTERVAL = 0.2;
-/// Capacity for bodies that do not exist here yet. It bounds the memory that a peer can make us allocate.
-constexpr size_t SPARE_BODIES = 4096;
+/// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
+/// to their end.
+constexpr double LINGER = 2.0;
+/// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
+constexpr double MAX_STEP = 0.25;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
@@ -26,18 +24,22 @@ uint8_t next_link(double now) {
 
 } // namespace
 
-void Session::connect(PeerId self, uint16_t key) {
+void Session::set_now(double now) {
+	_running_time += std::clamp(now - _now, 0.0, MAX_STEP);
+	_now = now;
+}
+
+void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
 		end_stream(peer);
 	}
 	_peers.clear();
 	_connected.clear();
 	_owners.clear();
-	_body_count.clear();
+	_owned = 0;
+	_size_limit = StreamSettings::MAX_PACKET_SIZE;
 	_sender.reset();
 	_self = self;
-	_key = key;
-	_streams_stale = true;
 }
 
 std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double now) {
@@ -45,7 +47,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	if (peers == _connected) {
 		return left;
 	}
-	_now = now;
+	set_now(now);
 	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
 	for (const PeerId id : left) {
@@ -54,21 +56,21 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 		_peers.erase(id);
 	}
 	for (const PeerId id : peers) {
-		_peers.try_emplace(id);
+		const auto [entry, is_new] = _peers.try_emplace(id);
+		if (is_new) {
+			request_stream(entry->second);
+		}
 	}
-	_streams_stale = true;
 	return left;
 }
 
 void Session::close(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.subscribed) {
 			send_close(id, peer, peer.subscription, CloseRole::SENDER);
 		}
-		if (peer.stream) {
-			send_close(id, peer, peer.link, CloseRole::RECEIVER);
-		}
+		send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	}
 }
 
@@ -77,8 +79,27 @@ void Session::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	_settings.tick = tick;
 	if (_sender) {
-		_sender->set_settings(_settings);
+		_sender->set_settings(sender_settings());
 	}
+}
+
+StreamSettings Session::sender_settings() const {
+	StreamSettings settings = _settings;
+	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
+	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER;
+	return settings;
+}
+
+size_t Session::packet_refused(PeerId peer, size_t size) {
+	const size_t limit = std::max(size / 4 * 3, StreamSettings::MIN_PACKET_SIZE);
+	if (has_peer(peer) && size > StreamSettings::MIN_PACKET_SIZE) {
+		_size_limit = std::min(limit, _size_limit);
+		if (_sender) {
+			_sender->set_settings(sender_settings());
+			_sender->resend_all(uint32_t(peer));
+		}
+	}
+	return sender_settings().max_packet_size + ENVELOPE_BYTES + ENGINE_HEADER;
 }
 
 void Session::set_margin_limits(double min, double max) {
@@ -91,49 +112,50 @@ void Session::set_margin_limits(double min, double max) {
 	}
 }
 
-void Session::count_owner(PeerId owner, int change) {
-	size_t &count = _body_count[owner];
-	count += size_t(change);
-	if (count == 0) {
-		_body_count.erase(owner);
-	}
-	_streams_stale = true;
-}
-
 void Session::set_owner(uint32_t body, PeerId owner) {
+	const auto found = _owners.find(body);
+	if (found != _owners.end() && found->second == owner) {
+		return;
+	}
 	remove_body(body);
 	_owners[body] = owner;
-	count_owner(owner, 1);
+	if (owner == _self) {
+		++_owned;
+		start_requested();
+	}
 }
 
-void Session::remove_body(uint32_t body) {
+void Session::remove_body(uint32_t body, bool freed) {
 	const auto found = _owners.find(body);
 	if (found == _owners.end()) {
 		return;
 	}
-	if (found->second == _self && _sender) {
-		_sender->remove_body(body);
+	if (found->second == _self) {
+		--_owned;
+		if (_sender) {
+			_sender->remove_body(body, freed);
+		}
 	}
-	count_owner(found->second, -1);
 	_owners.erase(found);
 }
 
 void Session::begin_tick(double now, double length) {
-	_now = _tick_time = now;
+	set_now(now);
 	if (length != _settings.tick) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
 		_tick = 0;
 		_settings.tick = length;
 		if (_sender) {
-			_sender->set_settings(_settings);
+			_sender->set_settings(sender_settings());
 		}
 	}
+	start_requested(); // with media time before this tick, so that this tick is sent at once
 	_tick++;
 }
 
-bool Session::observe(uint32_t body, const cga::Pose<double> &pose) {
-	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose))) {
+bool Session::observe(uint32_t body, const cga::Pose<double> &pose, bool planar) {
+	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar, time()))) {
 		return false;
 	}
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
@@ -146,43 +168,38 @@ void Session::teleport(uint32_t body) {
 }
 
 void Session::end_tick() {
-	if (_streams_stale) {
-		update_streams();
-	}
 	if (_sender) {
 		send_motion();
+		close_unneeded();
 	}
 }
 
 void Session::send_motion() {
-	_sender->flush(time());
+	_sender->flush(time(), _running_time);
 	for (const OutgoingPacket &packet : _sender->packets()) {
 		Peer &peer = _peers[PeerId(packet.receiver)];
 		send(PeerId(packet.receiver), peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
 	}
 }
 
-/// Opens a stream from each peer that owns a body, and closes the others.
-void Session::update_streams() {
-	_streams_stale = false;
-	for (auto &[id, peer] : _peers) {
-		const bool is_too_small = peer.max_bodies < _owners.size() + SPARE_BODIES / 2;
-		if (peer.stream && (!owns_bodies(id) || is_too_small)) {
-			send_close(id, peer, peer.link, CloseRole::RECEIVER);
-			end_stream(peer);
-		}
-		if (!peer.stream && owns_bodies(id)) {
-			open_stream(peer);
+/// Closes the outgoing streams some time after the last own body was removed. Their receivers then request new ones.
+void Session::close_unneeded() {
+	if (_owned > 0) {
+		_owned_at = _now;
+	} else if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency) {
+		for (auto &[id, peer] : _peers) {
+			if (peer.subscribed) {
+				send_close(id, peer, peer.subscription, CloseRole::SENDER);
+				peer.requested.reset();
+				unsubscribe(id, peer);
+			}
 		}
 	}
 }
 
-void Session::open_stream(Peer &peer) {
+void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
-	peer.max_bodies = 2 * _owners.size() + SPARE_BODIES;
-	peer.stream.emplace(peer.max_bodies);
-	peer.stream->set_margin_limits(_min_margin, _max_margin);
-	peer.open_due = 0.0;
+	peer.open.restart(_now);
 }
 
 void Session::end_stream(Peer &peer) {
@@ -193,22 +210,50 @@ void Session::end_stream(Peer &peer) {
 	}
 }
 
-void Session::subscribe(PeerId id, Peer &peer, uint8_t link, double now) {
-	const bool is_recent = now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
-	if (peer.is_subscribed(link) || is_recent || !owns_bodies(_self)) {
-		return; // the peer repeats the OPEN until a stream arrives
+/// Closes a stream with too many bodies and requests it again later.
+void Session::refuse_stream(PeerId id, Peer &peer) {
+	const size_t size = peer.stream->stream_size();
+	send_close(id, peer, peer.link, CloseRole::RECEIVER);
+	end_stream(peer);
+	request_stream(peer);
+	peer.refused_size = size;
+	peer.open.restart(_now + peer.refusal_pause);
+	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
+}
+
+void Session::accept_open(PeerId id, Peer &peer, uint8_t link, double now) {
+	if (peer.requested != link) {
+		peer.requested = link;
+		if (stream(id) == nullptr && peer.refused_size == 0) {
+			// The peer's session may be newer than our last request.
+			peer.open.restart(now);
+		}
 	}
+	start_requested();
+}
+
+/// Starts the streams that peers have requested, if there are bodies to send.
+void Session::start_requested() {
+	for (auto &[id, peer] : _peers) {
+		const bool is_recent = _now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
+		if (_owned > 0 && peer.requested && !peer.is_subscribed(*peer.requested) && !is_recent) {
+			start_stream(id, peer);
+		}
+	}
+}
+
+void Session::start_stream(PeerId id, Peer &peer) {
 	if (!_sender) {
-		_sender.emplace(_settings);
+		_sender.emplace(sender_settings());
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
-		peer.ended_at = now;
+		peer.ended_at = _now;
 	}
 	peer.subscribed = true;
-	peer.subscription = link;
-	peer.subscribed_at = now;
-	_sender->add_receiver(uint32_t(id), time());
+	peer.subscription = *peer.requested;
+	peer.subscribed_at = _now;
+	_sender->add_receiver(uint32_t(id), time(), _running_time);
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
@@ -224,19 +269,18 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 }
 
 void Session::advance(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
-		if (!peer.stream) {
-			continue;
+		if (peer.stream) {
+			peer.stream->advance(now);
+			count_unauthorized(id, peer);
+			peer.stream->take_ack(_ack, now);
+			if (!_ack.empty()) {
+				send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
+			}
 		}
-		peer.stream->advance(now);
-		count_unauthorized(id, peer);
-		peer.stream->take_ack(_ack, now);
-		if (!_ack.empty()) {
-			send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
-		}
-		if (now >= peer.open_due) {
-			peer.open_due = now + OPEN_INTERVAL;
+		if (peer.open.is_due(now)) {
+			peer.open.back_off(now);
 			send(id, peer, PacketKind::OPEN, peer.link, nullptr, 0);
 		}
 	}
@@ -259,92 +303,20 @@ const Receiver *Session::stream(PeerId peer) const {
 	return found != _peers.end() && found->second.stream && found->second.stream->is_ready() ? &*found->second.stream : nullptr;
 }
 
+size_t Session::stream_size(PeerId peer) const {
+	const auto found = _peers.find(peer);
+	if (found == _peers.end()) {
+		return 0;
+	}
+	return found->second.stream && found->second.stream->is_ready() ? found->second.stream->stream_size() : found->second.refused_size;
+}
+
 double Session::media_time(PeerId peer) const {
 	if (peer == _self) {
 		return _sender ? _sender->media_time(time()) : 0.0;
 	}
 	const Receiver *receiver = stream(peer);
 	return receiver != nullptr ? receiver->media_time() : 0.0;
-}
-
-void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	uint8_t *packet = _outbox.add(id, kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
-	write_envelope({ kind, _key, link, ENVELOPE_VERSION }, packet);
-	if (size > 0) {
-		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
-	}
-	peer.sent.add(ENVELOPE_BYTES + size, _now);
-}
-
-void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
-	const uint8_t byte = uint8_t(role);
-	send(id, peer, PacketKind::CLOSE, link, &byte, 1);
-}
-
-void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
-	const auto envelope = read_envelope(bytes, size);
-	const auto found = _peers.find(id);
-	if (!envelope || envelope->key != _key || found == _peers.end()) {
-		return;
-	}
-	Peer &peer = found->second;
-	peer.received.add(size, now);
-	bytes += ENVELOPE_BYTES;
-	size -= ENVELOPE_BYTES;
-	PacketResult result;
-	if (envelope->version != ENVELOPE_VERSION) {
-		result = PacketError::OTHER_SESSION_VERSION;
-	} else if (envelope->kind == PacketKind::OPEN) {
-		subscribe(id, peer, envelope->link, now);
-	} else if (envelope->kind == PacketKind::CLOSE) {
-		result = accept_close(id, peer, envelope->link, bytes, size);
-	} else if (envelope->kind == PacketKind::MOTION) {
-		result = accept_motion(peer, envelope->link, bytes, size, now);
-	} else {
-		result = accept_ack(id, peer, envelope->link, bytes, size, now);
-	}
-	if (!result) {
-		peer.rejections.add(result.error());
-		_rejected++;
-	}
-}
-
-PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (!peer.has_stream(link)) {
-		if (peer.ended_recently(now)) {
-			return {};
-		}
-		return peer.stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING;
-	}
-	const PacketResult result = peer.stream->accept(bytes, size, now);
-	if (result) {
-		peer.open_due = now + SILENCE;
-	}
-	return result;
-}
-
-PacketResult Session::accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (!peer.is_subscribed(link)) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
-	}
-	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
-	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
-	return _sender->accept(uint32_t(id), bytes, size, time() + since_tick);
-}
-
-PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
-	if (size != 1 || bytes[0] > uint8_t(CloseRole::SENDER)) {
-		return PacketError::MALFORMED_CLOSE;
-	}
-	const CloseRole role = CloseRole(bytes[0]);
-	if (role == CloseRole::SENDER && peer.has_stream(link)) {
-		// The sender may return: request a new stream until it does.
-		end_stream(peer);
-		_streams_stale = true;
-	} else if (role == CloseRole::RECEIVER && peer.is_subscribed(link)) {
-		unsubscribe(id, peer);
-	}
-	return {};
 }
 
 SessionStatistics Session::statistics(PeerId id, double now) {

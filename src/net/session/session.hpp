@@ -16,10 +16,11 @@ namespace net {
 
 /// Replicates bodies between peers, each body from its owner to all others.
 ///
-/// A session holds one Sender for the bodies that its own peer owns, and one Receiver for each peer that owns others. The
-/// receiving side opens a stream with an OPEN packet and repeats it until the stream arrives, so it does not matter which
-/// side starts first. The receiver numbers each stream (its link), which distinguishes its packets from those of an earlier
-/// one that are still in flight. Either side ends a stream with a CLOSE packet.
+/// A session holds one Sender for the bodies that its own peer owns, and one Receiver for each peer that sends others. It requests
+/// the stream of each connected peer with an OPEN packet and repeats it until the stream arrives, so it does not matter which
+/// side starts first. A peer that owns no bodies remembers the request and starts the stream when it owns one. The receiver numbers
+/// each stream (its link), which distinguishes its packets from those of an earlier one that are still in flight. Either side ends
+/// a stream with a CLOSE packet; the sender does so when it has owned no bodies for a while.
 ///
 /// The session is independent of the transport: the caller passes packets to `accept` and drains `outbox`. No input is
 /// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock.
@@ -29,43 +30,55 @@ public:
 			_settings(settings) {}
 
 	/// Resets the session to local peer `self` (0: not connected), without peers and bodies. Sends no packets.
-	void connect(PeerId self, uint16_t key);
+	void connect(PeerId self);
 	[[nodiscard]] bool is_connected() const { return _self != 0; }
 	[[nodiscard]] PeerId self() const { return _self; }
-	[[nodiscard]] uint16_t key() const { return _key; }
 	/// Sets the connected peers, in ascending order. Returns those that have left.
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
 	[[nodiscard]] bool has_peer(PeerId peer) const { return _peers.count(peer) != 0; }
-	/// Queues a CLOSE packet for each stream.
+	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
-	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
+	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
 	void set_settings(const StreamSettings &settings);
+	static constexpr size_t ENGINE_HEADER = 12;
+	/// Reports that the transport refused a packet of `size` bytes to a peer because it is too large. Reduces the maximum packet size
+	/// to three quarters of that, but not below StreamSettings::MIN_PACKET_SIZE, until the session connects again. Returns it.
+	size_t packet_refused(PeerId peer, size_t size);
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
+	/// Maximum number of bodies in the stream of a peer. It bounds the memory that a peer can make us allocate.
+	static constexpr size_t MAX_BODIES = 65536;
 	/// Adds a body, or changes its owner.
 	void set_owner(uint32_t body, PeerId owner);
-	void remove_body(uint32_t body);
+	void remove_body(uint32_t body) { remove_body(body, false); }
+	/// Removes a body whose object is freed: peers see it up to its last pose, then Receiver::end reports BodyEnd::FREED.
+	void free_body(uint32_t body) { remove_body(body, true); }
 
 	/// Begins a tick and advances media time by `length` seconds.
 	void begin_tick(double now, double length);
 	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }
 	/// Records the pose of an owned body at this tick. Returns false if the pose is invalid: peers then see the last one.
-	bool observe(uint32_t body, const cga::Pose<double> &pose);
+	/// `planar` applies to a body without a pose in the current stream, see Sender::add_body.
+	bool observe(uint32_t body, const cga::Pose<double> &pose, bool planar = false);
 	/// Records that the body is still at its last pose. Returns false if the current stream has no pose of it yet.
 	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.
 	void teleport(uint32_t body);
-	/// Ends the tick: opens and closes streams according to ownership and queues the packets that are due.
+	/// Ends the tick: queues the packets that are due, or closes the outgoing streams if they have not been needed for a while.
 	void end_tick();
 
-	/// Advances playback to `now` and queues acknowledgements. Call it once per frame.
+	/// Advances playback to `now` and queues requests and acknowledgements. Call it once per frame.
 	void advance(double now);
 	/// The incoming stream of a peer; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
+	/// Number of bodies in the incoming stream of a peer. A stream of more than MAX_BODIES is refused, and requested again after pauses
+	/// of 0.25 to 30 s.
+	[[nodiscard]] size_t stream_size(PeerId peer) const;
 	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
 
@@ -92,35 +105,39 @@ public:
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
+	void set_now(double now);
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
-	void count_owner(PeerId owner, int change);
-	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
-	void update_streams();
-	void open_stream(Peer &peer);
+	void remove_body(uint32_t body, bool freed);
+	[[nodiscard]] StreamSettings sender_settings() const;
+	void request_stream(Peer &peer);
 	void end_stream(Peer &peer);
-	void subscribe(PeerId id, Peer &peer, uint8_t link, double now);
+	void refuse_stream(PeerId id, Peer &peer);
+	void accept_open(PeerId id, Peer &peer, uint8_t link, double now);
+	void start_requested();
+	void start_stream(PeerId id, Peer &peer);
+	void close_unneeded();
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
-	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void count_unauthorized(PeerId id, Peer &peer);
 
 	StreamSettings _settings;
+	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
-	uint16_t _key = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
 	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
-	std::map<PeerId, size_t> _body_count; // keyed by owner
-	bool _streams_stale = false;
+	size_t _owned = 0; // number of bodies that this peer owns
+	double _owned_at = -1e9; // local time when it last owned one
 	std::optional<Sender> _sender; // while a peer is subscribed
 	double _first_tick = 0.0; // time() when the tick length last changed
 	int64_t _tick = 0; // ticks since _first_tick
-	double _tick_time = 0.0; // local time of the last tick
 	double _now = 0.0; // local time of the last call
+	double _running_time = 0.0; // local time without the time in which the process stood still
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // total over all peers

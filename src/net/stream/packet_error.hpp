@@ -29,7 +29,6 @@ enum class PacketError : uint8_t {
 	OTHER_SESSION_VERSION,
 	MALFORMED_CLOSE,
 	STREAM_NOT_REQUESTED,
-	SENDER_OWNS_NOTHING,
 	NOT_SUBSCRIBED,
 };
 
@@ -53,7 +52,6 @@ enum class PacketError : uint8_t {
 		"the packet is of another version of the addon; use the same version on all peers",
 		"the close packet is malformed",
 		"the packet belongs to a stream that was not requested",
-		"its sender is not the authority of any target here",
 		"it acknowledges a stream that its sender does not receive",
 	};
 	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::NOT_SUBSCRIBED) + 1);

@@ -4,6 +4,13 @@
 
 namespace net {
 
+namespace {
+
+/// Minimum size of a body in a snapshot: its id, and for each number of its pose the width, in plain bits.
+constexpr size_t MIN_BODY_BYTES = (31 + 3 * 6 + 2 + 3 * 5 + 5 + 2 + 2) / 8;
+
+} // namespace
+
 PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
@@ -12,10 +19,11 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	_new_models = MotionModels();
 	code_models(coder, _new_models);
 	const uint32_t count = coder.read_bits(INDEX_BITS);
-	// Each body takes at least one byte, so a short snapshot cannot make the decoder allocate many bodies.
-	if (ticks > MAX_TICKS || count > size) {
+	// A short snapshot cannot make the decoder allocate many bodies.
+	if (ticks > MAX_TICKS || count > size / MIN_BODY_BYTES) {
 		return PacketError::UNREADABLE_SNAPSHOT;
 	}
+	_declared_count = count;
 	if (count > _max_bodies) {
 		return PacketError::TOO_MANY_BODIES;
 	}
@@ -99,14 +107,15 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 			return false;
 		}
 		Body &body = _new_bodies[size_t(index)];
-		if (event == WindowEvent::REMOVED) {
+		if (event == WindowEvent::REMOVED || event == WindowEvent::FREED) {
 			body.removal_tick = tick;
+			body.freed = event == WindowEvent::FREED;
 			continue;
 		}
 		body.target.visit(state_coder);
 		body.event_tick = tick;
 		body.event = Event::JUMPS;
-		if (event != WindowEvent::JUMPED || !body.target.is_valid() || body.target.active) {
+		if (!body.target.is_valid() || body.target.active || body.target.planar != body.state.planar) {
 			return false;
 		}
 	}
@@ -124,6 +133,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 	}
 	if (body.event != Event::NONE) {
 		motions.push_back(BodyMotion::rest(body.id, begin + at, body.state.pose(_grid), true));
+		motions.back().jumps = body.event == Event::JUMPS;
 		body.event = Event::NONE;
 		body.event_tick = 0;
 	}
@@ -131,7 +141,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 		return false;
 	}
 	if (body.removal_tick != NEVER) {
-		motions.push_back(BodyMotion::removal(body.id, begin + last));
+		motions.push_back(BodyMotion::removal(body.id, begin + last, body.freed));
 	}
 	return true;
 }
@@ -143,7 +153,7 @@ bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, i
 	_motion.active = false;
 	_motion.count = 0;
 	const bool is_valid = code_motion(coder, _new_models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
-		motions.push_back({ body.id, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
+		motions.push_back({ body.id, false, false, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
 	});
 	_previous_active = _motion.active;
 	return is_valid;

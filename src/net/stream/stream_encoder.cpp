@@ -29,13 +29,13 @@ int tick_in_window(double time, double begin, int ticks) {
 
 } // namespace
 
-bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose) {
+bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose, bool planar) {
 	Body body;
-	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, _grid)) {
+	body.state.planar = planar;
+	if (id >= ID_LIMIT || has_body(id) || !set_latest(body, pose) || !body.state.set_pose(body.latest, _grid)) {
 		return false;
 	}
 	body.id = id;
-	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
 	body.added = true;
 	body.event_time = time;
 	body.encoded_until = time;
@@ -66,14 +66,16 @@ void StreamEncoder::start_at(double tick) {
 	}
 }
 
-bool StreamEncoder::remove_body(uint32_t id, double time) {
+bool StreamEncoder::remove_body(uint32_t id, double time, bool freed) {
 	const auto found = _index.find(id);
 	if (found == _index.end()) {
 		return false;
 	}
 	Body &body = _bodies[found->second];
 	body.removed = true;
-	body.removal_time = time;
+	body.freed = freed;
+	// The body is shown up to its last pose.
+	body.removal_time = body.samples.empty() ? time : std::max(time, body.samples.back().time);
 	_index.erase(found);
 	_changed = true;
 	return true;
@@ -88,14 +90,20 @@ bool StreamEncoder::jump(uint32_t id) {
 	return true;
 }
 
+bool StreamEncoder::set_latest(Body &body, const cga::Pose<double> &pose) const {
+	const auto set = [&body, this](const cga::Pose<double> &used) {
+		if (!BodyState::is_in_range(used, _grid)) {
+			return false;
+		}
+		body.latest = { used.translation, glm::normalize(used.rotation), used.scale };
+		return true;
+	};
+	return body.state.planar ? set(BodyState::planar_part(pose)) : set(pose);
+}
+
 bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 	const auto found = _index.find(id);
-	if (found == _index.end() || !BodyState::is_in_range(pose, _grid)) {
-		return false;
-	}
-	Body &body = _bodies[found->second];
-	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
-	return observe(body, time);
+	return found != _index.end() && set_latest(_bodies[found->second], pose) && observe(_bodies[found->second], time);
 }
 
 bool StreamEncoder::observe(uint32_t id, double time) {
@@ -164,15 +172,17 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 		}
 	}
 	coder.finish();
-	const auto end = std::remove_if(_bodies.begin(), _bodies.end(), [](const Body &body) { return body.removed; });
-	if (end != _bodies.end()) {
-		_bodies.erase(end, _bodies.end());
+	const auto kept = std::remove_if(_bodies.begin(), _bodies.end(), [end = begin + ticks + 1e-6](const Body &body) { return body.is_removed_by(end) || (body.removed && body.added); });
+	if (kept != _bodies.end()) {
+		_bodies.erase(kept, _bodies.end());
 		for (size_t i = 0; i < _bodies.size(); ++i) {
-			_index[_bodies[i].id] = i;
+			if (!_bodies[i].removed) {
+				_index[_bodies[i].id] = i;
+			}
 		}
 	}
 	_changed = std::any_of(_bodies.begin(), _bodies.end(), [this](const Body &body) {
-		return body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
+		return body.jumped || body.added || body.removed || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
 	});
 }
 
@@ -196,7 +206,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 	const auto is_jumped = [end](const Body &body) { return body.jumped && body.event_time <= end; };
 	// A body that was added after the end and has already been removed is never sent.
 	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
-	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
+	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.is_removed_by(end) && is_included(body)); };
 	const bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
@@ -222,6 +232,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 			put_event(WindowEvent::JUMPED, body.event_time);
 			state_coder(index, INDEX_BITS);
 			BodyState target;
+			target.planar = body.state.planar;
 			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.event_time; });
 			if (first == body.samples.end() || !target.set_pose(first->pose, _grid)) {
 				target = body.state;
@@ -229,8 +240,8 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 			}
 			target.visit(state_coder);
 		}
-		if (body.removed) {
-			put_event(WindowEvent::REMOVED, body.removal_time);
+		if (body.is_removed_by(end)) {
+			put_event(body.freed ? WindowEvent::FREED : WindowEvent::REMOVED, body.removal_time);
 			state_coder(index, INDEX_BITS);
 		}
 	}
@@ -240,7 +251,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks) {
 	const double end = begin + ticks + 1e-6;
 	const size_t count = size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
-	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
+	const int last = body.is_removed_by(end) ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
 	size_t first = 0;
 	if (body.added && body.event_time > end) {

@@ -16,12 +16,14 @@ public:
 	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
 			_grid(position_tolerance, rotation_tolerance), _planner(_grid, mode) {}
 
-	/// False if the id is taken or the pose is not finite or out of range.
-	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
+	/// False if the id is taken or the pose is not finite or out of range. Of the poses of a planar body, only the planar part
+	/// (BodyState::planar_part) is used.
+	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose, bool planar = false);
 	/// Starts the stream at `tick`, before the first window: a snapshot contains all bodies added until then, at their
 	/// poses at that tick. Poses observed between ticks are interpolated.
 	void start_at(double tick);
-	bool remove_body(uint32_t id, double time);
+	/// `freed`: its object was freed. Returns false if the body does not exist.
+	bool remove_body(uint32_t id, double time, bool freed = false);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _index.size(); }
 	/// False if there is no such body or the pose is not finite or out of range.
@@ -30,11 +32,12 @@ public:
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next pose without interpolation. Returns false if the body does not exist.
 	bool jump(uint32_t id);
-	/// Calls visit(id, last pose) for each body.
+	/// Calls visit(id, last pose, planar) for each body.
 	template <class Visit>
 	void visit_bodies(Visit &&visit) const {
 		for (const auto &entry : _index) {
-			visit(entry.first, _bodies[entry.second].latest);
+			const Body &body = _bodies[entry.second];
+			visit(entry.first, body.latest, body.state.planar);
 		}
 	}
 
@@ -62,11 +65,16 @@ private:
 		bool jump_next = false;
 		bool jumped = false; // pending, at `event_time`
 		bool removed = false;
+		bool freed = false; // if removed
 		double event_time = 0.0;
 		double removal_time = 0.0;
 		double encoded_until = 0.0; // time of the last encoded sample
+
+		[[nodiscard]] bool is_removed_by(double time) const { return removed && removal_time <= time; }
 	};
 
+	/// Sets the latest pose. Returns false and changes nothing if it is not finite or out of range.
+	bool set_latest(Body &body, const cga::Pose<double> &pose) const;
 	bool observe(Body &body, double time);
 	void find_gaps(double begin, int ticks);
 	void encode_events(RangeEncoder &coder, double begin, int ticks);

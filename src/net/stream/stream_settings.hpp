@@ -2,6 +2,7 @@
 
 #include "cga/motor/interpolate.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace net {
@@ -11,6 +12,8 @@ struct StreamSettings {
 	/// Maximum distance between a body as shown and as it was, in meters: at its center, and on its axes at the lever arm,
 	/// which StreamGrid derives from the two tolerances.
 	double position_tolerance = 0.005;
+	/// position_tolerance for planar bodies, in pixels. The pose of a planar body is given in meters, see planar_unit().
+	double position_tolerance_2d = 0.5;
 	/// Maximum angle between the rotation shown and the actual one, in degrees.
 	double rotation_tolerance = 1.4;
 	/// Playback delay of receivers, in seconds, without the delay of the network.
@@ -21,17 +24,23 @@ struct StreamSettings {
 	cga::Mode mode = cga::Mode::SEPARATE;
 	/// Length of a tick, in seconds. Windows and segments begin and end at whole ticks.
 	double tick = 1.0 / 60.0;
+	/// Maximum size of a packet in bytes, from MIN_PACKET_SIZE to MAX_PACKET_SIZE: what the transport sends as one datagram.
+	size_t max_packet_size = 1100;
 
-	/// True if a stream can continue when its settings change to `other`. Only send_rate may differ.
+	static constexpr size_t MIN_PACKET_SIZE = 256;
+	static constexpr size_t MAX_PACKET_SIZE = 65000;
+
+	/// The length of a pixel in meters for planar bodies: both tolerances of the position are the same length. Sender and
+	/// receivers compute the same value.
+	[[nodiscard]] double planar_unit() const { return double(float(position_tolerance)) / double(float(position_tolerance_2d)); }
+
+	/// True if a stream can continue when its settings change to `other`. Only send_rate and max_packet_size may differ.
 	[[nodiscard]] bool is_same_stream(const StreamSettings &other) const {
-		return position_tolerance == other.position_tolerance && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
+		return position_tolerance == other.position_tolerance && position_tolerance_2d == other.position_tolerance_2d && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
 	}
 };
 
 /// Time until a receiver processes what has arrived: one frame at 60 Hz, in seconds.
 inline constexpr double FRAME = 0.017;
-
-/// Maximum size of a packet in bytes, so that networks do not fragment its datagram.
-inline constexpr int MAX_PACKET_BYTES = 1350;
 
 } // namespace net

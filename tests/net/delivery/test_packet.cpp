@@ -182,7 +182,7 @@ TEST_CASE("packet: unknown items and packets that are too long are rejected") {
 		CHECK((error == PacketError::UNKNOWN_ITEM) == !known);
 		CHECK(error_of({ 0xc2, uint8_t(kind), 1 }) == (kind == 0xc0 || kind == 0xc2 ? error_of({ uint8_t(kind), 1 }) : error));
 	}
-	Bytes longest(size_t(MAX_PACKET_BYTES), 0);
+	Bytes longest(StreamSettings::MAX_PACKET_SIZE, 0);
 	longest[0] = 0xb0;
 	CHECK(error_of(longest) == std::nullopt);
 	longest.push_back(0);

@@ -32,6 +32,7 @@ public:
 		double origin = 0.0; // virtual time at which the media time of its stream is 0
 		int poses_rejected = 0;
 		double held_until = 0.0; // virtual time until which it makes no ticks
+		double blocked_until = 0.0; // virtual time until which its process does nothing
 		double tick_share = 1.0; // fraction of its ticks that it makes
 		double due_ticks = 0.0;
 		int64_t ticks = 0;
@@ -51,7 +52,7 @@ public:
 			_link(link) {}
 
 	net::Session &join(PeerId id) {
-		peers[id].session.connect(id, KEY);
+		peers[id].session.connect(id);
 		update_peers();
 		return peers[id].session;
 	}
@@ -66,7 +67,7 @@ public:
 		Peer &peer = peers[id];
 		peer.session.close(local(id));
 		send(id, peer);
-		peer.session.connect(0, KEY);
+		peer.session.connect(0);
 		peer.owners.clear();
 	}
 
@@ -88,6 +89,9 @@ public:
 		for (int frame = 0; frame < frames_per_tick; ++frame) {
 			now += tick / frames_per_tick;
 			for (auto &[id, peer] : peers) {
+				if (now < peer.blocked_until) {
+					continue;
+				}
 				receive(id, peer);
 				if (frame == 0) {
 					step_tick(id, peer);
@@ -154,14 +158,15 @@ public:
 		return result;
 	}
 
-	static constexpr uint16_t KEY = 0xc6a1;
-
 	std::map<PeerId, Peer> peers;
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
+	bool has_planar_bodies = false; // bodies with odd numbers are planar
 	std::vector<SentPacket> sent;
+	std::vector<size_t> refusals; // what packet_refused() returned
 	double now = 100.0;
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
+	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
 	void update_peers() {
@@ -187,7 +192,7 @@ private:
 		for (const auto &[body, owner] : peer.owners) {
 			const auto path = paths.find(body);
 			if (owner == id && path != paths.end() && peer.session.is_sending()) {
-				peer.poses_rejected += peer.session.observe(body, path->second(now)) ? 0 : 1;
+				peer.poses_rejected += peer.session.observe(body, path->second(now), has_planar_bodies && body % 2 == 1) ? 0 : 1;
 			}
 		}
 		peer.session.end_tick();
@@ -212,6 +217,10 @@ private:
 		peer.session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
 			const std::optional<net::Envelope> envelope = net::read_envelope(bytes, packet.size);
 			REQUIRE(envelope);
+			if (packet.size + net::Session::ENGINE_HEADER > transport_limit) {
+				refusals.push_back(peer.session.packet_refused(packet.peer, packet.size));
+				return;
+			}
 			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
 			Link &to = link(id, packet.peer);
 			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);
@@ -241,9 +250,9 @@ inline SessionNetwork network_of_two(const LinkSettings &link = { 0.03 }) {
 }
 
 /// A session packet with the given content.
-inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}, uint16_t key = SessionNetwork::KEY) {
+inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}) {
 	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
-	net::write_envelope({ kind, key, link, net::ENVELOPE_VERSION }, bytes.data());
+	net::write_envelope({ kind, link, net::ENVELOPE_VERSION }, bytes.data());
 	bytes.insert(bytes.end(), content.begin(), content.end());
 	return bytes;
 }
