@@ -25,7 +25,7 @@ struct StreamStatistics {
 	double playback_delay = 0.0; ///< seconds behind the newest media time that can have arrived
 	double jitter = 0.0; ///< seconds between the earliest and the latest recent arrivals
 	double round_trip = 0.0; ///< seconds, as measured by the sender; 0 before it reports one
-	double loss = 0.0; ///< recent fraction of chunks that arrived after a newer one
+	double loss = 0.0; ///< recent fraction of chunks that arrived after or with a newer window
 };
 
 struct BodyEvent {
@@ -121,7 +121,8 @@ private:
 		std::optional<cga::Pose<double>> pose; // the last one
 	};
 
-	void count_loss(uint8_t number, double now);
+	/// `is_copy`: a newer window arrived in the same packet.
+	void count_loss(uint8_t number, bool is_copy, double now);
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
