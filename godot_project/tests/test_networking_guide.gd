@@ -38,13 +38,15 @@ func test_spawning() -> void:
 	)
 	await move(branches[0], SETTLE)
 	branches[0].world.call(&"spawn_enemy", 1, Vector3(5, 6, 7))
-	var frames := 0
-	while frames < 30:
+	var world := branches[1].world
+	await wait_until(func() -> bool: return world.has_node(^"Enemy1"), "the enemy to be spawned")
+	var shown: Node3D = world.get_node(^"Enemy1")
+	# The signal process_frame precedes the node's first frame.
+	for i in 60:
 		await tree.process_frame
-		var shown: Node3D = branches[1].world.get_node_or_null(^"Enemy1")
-		if shown != null and shown.visible:
-			frames += 1
+		if shown.visible:
 			expect_vector_near(shown.position, Vector3(5, 6, 7), 0.006, "position of the enemy")
+	expect_true(shown.visible, "the enemy is shown")
 
 
 func test_projectiles_that_end() -> void:
@@ -175,7 +177,11 @@ func test_small_packets() -> void:
 	branches[1].api.peer_packet.connect(
 		func(_peer: int, packet: PackedByteArray) -> void: sizes.append(packet.size())
 	)
-	await expect_motion(0.3, [branches[1]])
+	var pose := func(_name: StringName, now: float) -> Transform3D: return default_pose(&"", now)
+	await move(branches[0], 3.0 * SETTLE, pose)
+	expect_true(
+		distance_from_paths(branches[1]) < 0.008, "the bodies are on their paths on the client"
+	)
 	sizes.sort()
 	expect_true(
 		sizes.size() > 5 and sizes[-1] > 300 and sizes[-1] < 500,
