@@ -230,6 +230,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 				const Transform3D from = frame.previous_pose && previous_parent != nullptr ? from_previous(*frame.previous_pose) : local_transform(node);
 				target.begin_blend(from, transform, now);
 			}
+			target.previous_parent = 0;
 			target.place(target.blended(transform, now, target.synchronizer->get_blend_time()), is_interpolated);
 			target.reveal();
 			break;
