@@ -28,6 +28,8 @@ public:
 	[[nodiscard]] bool is_running() const { return _running; }
 	[[nodiscard]] double media_time() const { return std::max(_position, _begin); }
 	[[nodiscard]] double media_time_at(double now) const { return std::max(position_at(now), _begin); }
+	/// True while playback waits at the begin of the stream.
+	[[nodiscard]] bool is_waiting() const { return _running && _position < _begin; }
 	/// The target delay behind the newest media time that can have arrived, in media time.
 	[[nodiscard]] double target_delay() const;
 	/// The actual delay at `now`, in local time. While nothing arrives, it grows.

@@ -319,7 +319,7 @@ std::optional<ShownBody> Receiver::shown(uint32_t id) const {
 	const auto track = _tracks.find(id);
 	const double tick = media_time() / this->tick();
 	const BodyMotion *motion = track != _tracks.end() ? track->second.motion_at(tick) : nullptr;
-	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life }) : std::nullopt;
+	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life, motion->segment.begin > tick || _clock.is_waiting() }) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) const {

@@ -42,6 +42,7 @@ struct BodyEvent {
 struct ShownBody {
 	cga::Pose<double> pose;
 	uint64_t life = 0;
+	bool is_early = false; ///< playback has not reached the first known motion: this is its first pose
 };
 
 /// Whether and how a life has ended.
