@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/delivery/chunk_buffer.hpp"
+#include "net/delivery/chunk_ring.hpp"
 #include "net/delivery/fragment_buffer.hpp"
 #include "net/delivery/playback_clock.hpp"
 #include "net/motion/motion_track.hpp"
@@ -79,6 +80,25 @@ public:
 	[[nodiscard]] const StreamSettings &settings() const { return _header.settings; }
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
+	/// Keeps the last windows from now on, so that a ForwardedStream can send them again.
+	void record() { _record.emplace(); }
+	/// The windows decoded since the last snapshot and earlier ones; null unless they are recorded.
+	[[nodiscard]] const ChunkRing *recorded() const { return _record ? &*_record : nullptr; }
+	/// Number of snapshots decoded. The windows recorded before a snapshot do not continue after it.
+	[[nodiscard]] uint32_t snapshot_count() const { return _snapshot_count; }
+	/// Appends a snapshot of the state at known_time(). Requires is_ready().
+	void encode_snapshot(std::vector<uint8_t> &bytes);
+	/// True if a body exists at known_time() for which matches(id) is true.
+	template <class Matches>
+	[[nodiscard]] bool has_body_if(Matches &&matches) const {
+		for (size_t i = 0; _decoder && i < _decoder->body_count(); ++i) {
+			if (matches(_decoder->id(i))) {
+				return true;
+			}
+		}
+		return false;
+	}
+
 private:
 	void count_loss(uint8_t number, double now);
 	PacketResult check_fragments() const;
@@ -100,6 +120,8 @@ private:
 	ChunkBuffer _chunks;
 	std::optional<StreamDecoder> _decoder; // set by the first snapshot
 	SnapshotHeader _header;
+	std::optional<ChunkRing> _record;
+	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
 	std::unordered_map<uint32_t, MotionTrack> _tracks;

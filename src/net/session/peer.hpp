@@ -26,6 +26,10 @@ struct Peer {
 	uint8_t subscription = 0; ///< link of the stream
 	double subscribed_at = -1e9;
 
+	// Relaying.
+	std::optional<uint8_t> relay_link; ///< link of the client to which we, the server, relay
+	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
+
 	// The peer's stream to us.
 	std::optional<Receiver> stream;
 	uint8_t link = 0;

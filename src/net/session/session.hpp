@@ -4,6 +4,8 @@
 #include "net/session/envelope.hpp"
 #include "net/session/outbox.hpp"
 #include "net/session/peer.hpp"
+#include "net/session/relay.hpp"
+#include "net/session/relayed_streams.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +22,8 @@ namespace net {
 /// receiving side opens a stream with an OPEN packet and repeats it until the stream arrives, so it does not matter which
 /// side starts first. The receiver numbers each stream (its link), which distinguishes its packets from those of an earlier
 /// one that are still in flight. Either side ends a stream with a CLOSE packet.
+///
+/// If the session relays, clients exchange streams with the server only, which forwards the streams of all owners to them.
 ///
 /// The session is independent of the transport: the caller passes packets to `accept` and drains `outbox`. No input is
 /// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock.
@@ -42,6 +46,10 @@ public:
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
 	void set_settings(const StreamSettings &settings);
+	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
+	/// does not relay, they open streams to all owners, as without relaying. A change restarts all streams.
+	void set_relay(bool relay);
+	[[nodiscard]] bool relay() const { return _relay; }
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
@@ -64,7 +72,7 @@ public:
 
 	/// Advances playback to `now` and queues acknowledgements. Call it once per frame.
 	void advance(double now);
-	/// The incoming stream of a peer; null until its first snapshot has arrived.
+	/// The incoming stream of an owner, relayed or not; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
 	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
@@ -96,17 +104,34 @@ private:
 	void count_owner(PeerId owner, int change);
 	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
 	void update_streams();
-	void open_stream(Peer &peer);
-	void end_stream(Peer &peer);
+	void open_stream(PeerId id, Peer &peer);
+	void end_stream(PeerId id, Peer &peer);
+	void close_stream(PeerId id, Peer &peer);
 	void subscribe(PeerId id, Peer &peer, uint8_t link, double now);
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
+	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
-	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
-	void count_unauthorized(PeerId id, Peer &peer);
+	[[nodiscard]] SessionStatistics direct_statistics(PeerId id, Peer &peer, double now);
+	[[nodiscard]] uint64_t count_unauthorized(PeerId owner, Receiver &stream);
+	[[nodiscard]] bool is_unauthorized(PeerId owner, uint32_t body) const;
+
+	// Relaying (session_relay.cpp).
+	[[nodiscard]] bool is_relaying() const { return _relay && _self == RelayedStreams::SERVER; }
+	[[nodiscard]] bool is_relay_client() const;
+	[[nodiscard]] bool is_relayed(const Peer &peer) const { return _is_link_relayed && peer.stream && &peer == &_peers.at(RelayedStreams::SERVER); }
+	[[nodiscard]] bool wants_stream(PeerId id) const;
+	PacketResult note_relay(PeerId id, Peer &peer, bool relay);
+	void relay_to(PeerId id, Peer &peer, uint8_t link);
+	void stop_relaying_to(PeerId id, Peer &peer);
+	void end_relayed(PeerId id, Peer &peer);
+	void send_relayed();
+	void advance_relayed(Peer &server);
+	[[nodiscard]] SessionStatistics relayed_statistics(PeerId owner, double now);
 
 	StreamSettings _settings;
 	PeerId _self = 0;
@@ -125,6 +150,10 @@ private:
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // total over all peers
 	uint64_t _late = 0; // late windows of streams that have ended
+	bool _relay = false;
+	bool _is_link_relayed = false; // the server's stream to us is relayed
+	Relay _relayer; // if we are the server
+	RelayedStreams _relayed; // if we are a client
 	Outbox _outbox;
 	std::vector<uint8_t> _ack;
 	std::vector<BodyEvent> _events;
