@@ -15,7 +15,6 @@ namespace fuzz {
 constexpr net::PeerId TESTED = 1;
 constexpr net::PeerId HONEST = 2;
 constexpr net::PeerId HOSTILE = 3;
-constexpr uint16_t SESSION_KEY = 0x1234;
 /// Placeholder in recorded packets for the link that the tested session chooses.
 constexpr uint8_t CHOSEN_LINK = 0xa5;
 
@@ -28,7 +27,7 @@ inline bool has_chosen_link(const Bytes &packet) {
 struct SessionEnd {
 	SessionEnd(net::PeerId id, const std::vector<net::PeerId> &others, uint32_t owned) :
 			id(id), owned(owned) {
-		session.connect(id, SESSION_KEY);
+		session.connect(id);
 		(void)session.set_peers(others, 0.0);
 	}
 

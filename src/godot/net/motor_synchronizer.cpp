@@ -177,7 +177,7 @@ void MotorSynchronizer::update_connection() {
 	const int32_t self = is_connected ? _api->get_unique_id() : 0;
 	if (self != _session.self() || transport_id != _transport) {
 		disconnect_session();
-		_session.connect(self, _session.key());
+		_session.connect(self);
 		_transport = transport_id;
 	}
 	update_peers();
@@ -189,7 +189,7 @@ void MotorSynchronizer::disconnect_session() {
 		target.release();
 		target.authority = 0;
 	}
-	_session.connect(0, _session.key());
+	_session.connect(0);
 	_transport = 0;
 }
 
@@ -209,23 +209,10 @@ void MotorSynchronizer::update_peers() {
 	}
 }
 
-void MotorSynchronizer::update_key() {
+void MotorSynchronizer::update_root() {
 	_root = String(_api->get_root_path());
 	if (!_root.ends_with("/")) {
 		_root += "/";
-	}
-	const uint16_t key = net::path_key(to_utf8(relative_path(this)));
-	if (key != _session.key()) {
-		close_session();
-		disconnect_session();
-		_session.connect(0, key);
-	}
-	const TypedArray<Node> others = get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
-	for (int64_t i = 0; i < others.size(); i++) {
-		const MotorSynchronizer *other = Object::cast_to<MotorSynchronizer>(others[i].get_validated_object());
-		if (other != nullptr && other != this && other->_api == _api && other->_session.key() == key) {
-			ERR_PRINT(vformat("MotorSynchronizer: the paths of %s and %s have the same hash, so peers cannot tell their packets apart. Rename one of the two on all peers.", get_path(), other->get_path()));
-		}
 	}
 }
 

@@ -72,7 +72,7 @@ private:
 	void update_connection();
 	void disconnect_session();
 	void update_peers();
-	void update_key();
+	void update_root();
 	void close_session();
 	void send_packets();
 	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);

@@ -145,7 +145,7 @@ void MotorSynchronizer::end_target(size_t index) {
 /// Updates the bodies after a target, or a node above it, was renamed: a body is the hash of a path.
 void MotorSynchronizer::rename_targets() {
 	_are_names_stale = false;
-	update_key();
+	update_root();
 	_node_of_body.clear();
 	for (size_t i = _targets.size(); i-- > 0;) {
 		Target &target = _targets[i];

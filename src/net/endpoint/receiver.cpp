@@ -1,6 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace net {
@@ -22,6 +23,13 @@ constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
+/// Maximum number of ends of lives that are kept.
+constexpr size_t MAX_ENDS = 32768;
+
+uint64_t next_life() {
+	static uint64_t last_life = 0;
+	return ++last_life;
+}
 
 } // namespace
 
@@ -130,7 +138,10 @@ PacketResult Receiver::finish_snapshot(double now) {
 	if (!continues) {
 		_clock.start(known_time(), std::max(double(next->window), usual_delay()), now);
 		for (auto &track : _tracks) {
-			track.second = MotionTrack();
+			track.second.restart();
+		}
+		for (auto &end : _ends) {
+			end.second.tick = _clock.media_time() / tick();
 		}
 	}
 	set_limits();
@@ -150,13 +161,15 @@ void Receiver::show_snapshot(bool continues) {
 		const uint32_t id = _decoder->id(i);
 		const auto track = _tracks.find(id);
 		// Bodies in the first snapshot already existed. An unknown body in a later snapshot is new.
-		const bool appears = continues && (track == _tracks.end() || track->second.is_empty());
+		const bool appears = continues && (track == _tracks.end() || track->second.life() == 0);
 		present.insert(id);
-		show(BodyMotion::rest(id, _window_end, _decoder->pose(i), appears));
+		BodyMotion motion = BodyMotion::rest(id, _window_end, _decoder->pose(i), appears);
+		show(motion);
 	}
 	for (auto &track : _tracks) {
 		if (present.count(track.first) == 0) {
-			track.second.add(BodyMotion::removal(track.first, _window_end));
+			BodyMotion motion = BodyMotion::removal(track.first, _window_end);
+			add(track.second, motion);
 		}
 	}
 }
@@ -171,12 +184,28 @@ bool Receiver::is_behind(const SnapshotHeader &next) const {
 			next.settings.is_same_stream(_header.settings);
 }
 
-void Receiver::show(const BodyMotion &motion) {
+void Receiver::show(BodyMotion &motion) {
 	const auto entry = _tracks.try_emplace(motion.id);
 	if (entry.second) {
 		_events.push_back({ BodyEvent::ADDED, motion.id });
 	}
-	entry.first->second.add(motion);
+	add(entry.first->second, motion);
+}
+
+/// Assigns the motion to a life and appends it to the body's track.
+void Receiver::add(MotionTrack &track, BodyMotion &motion) {
+	const bool is_new = motion.appears && !motion.jumps;
+	motion.life = track.life();
+	if (motion.life != 0 && (is_new || motion.vanishes)) {
+		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin };
+		if (_ends.size() > MAX_ENDS) {
+			_ends.erase(_ends.begin());
+		}
+	}
+	if (!motion.vanishes && (is_new || motion.life == 0)) {
+		motion.life = next_life();
+	}
+	track.add(motion);
 }
 
 void Receiver::decode_windows(double now) {
@@ -200,7 +229,7 @@ void Receiver::decode_windows(double now) {
 		const double begin = _window_end;
 		_window_end += *ticks;
 		double moves_from = _window_end;
-		for (const BodyMotion &motion : _motions) {
+		for (BodyMotion &motion : _motions) {
 			moves_from = std::min(moves_from, motion.segment.begin);
 			show(motion);
 		}
@@ -272,6 +301,9 @@ void Receiver::advance(double now) {
 			++track;
 		}
 	}
+	for (auto end = _ends.begin(); end != _ends.end();) {
+		end = shown - end->second.tick > END_MEMORY / tick() ? _ends.erase(end) : std::next(end);
+	}
 	_statistics.playback_delay = _clock.delay_at(now);
 	_statistics.jitter = _clock.jitter();
 }
@@ -279,6 +311,30 @@ void Receiver::advance(double now) {
 std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
 	const auto track = _tracks.find(id);
 	return track != _tracks.end() ? track->second.pose_at(media_time / tick()) : std::nullopt;
+}
+
+std::optional<ShownBody> Receiver::shown(uint32_t id) const {
+	const auto track = _tracks.find(id);
+	const double tick = media_time() / this->tick();
+	const BodyMotion *motion = track != _tracks.end() ? track->second.motion_at(tick) : nullptr;
+	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life }) : std::nullopt;
+}
+
+std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) const {
+	const auto track = _tracks.find(id);
+	const double tick = media_time() / this->tick();
+	const BodyMotion *motion = track != _tracks.end() ? track->second.first_motion(tick, min_life) : nullptr;
+	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life }) : std::nullopt;
+}
+
+BodyEnd Receiver::end(uint32_t id, uint64_t life) const {
+	const auto found = _ends.find(life);
+	return found != _ends.end() && found->second.id == id && found->second.tick <= media_time() / tick() ? found->second.kind : BodyEnd::NONE;
+}
+
+uint64_t Receiver::life_at_known_end(uint32_t id) const {
+	const auto track = _tracks.find(id);
+	return track != _tracks.end() ? track->second.life() : 0;
 }
 
 std::vector<uint32_t> Receiver::bodies() const {

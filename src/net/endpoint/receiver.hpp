@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -35,6 +36,20 @@ struct BodyEvent {
 	};
 	Kind kind;
 	uint32_t id;
+};
+
+/// A body as it is shown. Each appearance of a body (when it is added, not when it jumps) has a life number: lives of one process are
+/// numbered from 1, in ascending order over all streams.
+struct ShownBody {
+	cga::Pose<double> pose;
+	uint64_t life = 0;
+};
+
+/// Whether and how a life has ended.
+enum class BodyEnd : uint8_t {
+	NONE,
+	REMOVED,
+	FREED, ///< removed because its object was freed
 };
 
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
@@ -66,6 +81,16 @@ public:
 	[[nodiscard]] std::optional<cga::Pose<double>> pose(uint32_t id) const { return pose_at(id, media_time()); }
 	/// The pose of a body at another media time, not before media_time().
 	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(uint32_t id, double media_time) const;
+	/// The body at media_time(). Returns std::nullopt if it does not exist then.
+	[[nodiscard]] std::optional<ShownBody> shown(uint32_t id) const;
+	/// The first known pose of the first life from `min_life` on. It may be shown only later, but is not earlier than media_time().
+	[[nodiscard]] std::optional<ShownBody> first_known(uint32_t id, uint64_t min_life) const;
+	/// How a life of the body ended, once playback has reached its end, and for END_MEMORY seconds of media time from then on;
+	/// otherwise NONE.
+	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life) const;
+	static constexpr double END_MEMORY = 2.0;
+	/// The life of the body at known_time(); 0 if it does not exist then.
+	[[nodiscard]] uint64_t life_at_known_end(uint32_t id) const;
 	/// Ids of the bodies shown.
 	[[nodiscard]] std::vector<uint32_t> bodies() const;
 	/// Replaces `events` with the bodies that were added and removed since the last call, in order.
@@ -100,6 +125,12 @@ public:
 	}
 
 private:
+	struct Ending {
+		uint32_t id;
+		BodyEnd kind;
+		double tick;
+	};
+
 	void count_loss(uint8_t number, double now);
 	PacketResult check_fragments() const;
 	void take_fragment(const FragmentItem &fragment, double now);
@@ -109,7 +140,8 @@ private:
 	[[nodiscard]] bool is_behind(const SnapshotHeader &next) const;
 	[[nodiscard]] bool needs_snapshot(double now) const;
 	void decode_windows(double now);
-	void show(const BodyMotion &motion);
+	void show(BodyMotion &motion);
+	void add(MotionTrack &track, BodyMotion &motion);
 	void set_limits();
 	/// The delay implied by the sender's max_latency, regardless of current network conditions.
 	[[nodiscard]] double usual_delay() const { return std::max(_header.settings.max_latency - FRAME, 0.0); }
@@ -125,6 +157,7 @@ private:
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
 	std::unordered_map<uint32_t, MotionTrack> _tracks;
+	std::map<uint64_t, Ending> _ends; // by life: recent ones and those that playback has not reached
 	std::vector<BodyEvent> _events;
 	std::vector<BodyMotion> _motions;
 	std::vector<uint8_t> _window;

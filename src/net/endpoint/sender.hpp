@@ -40,7 +40,8 @@ public:
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, const cga::Pose<double> &pose);
-	bool remove_body(uint32_t id) { return _encoder ? _encoder->remove_body(id, ticks(_time)) : _idle_bodies.erase(id) != 0; }
+	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
+	bool remove_body(uint32_t id, bool freed = false) { return _encoder ? _encoder->remove_body(id, ticks(_time), freed) : _idle_bodies.erase(id) != 0; }
 	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _encoder ? _encoder->body_count() : _idle_bodies.size(); }
 

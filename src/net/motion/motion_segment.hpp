@@ -59,13 +59,16 @@ struct MotionSegment {
 struct BodyMotion {
 	uint32_t id = 0;
 	bool appears = false; ///< the body is new or jumps: playback does not interpolate from its last pose
+	bool jumps = false; ///< it appears, but is not new
 	bool vanishes = false; ///< the body does not exist from segment.begin on
+	bool freed = false; ///< it vanishes because its object was freed
 	MotionSegment segment;
+	uint64_t life = 0; ///< number of the body's life, assigned by the receiver; of a body that vanishes, the life that ends
 
 	/// The body is at rest at `pose` from `begin` on.
-	[[nodiscard]] static BodyMotion rest(uint32_t id, double begin, const cga::Pose<double> &pose, bool appears) { return { id, appears, false, { begin, 1.0, pose } }; }
+	[[nodiscard]] static BodyMotion rest(uint32_t id, double begin, const cga::Pose<double> &pose, bool appears) { return { id, appears, false, false, false, { begin, 1.0, pose } }; }
 	/// The body does not exist from `begin` on.
-	[[nodiscard]] static BodyMotion removal(uint32_t id, double begin) { return { id, false, true, { begin, 1.0, {} } }; }
+	[[nodiscard]] static BodyMotion removal(uint32_t id, double begin, bool freed = false) { return { id, false, false, true, freed, { begin, 1.0, {} } }; }
 };
 
 } // namespace net

@@ -20,6 +20,7 @@ void MotionTrack::add(const BodyMotion &motion) {
 		_first = 0;
 	}
 	_motions.push_back(motion);
+	_life = motion.vanishes ? 0 : motion.life;
 }
 
 void MotionTrack::forget_before(double tick) {
@@ -28,20 +29,40 @@ void MotionTrack::forget_before(double tick) {
 	}
 }
 
-std::optional<cga::Pose<double>> MotionTrack::pose_at(double tick) const {
-	size_t at = _motions.size();
-	while (at > _first && _motions[at - 1].segment.begin > tick) {
-		--at;
+void MotionTrack::restart() {
+	_motions.clear();
+	_first = 0;
+}
+
+size_t MotionTrack::end_at(double tick) const {
+	size_t end = _motions.size();
+	while (end > _first && _motions[end - 1].segment.begin > tick) {
+		--end;
 	}
-	if (at == _first) {
+	return end;
+}
+
+const BodyMotion *MotionTrack::motion_at(double tick) const {
+	size_t end = end_at(tick);
+	if (end == _first) {
 		// `tick` is before all known motion. The body existed then, unless it appears later.
-		if (is_empty() || _motions[_first].appears || _motions[_first].vanishes) {
-			return std::nullopt;
+		if (is_empty() || _motions[_first].appears) {
+			return nullptr;
 		}
-		at = _first + 1;
+		end = _first + 1;
 	}
-	const BodyMotion &motion = _motions[at - 1];
-	return motion.vanishes ? std::nullopt : std::optional(motion.segment.pose_at(tick));
+	const BodyMotion &motion = _motions[end - 1];
+	return motion.vanishes ? nullptr : &motion;
+}
+
+const BodyMotion *MotionTrack::first_motion(double tick, uint64_t min_life) const {
+	const size_t begin = std::max(end_at(tick), _first + 1) - 1;
+	for (size_t i = begin; i < _motions.size(); ++i) {
+		if (!_motions[i].vanishes && _motions[i].life >= min_life) {
+			return &_motions[i];
+		}
+	}
+	return nullptr;
 }
 
 } // namespace net

@@ -18,15 +18,30 @@ public:
 	void add(const BodyMotion &motion);
 	/// Drops the segments before the one shown at `tick`.
 	void forget_before(double tick);
+	/// Drops all segments. life() remains: the body continues on another time line.
+	void restart();
+	/// The motion shown at `tick`; null if the body does not exist then.
+	[[nodiscard]] const BodyMotion *motion_at(double tick) const;
+	/// The first motion that is shown at `tick` or later and belongs to life `min_life` or a later one; null if there is none.
+	[[nodiscard]] const BodyMotion *first_motion(double tick, uint64_t min_life) const;
 	/// The pose at `tick`. Returns std::nullopt if the body does not exist then.
-	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(double tick) const;
+	[[nodiscard]] std::optional<cga::Pose<double>> pose_at(double tick) const {
+		const BodyMotion *motion = motion_at(tick);
+		return motion != nullptr ? std::optional(motion->segment.pose_at(tick)) : std::nullopt;
+	}
+	/// The life of the newest motion; 0 if the body does not exist after it.
+	[[nodiscard]] uint64_t life() const { return _life; }
 	/// True if the body exists neither at `tick` nor later.
 	[[nodiscard]] bool is_over(double tick) const { return is_empty() || (_motions.back().vanishes && _motions.back().segment.begin <= tick); }
 	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
 
 private:
+	/// The index after that of the motion shown at `tick`; _first if all known motion is later.
+	[[nodiscard]] size_t end_at(double tick) const;
+
 	std::vector<BodyMotion> _motions; // entries before _first are dropped
 	size_t _first = 0;
+	uint64_t _life = 0;
 };
 
 } // namespace net

@@ -16,12 +16,6 @@ namespace net {
 	return hash;
 }
 
-/// The key of a session, from the path of its node.
-[[nodiscard]] constexpr uint16_t path_key(std::string_view utf8) {
-	const uint32_t hash = path_hash(utf8);
-	return uint16_t(hash ^ hash >> 16);
-}
-
 /// The id of a body (31 bits), from the path of its node.
 [[nodiscard]] constexpr uint32_t path_body(std::string_view utf8) {
 	const uint32_t hash = path_hash(utf8);

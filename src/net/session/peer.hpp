@@ -2,6 +2,7 @@
 
 #include "net/endpoint/receiver.hpp"
 #include "net/session/rejections.hpp"
+#include "net/session/repetition.hpp"
 #include "net/session/session_statistics.hpp"
 #include "net/session/traffic_meter.hpp"
 
@@ -13,6 +14,8 @@ namespace net {
 
 /// A session's state for one connected peer.
 struct Peer {
+	/// Maximum pause between two OPEN packets, in seconds.
+	static constexpr double MAX_OPEN_INTERVAL = 4.0;
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double LATE_PACKET_TIME = 2.0;
 
@@ -22,6 +25,7 @@ struct Peer {
 	double ended_at = -1e9; ///< when a stream in either direction last ended
 
 	// Our stream to the peer.
+	std::optional<uint8_t> requested; ///< link of the stream that the peer has requested last
 	bool subscribed = false;
 	uint8_t subscription = 0; ///< link of the stream
 	double subscribed_at = -1e9;
@@ -31,14 +35,12 @@ struct Peer {
 	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
 
 	// The peer's stream to us.
-	std::optional<Receiver> stream;
-	uint8_t link = 0;
-	size_t max_bodies = 0;
-	double open_due = 0.0; ///< when to send the next OPEN
+	uint8_t link = 0; ///< of the stream that we request
+	std::optional<Receiver> stream; ///< from its first packet on
+	Repetition open{ MAX_OPEN_INTERVAL };
 	uint64_t unauthorized_bodies = 0;
 
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
-	[[nodiscard]] bool has_stream(uint8_t with_link) const { return stream && link == with_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 
 	/// Statistics of this peer, without those of the sender.

@@ -8,16 +8,15 @@ namespace net {
 
 namespace {
 
-/// Seconds between two OPEN packets, until the stream arrives.
-constexpr double OPEN_INTERVAL = 0.25;
 /// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
 /// Minimum seconds between two subscriptions of a peer, so that it cannot make us start a stream every tick.
 constexpr double SUBSCRIPTION_INTERVAL = 0.2;
-/// Capacity for bodies that do not exist here yet. It bounds the memory that a peer can make us allocate.
-constexpr size_t SPARE_BODIES = 4096;
+/// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
+/// to their end.
+constexpr double LINGER = 2.0;
 
-/// Content of an OPEN for a relayed stream, and of those of a server that relays.
+/// Content of an OPEN that requests a relayed stream, and of one from a server that relays.
 constexpr uint8_t OPEN_RELAY = 1;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
@@ -29,19 +28,18 @@ uint8_t next_link(double now) {
 
 } // namespace
 
-void Session::connect(PeerId self, uint16_t key) {
+void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
 		end_stream(id, peer);
 	}
 	_relayer = Relay();
+	_is_link_relayed = false;
 	_peers.clear();
 	_connected.clear();
 	_owners.clear();
-	_body_count.clear();
+	_owned = 0;
 	_sender.reset();
 	_self = self;
-	_key = key;
-	_streams_stale = true;
 }
 
 std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double now) {
@@ -58,19 +56,22 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 		_peers.erase(id);
 	}
 	for (const PeerId id : peers) {
-		_peers.try_emplace(id);
+		const auto [entry, is_new] = _peers.try_emplace(id);
+		if (is_new) {
+			request_stream(entry->second);
+		}
 	}
-	_streams_stale = true;
+	update_relay();
 	return left;
 }
 
 void Session::close(double now) {
 	_now = now;
 	for (auto &[id, peer] : _peers) {
-		if (peer.subscribed) {
-			send_close(id, peer, peer.subscription, CloseRole::SENDER);
+		if (peer.subscribed || peer.relay_link) {
+			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 		}
-		if (peer.stream) {
+		if (wants_stream(id)) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 	}
@@ -96,30 +97,30 @@ void Session::set_margin_limits(double min, double max) {
 	}
 }
 
-void Session::count_owner(PeerId owner, int change) {
-	size_t &count = _body_count[owner];
-	count += size_t(change);
-	if (count == 0) {
-		_body_count.erase(owner);
-	}
-	_streams_stale = true;
-}
-
 void Session::set_owner(uint32_t body, PeerId owner) {
+	const auto found = _owners.find(body);
+	if (found != _owners.end() && found->second == owner) {
+		return;
+	}
 	remove_body(body);
 	_owners[body] = owner;
-	count_owner(owner, 1);
+	if (owner == _self) {
+		++_owned;
+		start_requested();
+	}
 }
 
-void Session::remove_body(uint32_t body) {
+void Session::remove_body(uint32_t body, bool freed) {
 	const auto found = _owners.find(body);
 	if (found == _owners.end()) {
 		return;
 	}
-	if (found->second == _self && _sender) {
-		_sender->remove_body(body);
+	if (found->second == _self) {
+		--_owned;
+		if (_sender) {
+			_sender->remove_body(body, freed);
+		}
 	}
-	count_owner(found->second, -1);
 	_owners.erase(found);
 }
 
@@ -134,6 +135,7 @@ void Session::begin_tick(double now, double length) {
 			_sender->set_settings(_settings);
 		}
 	}
+	start_requested(); // with media time before this tick, so that this tick is sent at once
 	_tick++;
 }
 
@@ -151,11 +153,9 @@ void Session::teleport(uint32_t body) {
 }
 
 void Session::end_tick() {
-	if (_streams_stale) {
-		update_streams();
-	}
 	if (_sender) {
 		send_motion();
+		close_unneeded();
 	}
 	send_relayed();
 }
@@ -173,37 +173,29 @@ void Session::send_motion() {
 	}
 }
 
-/// Opens a stream from each peer that owns a body, and closes the others.
-void Session::update_streams() {
-	_streams_stale = false;
-	for (auto &[id, peer] : _peers) {
-		const bool is_too_small = peer.max_bodies < _owners.size() + SPARE_BODIES / 2;
-		const bool is_other_mode = id == RelayedStreams::SERVER && is_relay_client() != _is_link_relayed;
-		if (peer.stream && (!wants_stream(id) || is_too_small || is_other_mode)) {
-			close_stream(id, peer);
-		}
-		if (!peer.stream && wants_stream(id)) {
-			open_stream(id, peer);
+/// Closes the outgoing streams some time after the last own body was removed. Their receivers then request new ones.
+void Session::close_unneeded() {
+	if (_owned > 0) {
+		_owned_at = _now;
+	} else if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency) {
+		for (auto &[id, peer] : _peers) {
+			if (peer.subscribed && !peer.relay_link) {
+				send_close(id, peer, peer.subscription, CloseRole::SENDER);
+				peer.requested.reset();
+				unsubscribe(id, peer);
+			}
 		}
 	}
 }
 
-void Session::open_stream(PeerId id, Peer &peer) {
+void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
-	peer.max_bodies = 2 * _owners.size() + SPARE_BODIES;
-	peer.stream.emplace(peer.max_bodies);
-	peer.stream->set_margin_limits(_min_margin, _max_margin);
-	peer.open_due = 0.0;
-	if (is_relaying()) {
-		_relayer.add_stream(id, *peer.stream, _now);
-	} else if (id == RelayedStreams::SERVER) {
-		_is_link_relayed = is_relay_client();
-	}
+	peer.open.restart(_now);
 }
 
 void Session::end_stream(PeerId id, Peer &peer) {
+	end_relayed(id);
 	if (peer.stream) {
-		end_relayed(id, peer);
 		_late += peer.stream->statistics().late_windows;
 		peer.stream.reset();
 		peer.ended_at = _now;
@@ -213,23 +205,50 @@ void Session::end_stream(PeerId id, Peer &peer) {
 void Session::close_stream(PeerId id, Peer &peer) {
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
+	request_stream(peer);
 }
 
-void Session::subscribe(PeerId id, Peer &peer, uint8_t link, double now) {
-	const bool is_recent = now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
-	if (peer.is_subscribed(link) || is_recent || !owns_bodies(_self)) {
-		return; // the peer repeats the OPEN until a stream arrives
+PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
+	const PacketResult result = note_relay(id, peer, is_for_relay);
+	if (is_for_relay && id != RelayedStreams::SERVER) {
+		if (!is_relaying()) {
+			return result; // the peer falls back to a plain stream when it learns that we do not relay
+		}
+		relay_to(id, peer, link);
 	}
+	if (peer.requested != link) {
+		peer.requested = link;
+		if (stream(id) == nullptr) {
+			// The peer's session may be newer than our last request.
+			peer.open.restart(now);
+		}
+	}
+	start_requested();
+	return result;
+}
+
+/// Starts the streams that peers have requested, if there are bodies to send.
+void Session::start_requested() {
+	for (auto &[id, peer] : _peers) {
+		const bool is_recent = _now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
+		if (_owned > 0 && peer.requested && !peer.is_subscribed(*peer.requested) && !is_recent) {
+			start_stream(id, peer);
+		}
+	}
+}
+
+void Session::start_stream(PeerId id, Peer &peer) {
 	if (!_sender) {
 		_sender.emplace(_settings);
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
-		peer.ended_at = now;
+		peer.ended_at = _now;
 	}
 	peer.subscribed = true;
-	peer.subscription = link;
-	peer.subscribed_at = now;
+	peer.subscription = *peer.requested;
+	peer.subscribed_at = _now;
 	_sender->add_receiver(uint32_t(id), time());
 }
 
@@ -249,23 +268,21 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 void Session::advance(double now) {
 	_now = now;
 	for (auto &[id, peer] : _peers) {
-		if (!peer.stream) {
-			continue;
+		if (peer.stream) {
+			peer.stream->advance(now);
+			peer.unauthorized_bodies += count_unauthorized(id, *peer.stream);
 		}
-		peer.stream->advance(now);
-		peer.unauthorized_bodies += count_unauthorized(id, *peer.stream);
-		if (is_relayed(peer)) {
+		if (peer.stream && is_relayed(id)) {
 			advance_relayed(peer);
-		} else {
+		} else if (peer.stream) {
 			peer.stream->take_ack(_ack, now);
 			if (!_ack.empty()) {
 				send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
 			}
 		}
-		if (now >= peer.open_due) {
-			peer.open_due = now + OPEN_INTERVAL;
-			const bool relays = is_relaying() || is_relayed(peer);
-			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, relays ? 1 : 0);
+		if (peer.open.is_due(now) && wants_stream(id)) {
+			peer.open.back_off(now);
+			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
 		}
 	}
 }
@@ -298,8 +315,8 @@ double Session::media_time(PeerId peer) const {
 }
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	uint8_t *packet = _outbox.add(id, kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
-	write_envelope({ kind, _key, link, ENVELOPE_VERSION }, packet);
+	uint8_t *packet = _outbox.add(id, kind == PacketKind::OPEN || kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
+	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
 	if (size > 0) {
 		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
 	}
@@ -314,9 +331,10 @@ void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
 void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	const auto envelope = read_envelope(bytes, size);
 	const auto found = _peers.find(id);
-	if (!envelope || envelope->key != _key || found == _peers.end()) {
+	if (!envelope || found == _peers.end()) {
 		return;
 	}
+	_now = now;
 	Peer &peer = found->second;
 	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;
@@ -329,7 +347,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
-		result = accept_motion(peer, envelope->link, bytes, size, now);
+		result = accept_motion(id, peer, envelope->link, bytes, size, now);
 	} else {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
@@ -339,28 +357,20 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	}
 }
 
-PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
-	const PacketResult result = note_relay(id, peer, is_for_relay);
-	if (is_for_relay && is_relaying()) {
-		relay_to(id, peer, link);
+PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	if (peer.link != link) {
+		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
-	if (!is_for_relay || is_relaying() || id == RelayedStreams::SERVER) {
-		subscribe(id, peer, link, now);
-	}
-	return result;
-}
-
-PacketResult Session::accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (!peer.has_stream(link)) {
-		if (peer.ended_recently(now)) {
-			return {};
+	if (!peer.stream) {
+		peer.stream.emplace(MAX_BODIES);
+		peer.stream->set_margin_limits(_min_margin, _max_margin);
+		if (is_relaying()) {
+			_relayer.add_stream(id, *peer.stream, now);
 		}
-		return peer.stream ? PacketError::STREAM_NOT_REQUESTED : PacketError::SENDER_OWNS_NOTHING;
 	}
-	const PacketResult result = is_relayed(peer) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
+	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	if (result) {
-		peer.open_due = now + SILENCE;
+		peer.open.restart(now + SILENCE);
 	}
 	return result;
 }
@@ -387,14 +397,15 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 	}
 	const CloseRole role = CloseRole(bytes[0]);
 	if (is_channel) {
-		if (peer.has_stream(link) && is_relayed(peer)) {
+		if (peer.link == link && is_relayed(id)) {
 			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
 		}
-	} else if (role == CloseRole::SENDER && peer.has_stream(link)) {
-		// The sender may return: request a new stream until it does.
+	} else if (role == CloseRole::SENDER && peer.link == link) {
+		// The sender may return.
 		end_stream(id, peer);
-		_streams_stale = true;
-	} else if (role == CloseRole::RECEIVER && (peer.is_subscribed(link) || peer.relay_link == link)) {
+		request_stream(peer);
+	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
+		peer.requested.reset();
 		unsubscribe(id, peer);
 	}
 	return {};

@@ -18,10 +18,11 @@ namespace net {
 
 /// Replicates bodies between peers, each body from its owner to all others.
 ///
-/// A session holds one Sender for the bodies that its own peer owns, and one Receiver for each peer that owns others. The
-/// receiving side opens a stream with an OPEN packet and repeats it until the stream arrives, so it does not matter which
-/// side starts first. The receiver numbers each stream (its link), which distinguishes its packets from those of an earlier
-/// one that are still in flight. Either side ends a stream with a CLOSE packet.
+/// A session holds one Sender for the bodies that its own peer owns, and one Receiver for each peer that sends others. It requests
+/// the stream of each connected peer with an OPEN packet and repeats it until the stream arrives, so it does not matter which
+/// side starts first. A peer that owns no bodies remembers the request and starts the stream when it owns one. The receiver numbers
+/// each stream (its link), which distinguishes its packets from those of an earlier one that are still in flight. Either side ends
+/// a stream with a CLOSE packet; the sender does so when it has owned no bodies for a while.
 ///
 /// If the session relays, clients exchange streams with the server only, which forwards the streams of all owners to them.
 ///
@@ -33,29 +34,32 @@ public:
 			_settings(settings) {}
 
 	/// Resets the session to local peer `self` (0: not connected), without peers and bodies. Sends no packets.
-	void connect(PeerId self, uint16_t key);
+	void connect(PeerId self);
 	[[nodiscard]] bool is_connected() const { return _self != 0; }
 	[[nodiscard]] PeerId self() const { return _self; }
-	[[nodiscard]] uint16_t key() const { return _key; }
 	/// Sets the connected peers, in ascending order. Returns those that have left.
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
 	[[nodiscard]] bool has_peer(PeerId peer) const { return _peers.count(peer) != 0; }
-	/// Queues a CLOSE packet for each stream.
+	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
 	void set_settings(const StreamSettings &settings);
 	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
-	/// does not relay, they open streams to all owners, as without relaying. A change restarts all streams.
+	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
 	void set_relay(bool relay);
 	[[nodiscard]] bool relay() const { return _relay; }
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
+	/// Maximum number of bodies in the stream of a peer. It bounds the memory that a peer can make us allocate.
+	static constexpr size_t MAX_BODIES = 65536;
 	/// Adds a body, or changes its owner.
 	void set_owner(uint32_t body, PeerId owner);
-	void remove_body(uint32_t body);
+	void remove_body(uint32_t body) { remove_body(body, false); }
+	/// Removes a body whose object is freed: peers see it up to its last pose, then Receiver::end reports BodyEnd::FREED.
+	void free_body(uint32_t body) { remove_body(body, true); }
 
 	/// Begins a tick and advances media time by `length` seconds.
 	void begin_tick(double now, double length);
@@ -67,10 +71,10 @@ public:
 	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.
 	void teleport(uint32_t body);
-	/// Ends the tick: opens and closes streams according to ownership and queues the packets that are due.
+	/// Ends the tick: queues the packets that are due, or closes the outgoing streams if they have not been needed for a while.
 	void end_tick();
 
-	/// Advances playback to `now` and queues acknowledgements. Call it once per frame.
+	/// Advances playback to `now` and queues requests and acknowledgements. Call it once per frame.
 	void advance(double now);
 	/// The incoming stream of an owner, relayed or not; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
@@ -101,19 +105,19 @@ public:
 
 private:
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
-	void count_owner(PeerId owner, int change);
-	[[nodiscard]] bool owns_bodies(PeerId peer) const { return _body_count.count(peer) != 0; }
-	void update_streams();
-	void open_stream(PeerId id, Peer &peer);
+	void remove_body(uint32_t body, bool freed);
+	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
 	void close_stream(PeerId id, Peer &peer);
-	void subscribe(PeerId id, Peer &peer, uint8_t link, double now);
+	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	void start_requested();
+	void start_stream(PeerId id, Peer &peer);
+	void close_unneeded();
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
-	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
-	PacketResult accept_motion(Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	[[nodiscard]] SessionStatistics direct_statistics(PeerId id, Peer &peer, double now);
@@ -123,24 +127,24 @@ private:
 	// Relaying (session_relay.cpp).
 	[[nodiscard]] bool is_relaying() const { return _relay && _self == RelayedStreams::SERVER; }
 	[[nodiscard]] bool is_relay_client() const;
-	[[nodiscard]] bool is_relayed(const Peer &peer) const { return _is_link_relayed && peer.stream && &peer == &_peers.at(RelayedStreams::SERVER); }
-	[[nodiscard]] bool wants_stream(PeerId id) const;
+	[[nodiscard]] bool is_relayed(PeerId sender) const { return _is_link_relayed && sender == RelayedStreams::SERVER; }
+	[[nodiscard]] bool wants_stream(PeerId id) const { return !_is_link_relayed || id == RelayedStreams::SERVER; }
+	void update_relay();
 	PacketResult note_relay(PeerId id, Peer &peer, bool relay);
 	void relay_to(PeerId id, Peer &peer, uint8_t link);
 	void stop_relaying_to(PeerId id, Peer &peer);
-	void end_relayed(PeerId id, Peer &peer);
+	void end_relayed(PeerId id);
 	void send_relayed();
 	void advance_relayed(Peer &server);
 	[[nodiscard]] SessionStatistics relayed_statistics(PeerId owner, double now);
 
 	StreamSettings _settings;
 	PeerId _self = 0;
-	uint16_t _key = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
 	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
-	std::map<PeerId, size_t> _body_count; // keyed by owner
-	bool _streams_stale = false;
+	size_t _owned = 0; // number of bodies that this peer owns
+	double _owned_at = -1e9; // local time when it last owned one
 	std::optional<Sender> _sender; // while a peer is subscribed
 	double _first_tick = 0.0; // time() when the tick length last changed
 	int64_t _tick = 0; // ticks since _first_tick
@@ -151,7 +155,7 @@ private:
 	uint64_t _rejected = 0; // total over all peers
 	uint64_t _late = 0; // late windows of streams that have ended
 	bool _relay = false;
-	bool _is_link_relayed = false; // the server's stream to us is relayed
+	bool _is_link_relayed = false; // we are a client and request a relayed stream from the server
 	Relay _relayer; // if we are the server
 	RelayedStreams _relayed; // if we are a client
 	Outbox _outbox;

@@ -19,20 +19,31 @@ void Session::set_relay(bool relay) {
 	for (auto &[id, peer] : _peers) {
 		unsubscribe(id, peer);
 		end_stream(id, peer);
+		peer.requested.reset();
 		peer.relay.reset();
+		request_stream(peer);
 	}
 	_relay = relay;
-	_streams_stale = true;
+	update_relay();
 }
 
-/// True on a client that requests a relayed stream from the server. It assumes that the server relays until told otherwise.
+/// True on a client that requests a relayed stream from the server. It assumes that the server relays until it says otherwise.
 bool Session::is_relay_client() const {
 	const auto server = _peers.find(RelayedStreams::SERVER);
 	return _relay && server != _peers.end() && server->second.relay.value_or(true);
 }
 
-bool Session::wants_stream(PeerId id) const {
-	return is_relay_client() ? id == RelayedStreams::SERVER : owns_bodies(id);
+/// Requests the other kind of streams if that has changed.
+void Session::update_relay() {
+	if (is_relay_client() == _is_link_relayed) {
+		return;
+	}
+	for (auto &[id, peer] : _peers) {
+		if (wants_stream(id)) {
+			close_stream(id, peer);
+		}
+	}
+	_is_link_relayed = !_is_link_relayed;
 }
 
 /// Records whether a peer relays. Fails, once, if the peer and the server do not agree.
@@ -41,7 +52,7 @@ PacketResult Session::note_relay(PeerId id, Peer &peer, bool relay) {
 		return {};
 	}
 	peer.relay = relay;
-	_streams_stale = true;
+	update_relay();
 	const bool is_between_clients = _self != RelayedStreams::SERVER && id != RelayedStreams::SERVER;
 	return is_between_clients || relay == _relay ? PacketResult() : PacketError::RELAY_DIFFERS;
 }
@@ -62,10 +73,9 @@ void Session::stop_relaying_to(PeerId id, Peer &peer) {
 }
 
 /// Ends what depends on the stream of a peer: on the server its forwarding, on a client the relayed streams.
-void Session::end_relayed(PeerId id, Peer &peer) {
-	if (is_relayed(peer)) {
+void Session::end_relayed(PeerId id) {
+	if (is_relayed(id)) {
 		_relayed.clear();
-		_is_link_relayed = false;
 	}
 	if (const auto channel = _relayer.remove_stream(id)) {
 		const uint8_t content[] = { uint8_t(CloseRole::SENDER), uint8_t(*channel), uint8_t(*channel >> 8) };

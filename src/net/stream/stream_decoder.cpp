@@ -113,14 +113,15 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 			return false;
 		}
 		Body &body = _new_bodies[size_t(index)];
-		if (event == WindowEvent::REMOVED) {
+		if (event == WindowEvent::REMOVED || event == WindowEvent::FREED) {
 			body.removal_tick = tick;
+			body.freed = event == WindowEvent::FREED;
 			continue;
 		}
 		body.target.visit(state_coder);
 		body.event_tick = tick;
 		body.event = Event::JUMPS;
-		if (event != WindowEvent::JUMPED || !body.target.is_valid() || body.target.active) {
+		if (!body.target.is_valid() || body.target.active) {
 			return false;
 		}
 	}
@@ -138,6 +139,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 	}
 	if (body.event != Event::NONE) {
 		motions.push_back(BodyMotion::rest(body.id, begin + at, body.state.pose(_grid), true));
+		motions.back().jumps = body.event == Event::JUMPS;
 		body.event = Event::NONE;
 		body.event_tick = 0;
 	}
@@ -145,7 +147,7 @@ bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin,
 		return false;
 	}
 	if (body.removal_tick != NEVER) {
-		motions.push_back(BodyMotion::removal(body.id, begin + last));
+		motions.push_back(BodyMotion::removal(body.id, begin + last, body.freed));
 	}
 	return true;
 }
@@ -157,7 +159,7 @@ bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, i
 	_motion.active = false;
 	_motion.count = 0;
 	const bool is_valid = code_motion(coder, _new_models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
-		motions.push_back({ body.id, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
+		motions.push_back({ body.id, false, false, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
 	});
 	_previous_active = _motion.active;
 	return is_valid;

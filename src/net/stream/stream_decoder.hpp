@@ -49,6 +49,7 @@ private:
 		Event event = Event::NONE; // in this window
 		int event_tick = 0; // from the window's begin
 		int removal_tick = NEVER; // from the window's begin
+		bool freed = false; // if removed
 		BodyState target{}; // state after a jump
 	};
 

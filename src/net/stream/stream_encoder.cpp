@@ -43,14 +43,16 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 	return true;
 }
 
-bool StreamEncoder::remove_body(uint32_t id, double time) {
+bool StreamEncoder::remove_body(uint32_t id, double time, bool freed) {
 	const auto found = _index.find(id);
 	if (found == _index.end()) {
 		return false;
 	}
 	Body &body = _bodies[found->second];
 	body.removed = true;
-	body.removal_time = time;
+	body.freed = freed;
+	// The body is shown up to its last pose.
+	body.removal_time = body.samples.empty() ? time : std::max(time, body.samples.back().time);
 	_index.erase(found);
 	_changed = true;
 	return true;
@@ -141,15 +143,17 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 		}
 	}
 	coder.finish();
-	const auto end = std::remove_if(_bodies.begin(), _bodies.end(), [](const Body &body) { return body.removed; });
-	if (end != _bodies.end()) {
-		_bodies.erase(end, _bodies.end());
+	const auto kept = std::remove_if(_bodies.begin(), _bodies.end(), [end = begin + ticks + 1e-6](const Body &body) { return body.is_removed_by(end) || (body.removed && body.added); });
+	if (kept != _bodies.end()) {
+		_bodies.erase(kept, _bodies.end());
 		for (size_t i = 0; i < _bodies.size(); ++i) {
-			_index[_bodies[i].id] = i;
+			if (!_bodies[i].removed) {
+				_index[_bodies[i].id] = i;
+			}
 		}
 	}
 	_changed = std::any_of(_bodies.begin(), _bodies.end(), [this](const Body &body) {
-		return body.jumped || body.added || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
+		return body.jumped || body.added || body.removed || (body.samples.empty() ? body.state.active || !body.state.rest_corrected : is_changed(body, body.samples.back().pose));
 	});
 }
 
@@ -173,7 +177,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 	const auto is_jumped = [end](const Body &body) { return body.jumped && body.event_time <= end; };
 	// A body that was added after the end and has already been removed is never sent.
 	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
-	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.removed && is_included(body)); };
+	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.is_removed_by(end) && is_included(body)); };
 	const bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
@@ -206,8 +210,8 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 			}
 			target.visit(state_coder);
 		}
-		if (body.removed) {
-			put_event(WindowEvent::REMOVED, body.removal_time);
+		if (body.is_removed_by(end)) {
+			put_event(body.freed ? WindowEvent::FREED : WindowEvent::REMOVED, body.removal_time);
 			state_coder(index, INDEX_BITS);
 		}
 	}
@@ -217,7 +221,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks) {
 	const double end = begin + ticks + 1e-6;
 	const size_t count = size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
-	const int last = body.removed ? tick_in_window(body.removal_time, begin, ticks) : ticks;
+	const int last = body.is_removed_by(end) ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
 	size_t first = 0;
 	if (body.added && body.event_time > end) {

@@ -18,7 +18,8 @@ public:
 
 	/// False if the id is taken or the pose is not finite or out of range.
 	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
-	bool remove_body(uint32_t id, double time);
+	/// `freed`: its object was freed. Returns false if the body does not exist.
+	bool remove_body(uint32_t id, double time, bool freed = false);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return _index.size(); }
 	/// False if there is no such body or the pose is not finite or out of range.
@@ -59,9 +60,12 @@ private:
 		bool jump_next = false;
 		bool jumped = false; // pending, at `event_time`
 		bool removed = false;
+		bool freed = false; // if removed
 		double event_time = 0.0;
 		double removal_time = 0.0;
 		double encoded_until = 0.0; // time of the last encoded sample
+
+		[[nodiscard]] bool is_removed_by(double time) const { return removed && removal_time <= time; }
 	};
 
 	bool observe(Body &body, double time);

@@ -28,6 +28,7 @@ enum class WindowEvent : uint8_t {
 	ADDED,
 	REMOVED,
 	JUMPED,
+	FREED, ///< removed because its object was freed
 };
 
 /// Codes the numbers of a BodyState with a RangeEncoder or a RangeDecoder: the width of the zigzag code, then its bits.

@@ -51,7 +51,7 @@ public:
 			_link(link) {}
 
 	net::Session &join(PeerId id) {
-		peers[id].session.connect(id, KEY);
+		peers[id].session.connect(id);
 		update_peers();
 		return peers[id].session;
 	}
@@ -66,7 +66,7 @@ public:
 		Peer &peer = peers[id];
 		peer.session.close(local(id));
 		send(id, peer);
-		peer.session.connect(0, KEY);
+		peer.session.connect(0);
 		peer.owners.clear();
 	}
 
@@ -154,8 +154,6 @@ public:
 		return result;
 	}
 
-	static constexpr uint16_t KEY = 0xc6a1;
-
 	std::map<PeerId, Peer> peers;
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
 	std::vector<SentPacket> sent;
@@ -242,9 +240,9 @@ inline SessionNetwork network_of_two(const LinkSettings &link = { 0.03 }) {
 }
 
 /// A session packet with the given content.
-inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}, uint16_t key = SessionNetwork::KEY) {
+inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}) {
 	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
-	net::write_envelope({ kind, key, link, net::ENVELOPE_VERSION }, bytes.data());
+	net::write_envelope({ kind, link, net::ENVELOPE_VERSION }, bytes.data());
 	bytes.insert(bytes.end(), content.begin(), content.end());
 	return bytes;
 }

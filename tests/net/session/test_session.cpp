@@ -179,9 +179,10 @@ TEST_CASE("session: settings and limits of the playback delay can change at any 
 	network.run(6.0);
 	CHECK(network.statistics(1, 2).playback_delay == doctest::Approx(0.3).epsilon(0.1));
 	// The limits also hold for streams that are opened later.
-	network.set_owner(2, 5, 2);
+	network.close_session(1);
 	network.run(0.5);
-	network.set_owner(2, 5, 1);
+	network.join(1);
+	network.set_owner(1, 5, 1);
 	network.run(4.0);
 	CHECK(network.statistics(1, 2).playback_delay == doctest::Approx(0.3).epsilon(0.1));
 }

@@ -70,7 +70,8 @@ TEST_CASE("session: each invalid packet is rejected with its error and changes n
 	CHECK(network.error(6, 1) <= 1.3);
 	CHECK(network.error(5, 2) <= 1.3);
 	CHECK(network.total(2).rejected == 0);
-	CHECK(network.packets(2, 1, PacketKind::OPEN).size() == network.packets(1, 2, PacketKind::OPEN).size());
+	CHECK(network.packets(2, 1, PacketKind::OPEN).size() <= 2);
+	CHECK(network.packets(1, 2, PacketKind::OPEN).size() <= 2);
 }
 
 TEST_CASE("session: packets of another session, of the game or of peers that are not connected are ignored") {
@@ -79,7 +80,9 @@ TEST_CASE("session: packets of another session, of the game or of peers that are
 	const double bytes = network.statistics(2, 1).received_bytes;
 	for (const uint8_t content : { 0, 2 }) {
 		for (const PacketKind kind : { PacketKind::OPEN, PacketKind::CLOSE, PacketKind::MOTION, PacketKind::ACK }) {
-			network.inject(2, 1, make_packet(kind, motion[3], Bytes(content, 0xff), SessionNetwork::KEY + 1));
+			Bytes other_session = make_packet(kind, motion[3], Bytes(content, 0xff));
+			++other_session[1];
+			network.inject(2, 1, other_session);
 			network.inject(3, 1, make_packet(kind, motion[3], Bytes(content, 0xff)));
 		}
 	}
@@ -115,7 +118,7 @@ TEST_CASE("session: rejections are counted per peer and in total, and reported a
 	for (const auto &[peer, report] : network.peers[1].reports) {
 		reported[peer] += report.count;
 		++reports[peer];
-		CHECK(report.error == (peer == 2 ? PacketError::MALFORMED_CLOSE : PacketError::SENDER_OWNS_NOTHING));
+		CHECK(report.error == (peer == 2 ? PacketError::MALFORMED_CLOSE : PacketError::STREAM_NOT_REQUESTED));
 	}
 	CHECK(reported[2] == 5 * ticks);
 	CHECK(reported[3] == ticks);
@@ -135,42 +138,9 @@ TEST_CASE("session: the callee of report_rejections() may change the session") {
 	network.session(1).report_rejections([&](PeerId peer, const Rejections::Report &) {
 		++reports;
 		CHECK(peer == 2);
-		network.session(1).connect(0, SessionNetwork::KEY);
+		network.session(1).connect(0);
 	});
 	CHECK(reports == 1);
-}
-
-TEST_CASE("session: a stream of more bodies than 2 * bodies + 4096 is rejected; memory is bounded") {
-	for (const uint32_t count : { 4098u, 4099u }) {
-		SessionNetwork network;
-		network.join(1);
-		network.join(2);
-		network.set_owner(2, 0, 1);
-		for (uint32_t body = 0; body < count; ++body) {
-			const PoseD pose = turned_at(Vector3D(double(body % 64), 0.0, std::floor(double(body) / 64.0)), Vector3D(0.0, 1.0, 0.0), 0.1 * double(body));
-			network.paths[body] = [pose](double) { return pose; };
-			network.set_owner(1, body, 1);
-		}
-		network.run(1.0);
-		CAPTURE(count);
-		CHECK(network.is_streaming(1, 2) == (count == 4098));
-		CHECK((network.total(2).rejected == 0) == (count == 4098));
-		if (count == 4098) {
-			continue;
-		}
-		REQUIRE_FALSE(network.peers[2].reports.empty());
-		CHECK(network.peers[2].reports[0].second.error == PacketError::TOO_MANY_BODIES);
-		// A session that learns of more bodies opens a new stream with room for them.
-		for (uint32_t body = 1; body < count; ++body) {
-			network.set_owner(2, body, 1);
-		}
-		network.run(1.0);
-		CHECK(network.is_streaming(1, 2));
-		CHECK(network.error(count - 1, 2) <= 1.02);
-		const size_t before = harness::live_bytes();
-		network.peers[2].session.connect(0, SessionNetwork::KEY);
-		CHECK(before - harness::live_bytes() < size_t(20) << 20);
-	}
 }
 
 TEST_CASE("session: statistics describe the traffic with each peer") {
@@ -215,12 +185,14 @@ TEST_CASE("session: statistics describe the traffic with each peer") {
 	CHECK(network.statistics(2, 1).loss == doctest::Approx(0.3).epsilon(0.6));
 	CHECK(network.statistics(1, 2).loss > 0.01); // it counts only chunks that arrive after newer ones
 	// Late windows of streams that have ended stay counted.
+	network.link(1, 2).unreliable.settings().loss = 0.0;
+	network.run(2.0);
 	const uint64_t late = network.total(2).late;
-	network.set_owner(2, 0, 2);
 	for (uint32_t body = 0; body < 5; ++body) {
-		network.set_owner(2, body, 2);
+		network.set_owner(body, 2);
 	}
-	network.run(0.1);
+	network.run(3.0);
+	CHECK_FALSE(network.is_streaming(1, 2));
 	CHECK(network.total(2).late == late);
 	CHECK(network.statistics(1, 2).late == 0);
 }
