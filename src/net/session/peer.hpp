@@ -36,6 +36,7 @@ struct Peer {
 
 	// The peer's stream to us.
 	uint8_t link = 0; ///< of the stream that we request
+	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
 	Repetition open{ MAX_OPEN_INTERVAL };
 	uint64_t unauthorized_bodies = 0;

@@ -100,4 +100,29 @@ void RelayedStreams::add_ack(uint32_t channel, Receiver &receiver, double now) {
 	}
 }
 
+SessionStatistics RelayedStreams::statistics(PeerId owner, double now) {
+	SessionStatistics result;
+	if (Stream *stream = find(owner)) {
+		const StreamStatistics &received = stream->receiver.statistics();
+		result.received_bytes = stream->received.bytes_per_second(now);
+		result.received_packets = stream->received.packets_per_second(now);
+		result.loss = received.loss;
+		result.round_trip = received.round_trip;
+		result.playback_delay = received.playback_delay;
+		result.late = received.late_windows;
+		result.unauthorized = stream->unauthorized_bodies;
+	}
+	return result;
+}
+
+SessionStatistics RelayedStreams::total_statistics(double now) {
+	SessionStatistics total;
+	for (const auto &entry : _streams) {
+		total.add(statistics(entry.first, now));
+	}
+	total.received_bytes = total.received_packets = 0.0;
+	total.late += _late;
+	return total;
+}
+
 } // namespace net

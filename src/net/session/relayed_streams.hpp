@@ -2,6 +2,7 @@
 
 #include "net/endpoint/receiver.hpp"
 #include "net/session/section.hpp"
+#include "net/session/session_statistics.hpp"
 #include "net/session/traffic_meter.hpp"
 
 #include <cstddef>
@@ -56,15 +57,11 @@ public:
 		return found != _streams.end() ? &found->second : nullptr;
 	}
 	[[nodiscard]] const Stream *find(PeerId owner) const { return const_cast<RelayedStreams *>(this)->find(owner); }
-	/// Calls visit(owner, stream) for each stream.
-	template <class Visit>
-	void visit(Visit &&visit) const {
-		for (const auto &[owner, stream] : _streams) {
-			visit(owner, stream);
-		}
-	}
-	/// Late windows of streams that have ended.
-	[[nodiscard]] uint64_t ended_late() const { return _late; }
+	/// Statistics of the stream of an owner. Received bytes are those of its sections.
+	[[nodiscard]] SessionStatistics statistics(PeerId owner, double now);
+	/// Totals over all streams, with the late windows of those that have ended, but without their bytes and packets, which are also
+	/// those of the server.
+	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
 	/// For this many seconds after a stream has ended, its late packets are ignored.

@@ -16,9 +16,6 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// to their end.
 constexpr double LINGER = 2.0;
 
-/// Content of an OPEN that requests a relayed stream, and of one from a server that relays.
-constexpr uint8_t OPEN_RELAY = 1;
-
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
 uint8_t next_link(double now) {
@@ -71,7 +68,7 @@ void Session::close(double now) {
 		if (peer.subscribed || peer.relay_link) {
 			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 		}
-		if (wants_stream(id)) {
+		if (peer.is_open_sent) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 	}
@@ -190,6 +187,7 @@ void Session::close_unneeded() {
 
 void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
+	peer.is_open_sent = false;
 	peer.open.restart(_now);
 }
 
@@ -202,12 +200,6 @@ void Session::end_stream(PeerId id, Peer &peer) {
 	}
 }
 
-void Session::close_stream(PeerId id, Peer &peer) {
-	send_close(id, peer, peer.link, CloseRole::RECEIVER);
-	end_stream(id, peer);
-	request_stream(peer);
-}
-
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
 	const PacketResult result = note_relay(id, peer, is_for_relay);
@@ -215,7 +207,10 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 		if (!is_relaying()) {
 			return result; // the peer falls back to a plain stream when it learns that we do not relay
 		}
-		relay_to(id, peer, link);
+		if (peer.relay_link != link) {
+			peer.relay_link = link;
+			_relayer.add_client(id, now);
+		}
 	}
 	if (peer.requested != link) {
 		peer.requested = link;
@@ -253,7 +248,11 @@ void Session::start_stream(PeerId id, Peer &peer) {
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
-	stop_relaying_to(id, peer);
+	if (peer.relay_link) {
+		peer.relay_link.reset();
+		peer.ended_at = _now;
+		_relayer.remove_client(id);
+	}
 	if (!peer.subscribed) {
 		return;
 	}
@@ -282,6 +281,7 @@ void Session::advance(double now) {
 		}
 		if (peer.open.is_due(now) && wants_stream(id)) {
 			peer.open.back_off(now);
+			peer.is_open_sent = true;
 			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
 		}
 	}
@@ -302,7 +302,8 @@ uint64_t Session::count_unauthorized(PeerId owner, Receiver &stream) {
 const Receiver *Session::stream(PeerId peer) const {
 	const auto found = _peers.find(peer);
 	const RelayedStreams::Stream *relayed = _relayed.find(peer);
-	const Receiver *stream = found != _peers.end() && found->second.stream ? &*found->second.stream : relayed != nullptr ? &relayed->receiver : nullptr;
+	const Receiver *stream = found != _peers.end() && found->second.stream ? &*found->second.stream : relayed != nullptr ? &relayed->receiver
+																														 : nullptr;
 	return stream != nullptr && stream->is_ready() ? stream : nullptr;
 }
 
@@ -412,7 +413,7 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 }
 
 SessionStatistics Session::statistics(PeerId id, double now) {
-	SessionStatistics result = relayed_statistics(id, now);
+	SessionStatistics result = _relayed.statistics(id, now);
 	const auto found = _peers.find(id);
 	if (found != _peers.end()) {
 		result.add(direct_statistics(id, found->second, now));
@@ -436,12 +437,8 @@ SessionStatistics Session::total_statistics(double now) {
 	for (auto &[id, peer] : _peers) {
 		total.add(direct_statistics(id, peer, now));
 	}
-	_relayed.visit([&](PeerId owner, const RelayedStreams::Stream &) {
-		SessionStatistics relayed = relayed_statistics(owner, now);
-		relayed.received_bytes = relayed.received_packets = 0.0; // those of the server include them
-		total.add(relayed);
-	});
-	total.late += _late + _relayed.ended_late();
+	total.add(_relayed.total_statistics(now));
+	total.late += _late;
 	total.rejected = _rejected;
 	return total;
 }

@@ -108,7 +108,6 @@ private:
 	void remove_body(uint32_t body, bool freed);
 	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
-	void close_stream(PeerId id, Peer &peer);
 	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
@@ -126,17 +125,13 @@ private:
 
 	// Relaying (session_relay.cpp).
 	[[nodiscard]] bool is_relaying() const { return _relay && _self == RelayedStreams::SERVER; }
-	[[nodiscard]] bool is_relay_client() const;
 	[[nodiscard]] bool is_relayed(PeerId sender) const { return _is_link_relayed && sender == RelayedStreams::SERVER; }
 	[[nodiscard]] bool wants_stream(PeerId id) const { return !_is_link_relayed || id == RelayedStreams::SERVER; }
 	void update_relay();
 	PacketResult note_relay(PeerId id, Peer &peer, bool relay);
-	void relay_to(PeerId id, Peer &peer, uint8_t link);
-	void stop_relaying_to(PeerId id, Peer &peer);
 	void end_relayed(PeerId id);
 	void send_relayed();
 	void advance_relayed(Peer &server);
-	[[nodiscard]] SessionStatistics relayed_statistics(PeerId owner, double now);
 
 	StreamSettings _settings;
 	PeerId _self = 0;

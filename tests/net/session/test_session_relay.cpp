@@ -18,7 +18,8 @@ SessionNetwork network_of_owners(int count, const LinkSettings &link = { 0.03 },
 	SessionNetwork network(link);
 	network.is_star = is_star;
 	for (PeerId id = 1; id <= count + 1; ++id) {
-		network.join(id).set_relay(true);
+		network.peers[id].session.set_relay(true);
+		network.join(id);
 	}
 	for (uint32_t body = 0; body < 2 * uint32_t(count + 1); ++body) {
 		network.paths[body] = smooth_path(body);
@@ -164,7 +165,8 @@ TEST_CASE("relay: if the server and a client differ in relaying, each says so on
 	for (const bool server_relays : { true, false }) {
 		SessionNetwork network({ 0.03 });
 		for (PeerId id = 1; id <= 4; ++id) {
-			network.join(id).set_relay(id == SERVER ? server_relays : id == 2 ? !server_relays : server_relays);
+			network.join(id).set_relay(id == SERVER ? server_relays : id == 2 ? !server_relays
+																			  : server_relays);
 		}
 		for (uint32_t body = 1; body <= 4; ++body) {
 			network.paths[body] = smooth_path(body);
