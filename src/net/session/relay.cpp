@@ -14,7 +14,7 @@ void Relay::add_stream(PeerId owner, Receiver &source, double now) {
 	source.record();
 	const uint32_t channel = free_channel();
 	_channels[channel] = owner;
-	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {} }).first->second;
+	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {}, {} }).first->second;
 	for (const auto &entry : _clients) {
 		if (entry.first != owner) {
 			stream.forwarded.add_receiver(uint32_t(entry.first), now);
@@ -49,6 +49,29 @@ void Relay::remove_client(PeerId client) {
 		entry.second.forwarded.remove_receiver(uint32_t(client));
 		entry.second.known_by.erase(client);
 	}
+}
+
+void Relay::note_arrival(PeerId owner, double now) {
+	const auto found = _streams.find(owner);
+	if (found == _streams.end() || found->second.chunks == found->second.source->recorded()->next()) {
+		return;
+	}
+	Stream &stream = found->second;
+	stream.chunks = stream.source->recorded()->next();
+	stream.aligner.add_arrival(_schedule.lead(now), now);
+}
+
+std::optional<AlignItem> Relay::take_alignment(PeerId owner, double now) {
+	const auto found = _streams.find(owner);
+	if (found == _streams.end()) {
+		return std::nullopt;
+	}
+	const std::optional<AlignItem> request = found->second.aligner.take_request(_schedule.period(), _schedule.tick(), now);
+	_spread = 0.0;
+	for (const auto &entry : _streams) {
+		_spread = std::max(_spread, entry.second.aligner.spread());
+	}
+	return request;
 }
 
 void Relay::add_own_packet(PeerId client, const uint8_t *bytes, size_t size) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/endpoint/forwarded_stream.hpp"
+#include "net/session/forwarding_schedule.hpp"
 #include "net/session/section.hpp"
 
 #include <cstddef>
@@ -13,7 +14,8 @@
 namespace net {
 
 /// The server's side of relaying: forwards the streams of owners to clients. Each client gets one sequence of packets, in
-/// which the sections of all streams, the server's own included, share packets. Times are local times.
+/// which the sections of all streams, the server's own included, share packets. So that they do, owners are asked to align their
+/// windows. Times are local times.
 class Relay {
 public:
 	/// A stream may contain bodies of other owners for this many seconds: peers learn of a change of owner at different times.
@@ -35,11 +37,22 @@ public:
 		}
 	}
 
+	/// Begins a tick, with its number, its local time and its length. `max_window` is the length of the longest windows of owners.
+	void begin_tick(int64_t number, double now, double length, double max_window) { _schedule.begin_tick(number, now, length, max_window); }
+	[[nodiscard]] const ForwardingSchedule &schedule() const { return _schedule; }
+	/// Records that a packet of an owner has been processed.
+	void note_arrival(PeerId owner, double now);
+	/// The request to align its windows that is due for an owner.
+	[[nodiscard]] std::optional<AlignItem> take_alignment(PeerId owner, double now);
+
 	/// Adds a packet of the server's own stream to the next packets for a client.
 	void add_own_packet(PeerId client, const uint8_t *bytes, size_t size);
-	/// Calls send(client, bytes, size) for each packet that is due. Packets have at most `max_size` bytes.
+	/// Calls send(client, bytes, size) for each packet that is due, once per tick. Packets have at most `max_size` bytes.
 	template <class Send>
 	void flush(double now, size_t max_size, Send &&send) {
+		if (_schedule.holds(_spread)) {
+			return;
+		}
 		update(now);
 		for (auto &[id, client] : _clients) {
 			collect(id, client, now);
@@ -83,6 +96,8 @@ private:
 		ForwardedStream forwarded;
 		double clean_at; // when it last contained only bodies of its owner
 		std::set<PeerId> known_by; // clients that know the owner of the channel
+		WindowAligner aligner;
+		uint32_t chunks = 0; // received until the last arrival
 	};
 	struct Client {
 		std::vector<Section> sections;
@@ -98,6 +113,8 @@ private:
 	std::map<PeerId, Client> _clients;
 	std::map<uint32_t, PeerId> _channels; // owners by channel
 	uint32_t _last_channel = 0;
+	ForwardingSchedule _schedule;
+	double _spread = 0.0; // largest of the owners
 	double _checked_at = -1e9;
 	PacketContent _content;
 	std::vector<uint8_t> _packet;

@@ -150,6 +150,14 @@ void Session::teleport(uint32_t body) {
 }
 
 void Session::end_tick() {
+	if (is_relaying()) {
+		// The longest windows of owners, as in Sender.
+		const double window = std::max(_settings.max_latency - FRAME, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0);
+		_relayer.begin_tick(_tick, _now, _settings.tick, window);
+		if (_sender) {
+			_sender->align(time() - double(_relayer.schedule().ticks_since_instant()) * _settings.tick, _relayer.schedule().period());
+		}
+	}
 	if (_sender) {
 		send_motion();
 		close_unneeded();
@@ -275,6 +283,9 @@ void Session::advance(double now) {
 			advance_relayed(peer);
 		} else if (peer.stream) {
 			peer.stream->take_ack(_ack, now);
+			if (const auto alignment = _relayer.take_alignment(id, now)) {
+				put_alignment(_ack, *alignment);
+			}
 			if (!_ack.empty()) {
 				send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
 			}
@@ -370,6 +381,7 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 		}
 	}
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
+	_relayer.note_arrival(id, now);
 	if (result) {
 		peer.open.restart(now + SILENCE);
 	}

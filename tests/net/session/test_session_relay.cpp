@@ -202,3 +202,52 @@ TEST_CASE("relay: relaying can be switched on and off while streams run") {
 		}
 	}
 }
+
+namespace {
+
+/// Packets of a kind per second from one peer to another, with `owners` clients that began to move at different times.
+struct PacketRates {
+	double motion = 0.0; // server to client
+	double server_acks = 0.0;
+	double acks = 0.0; // client to server
+	double sent_motion = 0.0;
+	double error = 0.0;
+	double bytes = 0.0;
+};
+
+PacketRates packet_rates(int owners, double jitter) {
+	SessionNetwork network({ 0.03, jitter });
+	network.is_star = true;
+	for (PeerId id = 1; id <= owners + 1; ++id) {
+		network.peers[id].session.set_relay(true);
+		network.join(id);
+		network.run(0.05 + 0.017 * double(id * 7 % 10));
+	}
+	for (uint32_t body = 2; body < 2 + uint32_t(owners); ++body) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, PeerId(body));
+		network.run(0.017 * double(body * 5 % 9));
+	}
+	network.run(6.0);
+	PacketRates rates;
+	const double from = network.now;
+	network.run(6.0, [&] { rates.error = std::max(rates.error, worst_error(network, 2)); });
+	const auto rate = [&](PeerId sender, PeerId to, PacketKind kind) { return double(network.packets(sender, to, kind, from).size()) / 6.0; };
+	rates.motion = rate(SERVER, 2, PacketKind::MOTION);
+	rates.server_acks = rate(SERVER, 2, PacketKind::ACK);
+	rates.acks = rate(2, SERVER, PacketKind::ACK);
+	rates.sent_motion = rate(2, SERVER, PacketKind::MOTION);
+	rates.bytes = network.statistics(SERVER, 2).received_bytes;
+	return rates;
+}
+
+} // namespace
+
+TEST_CASE("relay: the number of datagrams for each client does not depend on the number of owners") {
+	for (const double jitter : { 0.0, 0.005, 0.02 }) {
+		for (const int owners : { 2, 4, 8, 16 }) {
+			const PacketRates rates = packet_rates(owners, jitter);
+			printf("jitter %g owners %d: motion %.1f acks %.1f | acks %.1f motion %.1f error %.2f bytes %.0f\n", jitter, owners, rates.motion, rates.server_acks, rates.acks, rates.sent_motion, rates.error, rates.bytes);
+		}
+	}
+}

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "net/delivery/packet.hpp"
+
+#include "net/motion/motion_code.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace net {
+
+/// Measures when the windows of an owner arrive before the instants at which a relaying server forwards, and asks the owner to
+/// shift them so that the server need not wait for them, nor they for it. Times in seconds.
+class WindowAligner {
+public:
+	/// Records that a window arrived `lead` seconds before the next instant.
+	void add_arrival(double lead, double now) {
+		if (now >= _settled_at) {
+			_leads[_count++ % COUNT] = lead;
+		}
+	}
+
+	/// The request that is due: one of the next windows should arrive a little later or earlier.
+	[[nodiscard]] std::optional<AlignItem> take_request(double period, double tick, double now) {
+		if (_count < COUNT) {
+			return std::nullopt;
+		}
+		_count = 0;
+		// Leads are positions on a circle: measure from the one that is closest to all others.
+		std::array<double, COUNT> best{};
+		double best_sum = 1e9;
+		double center = 0.0;
+		for (const double middle : _leads) {
+			std::array<double, COUNT> distances = _leads;
+			double sum = 0.0;
+			for (double &distance : distances) {
+				distance = std::remainder(distance - middle, period);
+				sum += std::fabs(distance);
+			}
+			if (sum < best_sum) {
+				best_sum = sum;
+				best = distances;
+				center = middle;
+			}
+		}
+		std::sort(best.begin(), best.end());
+		_spread = best[COUNT - 2] - best[1];
+		// The latest arrivals, except a very late one, should come just before the instant.
+		const double shift = std::remainder(center + best[1] - GOAL * tick, period);
+		if (std::fabs(shift) <= TOLERANCE * tick) {
+			return std::nullopt;
+		}
+		_settled_at = now + SETTLING_TIME + 2.0 * period;
+		return AlignItem{ ++_number, period, shift };
+	}
+
+	/// Time between the arrival of early and of late windows, relative to their instants.
+	[[nodiscard]] double spread() const { return _spread; }
+
+private:
+	static constexpr size_t COUNT = 5; // windows
+	static constexpr double GOAL = 0.75; // ticks
+	static constexpr double TOLERANCE = 0.5; // ticks
+	static constexpr double SETTLING_TIME = 0.2; // plus two periods, until a request has taken effect
+
+	std::array<double, COUNT> _leads{};
+	size_t _count = 0;
+	double _spread = 0.0;
+	double _settled_at = -1e9;
+	uint8_t _number = 0;
+};
+
+/// The ticks at which a relaying server forwards all streams at once.
+class ForwardingSchedule {
+public:
+	/// Sets the number of ticks between two instants from the owners' maximum window, and the current tick.
+	void begin_tick(int64_t number, double time, double tick, double max_window) {
+		_tick = tick;
+		_ticks = std::clamp(int64_t(max_window / tick + 1e-6), int64_t(1), int64_t(MAX_TICKS));
+		_left = _ticks - (number % _ticks + _ticks) % _ticks;
+		_time = time;
+	}
+
+	/// Seconds between two instants.
+	[[nodiscard]] double period() const { return double(_ticks) * _tick; }
+	[[nodiscard]] double tick() const { return _tick; }
+	/// Seconds from `now` to the next instant, from the current tick on.
+	[[nodiscard]] double lead(double now) const { return std::max(_time + double(_left) * _tick - now, 0.0); }
+	/// Ticks since the last instant; 0: the current tick is one.
+	[[nodiscard]] int64_t ticks_since_instant() const { return _ticks - _left; }
+	/// True if the current tick should not forward, as the next instant is at most `spread` seconds and a half tick away, but not
+	/// more than MAX_HOLD ticks.
+	[[nodiscard]] bool holds(double spread) const { return _left <= std::min(MAX_HOLD, int64_t(spread / _tick + 0.5)) && 3 * _left <= _ticks; }
+
+private:
+	static constexpr int64_t MAX_HOLD = 2;
+
+	double _tick = 1.0 / 60.0;
+	int64_t _ticks = 1; // between two instants
+	int64_t _left = 1; // ticks until the next instant
+	double _time = 0.0; // of the current tick
+};
+
+} // namespace net
