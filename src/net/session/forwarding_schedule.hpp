@@ -17,19 +17,23 @@ namespace net {
 /// shift them so that the server need not wait for them, nor they for it. Times in seconds.
 class WindowAligner {
 public:
-	/// Records that a window arrived `lead` seconds before the next instant.
-	void add_arrival(double lead, double now) {
+	/// Records that a window arrived `lead` seconds before the next instant. `length` is that of the window.
+	void add_arrival(double lead, double length, double now) {
 		if (now >= _settled_at) {
-			_leads[_count++ % COUNT] = lead;
+			_leads[_count % COUNT] = lead;
+			_lengths[_count++ % COUNT] = length;
 		}
 	}
 
-	/// The request that is due: one of the next windows should arrive a little later or earlier.
+	/// The request that is due: later windows should arrive a little later or earlier.
 	[[nodiscard]] std::optional<AlignItem> take_request(double period, double tick, double now) {
 		if (_count < COUNT) {
 			return std::nullopt;
 		}
 		_count = 0;
+		std::sort(_lengths.begin(), _lengths.end());
+		// An owner whose windows are shorter divides the period.
+		const double interval = period / std::max(std::round(period / std::max(_lengths[COUNT / 2], tick)), 1.0);
 		// Leads are positions on a circle: measure from the one that is closest to all others.
 		std::array<double, COUNT> best{};
 		double best_sum = 1e9;
@@ -38,7 +42,7 @@ public:
 			std::array<double, COUNT> distances = _leads;
 			double sum = 0.0;
 			for (double &distance : distances) {
-				distance = std::remainder(distance - middle, period);
+				distance = std::remainder(distance - middle, interval);
 				sum += std::fabs(distance);
 			}
 			if (sum < best_sum) {
@@ -50,15 +54,17 @@ public:
 		std::sort(best.begin(), best.end());
 		_spread = best[COUNT - 2] - best[1];
 		// The latest arrivals, except a very late one, should come just before the instant.
-		const double shift = std::remainder(center + best[1] - GOAL * tick, period);
-		if (std::fabs(shift) <= TOLERANCE * tick) {
+		const double shift = std::remainder(center + best[1] - GOAL * tick, interval);
+		_is_aligned = std::fabs(shift) <= TOLERANCE * tick;
+		if (_is_aligned) {
 			return std::nullopt;
 		}
 		_settled_at = now + SETTLING_TIME + 2.0 * period;
 		return AlignItem{ ++_number, period, shift };
 	}
 
-	/// Time between the arrival of early and of late windows, relative to their instants.
+	[[nodiscard]] bool is_aligned() const { return _is_aligned; }
+	/// Time between the arrivals of early and of late windows, relative to their instants.
 	[[nodiscard]] double spread() const { return _spread; }
 
 private:
@@ -68,19 +74,22 @@ private:
 	static constexpr double SETTLING_TIME = 0.2; // plus two periods, until a request has taken effect
 
 	std::array<double, COUNT> _leads{};
+	std::array<double, COUNT> _lengths{};
 	size_t _count = 0;
 	double _spread = 0.0;
 	double _settled_at = -1e9;
 	uint8_t _number = 0;
+	bool _is_aligned = false;
 };
 
 /// The ticks at which a relaying server forwards all streams at once.
 class ForwardingSchedule {
 public:
-	/// Sets the number of ticks between two instants from the owners' maximum window, and the current tick.
+	/// Sets the number of ticks between two instants from the owners' maximum window, and the current tick. Owners whose network
+	/// varies have slightly shorter windows.
 	void begin_tick(int64_t number, double time, double tick, double max_window) {
 		_tick = tick;
-		_ticks = std::clamp(int64_t(max_window / tick + 1e-6), int64_t(1), int64_t(MAX_TICKS));
+		_ticks = std::clamp(int64_t(WINDOW_SHARE * max_window / tick + 1e-6), int64_t(1), int64_t(MAX_TICKS));
 		_left = _ticks - (number % _ticks + _ticks) % _ticks;
 		_time = time;
 	}
@@ -98,6 +107,7 @@ public:
 
 private:
 	static constexpr int64_t MAX_HOLD = 2;
+	static constexpr double WINDOW_SHARE = 0.85;
 
 	double _tick = 1.0 / 60.0;
 	int64_t _ticks = 1; // between two instants

@@ -14,7 +14,7 @@ void Relay::add_stream(PeerId owner, Receiver &source, double now) {
 	source.record();
 	const uint32_t channel = free_channel();
 	_channels[channel] = owner;
-	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {}, {} }).first->second;
+	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {}, {}, 0, 0.0 }).first->second;
 	for (const auto &entry : _clients) {
 		if (entry.first != owner) {
 			stream.forwarded.add_receiver(uint32_t(entry.first), now);
@@ -57,8 +57,10 @@ void Relay::note_arrival(PeerId owner, double now) {
 		return;
 	}
 	Stream &stream = found->second;
+	const double length = (stream.source->known_time() - stream.known_time) / double(stream.source->recorded()->next() - stream.chunks);
+	stream.aligner.add_arrival(_schedule.lead(now), length, now);
 	stream.chunks = stream.source->recorded()->next();
-	stream.aligner.add_arrival(_schedule.lead(now), now);
+	stream.known_time = stream.source->known_time();
 }
 
 std::optional<AlignItem> Relay::take_alignment(PeerId owner, double now) {
@@ -66,12 +68,7 @@ std::optional<AlignItem> Relay::take_alignment(PeerId owner, double now) {
 	if (found == _streams.end()) {
 		return std::nullopt;
 	}
-	const std::optional<AlignItem> request = found->second.aligner.take_request(_schedule.period(), _schedule.tick(), now);
-	_spread = 0.0;
-	for (const auto &entry : _streams) {
-		_spread = std::max(_spread, entry.second.aligner.spread());
-	}
-	return request;
+	return found->second.aligner.take_request(_schedule.period(), _schedule.tick(), now);
 }
 
 void Relay::add_own_packet(PeerId client, const uint8_t *bytes, size_t size) {
@@ -88,6 +85,9 @@ void Relay::update(double now) {
 
 void Relay::collect(PeerId id, Client &client, double now) {
 	for (auto &[owner, stream] : _streams) {
+		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.spread())) {
+			continue;
+		}
 		const Section section{ stream.channel, stream.known_by.count(id) != 0 ? 0 : owner };
 		stream.forwarded.send(uint32_t(id), now, client.bytes, [&](size_t begin, size_t size) { client.sections.push_back({ section.channel, section.owner, begin, size }); });
 	}

@@ -50,9 +50,6 @@ public:
 	/// Calls send(client, bytes, size) for each packet that is due, once per tick. Packets have at most `max_size` bytes.
 	template <class Send>
 	void flush(double now, size_t max_size, Send &&send) {
-		if (_schedule.holds(_spread)) {
-			return;
-		}
 		update(now);
 		for (auto &[id, client] : _clients) {
 			collect(id, client, now);
@@ -98,6 +95,7 @@ private:
 		std::set<PeerId> known_by; // clients that know the owner of the channel
 		WindowAligner aligner;
 		uint32_t chunks = 0; // received until the last arrival
+		double known_time = 0.0; // of the source at the last arrival
 	};
 	struct Client {
 		std::vector<Section> sections;
@@ -114,7 +112,6 @@ private:
 	std::map<uint32_t, PeerId> _channels; // owners by channel
 	uint32_t _last_channel = 0;
 	ForwardingSchedule _schedule;
-	double _spread = 0.0; // largest of the owners
 	double _checked_at = -1e9;
 	PacketContent _content;
 	std::vector<uint8_t> _packet;
