@@ -52,11 +52,11 @@ public:
 			}
 		}
 		std::sort(best.begin(), best.end());
-		_spread = best[COUNT - 2] - best[1];
 		// The latest arrivals, except a very late one, should come just before the instant.
 		const double shift = std::remainder(center + best[1] - GOAL * tick, interval);
-		_is_aligned = std::fabs(shift) <= TOLERANCE * tick;
+		_is_aligned = std::fabs(shift) <= (_is_aligned ? KEPT_TOLERANCE : TOLERANCE) * tick;
 		if (_is_aligned) {
+			_max_lead = std::max(shift + GOAL * tick + best[COUNT - 1] - best[1], LEAD_DECAY * _max_lead);
 			return std::nullopt;
 		}
 		_settled_at = now + SETTLING_TIME + 2.0 * period;
@@ -64,19 +64,21 @@ public:
 	}
 
 	[[nodiscard]] bool is_aligned() const { return _is_aligned; }
-	/// Time between the arrivals of early and of late windows, relative to their instants.
-	[[nodiscard]] double spread() const { return _spread; }
+	/// Lead of the earliest recent arrivals.
+	[[nodiscard]] double max_lead() const { return _max_lead; }
 
 private:
 	static constexpr size_t COUNT = 5; // windows
 	static constexpr double GOAL = 0.75; // ticks
-	static constexpr double TOLERANCE = 0.5; // ticks
+	static constexpr double TOLERANCE = 0.6; // ticks
+	static constexpr double KEPT_TOLERANCE = 1.3; // ticks, once aligned: arrivals vary
+	static constexpr double LEAD_DECAY = 0.9;
 	static constexpr double SETTLING_TIME = 0.2; // plus two periods, until a request has taken effect
 
 	std::array<double, COUNT> _leads{};
 	std::array<double, COUNT> _lengths{};
 	size_t _count = 0;
-	double _spread = 0.0;
+	double _max_lead = 0.0;
 	double _settled_at = -1e9;
 	uint8_t _number = 0;
 	bool _is_aligned = false;
@@ -101,9 +103,9 @@ public:
 	[[nodiscard]] double lead(double now) const { return std::max(_time + double(_left) * _tick - now, 0.0); }
 	/// Ticks since the last instant; 0: the current tick is one.
 	[[nodiscard]] int64_t ticks_since_instant() const { return _ticks - _left; }
-	/// True if the current tick should not forward, as the next instant is at most `spread` seconds and a half tick away, but not
-	/// more than MAX_HOLD ticks.
-	[[nodiscard]] bool holds(double spread) const { return _left <= std::min(MAX_HOLD, int64_t(spread / _tick + 0.5)) && 3 * _left <= _ticks; }
+	/// True if windows that arrive up to `max_lead` seconds before the next instant should wait for it, which is at most MAX_HOLD
+	/// ticks away.
+	[[nodiscard]] bool holds(double max_lead) const { return _left <= std::min(MAX_HOLD, int64_t(max_lead / _tick + 0.01)) && 3 * _left <= _ticks; }
 
 private:
 	static constexpr int64_t MAX_HOLD = 2;

@@ -85,7 +85,7 @@ void Relay::update(double now) {
 
 void Relay::collect(PeerId id, Client &client, double now) {
 	for (auto &[owner, stream] : _streams) {
-		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.spread())) {
+		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.max_lead())) {
 			continue;
 		}
 		const Section section{ stream.channel, stream.known_by.count(id) != 0 ? 0 : owner };

@@ -215,8 +215,9 @@ struct PacketRates {
 	double bytes = 0.0;
 };
 
-PacketRates packet_rates(int owners, double jitter) {
+PacketRates packet_rates(int owners, double jitter, int frames) {
 	SessionNetwork network({ 0.03, jitter });
+	network.frames_per_tick = frames;
 	network.is_star = true;
 	for (PeerId id = 1; id <= owners + 1; ++id) {
 		network.peers[id].session.set_relay(true);
@@ -244,10 +245,28 @@ PacketRates packet_rates(int owners, double jitter) {
 } // namespace
 
 TEST_CASE("relay: the number of datagrams for each client does not depend on the number of owners") {
-	for (const double jitter : { 0.0, 0.005, 0.02 }) {
-		for (const int owners : { 2, 4, 8, 16 }) {
-			const PacketRates rates = packet_rates(owners, jitter);
-			printf("jitter %g owners %d: motion %.1f acks %.1f | acks %.1f motion %.1f error %.2f bytes %.0f\n", jitter, owners, rates.motion, rates.server_acks, rates.acks, rates.sent_motion, rates.error, rates.bytes);
+	for (const int frames : { 1, 2 }) {
+		CAPTURE(frames);
+		const PacketRates two = packet_rates(2, 0.0, frames);
+		CHECK(two.motion <= 7.5);
+		for (const int owners : { 4, 8, 16 }) {
+			CAPTURE(owners);
+			const PacketRates more = packet_rates(owners, 0.0, frames);
+			CHECK(more.motion <= 1.05 * two.motion);
+			CHECK(more.server_acks <= 1.05 * two.server_acks);
+			CHECK(more.acks <= 1.05 * two.acks);
+			CHECK(more.sent_motion <= 1.05 * two.sent_motion);
+			CHECK(more.error <= 1.3);
+			// Bytes grow with the number of owners only.
+			CHECK(more.bytes <= 1.1 * two.bytes * double(owners - 1));
+		}
+		// Jitter disperses the arrivals at the server.
+		for (const double jitter : { 0.005, 0.02 }) {
+			CAPTURE(jitter);
+			const PacketRates many = packet_rates(16, jitter, frames);
+			CHECK(many.motion <= 15.0);
+			CHECK(many.acks <= 15.0);
+			CHECK(many.error <= 1.3);
 		}
 	}
 }
