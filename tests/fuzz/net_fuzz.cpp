@@ -123,7 +123,7 @@ void fuzz_sender(Pieces pieces) {
 		sender.flush(now);
 		size_t total = 0;
 		for (const net::OutgoingPacket &packet : sender.packets()) {
-			require(packet.size <= size_t(net::MAX_PACKET_BYTES), "a packet has more than MAX_PACKET_BYTES");
+			require(packet.size <= net::StreamSettings().max_packet_size, "a packet is larger than max_packet_size");
 			total += packet.size;
 		}
 		require(total < 400000, "the sender sends 400,000 bytes or more in a tick");

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "net/delivery/packet.hpp"
-#include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,8 +15,7 @@ public:
 	static constexpr uint32_t RING = 256;
 
 	struct Chunk {
-		std::array<uint8_t, size_t(MAX_PACKET_BYTES)> bytes;
-		size_t size = 0;
+		std::vector<uint8_t> bytes;
 		bool first = false;
 		bool last = false;
 		uint8_t check = 0;
@@ -27,16 +24,15 @@ public:
 	ChunkRing() :
 			_chunks(RING) {}
 
-	/// Splits a window into chunks.
-	void push_window(const std::vector<uint8_t> &window, uint8_t check) {
+	/// Splits a window into chunks that fit into packets of `max_packet_size` bytes.
+	void push_window(const std::vector<uint8_t> &window, uint8_t check, size_t max_packet_size) {
 		// A packet must have room for a chunk of maximum size and a round-trip item.
-		constexpr size_t MAX_SIZE = size_t(MAX_PACKET_BYTES) - CHUNK_HEADER - ROUND_TRIP_BYTES;
+		const size_t max_size = max_packet_size - CHUNK_HEADER - ROUND_TRIP_BYTES;
 		size_t at = 0;
 		do {
 			Chunk &chunk = _chunks[_next++ % RING];
-			const size_t size = std::min(MAX_SIZE, window.size() - at);
-			chunk.size = size;
-			std::copy_n(window.begin() + ptrdiff_t(at), size, chunk.bytes.begin());
+			const size_t size = std::min(max_size, window.size() - at);
+			chunk.bytes.assign(window.begin() + ptrdiff_t(at), window.begin() + ptrdiff_t(at + size));
 			chunk.first = at == 0;
 			at += size;
 			chunk.last = at == window.size();

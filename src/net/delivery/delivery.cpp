@@ -51,9 +51,12 @@ double Delivery::rto() const {
 	return _round_trip > 0.0 ? std::clamp(_round_trip + 4.0 * std::max(_deviation, MIN_DEVIATION), MIN_RTO, longest) : INITIAL_RTO;
 }
 
-void Delivery::collect_due(const ChunkRing &ring, double time) {
+void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) {
 	_due_fragments.clear();
 	_due_chunks.clear();
+	if (_snapshot != nullptr && _snapshot->fragment_size + FRAGMENT_HEADER > max_size) {
+		restart();
+	}
 	if (_needs_snapshot) {
 		return;
 	}
@@ -97,6 +100,12 @@ void Delivery::collect_due(const ChunkRing &ring, double time) {
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {
 		if (is_due(_sent[number % ChunkRing::RING])) {
 			_due_chunks.push_back(number);
+			if (ring.chunk(number).bytes.size() + CHUNK_HEADER > max_size) {
+				restart();
+				_due_fragments.clear();
+				_due_chunks.clear();
+				return;
+			}
 		}
 	}
 	const Sent &oldest = _sent[_first_missing % ChunkRing::RING];

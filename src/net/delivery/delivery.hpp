@@ -27,10 +27,17 @@ public:
 	/// Marks a snapshot as needed, unless the last request is too recent.
 	void request_snapshot(double time);
 	void start_snapshot(std::shared_ptr<const Snapshot> snapshot);
+	/// Discards everything in flight. Nothing more is sent before start_snapshot().
+	void restart() {
+		_needs_snapshot = true;
+		_snapshot.reset();
+		_fragments.clear();
+	}
 
-	/// Appends all packets that are due to `bytes` and calls packet_done(begin, size) for each.
+	/// Appends all packets that are due, of at most `max_size` bytes, to `bytes` and calls packet_done(begin, size) for each. If
+	/// something in flight is too large to be sent again, a snapshot is needed.
 	template <class PacketDone>
-	void send(const ChunkRing &ring, double time, std::vector<uint8_t> &bytes, PacketDone &&packet_done);
+	void send(const ChunkRing &ring, double time, size_t max_size, std::vector<uint8_t> &bytes, PacketDone &&packet_done);
 	/// Processes the acknowledgements and the snapshot request in a packet from the receiver.
 	void accept(const PacketContent &acks, const ChunkRing &ring, double time);
 
@@ -60,7 +67,7 @@ private:
 		bool lost = false; // counted as lost
 	};
 
-	void collect_due(const ChunkRing &ring, double time);
+	void collect_due(const ChunkRing &ring, double time, size_t max_size);
 	void take_ack(const AckItem &ack, const ChunkRing &ring, double time);
 	void take_snapshot_ack(const SnapshotAckItem &ack);
 	/// At first transmission, the receiver's first missing chunk is between ours and this chunk, so 4 bits identify the number.
@@ -89,7 +96,7 @@ private:
 };
 
 template <class PacketDone>
-void Delivery::send(const ChunkRing &ring, double time, std::vector<uint8_t> &bytes, PacketDone &&packet_done) {
+void Delivery::send(const ChunkRing &ring, double time, size_t max_size, std::vector<uint8_t> &bytes, PacketDone &&packet_done) {
 	if (is_silent(time)) {
 		if (time - _probed >= PROBE_INTERVAL) {
 			_probed = time;
@@ -99,17 +106,17 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<uint8_t> &by
 		}
 		return;
 	}
-	collect_due(ring, time);
+	collect_due(ring, time, max_size);
 	size_t begin = bytes.size();
 	const auto make_room = [&](size_t item) {
-		if (bytes.size() > begin && bytes.size() - begin + item > size_t(MAX_PACKET_BYTES)) {
+		if (bytes.size() > begin && bytes.size() - begin + item > max_size) {
 			packet_done(begin, bytes.size() - begin);
 			begin = bytes.size();
 		}
 	};
 	for (const uint16_t index : _due_fragments) {
-		const size_t offset = index * Snapshot::FRAGMENT_BYTES;
-		const size_t size = std::min(Snapshot::FRAGMENT_BYTES, _snapshot->bytes.size() - offset);
+		const size_t offset = index * _snapshot->fragment_size;
+		const size_t size = std::min(_snapshot->fragment_size, _snapshot->bytes.size() - offset);
 		const FragmentItem fragment{ _snapshot->number, uint8_t(_snapshot->next_chunk), index, uint16_t(_snapshot->fragment_count()), _snapshot->bytes.data() + offset, size };
 		make_room(fragment.size + FRAGMENT_HEADER);
 		put_fragment(bytes, fragment);
@@ -123,10 +130,10 @@ void Delivery::send(const ChunkRing &ring, double time, std::vector<uint8_t> &by
 	for (size_t i = 0; i < _due_chunks.size(); ++i) {
 		const ChunkRing::Chunk &chunk = ring.chunk(_due_chunks[i]);
 		const bool is_short = chunk.first && chunk.last && can_be_short(_due_chunks[i]);
-		const ChunkItem item{ uint8_t(_due_chunks[i]), chunk.first, chunk.last, chunk.check, chunk.bytes.data(), chunk.size, is_short };
+		const ChunkItem item{ uint8_t(_due_chunks[i]), chunk.first, chunk.last, chunk.check, chunk.bytes.data(), chunk.bytes.size(), is_short };
 		make_room(item.size + CHUNK_HEADER);
 		// A packet's last item needs no length. This is the last one if the next does not fit.
-		const bool is_last = i + 1 == _due_chunks.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(_due_chunks[i + 1]).size > size_t(MAX_PACKET_BYTES);
+		const bool is_last = i + 1 == _due_chunks.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(_due_chunks[i + 1]).bytes.size() > max_size;
 		put_chunk(bytes, item, is_last);
 		if (is_last) {
 			packet_done(begin, bytes.size() - begin);

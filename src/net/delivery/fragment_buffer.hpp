@@ -4,21 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace net {
 
 /// An outgoing snapshot: the state that a receiver needs to decode the stream from chunk `next_chunk` on.
 struct Snapshot {
-	static constexpr size_t FRAGMENT_BYTES = 1280;
 	uint8_t number = 0;
 	uint32_t next_chunk = 0;
+	size_t fragment_size = 1000; ///< in bytes, of all fragments but the last
 	std::vector<uint8_t> bytes;
 
-	[[nodiscard]] size_t fragment_count() const { return (bytes.size() + FRAGMENT_BYTES - 1) / FRAGMENT_BYTES; }
+	[[nodiscard]] size_t fragment_count() const { return (bytes.size() + fragment_size - 1) / fragment_size; }
 };
 
-/// Reassembles an incoming snapshot from its fragments, which may arrive in any order.
+/// Reassembles an incoming snapshot from its fragments, which may arrive in any order. Allocates only what has arrived.
 class FragmentBuffer {
 public:
 	/// Starts reassembling the snapshot that `fragment` belongs to and drops the previous one.
@@ -26,61 +27,60 @@ public:
 		_open = true;
 		_number = fragment.snapshot;
 		_next_chunk = fragment.next_chunk;
-		_fragments.assign(fragment.count, Fragment());
-		_missing = fragment.count;
+		_count = fragment.count;
+		_next = 0;
+		_size = 0;
+		_fragments.clear();
 	}
 
 	/// Adds a fragment of the current snapshot. Returns false for a duplicate.
 	bool add(const FragmentItem &fragment) {
-		Fragment &slot = _fragments[fragment.index];
-		if (slot.arrived) {
+		const auto [slot, is_new] = _fragments.try_emplace(fragment.index);
+		if (!is_new) {
 			return false;
 		}
-		slot.arrived = true;
-		slot.bytes.assign(fragment.bytes, fragment.bytes + fragment.size);
-		--_missing;
+		slot->second.assign(fragment.bytes, fragment.bytes + fragment.size);
+		_size += fragment.size;
+		while (_fragments.count(_next) != 0) {
+			++_next;
+		}
 		return true;
 	}
 
 	/// True between `start` and `finish`.
 	[[nodiscard]] bool is_open() const { return _open; }
-	[[nodiscard]] bool is_complete() const { return _open && _missing == 0; }
-	[[nodiscard]] bool belongs(const FragmentItem &fragment) const { return _open && fragment.snapshot == _number && fragment.count == _fragments.size(); }
+	[[nodiscard]] bool is_complete() const { return _open && _fragments.size() == _count; }
+	[[nodiscard]] bool belongs(const FragmentItem &fragment) const { return _open && fragment.snapshot == _number && fragment.count == _count; }
 	[[nodiscard]] uint8_t number() const { return _number; }
 	[[nodiscard]] uint8_t next_chunk() const { return _next_chunk; }
+	/// Total size of the fragments that have arrived, in bytes.
+	[[nodiscard]] size_t size() const { return _size; }
 	/// Replaces `bytes` with the reassembled snapshot and closes it.
 	void finish(std::vector<uint8_t> &bytes) {
 		_open = false;
 		bytes.clear();
-		for (const Fragment &fragment : _fragments) {
-			bytes.insert(bytes.end(), fragment.bytes.begin(), fragment.bytes.end());
+		for (const auto &fragment : _fragments) {
+			bytes.insert(bytes.end(), fragment.second.begin(), fragment.second.end());
 		}
 	}
 
 	/// Acknowledges the fragments that have arrived, or all of them if the snapshot has been decoded (`is_done`).
 	[[nodiscard]] SnapshotAckItem ack(bool is_done) const {
-		SnapshotAckItem ack;
-		ack.snapshot = _number;
-		while (ack.next < _fragments.size() && (is_done || _fragments[ack.next].arrived)) {
-			++ack.next;
-		}
-		for (size_t bit = 0; bit < 32 && ack.next + 1 + bit < _fragments.size(); ++bit) {
-			ack.later |= _fragments[ack.next + 1 + bit].arrived ? uint32_t(1) << bit : 0;
+		SnapshotAckItem ack{ _number, is_done ? _count : _next, 0 };
+		for (int bit = 0; bit < 32; ++bit) {
+			ack.later |= _fragments.count(uint16_t(ack.next + 1 + bit)) != 0 ? uint32_t(1) << bit : 0;
 		}
 		return ack;
 	}
 
 private:
-	struct Fragment {
-		bool arrived = false;
-		std::vector<uint8_t> bytes;
-	};
-
 	bool _open = false;
 	uint8_t _number = 0;
 	uint8_t _next_chunk = 0;
-	std::vector<Fragment> _fragments;
-	size_t _missing = 0;
+	uint16_t _count = 0; // of all fragments
+	uint16_t _next = 0; // the first one that has not arrived
+	size_t _size = 0;
+	std::map<uint16_t, std::vector<uint8_t>> _fragments; // by index
 };
 
 } // namespace net

@@ -122,7 +122,7 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 	if (size == 0) {
 		return PacketError::EMPTY;
 	}
-	if (size > size_t(MAX_PACKET_BYTES)) {
+	if (size > StreamSettings::MAX_PACKET_SIZE) {
 		return PacketError::TOO_LONG;
 	}
 	ByteReader reader(packet, size);

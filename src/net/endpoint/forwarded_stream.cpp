@@ -21,7 +21,14 @@ void ForwardedStream::restart(double time) {
 	}
 }
 
-void ForwardedStream::update(double time) {
+void ForwardedStream::resend_all(uint32_t receiver) {
+	const auto found = _receivers.find(receiver);
+	if (found != _receivers.end()) {
+		found->second.restart();
+	}
+}
+
+void ForwardedStream::update(double time, size_t max_size) {
 	if (_source.snapshot_count() != _source_snapshots) {
 		_source_snapshots = _source.snapshot_count();
 		restart(time);
@@ -39,6 +46,7 @@ void ForwardedStream::update(double time) {
 			snapshot = std::make_shared<Snapshot>();
 			snapshot->number = ++_snapshot_number;
 			snapshot->next_chunk = _source.recorded()->next();
+			snapshot->fragment_size = max_size - FRAGMENT_HEADER;
 			_source.encode_snapshot(snapshot->bytes);
 		}
 		delivery.start_snapshot(snapshot);

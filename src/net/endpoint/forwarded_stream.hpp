@@ -26,14 +26,17 @@ public:
 	void set_held(bool held, double time);
 	[[nodiscard]] bool is_held() const { return _is_held; }
 
-	/// Prepares what is due at `time`: call it before `send`.
-	void update(double time);
+	/// Sends the receiver a snapshot instead of anything that is in flight.
+	void resend_all(uint32_t receiver);
+
+	/// Prepares what is due at `time`: call it before `send`. Packets have at most `max_size` bytes.
+	void update(double time, size_t max_size);
 	/// Appends all packets that are due for a receiver to `bytes` and calls packet_done(begin, size) for each.
 	template <class PacketDone>
-	void send(uint32_t receiver, double time, std::vector<uint8_t> &bytes, PacketDone &&packet_done) {
+	void send(uint32_t receiver, double time, size_t max_size, std::vector<uint8_t> &bytes, PacketDone &&packet_done) {
 		const auto found = _receivers.find(receiver);
 		if (found != _receivers.end() && _source.is_ready() && !_is_held) {
-			found->second.send(*_source.recorded(), time, bytes, packet_done);
+			found->second.send(*_source.recorded(), time, max_size, bytes, packet_done);
 		}
 	}
 	/// Processes the acknowledgements in a packet from a receiver.

@@ -20,6 +20,8 @@ constexpr double RESTART_SILENCE = 1.0;
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
+/// Minimum size of a fragment of a snapshot, except the last.
+constexpr size_t MIN_FRAGMENT_BYTES = 200;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
@@ -85,13 +87,18 @@ void Receiver::count_loss(uint8_t number, double now) {
 	}
 }
 
-PacketResult Receiver::check_fragments() const {
-	const size_t max_count = (_max_bodies * BODY_BYTES + MODEL_BYTES) / Snapshot::FRAGMENT_BYTES + 1;
+PacketResult Receiver::check_fragments() {
+	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
+	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
 		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
+			return PacketError::TOO_MANY_BODIES;
+		}
+		if (_fragments.belongs(fragment) && _fragments.size() + fragment.size > max_bytes) {
+			_refused_size = _max_bodies + 1;
 			return PacketError::TOO_MANY_BODIES;
 		}
 	}
@@ -124,6 +131,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
 	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;
 		return result;
 	}
 	const bool is_earlier = double(next->tick) < _window_end;
@@ -131,6 +139,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	_header = *next;
 	_decoder = std::move(decoder);
 	++_snapshot_count;
+	_refused_size = 0;
 	_window_end = double(next->tick);
 	_snapshot_done = true;
 	_last_snapshot = _fragments.number();
@@ -223,7 +232,7 @@ void Receiver::decode_windows(double now) {
 			break;
 		}
 		if (_record) {
-			_record->push_window(_window, _decoder->check());
+			_record->push_window(_window, _decoder->check(), _record_size);
 		}
 		_progress_time = now;
 		const double begin = _window_end;

@@ -99,14 +99,25 @@ public:
 		events.swap(_events);
 	}
 
+	/// Number of bodies in the stream. Of a stream with more than max_bodies, whose snapshot was rejected, the number that the snapshot
+	/// declared, or max_bodies + 1 if it is larger than any snapshot may be.
+	[[nodiscard]] size_t stream_size() const { return _refused_size > 0 ? _refused_size : (_decoder ? _decoder->body_count() : 0); }
+	/// True if the last snapshot was rejected because it has more than max_bodies bodies.
+	[[nodiscard]] bool is_refused() const { return _refused_size > 0; }
+
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
 	void set_margin_limits(double min, double max);
 	[[nodiscard]] const StreamSettings &settings() const { return _header.settings; }
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
-	/// Keeps the last windows from now on, so that a ForwardedStream can send them again.
-	void record() { _record.emplace(); }
+	/// Keeps the last windows from now on, as chunks for packets of `max_packet_size` bytes, so that a ForwardedStream can send them.
+	void record(size_t max_packet_size) {
+		_record_size = max_packet_size;
+		if (!_record) {
+			_record.emplace();
+		}
+	}
 	/// The windows decoded since the last snapshot and earlier ones; null unless they are recorded.
 	[[nodiscard]] const ChunkRing *recorded() const { return _record ? &*_record : nullptr; }
 	/// Number of snapshots decoded. The windows recorded before a snapshot do not continue after it.
@@ -132,7 +143,7 @@ private:
 	};
 
 	void count_loss(uint8_t number, double now);
-	PacketResult check_fragments() const;
+	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
 	void show_snapshot(bool continues);
@@ -148,11 +159,13 @@ private:
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
+	size_t _refused_size = 0; // bodies in the last snapshot, if there were too many
 	PacketContent _content;
 	ChunkBuffer _chunks;
 	std::optional<StreamDecoder> _decoder; // set by the first snapshot
 	SnapshotHeader _header;
 	std::optional<ChunkRing> _record;
+	size_t _record_size = 0; // maximum packet size
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;

@@ -146,7 +146,7 @@ void Sender::close_window(int64_t end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check());
+		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
 		_window_begin += length;
 	}
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;
@@ -171,6 +171,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 	auto snapshot = std::make_shared<Snapshot>();
 	snapshot->number = ++_snapshot_number;
 	snapshot->next_chunk = _ring.next();
+	snapshot->fragment_size = _settings.max_packet_size - FRAGMENT_HEADER;
 	SnapshotHeader header;
 	header.settings = _settings;
 	header.tick = uint32_t(_window_begin);
@@ -183,7 +184,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
-		peer.delivery.send(_ring, _time, _bytes, [&](size_t begin, size_t size) {
+		peer.delivery.send(_ring, _time, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
 			++peer.packets_sent;
@@ -259,6 +260,13 @@ void Sender::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	if (restarts) {
 		stop_encoder();
+	}
+}
+
+void Sender::resend_all(uint32_t receiver) {
+	const auto found = _peers.find(receiver);
+	if (found != _peers.end()) {
+		found->second.delivery.restart();
 	}
 }
 

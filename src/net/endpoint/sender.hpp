@@ -69,7 +69,11 @@ public:
 	/// Processes a packet from a receiver.
 	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
 
-	/// New settings apply from the next window on. A change of any setting but the send rate restarts the stream.
+	/// Sends the receiver a snapshot instead of anything that is in flight.
+	void resend_all(uint32_t receiver);
+
+	/// New settings apply from the next window on. A change of any setting but send_rate and max_packet_size restarts
+	/// the stream.
 	void set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;

@@ -16,6 +16,7 @@ namespace net {
 struct Peer {
 	/// Maximum pause between two OPEN packets, in seconds.
 	static constexpr double MAX_OPEN_INTERVAL = 4.0;
+	static constexpr double MAX_REFUSAL_PAUSE = 30.0;
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double LATE_PACKET_TIME = 2.0;
 
@@ -39,6 +40,8 @@ struct Peer {
 	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
 	Repetition open{ MAX_OPEN_INTERVAL };
+	size_t refused_size = 0; ///< bodies in the last stream, if it was refused because it has too many
+	double refusal_pause = Repetition::FIRST; ///< seconds from the next such refusal to the next OPEN
 	uint64_t unauthorized_bodies = 0;
 
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }

@@ -11,7 +11,7 @@ uint32_t Relay::free_channel() {
 }
 
 void Relay::add_stream(PeerId owner, Receiver &source, double now) {
-	source.record();
+	source.record(StreamSettings().max_packet_size);
 	const uint32_t channel = free_channel();
 	_channels[channel] = owner;
 	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {}, {}, 0, 0.0 }).first->second;
@@ -77,19 +77,26 @@ void Relay::add_own_packet(PeerId client, const uint8_t *bytes, size_t size) {
 	to.bytes.insert(to.bytes.end(), bytes, bytes + size);
 }
 
-void Relay::update(double now) {
+void Relay::resend_all(PeerId client) {
 	for (auto &entry : _streams) {
-		entry.second.forwarded.update(now);
+		entry.second.forwarded.resend_all(uint32_t(client));
 	}
 }
 
-void Relay::collect(PeerId id, Client &client, double now) {
+void Relay::update(double now, size_t max_size) {
+	for (auto &entry : _streams) {
+		entry.second.source->record(max_size);
+		entry.second.forwarded.update(now, max_size);
+	}
+}
+
+void Relay::collect(PeerId id, Client &client, double now, size_t max_size) {
 	for (auto &[owner, stream] : _streams) {
 		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.max_lead())) {
 			continue;
 		}
 		const Section section{ stream.channel, stream.known_by.count(id) != 0 ? 0 : owner };
-		stream.forwarded.send(uint32_t(id), now, client.bytes, [&](size_t begin, size_t size) { client.sections.push_back({ section.channel, section.owner, begin, size }); });
+		stream.forwarded.send(uint32_t(id), now, max_size, client.bytes, [&](size_t begin, size_t size) { client.sections.push_back({ section.channel, section.owner, begin, size }); });
 	}
 }
 

@@ -50,13 +50,15 @@ public:
 	/// Calls send(client, bytes, size) for each packet that is due, once per tick. Packets have at most `max_size` bytes.
 	template <class Send>
 	void flush(double now, size_t max_size, Send &&send) {
-		update(now);
+		update(now, max_size - Section::HEADER);
 		for (auto &[id, client] : _clients) {
-			collect(id, client, now);
+			collect(id, client, now, max_size - Section::HEADER);
 			pack_sections(client.sections, client.bytes, max_size, _packet, [&send, client_id = id](const uint8_t *bytes, size_t size) { send(client_id, bytes, size); });
 			client.bytes.clear();
 		}
 	}
+	/// Sends a client snapshots instead of anything that is in flight.
+	void resend_all(PeerId client);
 	/// Processes acknowledgements of a client. Those of the server's own stream are passed to accept_own(bytes, size).
 	template <class AcceptOwn>
 	PacketResult accept(PeerId client, const uint8_t *bytes, size_t size, double now, AcceptOwn &&accept_own) {
@@ -103,8 +105,8 @@ private:
 	};
 
 	[[nodiscard]] uint32_t free_channel();
-	void update(double now);
-	void collect(PeerId id, Client &client, double now);
+	void update(double now, size_t max_size);
+	void collect(PeerId id, Client &client, double now, size_t max_size);
 	PacketResult accept_section(PeerId client, const Section &section, const uint8_t *bytes, double now);
 
 	std::map<PeerId, Stream> _streams; // by owner

@@ -35,6 +35,7 @@ void Session::connect(PeerId self) {
 	_connected.clear();
 	_owners.clear();
 	_owned = 0;
+	_size_limit = StreamSettings::MAX_PACKET_SIZE;
 	_sender.reset();
 	_self = self;
 }
@@ -79,8 +80,28 @@ void Session::set_settings(const StreamSettings &settings) {
 	_settings = settings;
 	_settings.tick = tick;
 	if (_sender) {
-		_sender->set_settings(_settings);
+		_sender->set_settings(sender_settings());
 	}
+}
+
+StreamSettings Session::sender_settings() const {
+	StreamSettings settings = _settings;
+	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
+	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER - (_relay ? Section::HEADER : 0);
+	return settings;
+}
+
+size_t Session::packet_refused(PeerId peer, size_t size) {
+	const size_t limit = std::max(size / 4 * 3, StreamSettings::MIN_PACKET_SIZE);
+	if (has_peer(peer) && size > StreamSettings::MIN_PACKET_SIZE) {
+		_size_limit = std::min(limit, _size_limit);
+		_relayer.resend_all(peer);
+		if (_sender) {
+			_sender->set_settings(sender_settings());
+			_sender->resend_all(uint32_t(peer));
+		}
+	}
+	return std::clamp(std::min(_settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
 }
 
 void Session::set_margin_limits(double min, double max) {
@@ -129,7 +150,7 @@ void Session::begin_tick(double now, double length) {
 		_tick = 0;
 		_settings.tick = length;
 		if (_sender) {
-			_sender->set_settings(_settings);
+			_sender->set_settings(sender_settings());
 		}
 	}
 	start_requested(); // with media time before this tick, so that this tick is sent at once
@@ -208,6 +229,17 @@ void Session::end_stream(PeerId id, Peer &peer) {
 	}
 }
 
+/// Closes a stream with too many bodies and requests it again later.
+void Session::refuse_stream(PeerId id, Peer &peer) {
+	const size_t size = peer.stream->stream_size();
+	send_close(id, peer, peer.link, CloseRole::RECEIVER);
+	end_stream(id, peer);
+	request_stream(peer);
+	peer.refused_size = size;
+	peer.open.restart(_now + peer.refusal_pause);
+	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
+}
+
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
 	const PacketResult result = note_relay(id, peer, is_for_relay);
@@ -222,7 +254,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 	}
 	if (peer.requested != link) {
 		peer.requested = link;
-		if (stream(id) == nullptr) {
+		if (stream(id) == nullptr && peer.refused_size == 0) {
 			// The peer's session may be newer than our last request.
 			peer.open.restart(now);
 		}
@@ -243,7 +275,7 @@ void Session::start_requested() {
 
 void Session::start_stream(PeerId id, Peer &peer) {
 	if (!_sender) {
-		_sender.emplace(_settings);
+		_sender.emplace(sender_settings());
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
@@ -318,6 +350,13 @@ const Receiver *Session::stream(PeerId peer) const {
 	return stream != nullptr && stream->is_ready() ? stream : nullptr;
 }
 
+size_t Session::stream_size(PeerId peer) const {
+	const auto found = _peers.find(peer);
+	const Receiver *receiver = stream(peer);
+	return receiver != nullptr ? receiver->stream_size() : found != _peers.end() ? found->second.refused_size
+																				 : 0;
+}
+
 double Session::media_time(PeerId peer) const {
 	if (peer == _self) {
 		return _sender ? _sender->media_time(time()) : 0.0;
@@ -382,8 +421,14 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	}
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, now);
-	if (result) {
+	if (peer.stream->is_refused()) {
+		refuse_stream(id, peer);
+	} else if (result) {
 		peer.open.restart(now + SILENCE);
+		if (peer.stream->is_ready()) {
+			peer.refused_size = 0;
+			peer.refusal_pause = Repetition::FIRST;
+		}
 	}
 	return result;
 }

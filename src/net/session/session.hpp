@@ -44,12 +44,17 @@ public:
 	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
-	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets.
+	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
 	void set_settings(const StreamSettings &settings);
 	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
 	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
 	void set_relay(bool relay);
 	[[nodiscard]] bool relay() const { return _relay; }
+	static constexpr size_t ENGINE_HEADER = 12;
+	/// Reports that the transport refused a packet of `size` bytes to a peer because it is too large. Reduces the maximum packet size
+	/// to three quarters of that, but not below StreamSettings::MIN_PACKET_SIZE, until the session connects again. Returns it.
+	size_t packet_refused(PeerId peer, size_t size);
 	/// See Receiver::set_margin_limits.
 	void set_margin_limits(double min, double max);
 
@@ -78,6 +83,9 @@ public:
 	void advance(double now);
 	/// The incoming stream of an owner, relayed or not; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
+	/// Number of bodies in the incoming stream of a peer. A stream of more than MAX_BODIES is refused, and requested again after pauses
+	/// of 0.25 to 30 s.
+	[[nodiscard]] size_t stream_size(PeerId peer) const;
 	/// The media time of the outgoing stream, or the media time shown of another peer's stream; 0 if there is no stream.
 	[[nodiscard]] double media_time(PeerId peer) const;
 
@@ -106,8 +114,10 @@ public:
 private:
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
+	[[nodiscard]] StreamSettings sender_settings() const;
 	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
+	void refuse_stream(PeerId id, Peer &peer);
 	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
@@ -134,6 +144,7 @@ private:
 	void advance_relayed(Peer &server);
 
 	StreamSettings _settings;
+	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected

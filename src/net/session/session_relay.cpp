@@ -4,13 +4,6 @@
 
 namespace net {
 
-namespace {
-
-/// Maximum size of a packet's sections.
-constexpr size_t MAX_SECTIONS = size_t(MAX_PACKET_BYTES);
-
-} // namespace
-
 void Session::set_relay(bool relay) {
 	if (relay == _relay) {
 		return;
@@ -24,6 +17,7 @@ void Session::set_relay(bool relay) {
 		request_stream(peer);
 	}
 	_relay = relay;
+	set_settings(_settings);
 	update_relay();
 }
 
@@ -72,7 +66,7 @@ void Session::end_relayed(PeerId id) {
 
 void Session::send_relayed() {
 	_relayer.check_owners(_now, [this](PeerId owner, uint32_t body) { return is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
-	_relayer.flush(_now, MAX_SECTIONS, [this](PeerId client, const uint8_t *bytes, size_t size) {
+	_relayer.flush(_now, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
 		Peer &to = _peers.at(client);
 		send(client, to, PacketKind::MOTION, *to.relay_link, bytes, size);
 	});
@@ -80,7 +74,7 @@ void Session::send_relayed() {
 
 void Session::advance_relayed(Peer &server) {
 	_relayed.advance(_now, [this](PeerId owner, RelayedStreams::Stream &stream) { stream.unauthorized_bodies += count_unauthorized(owner, stream.receiver); });
-	_relayed.send_acks(_now, MAX_SECTIONS, *server.stream, [&](const uint8_t *bytes, size_t size) { send(RelayedStreams::SERVER, server, PacketKind::ACK, server.link, bytes, size); });
+	_relayed.send_acks(_now, sender_settings().max_packet_size + Section::HEADER, *server.stream, [&](const uint8_t *bytes, size_t size) { send(RelayedStreams::SERVER, server, PacketKind::ACK, server.link, bytes, size); });
 }
 
 } // namespace net

@@ -16,7 +16,7 @@ inline constexpr uint8_t STREAM_VERSION = 1;
 struct SnapshotHeader {
 	static constexpr size_t BYTES = 30;
 
-	StreamSettings settings; ///< send_rate is not transmitted
+	StreamSettings settings; ///< send_rate and max_packet_size are not transmitted
 	uint32_t tick = 0; ///< the snapshot's media time
 	float window = 0.0f; ///< the sender's maximum window length, in seconds
 };

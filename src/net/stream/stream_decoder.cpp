@@ -4,6 +4,13 @@
 
 namespace net {
 
+namespace {
+
+/// Minimum size of a body in a snapshot: its id, and for each number of its pose the width, in plain bits.
+constexpr size_t MIN_BODY_BYTES = (31 + 3 * 6 + 2 + 3 * 5 + 5 + 2 + 2) / 8;
+
+} // namespace
+
 PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
@@ -12,10 +19,11 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	_new_models = MotionModels();
 	code_models(coder, _new_models);
 	const uint32_t count = coder.read_bits(INDEX_BITS);
-	// Each body takes at least one byte, so a short snapshot cannot make the decoder allocate many bodies.
-	if (ticks > MAX_TICKS || count > size) {
+	// A short snapshot cannot make the decoder allocate many bodies.
+	if (ticks > MAX_TICKS || count > size / MIN_BODY_BYTES) {
 		return PacketError::UNREADABLE_SNAPSHOT;
 	}
+	_declared_count = count;
 	if (count > _max_bodies) {
 		return PacketError::TOO_MANY_BODIES;
 	}

@@ -20,6 +20,8 @@ public:
 
 	/// Reads the output of StreamEncoder::encode_snapshot.
 	PacketResult read_snapshot(const uint8_t *bytes, size_t size);
+	/// Number of bodies that the last snapshot declared, even if it was rejected with TOO_MANY_BODIES.
+	[[nodiscard]] size_t declared_count() const { return _declared_count; }
 	/// Decodes the next window, which begins at `begin`, and replaces `motions` with its segments, those of each body in order of
 	/// time. Returns the window's length in ticks; std::nullopt if it cannot be decoded or its checksum differs.
 	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);
@@ -59,6 +61,7 @@ private:
 
 	StreamGrid _grid;
 	size_t _max_bodies;
+	size_t _declared_count = 0;
 	MotionModels _models;
 	MotionModels _new_models;
 	std::vector<Body> _bodies;

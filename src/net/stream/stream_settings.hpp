@@ -2,6 +2,7 @@
 
 #include "cga/motor/interpolate.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace net {
@@ -21,8 +22,13 @@ struct StreamSettings {
 	cga::Mode mode = cga::Mode::SEPARATE;
 	/// Length of a tick, in seconds. Windows and segments begin and end at whole ticks.
 	double tick = 1.0 / 60.0;
+	/// Maximum size of a packet in bytes, from MIN_PACKET_SIZE to MAX_PACKET_SIZE: what the transport sends as one datagram.
+	size_t max_packet_size = 1100;
 
-	/// True if a stream can continue when its settings change to `other`. Only send_rate may differ.
+	static constexpr size_t MIN_PACKET_SIZE = 256;
+	static constexpr size_t MAX_PACKET_SIZE = 65000;
+
+	/// True if a stream can continue when its settings change to `other`. Only send_rate and max_packet_size may differ.
 	[[nodiscard]] bool is_same_stream(const StreamSettings &other) const {
 		return position_tolerance == other.position_tolerance && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
 	}
@@ -30,8 +36,5 @@ struct StreamSettings {
 
 /// Time until a receiver processes what has arrived: one frame at 60 Hz, in seconds.
 inline constexpr double FRAME = 0.017;
-
-/// Maximum size of a packet in bytes, so that networks do not fragment its datagram.
-inline constexpr int MAX_PACKET_BYTES = 1350;
 
 } // namespace net

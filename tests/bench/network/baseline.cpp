@@ -127,7 +127,7 @@ std::vector<Baseline> baselines() {
 MethodResult run_baseline(const Trace &trace, const Baseline &baseline, const harness::LinkSettings &link, uint64_t seed) {
 	const std::vector<SampleIndex> chosen = choose_samples(trace, baseline.rate);
 	const double delay = max_send_interval(trace, chosen, baseline.rate) + link.delay + link.jitter;
-	const size_t bodies_per_datagram = size_t(net::MAX_PACKET_BYTES) / baseline.pose_bytes;
+	const size_t bodies_per_datagram = net::StreamSettings().max_packet_size / baseline.pose_bytes;
 	ReceivedSamples received(trace);
 	harness::LinkModel model(link, seed);
 	for (size_t begin = 0, end = 0; begin < chosen.size(); begin = end) {

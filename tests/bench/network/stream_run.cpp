@@ -89,7 +89,7 @@ public:
 			_down.send(step.time, _sender.bytes() + packet.begin, packet.size);
 			_result.bytes_sent += packet.size;
 			++_result.packets_sent;
-			if (packet.size > size_t(net::MAX_PACKET_BYTES)) {
+			if (packet.size > net::StreamSettings().max_packet_size) {
 				note(net::PacketError::TOO_LONG, "the sender sent an invalid packet");
 			}
 		}

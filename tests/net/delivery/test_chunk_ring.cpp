@@ -17,23 +17,25 @@ std::vector<uint8_t> counted(size_t size) {
 } // namespace
 
 TEST_CASE("chunk ring: a window is split into as few chunks as fit into packets") {
-	constexpr size_t MAX_CHUNK = size_t(MAX_PACKET_BYTES) - CHUNK_HEADER - ROUND_TRIP_BYTES;
-	for (const size_t size : { size_t(0), size_t(1), MAX_CHUNK, MAX_CHUNK + 1, 3 * MAX_CHUNK, 5 * MAX_CHUNK - 1 }) {
-		ChunkRing ring;
-		const std::vector<uint8_t> window = counted(size);
-		ring.push_window(window, 77);
-		CAPTURE(size);
-		CHECK(ring.next() == (size == 0 ? 1 : (size + MAX_CHUNK - 1) / MAX_CHUNK));
-		std::vector<uint8_t> joined;
-		for (uint32_t number = 0; number < ring.next(); ++number) {
-			const ChunkRing::Chunk &chunk = ring.chunk(number);
-			CHECK(chunk.size <= MAX_CHUNK);
-			CHECK(chunk.first == (number == 0));
-			CHECK(chunk.last == (number + 1 == ring.next()));
-			CHECK(chunk.check == (chunk.last ? 77 : 0));
-			joined.insert(joined.end(), chunk.bytes.begin(), chunk.bytes.begin() + ptrdiff_t(chunk.size));
+	for (const size_t max_packet : { size_t(64), size_t(256), size_t(1100), size_t(65000) }) {
+		const size_t max_chunk = max_packet - CHUNK_HEADER - ROUND_TRIP_BYTES;
+		for (const size_t size : { size_t(0), size_t(1), max_chunk, max_chunk + 1, 3 * max_chunk, 5 * max_chunk - 1 }) {
+			ChunkRing ring;
+			const std::vector<uint8_t> window = counted(size);
+			ring.push_window(window, 77, max_packet);
+			CAPTURE(size);
+			CHECK(ring.next() == (size == 0 ? 1 : (size + max_chunk - 1) / max_chunk));
+			std::vector<uint8_t> joined;
+			for (uint32_t number = 0; number < ring.next(); ++number) {
+				const ChunkRing::Chunk &chunk = ring.chunk(number);
+				CHECK(chunk.bytes.size() <= max_chunk);
+				CHECK(chunk.first == (number == 0));
+				CHECK(chunk.last == (number + 1 == ring.next()));
+				CHECK(chunk.check == (chunk.last ? 77 : 0));
+				joined.insert(joined.end(), chunk.bytes.begin(), chunk.bytes.end());
+			}
+			CHECK(joined == window);
 		}
-		CHECK(joined == window);
 	}
 }
 
@@ -41,7 +43,7 @@ TEST_CASE("chunk ring: it keeps the last RING chunks") {
 	ChunkRing ring;
 	for (uint32_t i = 0; i < 3 * ChunkRing::RING + 5; ++i) {
 		CHECK(ring.next() == i);
-		ring.push_window({ uint8_t(i), uint8_t(i >> 8) }, uint8_t(i));
+		ring.push_window({ uint8_t(i), uint8_t(i >> 8) }, uint8_t(i), 256);
 	}
 	for (uint32_t number = ring.next() - ChunkRing::RING; number < ring.next(); ++number) {
 		CHECK(ring.chunk(number).bytes[0] == uint8_t(number));

@@ -6,16 +6,18 @@ using namespace net;
 
 namespace {
 
+constexpr size_t MAX_PACKET = 1100;
+
 /// A delivery, and the acknowledgements of its receiver.
 struct Line {
 	Line() {
 		auto snapshot = std::make_shared<Snapshot>();
 		snapshot->number = 3;
-		snapshot->bytes.assign(3 * Snapshot::FRAGMENT_BYTES - 5, 1);
+		snapshot->bytes.assign(3 * snapshot->fragment_size - 5, 1);
 		delivery.start_snapshot(snapshot);
 	}
 
-	void push_window(size_t size = 10) { ring.push_window(std::vector<uint8_t>(size, 2), 0); }
+	void push_window(size_t size = 10) { ring.push_window(std::vector<uint8_t>(size, 2), 0, MAX_PACKET); }
 
 	/// The items of all packets that are sent at `time`.
 	PacketContent send(double time) {
@@ -23,11 +25,11 @@ struct Line {
 		bytes.clear();
 		packets = 0;
 		std::vector<std::pair<size_t, size_t>> ranges;
-		delivery.send(ring, time, bytes, [&](size_t begin, size_t size) { ranges.emplace_back(begin, size); });
+		delivery.send(ring, time, MAX_PACKET, bytes, [&](size_t begin, size_t size) { ranges.emplace_back(begin, size); });
 		for (const auto &[begin, size] : ranges) {
 			++packets;
 			PacketContent content;
-			CHECK(size <= size_t(MAX_PACKET_BYTES));
+			CHECK(size <= MAX_PACKET);
 			REQUIRE(read_packet(bytes.data() + begin, size, content));
 			all.chunks.insert(all.chunks.end(), content.chunks.begin(), content.chunks.end());
 			all.fragments.insert(all.fragments.end(), content.fragments.begin(), content.fragments.end());
@@ -74,7 +76,7 @@ TEST_CASE("delivery: fragments are retransmitted after a timeout until they have
 	REQUIRE(retransmitted.fragments.size() == 2);
 	CHECK(retransmitted.fragments[0].index == 0);
 	CHECK(retransmitted.fragments[1].index == 2);
-	CHECK(retransmitted.fragments[1].size == Snapshot::FRAGMENT_BYTES - 5);
+	CHECK(retransmitted.fragments[1].size == Snapshot().fragment_size - 5);
 	CHECK(line.delivery.retransmissions() == 2);
 	line.accept_snapshot_ack(3, 3, 0, 0.3);
 	CHECK(line.send(1.0).fragments.empty());

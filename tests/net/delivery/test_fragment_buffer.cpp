@@ -77,8 +77,11 @@ TEST_CASE("fragment buffer: it acknowledges what has arrived, or all of a decode
 
 TEST_CASE("snapshot: all fragments but the last are full") {
 	Snapshot snapshot;
-	for (const size_t size : { size_t(1), Snapshot::FRAGMENT_BYTES, Snapshot::FRAGMENT_BYTES + 1, 10 * Snapshot::FRAGMENT_BYTES }) {
-		snapshot.bytes.resize(size);
-		CHECK(snapshot.fragment_count() == (size < 2 ? 1 : (size - 1) / Snapshot::FRAGMENT_BYTES + 1));
+	for (const size_t fragment : { size_t(240), size_t(1000), size_t(1280) }) {
+		snapshot.fragment_size = fragment;
+		for (const size_t size : { size_t(1), fragment, fragment + 1, 10 * fragment }) {
+			snapshot.bytes.resize(size);
+			CHECK(snapshot.fragment_count() == (size < 2 ? 1 : (size - 1) / fragment + 1));
+		}
 	}
 }

@@ -9,10 +9,12 @@ using namespace net_test;
 
 namespace {
 
+constexpr size_t MAX_SIZE = 600;
+
 /// A sender, the receiver that forwards its stream, and receivers of the forwarded stream.
 struct ForwardingScene {
 	explicit ForwardingScene(const LinkSettings &link, uint32_t bodies = 12) :
-			first(session.add_receiver(1, link)), forwarded((first.receiver->record(), *first.receiver)) {
+			first(session.add_receiver(1, link)), forwarded((first.receiver->record(MAX_SIZE), *first.receiver)) {
 		add_smooth_bodies(session, bodies);
 	}
 
@@ -23,10 +25,10 @@ struct ForwardingScene {
 
 	void step() {
 		session.step();
-		forwarded.update(session.now);
+		forwarded.update(session.now, MAX_SIZE);
 		for (auto &[id, end] : ends) {
 			std::vector<uint8_t> bytes;
-			forwarded.send(id, session.now, bytes, [&, to = &end](size_t begin, size_t size) {
+			forwarded.send(id, session.now, MAX_SIZE, bytes, [&, to = &end](size_t begin, size_t size) {
 				to->largest_packet = std::max(to->largest_packet, size);
 				to->bytes_sent.resize(to->bytes_sent.size() + size);
 				to->down.send(session.now, bytes.data() + begin, size);
@@ -127,6 +129,7 @@ TEST_CASE("forwarded stream: after a new snapshot of the source, and after it wa
 	CHECK(end.receiver->settings().position_tolerance == doctest::Approx(0.02));
 	CHECK(end.receiver->snapshot_count() == 2);
 	CHECK(scene.session.error(end) <= 1.3);
+	CHECK(end.largest_packet <= MAX_SIZE);
 	scene.forwarded.set_held(true, scene.session.now);
 	scene.run(0.1);
 	const double known = end.receiver->known_time();

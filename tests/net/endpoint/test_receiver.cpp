@@ -65,7 +65,7 @@ TEST_CASE("receiver: over any link, media time never runs backwards and playback
 		CHECK(session.error(other) <= 1.02);
 		CHECK(session.packets_rejected == 0);
 		CHECK(session.acks_rejected == 0);
-		CHECK(one.largest_packet <= size_t(MAX_PACKET_BYTES));
+		CHECK(one.largest_packet <= StreamSettings().max_packet_size);
 	}
 }
 

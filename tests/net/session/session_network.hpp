@@ -157,10 +157,12 @@ public:
 	std::map<PeerId, Peer> peers;
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
 	std::vector<SentPacket> sent;
+	std::vector<size_t> refusals; // what packet_refused() returned
 	double now = 100.0;
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
 	bool is_star = false; // clients are connected to peer 1 only
+	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
 	void update_peers() {
@@ -211,6 +213,10 @@ private:
 		peer.session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
 			const std::optional<net::Envelope> envelope = net::read_envelope(bytes, packet.size);
 			REQUIRE(envelope);
+			if (packet.size + net::Session::ENGINE_HEADER > transport_limit) {
+				refusals.push_back(peer.session.packet_refused(packet.peer, packet.size));
+				return;
+			}
 			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
 			Link &to = link(id, packet.peer);
 			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);

@@ -62,7 +62,7 @@ TEST_CASE("session: each invalid packet is rejected with its error and changes n
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 1, 2 })) == PacketError::TRUNCATED);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xff })) == PacketError::UNKNOWN_ITEM);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, uint8_t(link + 1), { 0xff })) == PacketError::STREAM_NOT_REQUESTED);
-	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, Bytes(size_t(MAX_PACKET_BYTES) + 1, 0xb0))) == PacketError::TOO_LONG);
+	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, Bytes(StreamSettings::MAX_PACKET_SIZE + 1, 0xb0))) == PacketError::TOO_LONG);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 9, 0, 5, 0, 5, 0, 1, 0, 0 })) == PacketError::BAD_FRAGMENT);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 9, 0, 0, 0, 255, 255, 1, 0, 0 })) == PacketError::TOO_MANY_BODIES);
 	CHECK(rejection_of(network, make_packet(PacketKind::ACK, subscription, { 0xc1, 0, 9 })) == PacketError::BAD_ACK);

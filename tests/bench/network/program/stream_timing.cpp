@@ -64,7 +64,7 @@ EndRun run_receiver(const Trace &trace, const StreamRecording &packets) {
 	}
 	net::Receiver receiver;
 	std::vector<uint8_t> ack;
-	ack.reserve(net::MAX_PACKET_BYTES);
+	ack.reserve(net::StreamSettings().max_packet_size);
 	const double warm_up_end = packets.steps().front().time + WARM_UP;
 	const double trace_end = packets.steps().front().time + trace.duration();
 	const double begin = cpu_seconds();
