@@ -28,6 +28,8 @@ constexpr double MAX_DRIFT = 0.75;
 /// A drift is noise up to this value, and up to this many times the spread.
 constexpr double MIN_NOTABLE_DRIFT = 0.01;
 constexpr double DRIFT_PER_SPREAD = 2.5;
+/// If the line moves twice within this many seconds, a smaller difference is enough to conclude that the sender is slow.
+constexpr double SAME_CAUSE = 2.0;
 /// Arrivals farther apart than this, in seconds, say nothing about the slope.
 constexpr double MAX_STEP = 1.0;
 
@@ -111,9 +113,13 @@ ArrivalLine::Arrival ArrivalLine::add_late(double end, double now, double bound)
 	}
 	if (step > MAX_STEP) {
 		_drift = 0.0;
+	} else if (later > 0.5 * bound && now - _moved_at < SAME_CAUSE) {
+		_drift = std::clamp((now - end - _moved_offset) / (now - _moved_at), MIN_DRIFT, MAX_DRIFT);
 	} else if (later > bound) {
 		_drift = std::clamp(_drift + later / step, MIN_DRIFT, MAX_DRIFT);
 	}
+	_moved_at = now;
+	_moved_offset = now - end;
 	move_to(end, now);
 	return Arrival::MOVED;
 }

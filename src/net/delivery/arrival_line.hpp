@@ -43,6 +43,8 @@ private:
 	bool _is_late = false; // the last arrival was suspect
 	double _late_offset = 0.0; // of that arrival
 	double _late_time = 0.0;
+	double _moved_at = -1e9; // when a late arrival last moved the line
+	double _moved_offset = 0.0; // of that arrival
 	RecentExtreme _earliest{ -1.0, 4.0 }; // distance from the line
 	RecentExtreme _latest{ 1.0, 2.0 };
 	RecentExtreme _earliest_offset{ -1.0, 4.0 }; // since the drift ended

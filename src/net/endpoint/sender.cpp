@@ -64,10 +64,11 @@ bool Sender::observe(uint32_t id, double time) {
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
 }
 
-void Sender::add_receiver(uint32_t receiver, double time) {
+void Sender::add_receiver(uint32_t receiver, double time, double now) {
 	begin_at(time);
+	_now = now;
 	_peers.erase(receiver);
-	_peers.emplace(receiver, Peer{ Delivery(time) });
+	_peers.emplace(receiver, Peer{ Delivery(now) });
 }
 
 void Sender::remove_receiver(uint32_t receiver) {
@@ -97,7 +98,7 @@ void Sender::start_encoder() {
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
-		peer.second.delivery = Delivery(_time);
+		peer.second.delivery = Delivery(_now);
 	}
 	_changed_since = -1;
 }
@@ -114,7 +115,7 @@ double Sender::max_window() const {
 	double network = FRAME;
 	for (const auto &peer : _peers) {
 		const Delivery &delivery = peer.second.delivery;
-		if (!delivery.is_silent(_time)) {
+		if (!delivery.is_silent(_now)) {
 			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
@@ -156,7 +157,7 @@ void Sender::start_snapshots() {
 	std::shared_ptr<Snapshot> snapshot;
 	for (auto &peer : _peers) {
 		Delivery &delivery = peer.second.delivery;
-		if (delivery.needs_snapshot() && !delivery.is_silent(_time)) {
+		if (delivery.needs_snapshot() && !delivery.is_silent(_now)) {
 			snapshot = snapshot != nullptr ? snapshot : make_snapshot();
 			delivery.start_snapshot(snapshot);
 		}
@@ -184,7 +185,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
-		peer.delivery.send(_ring, _time, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
+		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
 			++peer.packets_sent;
@@ -192,39 +193,40 @@ void Sender::send_all() {
 	}
 }
 
-void Sender::flush(double time) {
+void Sender::flush(double time, double now) {
 	_bytes.clear();
 	_packets.clear();
 	begin_at(time);
 	_time = std::max(time, _time);
-	const int64_t now = int64_t(std::floor(ticks(_time) + SAME_TICK));
-	if (now > _last_flush) {
+	_now = now;
+	const int64_t tick = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	if (tick > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
-		_step = std::clamp(double(now - _last_flush), 0.9 * _step, MAX_STEP);
+		_step = std::clamp(double(tick - _last_flush), 0.9 * _step, MAX_STEP);
 	}
 	const int64_t before = _last_flush;
-	_last_flush = now;
+	_last_flush = tick;
 	if (_peers.empty()) {
-		_window_begin = now;
+		_window_begin = tick;
 		return;
 	}
 	if (!_encoder) {
-		_window_begin = now > 0 ? now - 1 : 0;
+		_window_begin = tick > 0 ? tick - 1 : 0;
 		start_encoder();
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.
-		close_window(std::max(_window_begin, std::min(before, now - 1)));
+		close_window(std::max(_window_begin, std::min(before, tick - 1)));
 		_changed_since = _window_begin;
 	}
-	if (now > _window_begin && is_window_due(now)) {
-		close_window(now);
+	if (tick > _window_begin && is_window_due(tick)) {
+		close_window(tick);
 		start_snapshots();
 	}
 	send_all();
 }
 
-PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double time) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
 	const auto found = _peers.find(receiver);
 	if (found == _peers.end()) {
 		return PacketError::UNKNOWN_RECEIVER;
@@ -232,21 +234,21 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 	if (const PacketResult result = read_packet(packet, size, _content); !result) {
 		return result;
 	}
-	found->second.delivery.accept(_content, _ring, time);
+	found->second.delivery.accept(_content, _ring, now);
 	if (_content.alignment) {
-		take_alignment(*_content.alignment, time);
+		take_alignment(*_content.alignment, now);
 	}
 	return {};
 }
 
-void Sender::take_alignment(const AlignItem &request, double time) {
+void Sender::take_alignment(const AlignItem &request, double now) {
 	const double period = request.period / _settings.tick;
 	// Far shorter windows, and frequent requests, would cost bytes.
-	if ((_grid && request.number == _alignment) || time - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * max_window() || std::fabs(request.shift) > request.period) {
+	if ((_grid && request.number == _alignment) || now - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * max_window() || std::fabs(request.shift) > request.period) {
 		return;
 	}
 	_alignment = request.number;
-	_aligned_at = time;
+	_aligned_at = now;
 	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
 }
 

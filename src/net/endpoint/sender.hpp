@@ -30,7 +30,8 @@ struct ReceiverStatistics {
 };
 
 /// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
-/// `flush` and passes acknowledgements to `accept`. Times are in seconds on one clock.
+/// `flush` and passes acknowledgements to `accept`. Times are in seconds. `time` is the clock of the motion, which may stand still;
+/// `now` is the clock of the network, on which round trips and silence are measured. They may be the same.
 ///
 /// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
 /// receiver that is new or too far behind gets a snapshot.
@@ -54,12 +55,14 @@ public:
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
 	bool teleport(uint32_t id) { return _encoder ? _encoder->jump(id) : has_body(id); }
 
-	void add_receiver(uint32_t receiver, double time);
+	void add_receiver(uint32_t receiver, double time, double now);
+	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
 	void remove_receiver(uint32_t receiver);
 	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
 
 	/// Builds the packets that are due. Call it every tick, after all poses up to `time` have been observed.
-	void flush(double time);
+	void flush(double time, double now);
+	void flush(double time) { flush(time, time); }
 	/// The packets of the last flush, valid until the next.
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
@@ -67,7 +70,7 @@ public:
 	/// Makes windows end at `time` and at all multiples of `period` seconds before and after, as far as max_latency allows.
 	void align(double time, double period) { _grid = WindowGrid{ ticks(time), period / _settings.tick }; }
 	/// Processes a packet from a receiver.
-	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double time);
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
 	/// Sends the receiver a snapshot instead of anything that is in flight.
 	void resend_all(uint32_t receiver);
@@ -95,7 +98,7 @@ private:
 	void start_encoder();
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
-	void take_alignment(const AlignItem &request, double time);
+	void take_alignment(const AlignItem &request, double now);
 	[[nodiscard]] bool is_window_due(int64_t now) const;
 	void close_window(int64_t end);
 	void start_snapshots();
@@ -114,6 +117,7 @@ private:
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
+	double _now = 0.0;
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;
 	int64_t _window_begin = 0; // ticks

@@ -15,7 +15,7 @@ namespace net {
 
 /// The server's side of relaying: forwards the streams of owners to clients. Each client gets one sequence of packets, in
 /// which the sections of all streams, the server's own included, share packets. So that they do, owners are asked to align their
-/// windows. Times are local times.
+/// windows. Times are local times in seconds.
 class Relay {
 public:
 	/// A stream may contain bodies of other owners for this many seconds: peers learn of a change of owner at different times.

@@ -15,6 +15,8 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
 /// to their end.
 constexpr double LINGER = 2.0;
+/// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
+constexpr double MAX_STEP = 0.25;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
@@ -24,6 +26,11 @@ uint8_t next_link(double now) {
 }
 
 } // namespace
+
+void Session::set_now(double now) {
+	_running_time += std::clamp(now - _now, 0.0, MAX_STEP);
+	_now = now;
+}
 
 void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
@@ -45,7 +52,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	if (peers == _connected) {
 		return left;
 	}
-	_now = now;
+	set_now(now);
 	std::set_difference(_connected.begin(), _connected.end(), peers.begin(), peers.end(), std::back_inserter(left));
 	_connected = peers;
 	for (const PeerId id : left) {
@@ -64,7 +71,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 }
 
 void Session::close(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.subscribed || peer.relay_link) {
 			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
@@ -143,7 +150,7 @@ void Session::remove_body(uint32_t body, bool freed) {
 }
 
 void Session::begin_tick(double now, double length) {
-	_now = _tick_time = now;
+	set_now(now);
 	if (length != _settings.tick) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
@@ -174,7 +181,7 @@ void Session::end_tick() {
 	if (is_relaying()) {
 		// The longest windows of owners, as in Sender.
 		const double window = std::max(_settings.max_latency - FRAME, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0);
-		_relayer.begin_tick(_tick, _now, _settings.tick, window);
+		_relayer.begin_tick(_tick, _running_time, _settings.tick, window);
 		if (_sender) {
 			_sender->align(time() - double(_relayer.schedule().ticks_since_instant()) * _settings.tick, _relayer.schedule().period());
 		}
@@ -187,7 +194,7 @@ void Session::end_tick() {
 }
 
 void Session::send_motion() {
-	_sender->flush(time());
+	_sender->flush(time(), _running_time);
 	for (const OutgoingPacket &packet : _sender->packets()) {
 		const auto id = PeerId(packet.receiver);
 		Peer &peer = _peers[id];
@@ -249,7 +256,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 		}
 		if (peer.relay_link != link) {
 			peer.relay_link = link;
-			_relayer.add_client(id, now);
+			_relayer.add_client(id, _running_time);
 		}
 	}
 	if (peer.requested != link) {
@@ -284,7 +291,7 @@ void Session::start_stream(PeerId id, Peer &peer) {
 	peer.subscribed = true;
 	peer.subscription = *peer.requested;
 	peer.subscribed_at = _now;
-	_sender->add_receiver(uint32_t(id), time());
+	_sender->add_receiver(uint32_t(id), time(), _running_time);
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
@@ -305,7 +312,7 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 }
 
 void Session::advance(double now) {
-	_now = now;
+	set_now(now);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
@@ -315,7 +322,7 @@ void Session::advance(double now) {
 			advance_relayed(peer);
 		} else if (peer.stream) {
 			peer.stream->take_ack(_ack, now);
-			if (const auto alignment = _relayer.take_alignment(id, now)) {
+			if (const auto alignment = _relayer.take_alignment(id, _running_time)) {
 				put_alignment(_ack, *alignment);
 			}
 			if (!_ack.empty()) {
@@ -385,7 +392,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (!envelope || found == _peers.end()) {
 		return;
 	}
-	_now = now;
+	set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;
@@ -416,11 +423,11 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 		peer.stream.emplace(MAX_BODIES);
 		peer.stream->set_margin_limits(_min_margin, _max_margin);
 		if (is_relaying()) {
-			_relayer.add_stream(id, *peer.stream, now);
+			_relayer.add_stream(id, *peer.stream, _running_time);
 		}
 	}
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
-	_relayer.note_arrival(id, now);
+	_relayer.note_arrival(id, _running_time);
 	if (peer.stream->is_refused()) {
 		refuse_stream(id, peer);
 	} else if (result) {
@@ -434,13 +441,11 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 }
 
 PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	// Add the time since the last tick. Otherwise round trips would be measured in whole ticks.
-	const double since_tick = std::clamp(now - _tick_time, 0.0, _settings.tick);
 	const auto accept_own = [&](const uint8_t *own, size_t own_size) {
-		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, time() + since_tick) : PacketResult();
+		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time) : PacketResult();
 	};
 	if (peer.relay_link == link) {
-		return _relayer.accept(id, bytes, size, now, accept_own);
+		return _relayer.accept(id, bytes, size, _running_time, accept_own);
 	}
 	if (!peer.is_subscribed(link)) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;

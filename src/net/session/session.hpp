@@ -112,6 +112,7 @@ public:
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
+	void set_now(double now);
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
 	[[nodiscard]] StreamSettings sender_settings() const;
@@ -154,8 +155,8 @@ private:
 	std::optional<Sender> _sender; // while a peer is subscribed
 	double _first_tick = 0.0; // time() when the tick length last changed
 	int64_t _tick = 0; // ticks since _first_tick
-	double _tick_time = 0.0; // local time of the last tick
 	double _now = 0.0; // local time of the last call
+	double _running_time = 0.0; // local time without the time in which the process stood still
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // total over all peers

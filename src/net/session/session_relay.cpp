@@ -65,8 +65,8 @@ void Session::end_relayed(PeerId id) {
 }
 
 void Session::send_relayed() {
-	_relayer.check_owners(_now, [this](PeerId owner, uint32_t body) { return is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
-	_relayer.flush(_now, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
+	_relayer.check_owners(_running_time, [this](PeerId owner, uint32_t body) { return is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
+	_relayer.flush(_running_time, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
 		Peer &to = _peers.at(client);
 		send(client, to, PacketKind::MOTION, *to.relay_link, bytes, size);
 	});

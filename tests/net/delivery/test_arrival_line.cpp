@@ -68,6 +68,18 @@ TEST_CASE("arrival line: arrivals that are ever later are a slower sender") {
 	CHECK(arrivals.line.rate() == doctest::Approx(1.0).epsilon(0.02));
 }
 
+TEST_CASE("arrival line: a slow sender whose arrivals are about as late as the bound is followed too") {
+	for (const double late : { 0.06, 0.08, 0.1, 0.12, 0.15 }) {
+		Arrivals arrivals;
+		for (int i = 0; i < 20; ++i) {
+			(void)arrivals.add(i % 2 == 0 ? late + 0.008 : late - 0.008);
+		}
+		CAPTURE(late);
+		CHECK(arrivals.line.rate() == doctest::Approx(0.1 / (0.1 + late)).epsilon(0.05));
+		CHECK(arrivals.add(late) == ArrivalLine::Arrival::EXPECTED);
+	}
+}
+
 TEST_CASE("arrival line: a long silence says nothing about the slope") {
 	Arrivals arrivals;
 	for (int i = 0; i < 50; ++i) {

@@ -32,6 +32,7 @@ public:
 		double origin = 0.0; // virtual time at which the media time of its stream is 0
 		int poses_rejected = 0;
 		double held_until = 0.0; // virtual time until which it makes no ticks
+		double blocked_until = 0.0; // virtual time until which its process does nothing
 		double tick_share = 1.0; // fraction of its ticks that it makes
 		double due_ticks = 0.0;
 		int64_t ticks = 0;
@@ -88,6 +89,9 @@ public:
 		for (int frame = 0; frame < frames_per_tick; ++frame) {
 			now += tick / frames_per_tick;
 			for (auto &[id, peer] : peers) {
+				if (now < peer.blocked_until) {
+					continue;
+				}
 				receive(id, peer);
 				if (frame == 0) {
 					step_tick(id, peer);

@@ -97,3 +97,45 @@ TEST_CASE("session: a server that drops ticks is shown smoothly at its own rate"
 		}
 	}
 }
+
+TEST_CASE("session: round trips are measured in local time while the server's ticks stand still or are dropped") {
+	for (const bool is_held : { false, true }) {
+		for (const double delay : { 0.03, 0.1 }) {
+			MovingBody body(LinkSettings{ delay });
+			body.run(1.0);
+			body.network.peers.at(1).tick_share = is_held ? 1.0 : 0.4;
+			for (int i = 0; i < 12; ++i) {
+				body.network.peers.at(1).held_until = body.network.now + (is_held ? 0.3 : 0.0);
+				body.run(0.5);
+			}
+			CAPTURE(is_held);
+			CAPTURE(delay);
+			CHECK(body.network.statistics(2, 1).round_trip >= 2.0 * delay);
+			CHECK(body.network.statistics(2, 1).round_trip <= 2.0 * delay + 0.03);
+			CHECK(body.network.statistics(2, 1).loss < 0.02);
+		}
+	}
+}
+
+TEST_CASE("session: a server that was paused or blocked knows its receivers' round trips, and sends to them at once") {
+	for (const bool is_blocked : { false, true }) {
+		for (const double seconds : { 0.5, 2.0, 10.0, 60.0 }) {
+			MovingBody body(LinkSettings{ 0.05 });
+			body.run(4.0);
+			SessionNetwork::Peer &server = body.network.peers.at(1);
+			(is_blocked ? server.blocked_until : server.held_until) = body.network.now + seconds;
+			body.run(seconds);
+			const double resumed = body.network.now;
+			body.run(0.65);
+			CAPTURE(is_blocked);
+			CAPTURE(seconds);
+			CHECK(body.network.packets(1, 2, PacketKind::MOTION, resumed).size() >= 2);
+			CHECK(body.network.statistics(2, 1).round_trip >= 0.1);
+			CHECK(body.network.statistics(2, 1).round_trip <= 0.2);
+			body.run(1.5);
+			CHECK(body.frozen <= body.frames / 50);
+			CHECK(body.network.statistics(2, 1).loss < 0.1);
+			CHECK(body.network.packets(1, 2, PacketKind::MOTION, resumed).front().envelope.link == body.network.packets(1, 2, PacketKind::MOTION).front().envelope.link);
+		}
+	}
+}
