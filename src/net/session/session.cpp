@@ -8,8 +8,6 @@ namespace net {
 
 namespace {
 
-/// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
-constexpr double SILENCE = 1.0;
 /// Minimum seconds between two subscriptions of a peer, so that it cannot make us start a stream every tick.
 constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
@@ -123,12 +121,11 @@ void Session::set_margin_limits(double min, double max) {
 }
 
 void Session::set_owner(uint32_t body, PeerId owner) {
-	const auto found = _owners.find(body);
-	if (found != _owners.end() && found->second == owner) {
+	if (_owners.find(body) == owner) {
 		return;
 	}
 	remove_body(body);
-	_owners[body] = owner;
+	_owners.set(body, owner);
 	if (owner == _self) {
 		++_owned;
 		start_requested();
@@ -136,17 +133,13 @@ void Session::set_owner(uint32_t body, PeerId owner) {
 }
 
 void Session::remove_body(uint32_t body, bool freed) {
-	const auto found = _owners.find(body);
-	if (found == _owners.end()) {
-		return;
-	}
-	if (found->second == _self) {
+	if (_owners.find(body) == _self) {
 		--_owned;
 		if (_sender) {
 			_sender->remove_body(body, freed);
 		}
 	}
-	_owners.erase(found);
+	_owners.remove(body);
 }
 
 void Session::begin_tick(double now, double length) {
@@ -236,40 +229,6 @@ void Session::end_stream(PeerId id, Peer &peer) {
 	}
 }
 
-/// Closes a stream with too many bodies and requests it again later.
-void Session::refuse_stream(PeerId id, Peer &peer) {
-	const size_t size = peer.stream->stream_size();
-	send_close(id, peer, peer.link, CloseRole::RECEIVER);
-	end_stream(id, peer);
-	request_stream(peer);
-	peer.refused_size = size;
-	peer.open.restart(_now + peer.refusal_pause);
-	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
-}
-
-PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
-	const PacketResult result = note_relay(id, peer, is_for_relay);
-	if (is_for_relay && id != RelayedStreams::SERVER) {
-		if (!is_relaying()) {
-			return result; // the peer falls back to a plain stream when it learns that we do not relay
-		}
-		if (peer.relay_link != link) {
-			peer.relay_link = link;
-			_relayer.add_client(id, _running_time);
-		}
-	}
-	if (peer.requested != link) {
-		peer.requested = link;
-		if (stream(id) == nullptr && peer.refused_size == 0) {
-			// The peer's session may be newer than our last request.
-			peer.open.restart(now);
-		}
-	}
-	start_requested();
-	return result;
-}
-
 /// Starts the streams that peers have requested, if there are bodies to send.
 void Session::start_requested() {
 	for (auto &[id, peer] : _peers) {
@@ -316,10 +275,10 @@ void Session::advance(double now) {
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
-			peer.unauthorized_bodies += count_unauthorized(id, *peer.stream);
+			peer.unauthorized_bodies += _owners.count_unauthorized(id, *peer.stream);
 		}
 		if (peer.stream && is_relayed(id)) {
-			advance_relayed(peer);
+			acknowledge_relayed(peer);
 		} else if (peer.stream) {
 			peer.stream->take_ack(_ack, now);
 			if (const auto alignment = _relayer.take_alignment(id, _running_time)) {
@@ -329,24 +288,13 @@ void Session::advance(double now) {
 				send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
 			}
 		}
-		if (peer.open.is_due(now) && wants_stream(id)) {
+		const bool is_wanted = !_is_link_relayed || is_relayed(id);
+		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
 			peer.is_open_sent = true;
 			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
 		}
 	}
-}
-
-bool Session::is_unauthorized(PeerId owner, uint32_t body) const {
-	const auto found = _owners.find(body);
-	return found != _owners.end() && found->second != owner;
-}
-
-/// Returns the number of new bodies in a stream that its sender does not own. They are not shown. This is not an error: when a
-/// body changes its owner, peers are notified at different times.
-uint64_t Session::count_unauthorized(PeerId owner, Receiver &stream) {
-	stream.take_events(_events);
-	return uint64_t(std::count_if(_events.begin(), _events.end(), [&](const BodyEvent &event) { return event.kind == BodyEvent::ADDED && is_unauthorized(owner, event.id); }));
 }
 
 const Receiver *Session::stream(PeerId peer) const {
@@ -386,120 +334,20 @@ void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
 	send(id, peer, PacketKind::CLOSE, link, &byte, 1);
 }
 
-void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
-	const auto envelope = read_envelope(bytes, size);
-	const auto found = _peers.find(id);
-	if (!envelope || found == _peers.end()) {
-		return;
-	}
-	set_now(now);
-	Peer &peer = found->second;
-	peer.received.add(size, now);
-	bytes += ENVELOPE_BYTES;
-	size -= ENVELOPE_BYTES;
-	PacketResult result;
-	if (envelope->version != ENVELOPE_VERSION) {
-		result = PacketError::OTHER_SESSION_VERSION;
-	} else if (envelope->kind == PacketKind::OPEN) {
-		result = accept_open(id, peer, envelope->link, bytes, size, now);
-	} else if (envelope->kind == PacketKind::CLOSE) {
-		result = accept_close(id, peer, envelope->link, bytes, size);
-	} else if (envelope->kind == PacketKind::MOTION) {
-		result = accept_motion(id, peer, envelope->link, bytes, size, now);
-	} else {
-		result = accept_ack(id, peer, envelope->link, bytes, size, now);
-	}
-	if (!result) {
-		peer.rejections.add(result.error());
-		_rejected++;
-	}
-}
-
-PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
-	}
-	if (!peer.stream) {
-		peer.stream.emplace(MAX_BODIES);
-		peer.stream->set_margin_limits(_min_margin, _max_margin);
-		if (is_relaying()) {
-			_relayer.add_stream(id, *peer.stream, _running_time);
-		}
-	}
-	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
-	_relayer.note_arrival(id, _running_time);
-	if (peer.stream->is_refused()) {
-		refuse_stream(id, peer);
-	} else if (result) {
-		peer.open.restart(now + SILENCE);
-		if (peer.stream->is_ready()) {
-			peer.refused_size = 0;
-			peer.refusal_pause = Repetition::FIRST;
-		}
-	}
-	return result;
-}
-
-PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	const auto accept_own = [&](const uint8_t *own, size_t own_size) {
-		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time) : PacketResult();
-	};
-	if (peer.relay_link == link) {
-		return _relayer.accept(id, bytes, size, _running_time, accept_own);
-	}
-	if (!peer.is_subscribed(link)) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
-	}
-	return accept_own(bytes, size);
-}
-
-PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
-	const bool is_channel = size == 3 && bytes[0] == uint8_t(CloseRole::SENDER);
-	if ((size != 1 && !is_channel) || bytes[0] > uint8_t(CloseRole::SENDER)) {
-		return PacketError::MALFORMED_CLOSE;
-	}
-	const CloseRole role = CloseRole(bytes[0]);
-	if (is_channel) {
-		if (peer.link == link && is_relayed(id)) {
-			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
-		}
-	} else if (role == CloseRole::SENDER && peer.link == link) {
-		// The sender may return.
-		end_stream(id, peer);
-		request_stream(peer);
-	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
-		peer.requested.reset();
-		unsubscribe(id, peer);
-	}
-	return {};
-}
-
 SessionStatistics Session::statistics(PeerId id, double now) {
 	SessionStatistics result = _relayed.statistics(id, now);
 	const auto found = _peers.find(id);
 	if (found != _peers.end()) {
-		result.add(direct_statistics(id, found->second, now));
-	}
-	return result;
-}
-
-/// Statistics of a peer, without those of its stream if that is relayed.
-SessionStatistics Session::direct_statistics(PeerId id, Peer &peer, double now) {
-	SessionStatistics result = peer.statistics(now);
-	if (peer.subscribed) {
-		const ReceiverStatistics receiver = _sender->statistics(uint32_t(id));
-		result.loss = std::max(result.loss, receiver.loss);
-		result.round_trip = std::max(result.round_trip, receiver.round_trip);
+		result.add(found->second.statistics(now, _sender ? _sender->statistics(uint32_t(id)) : ReceiverStatistics()));
 	}
 	return result;
 }
 
 SessionStatistics Session::total_statistics(double now) {
-	SessionStatistics total;
+	SessionStatistics total = _relayed.total_statistics(now);
 	for (auto &[id, peer] : _peers) {
-		total.add(direct_statistics(id, peer, now));
+		total.add(peer.statistics(now, _sender ? _sender->statistics(uint32_t(id)) : ReceiverStatistics()));
 	}
-	total.add(_relayed.total_statistics(now));
 	total.late += _late;
 	total.rejected = _rejected;
 	return total;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/endpoint/sender.hpp"
+#include "net/session/body_owners.hpp"
 #include "net/session/envelope.hpp"
 #include "net/session/outbox.hpp"
 #include "net/session/peer.hpp"
@@ -11,7 +12,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace net {
@@ -130,26 +130,22 @@ private:
 	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
-	[[nodiscard]] SessionStatistics direct_statistics(PeerId id, Peer &peer, double now);
-	[[nodiscard]] uint64_t count_unauthorized(PeerId owner, Receiver &stream);
-	[[nodiscard]] bool is_unauthorized(PeerId owner, uint32_t body) const;
 
 	// Relaying (session_relay.cpp).
 	[[nodiscard]] bool is_relaying() const { return _relay && _self == RelayedStreams::SERVER; }
 	[[nodiscard]] bool is_relayed(PeerId sender) const { return _is_link_relayed && sender == RelayedStreams::SERVER; }
-	[[nodiscard]] bool wants_stream(PeerId id) const { return !_is_link_relayed || id == RelayedStreams::SERVER; }
 	void update_relay();
 	PacketResult note_relay(PeerId id, Peer &peer, bool relay);
 	void end_relayed(PeerId id);
 	void send_relayed();
-	void advance_relayed(Peer &server);
+	void acknowledge_relayed(Peer &server);
 
 	StreamSettings _settings;
 	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
-	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
+	BodyOwners _owners;
 	size_t _owned = 0; // number of bodies that this peer owns
 	double _owned_at = -1e9; // local time when it last owned one
 	std::optional<Sender> _sender; // while a peer is subscribed
@@ -167,7 +163,6 @@ private:
 	RelayedStreams _relayed; // if we are a client
 	Outbox _outbox;
 	std::vector<uint8_t> _ack;
-	std::vector<BodyEvent> _events;
 };
 
 } // namespace net

@@ -65,15 +65,16 @@ void Session::end_relayed(PeerId id) {
 }
 
 void Session::send_relayed() {
-	_relayer.check_owners(_running_time, [this](PeerId owner, uint32_t body) { return is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
+	_relayer.check_owners(_running_time, [this](PeerId owner, uint32_t body) { return _owners.is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
 	_relayer.flush(_running_time, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
 		Peer &to = _peers.at(client);
 		send(client, to, PacketKind::MOTION, *to.relay_link, bytes, size);
 	});
 }
 
-void Session::advance_relayed(Peer &server) {
-	_relayed.advance(_now, [this](PeerId owner, RelayedStreams::Stream &stream) { stream.unauthorized_bodies += count_unauthorized(owner, stream.receiver); });
+/// Advances the relayed streams and acknowledges what has arrived, with the server's own stream.
+void Session::acknowledge_relayed(Peer &server) {
+	_relayed.advance(_now, [this](PeerId owner, RelayedStreams::Stream &stream) { stream.unauthorized_bodies += _owners.count_unauthorized(owner, stream.receiver); });
 	_relayed.send_acks(_now, sender_settings().max_packet_size + Section::HEADER, *server.stream, [&](const uint8_t *bytes, size_t size) { send(RelayedStreams::SERVER, server, PacketKind::ACK, server.link, bytes, size); });
 }
 
