@@ -46,7 +46,7 @@ inline void put_section_header(std::vector<uint8_t> &packet, const Section &sect
 /// each. A section that is too large alone gets a packet of its own. Clears `sections`.
 template <class Send>
 void pack_sections(std::vector<Section> &sections, const std::vector<uint8_t> &bytes, size_t max_size, std::vector<uint8_t> &packet, Send &&send) {
-	std::stable_sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) { return a.size > b.size; });
+	std::sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) { return a.size != b.size ? a.size > b.size : a.begin < b.begin; });
 	std::vector<Section> rest;
 	while (!sections.empty()) {
 		packet.clear();
