@@ -51,6 +51,9 @@ struct Recording {
 			for (uint32_t id = 0; id < 12; ++id) {
 				(void)sender.observe(id, now, pose_at(id, now));
 			}
+			if (tick % 40 == 0) {
+				(void)sender.remove_body(uint32_t(tick / 40), tick % 80 == 0);
+			}
 			sender.flush(now);
 			for (const net::OutgoingPacket &packet : sender.packets()) {
 				packets.emplace_back(sender.bytes() + packet.begin, sender.bytes() + packet.begin + packet.size);
@@ -70,6 +73,7 @@ struct Recording {
 					(void)encoder.observe(id, window * 12.0 + tick, pose_at(id, (window * 12.0 + tick) * TICK));
 				}
 			}
+			(void)encoder.remove_body(uint32_t(window) / 3, window * 12.0 + 7.0, window % 2 == 0);
 			Bytes bytes;
 			encoder.encode_window(window * 12.0, 12, bytes);
 			if (window < 10) {
@@ -105,7 +109,12 @@ void fuzz_receiver(Pieces pieces) {
 		receiver.take_events(events);
 		require(std::isfinite(receiver.media_time()), "the media time is not finite");
 		for (uint32_t id = 0; id < 12; ++id) {
-			require_finite(receiver.pose(id).value_or(cga::Pose<double>()));
+			const auto shown = receiver.shown(id);
+			require_finite(shown.value_or(net::ShownBody()).pose);
+			const auto known = receiver.first_known(id, shown ? shown->life + 1 : 0);
+			require_finite(known.value_or(net::ShownBody()).pose);
+			require(!shown || receiver.end(id, shown->life) == net::BodyEnd::NONE, "a life that is shown has ended");
+			require(!shown || !known || known->life > shown->life, "lives are not ascending");
 		}
 	}
 }

@@ -18,6 +18,8 @@ constexpr double MIN_WINDOW = 0.25;
 constexpr double NOTABLE_LOSS = 0.004;
 /// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
+/// Windows are shortened to about this many chunks, so that few are in flight.
+constexpr double MAX_WINDOW_CHUNKS = 24.0;
 /// Times that differ by less, in ticks, are the same tick.
 constexpr double SAME_TICK = 1e-5;
 
@@ -132,6 +134,9 @@ bool Sender::is_window_due(int64_t now) const {
 	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
 		return true;
 	}
+	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
+		return true;
+	}
 	const double max_ticks = max_window();
 	const bool is_aligned = _grid && _grid->ends_window(double(_window_begin), double(now), max_ticks);
 	if (_changed_since >= 0) {
@@ -145,9 +150,11 @@ bool Sender::is_window_due(int64_t now) const {
 void Sender::close_window(int64_t end) {
 	while (_window_begin < end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
+		const uint32_t first_chunk = _ring.next();
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
 		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
+		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
 		_window_begin += length;
 	}
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;

@@ -127,6 +127,7 @@ private:
 	std::optional<WindowGrid> _grid; // at which windows end
 	uint8_t _alignment = 0; // number of the last request to align
 	double _aligned_at = -1e9; // time of that request
+	double _chunks_per_tick = 0.0; // in the last window
 };
 
 } // namespace net

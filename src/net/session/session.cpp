@@ -1,7 +1,6 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 namespace net {
@@ -318,20 +317,6 @@ double Session::media_time(PeerId peer) const {
 	}
 	const Receiver *receiver = stream(peer);
 	return receiver != nullptr ? receiver->media_time() : 0.0;
-}
-
-void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	uint8_t *packet = _outbox.add(id, kind == PacketKind::OPEN || kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
-	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
-	if (size > 0) {
-		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
-	}
-	peer.sent.add(ENVELOPE_BYTES + size, _now);
-}
-
-void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
-	const uint8_t byte = uint8_t(role);
-	send(id, peer, PacketKind::CLOSE, link, &byte, 1);
 }
 
 SessionStatistics Session::statistics(PeerId id, double now) {

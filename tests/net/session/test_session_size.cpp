@@ -135,7 +135,7 @@ TEST_CASE("session: a few packets cannot make it allocate much") {
 	number = 10000;
 	coder.bits(number, INDEX_BITS);
 	coder.finish();
-	snapshot.resize(10000 * 8, 0);
+	snapshot.resize(80000, 0);
 	inject_snapshot(network, snapshot, 201);
 	CHECK(harness::live_bytes() < before + 100 * snapshot.size());
 }

@@ -1,8 +1,9 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
+#include <cstring>
 
-// The part of Session that processes packets.
+// The packets that a session sends and accepts.
 
 namespace net {
 
@@ -12,6 +13,20 @@ namespace {
 constexpr double SILENCE = 1.0;
 
 } // namespace
+
+void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
+	uint8_t *packet = _outbox.add(id, kind == PacketKind::OPEN || kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
+	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
+	if (size > 0) {
+		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
+	}
+	peer.sent.add(ENVELOPE_BYTES + size, _now);
+}
+
+void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
+	const uint8_t byte = uint8_t(role);
+	send(id, peer, PacketKind::CLOSE, link, &byte, 1);
+}
 
 void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	const auto envelope = read_envelope(bytes, size);
