@@ -103,9 +103,9 @@ public:
 	[[nodiscard]] double lead(double now) const { return std::max(_time + double(_left) * _tick - now, 0.0); }
 	/// Ticks since the last instant; 0: the current tick is one.
 	[[nodiscard]] int64_t ticks_since_instant() const { return _ticks - _left; }
-	/// True if windows that arrive up to `max_lead` seconds before the next instant should wait for it, which is at most MAX_HOLD
-	/// ticks away.
-	[[nodiscard]] bool holds(double max_lead) const { return _left <= std::min(MAX_HOLD, int64_t(max_lead / _tick + 0.01)) && 3 * _left <= _ticks; }
+	/// True if, at the current tick, windows that arrive up to `max_lead` seconds before the next instant should wait for it, which is
+	/// at most MAX_HOLD ticks away.
+	[[nodiscard]] bool holds(double max_lead, double now) const { return now - _time < 0.5 * _tick && _left <= std::min(MAX_HOLD, int64_t(max_lead / _tick + 0.01)) && 3 * _left <= _ticks; }
 
 private:
 	static constexpr int64_t MAX_HOLD = 2;

@@ -92,7 +92,7 @@ void Relay::update(double now, size_t max_size) {
 
 void Relay::collect(PeerId id, Client &client, double now, size_t max_size) {
 	for (auto &[owner, stream] : _streams) {
-		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.max_lead())) {
+		if (stream.aligner.is_aligned() && _schedule.holds(stream.aligner.max_lead(), now)) {
 			continue;
 		}
 		const Section section{ stream.channel, stream.known_by.count(id) != 0 ? 0 : owner };

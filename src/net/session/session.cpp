@@ -12,6 +12,8 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
 /// to their end.
 constexpr double LINGER = 2.0;
+/// After this many ticks that were due, but have not begun, a server relays without them.
+constexpr double MAX_TICKS_MISSED = 2.5;
 /// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
 constexpr double MAX_STEP = 0.25;
 
@@ -293,6 +295,9 @@ void Session::advance(double now) {
 			peer.is_open_sent = true;
 			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
 		}
+	}
+	if (is_relaying() && _running_time - _relayed_at > MAX_TICKS_MISSED * _settings.tick) {
+		send_relayed(); // although we make no ticks, owners do
 	}
 }
 

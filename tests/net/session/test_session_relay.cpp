@@ -203,6 +203,75 @@ TEST_CASE("relay: relaying can be switched on and off while streams run") {
 	}
 }
 
+TEST_CASE("relay: while the server makes no ticks, it relays; after it was blocked, playback is smooth again") {
+	for (const bool is_blocked : { false, true }) {
+		SessionNetwork network = network_of_owners(3);
+		network.run(3.0);
+		SessionNetwork::Peer &server = network.peers.at(SERVER);
+		(is_blocked ? server.blocked_until : server.held_until) = network.now + 2.0;
+		double worst = 0.0;
+		const auto measure = [&] { worst = std::max(worst, std::max(network.error(2, 3), network.error(4, 4))); };
+		if (is_blocked) {
+			network.run(2.5);
+		} else {
+			network.run(2.0, measure);
+		}
+		network.run(2.0, measure);
+		CAPTURE(is_blocked);
+		CHECK(worst <= 1.3);
+		CHECK(network.statistics(3, 2).playback_delay < 0.25);
+		CHECK(worst_error(network, 2) <= 1.3);
+	}
+}
+
+TEST_CASE("relay: at any tick rate and latency, and with packets of any size, bodies of all owners are within the tolerance") {
+	struct Row {
+		double tick;
+		double max_latency;
+		size_t max_packet_size;
+	};
+	for (const Row &row : { Row{ 1.0 / 20.0, 0.2, 1100 }, Row{ 1.0 / 30.0, 0.1, 576 }, Row{ 1.0 / 60.0, 0.1, 1400 }, Row{ 1.0 / 60.0, 0.05, 256 }, Row{ 1.0 / 128.0, 0.1, 1100 } }) {
+		SessionNetwork network({ 0.02, 0.002 });
+		network.is_star = true;
+		network.tick = row.tick;
+		network.transport_limit = row.max_packet_size;
+		StreamSettings settings;
+		settings.max_latency = row.max_latency;
+		settings.max_packet_size = row.max_packet_size;
+		for (PeerId id = 1; id <= 6; ++id) {
+			network.peers[id].session.set_relay(true);
+			network.peers[id].session.set_settings(settings);
+			network.join(id);
+		}
+		for (uint32_t body = 0; body < 60; ++body) {
+			network.paths[body] = smooth_path(body);
+			network.set_owner(body, PeerId(body % 6 + 1));
+		}
+		network.run(3.0);
+		double worst = 0.0;
+		network.run(3.0, [&] { worst = std::max(worst, worst_error(network, 2)); });
+		CAPTURE(row.tick);
+		CAPTURE(row.max_latency);
+		CHECK(worst <= 1.5);
+		CHECK(network.total(2).rejected == 0);
+		CHECK(std::all_of(network.sent.begin(), network.sent.end(), [&](const SessionNetwork::SentPacket &packet) { return packet.bytes.size() + Session::ENGINE_HEADER <= row.max_packet_size; }));
+	}
+}
+
+TEST_CASE("relay: if the transport refuses packets, they become smaller") {
+	SessionNetwork network = network_of_owners(3);
+	for (uint32_t body = 100; body < 220; ++body) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, PeerId(body % 4) + 1);
+	}
+	network.run(2.0);
+	network.transport_limit = 500;
+	network.run(3.0);
+	for (PeerId at = 1; at <= 4; ++at) {
+		CHECK(worst_error(network, at) <= 1.3);
+	}
+}
+
 namespace {
 
 /// Packets of a kind per second from one peer to another, with `owners` clients that began to move at different times.
