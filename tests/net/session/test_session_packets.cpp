@@ -62,8 +62,8 @@ TEST_CASE("session: no packet exceeds max_packet_size, and what is shown is with
 }
 
 TEST_CASE("session: many bodies in violent motion do not exceed what may be in flight") {
-	for (const size_t size : { size_t(300), size_t(1100) }) {
-		const uint32_t count = size == 300 ? 600 : 1200;
+	for (const size_t size : { size_t(576), size_t(1100) }) {
+		const uint32_t count = size == 576 ? 2000 : 4000;
 		SessionNetwork network = network_of(count, { 0.03, 0.02 });
 		network.session(1).set_settings(with_size(size));
 		for (uint32_t body = 0; body < count; ++body) {
@@ -72,9 +72,9 @@ TEST_CASE("session: many bodies in violent motion do not exceed what may be in f
 				return turned_at(0.3 * offset + Vector3D(double(body), 0.0, 0.0), Vector3D(0.6, 0.0, 0.8), std::sin(time * (9 + body % 5)));
 			};
 		}
-		network.run(1.5);
+		network.run(1.0);
 		const double begin = network.now;
-		network.run(1.5);
+		network.run(1.0);
 		CAPTURE(size);
 		CHECK(worst_error(network, count) <= 2.0);
 		const auto packets = network.packets(1, 2, PacketKind::MOTION, begin);
