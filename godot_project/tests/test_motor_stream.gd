@@ -11,10 +11,11 @@ var _tick := 0
 func test_properties() -> void:
 	expect_near(_sender.position_tolerance, 0.005, 1e-9, "position_tolerance")
 	expect_near(_sender.rotation_tolerance, 1.4, 1e-9, "rotation_tolerance")
-	expect_near(_sender.max_latency, 0.2, 1e-9, "max_latency")
+	expect_near(_sender.max_latency, 0.1, 1e-9, "max_latency")
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")
 	expect_near(_sender.ticks_per_second, 60.0, 1e-9, "ticks_per_second")
 	expect_equal(_sender.mode, MultivectorLerp.SEPARATE, "mode")
+	expect_equal(_sender.max_packet_size, 1100, "max_packet_size")
 	expect_equal(_receiver.max_bodies, 65536, "max_bodies")
 	expect_near(_receiver.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(_receiver.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
@@ -24,6 +25,9 @@ func test_properties() -> void:
 		"MotorSender: send_rate is %f, but must be a positive number of packets per second." % -2.0
 	)
 	_sender.send_rate = -2.0
+	expect_error("MotorSender: max_packet_size is 65001, but must be 256 to 65000 bytes.")
+	_sender.max_packet_size = 65001
+	expect_equal(_sender.max_packet_size, 1100, "max_packet_size")
 	expect_error("MotorReceiver: max_bodies is 0, but must be at least 1.")
 	_receiver.max_bodies = 0
 	expect_near(_sender.send_rate, 20.0, 1e-9, "send_rate")

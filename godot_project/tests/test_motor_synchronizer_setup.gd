@@ -1,5 +1,5 @@
 extends "res://tests/framework/network_test.gd"
-## MotorSynchronizer: properties, configuration warnings, and errors that name the node.
+## MotorSynchronizer: properties, and errors that name the node.
 
 
 func test_defaults() -> void:
@@ -7,7 +7,8 @@ func test_defaults() -> void:
 	add_node(node)
 	expect_near(node.position_tolerance, 0.005, 1e-9, "position_tolerance")
 	expect_near(node.rotation_tolerance, 1.4, 1e-9, "rotation_tolerance")
-	expect_near(node.max_latency, 0.2, 1e-9, "max_latency")
+	expect_near(node.position_tolerance_2d, 0.5, 1e-9, "position_tolerance_2d")
+	expect_near(node.max_latency, 0.1, 1e-9, "max_latency")
 	expect_near(node.send_rate, 20.0, 1e-9, "send_rate")
 	expect_equal(node.mode, MultivectorLerp.SEPARATE, "mode")
 	expect_equal(node.target_group, &"", "target_group")
@@ -15,6 +16,11 @@ func test_defaults() -> void:
 	expect_equal(node.channel, 0, "channel")
 	expect_near(node.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(node.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
+	expect_near(node.blend_time, 0.15, 1e-9, "blend_time")
+	expect_true(node.hide_until_known, "hide_until_known is set")
+	expect_true(not node.relay, "relay is not set")
+	expect_equal(node.max_packet_size, 1100, "max_packet_size")
+	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_BALANCED, "latency_preset")
 
 
 func test_invalid_values_change_nothing() -> void:
@@ -48,9 +54,34 @@ func test_invalid_values_change_nothing() -> void:
 	node.min_delay = -0.5
 	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be at least 0 seconds.")
 	node.jitter_allowance = NAN
+	expect_error("MotorSynchronizer: blend_time is inf, but must be at least 0 seconds.")
+	node.blend_time = INF
+	expect_error(
+		(
+			"MotorSynchronizer: position_tolerance_2d is %f, but must be a positive number of pixels."
+			% -0.5
+		)
+	)
+	node.position_tolerance_2d = -0.5
+	for size: int in [255, 65001]:
+		expect_error(
+			"MotorSynchronizer: max_packet_size is %d, but must be 256 to 65000 bytes." % size
+		)
+		node.max_packet_size = size
+	expect_error(
+		(
+			"MotorSynchronizer: latency_preset is 4, but must be LATENCY_CUSTOM (0), "
+			+ "LATENCY_RESPONSIVE (1), LATENCY_BALANCED (2) or LATENCY_ECONOMICAL (3)."
+		)
+	)
+	node.set(&"latency_preset", 4)
 	expect_near(node.position_tolerance, 0.005, 1e-9)
-	expect_near(node.max_latency, 0.2, 1e-9)
+	expect_near(node.max_latency, 0.1, 1e-9)
 	expect_equal(node.channel, 0)
+	expect_near(node.blend_time, 0.15, 1e-9)
+	expect_near(node.position_tolerance_2d, 0.5, 1e-9)
+	expect_equal(node.max_packet_size, 1100)
+	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_BALANCED)
 	expect_error("MotorSynchronizer.add_target: the node is null.")
 	node.add_target(null)
 	expect_error("MotorSynchronizer.remove_target: the node is null.")
@@ -81,71 +112,48 @@ func test_another_tick_rate() -> void:
 	Engine.physics_ticks_per_second = 60
 
 
-func test_warnings() -> void:
-	var scene := Node3D.new()
-	add_node(scene)
+func test_latency_presets() -> void:
 	var node := MotorSynchronizer.new()
-	scene.add_child(node)
-	_expect_warnings(
-		node,
-		[
-			(
-				'Nothing is replicated. Assign "targets", set "target_group", or call '
-				+ "add_target() from a script."
-			)
-		]
+	add_node(node)
+	var presets := {
+		MotorSynchronizer.LATENCY_RESPONSIVE: [0.05, 60.0],
+		MotorSynchronizer.LATENCY_ECONOMICAL: [0.2, 20.0],
+		MotorSynchronizer.LATENCY_BALANCED: [0.1, 20.0],
+	}
+	for preset: MotorSynchronizer.LatencyPreset in presets:
+		node.latency_preset = preset
+		expect_equal([node.max_latency, node.send_rate], presets[preset], "settings")
+		expect_equal(node.latency_preset, preset, "latency_preset")
+	node.max_latency = 0.07
+	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_CUSTOM, "with another latency")
+	node.latency_preset = MotorSynchronizer.LATENCY_CUSTOM
+	expect_equal([node.max_latency, node.send_rate], [0.07, 20.0], "settings")
+	node.max_latency = 0.05
+	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_CUSTOM, "at another rate")
+	node.send_rate = 60.0
+	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_RESPONSIVE, "of both")
+	# The inspector restores these when a change of the preset is undone.
+	expect_equal(
+		node.call(&"_get_linked_undo_properties", &"latency_preset", 2),
+		PackedStringArray(["max_latency", "send_rate"]),
+		"linked properties"
 	)
-	node.targets = [^"../Missing", ^".."]
-	_expect_warnings(node, ['targets[0] ("../Missing") is not the path of a Node3D.'])
-	node.targets = []
-	node.target_group = &"empty"
-	_expect_warnings(
-		node,
-		[
-			(
-				'No Node3D of this scene is in the group "empty". This is correct only if '
-				+ "all of its members are spawned later."
-			)
-		]
-	)
-	var body := RigidBody3D.new()
-	body.name = "Crate"
-	body.add_to_group(&"empty")
-	scene.add_child(body)
-	_expect_warnings(
-		node,
-		[
-			(
-				"Crate is a RigidBody3D that every peer would simulate. Set freeze, with "
-				+ "freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is "
-				+ "true."
-			)
-		]
-	)
-	body.freeze = true
-	_expect_warnings(node, [])
-	var other := MotorSynchronizer.new()
-	other.name = "Other"
-	other.targets = [^"../Crate"]
-	scene.add_child(other)
-	_expect_warnings(node, ["Crate is also a target of Other. Remove it from one of the two."])
-	other.free()
-	var synchronizer := MultiplayerSynchronizer.new()
-	synchronizer.name = "Sync"
-	synchronizer.replication_config = SceneReplicationConfig.new()
-	synchronizer.replication_config.add_property(^"Crate:visible")
-	scene.add_child(synchronizer)
-	_expect_warnings(node, [])
-	synchronizer.replication_config.add_property(^"Crate:position:y")
-	_expect_warnings(
-		node,
-		[
-			(
-				"The MultiplayerSynchronizer Sync also replicates position of Crate. Remove the "
-				+ "property there."
-			)
-		]
-	)
+
+
+func test_a_scene_stores_what_a_preset_sets_and_not_the_preset() -> void:
+	var node := MotorSynchronizer.new()
+	add_node(node)
+	node.latency_preset = MotorSynchronizer.LATENCY_RESPONSIVE
+	var scene := PackedScene.new()
+	expect_equal(scene.pack(node), OK, "packing the scene")
+	var stored := PackedStringArray()
+	for i in scene.get_state().get_node_property_count(0):
+		stored.append(scene.get_state().get_node_property_name(0, i))
+	stored.sort()
+	expect_equal(stored, PackedStringArray(["max_latency", "send_rate"]), "stored properties")
+	var copy: MotorSynchronizer = scene.instantiate()
+	expect_equal(copy.latency_preset, MotorSynchronizer.LATENCY_RESPONSIVE, "preset of the copy")
+	copy.free()
 
 
 func test_two_synchronizers_in_one_branch() -> void:
@@ -267,7 +275,3 @@ func test_transform_is_relative_to_the_parent() -> void:
 	expect_vector_near(
 		branches[1].get_body(0).global_position, Vector3(0, 70, 0), 3.0, "global position"
 	)
-
-
-func _expect_warnings(node: MotorSynchronizer, expected: Array) -> void:
-	expect_equal(Array(node.get_setup_warnings()), expected, "warnings")

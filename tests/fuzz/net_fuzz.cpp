@@ -42,7 +42,7 @@ struct Recording {
 		net::Sender sender{ net::StreamSettings() };
 		net::Receiver receiver(MAX_BODIES);
 		for (uint32_t id = 0; id < 12; ++id) {
-			(void)sender.add_body(id, pose_at(id, 0.0));
+			(void)sender.add_body(id, pose_at(id, 0.0), id % 3 == 0);
 		}
 		sender.add_receiver(1, 0.0);
 		Bytes ack;
@@ -67,7 +67,10 @@ struct Recording {
 		}
 		net::StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
 		for (int window = 0; window < 20; ++window) {
-			(void)encoder.add_body(uint32_t(window), window * 12.0, pose_at(0, 0.0));
+			(void)encoder.add_body(uint32_t(window), window * 12.0, pose_at(0, 0.0), window % 3 == 0);
+			if (window % 4 == 3) {
+				(void)encoder.jump(uint32_t(window) / 2);
+			}
 			for (int tick = 1; tick <= 12; ++tick) {
 				for (uint32_t id = 0; id <= uint32_t(window); ++id) {
 					(void)encoder.observe(id, window * 12.0 + tick, pose_at(id, (window * 12.0 + tick) * TICK));

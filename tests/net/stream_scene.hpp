@@ -16,14 +16,16 @@ public:
 		Path path;
 		double born = 0.0; // ticks
 		bool is_new = true; // in the current window
+		bool planar = false;
 		Vector3D offset{ 0.0 }; // of the last jump
 		double jumped = -1e9; // time of the first jump in the current window
 		double settled_from = -1e9; // time of the last one; between the two, the body is shown at its last target
 		PoseD last;
 	};
 
-	StreamScene(net::StreamEncoder &encoder, unsigned seed) :
-			_encoder(encoder), _random(seed), _motions(motions(Vector3D(0.0))) {}
+	/// If `has_planar_bodies`, bodies with odd ids are planar.
+	StreamScene(net::StreamEncoder &encoder, unsigned seed, bool has_planar_bodies = false) :
+			_encoder(encoder), _random(seed), _motions(motions(Vector3D(0.0))), _has_planar_bodies(has_planar_bodies) {}
 
 	/// Applies all events and observes all poses of a tick. `event_probability` is the probability that a body is added and
 	/// that one jumps, and twice the probability that one is removed.
@@ -48,10 +50,11 @@ public:
 		Body body;
 		body.path = _motions[size_t(_random.uniform(0.0, double(_motions.size()) - 1e-9))].path;
 		body.born = tick;
+		body.planar = _has_planar_bodies && id % 2 == 1;
 		body.offset = _random.vector(20.0);
 		const PoseD pose = pose_of(body, tick);
 		const bool is_new = bodies.count(id) == 0;
-		CHECK(_encoder.add_body(id, tick, pose) == is_new);
+		CHECK(_encoder.add_body(id, tick, pose, body.planar) == is_new);
 		if (is_new) {
 			bodies[id] = body;
 		}
@@ -82,6 +85,10 @@ public:
 	static PoseD pose_of(const Body &body, double tick) {
 		PoseD pose = body.path((tick - body.born) / 60.0);
 		pose.translation += body.offset;
+		if (body.planar) {
+			pose = net::BodyState::planar_part(pose);
+			pose.rotation = glm::normalize(pose.rotation);
+		}
 		return pose;
 	}
 
@@ -97,6 +104,7 @@ private:
 	net::StreamEncoder &_encoder;
 	cga_test::Random _random;
 	std::vector<Motion> _motions;
+	bool _has_planar_bodies;
 };
 
 } // namespace net_test

@@ -64,7 +64,8 @@ def ball_keeps_moving_when_its_owner_changes(run):
 
 def walker_stays_on_its_path_when_its_parent_changes(run):
     """A walker boards a moving car and leaves it."""
-    session = Session("vehicle", "vehicle", seconds=5.0)
+    # The walker is up to 1.5 m from the center of a car that turns, so an angle matters more than for itself.
+    session = Session("vehicle", "vehicle", seconds=5.0, properties={"rotation_tolerance": 0.2})
     run_together(run, [session])
     findings = Findings([session])
     truth, shown = truth_of(session, "A"), session.clients[0].record

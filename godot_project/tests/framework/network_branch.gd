@@ -30,10 +30,8 @@ func _init(tree: SceneTree, branch_name: String) -> void:
 	synchronizer.packet_rejected.connect(
 		func(peer: int, reason: String) -> void: rejections.append([peer, reason])
 	)
-	synchronizer.target_added.connect(func(node: Node3D) -> void: changes.append("+%s" % node.name))
-	synchronizer.target_removed.connect(
-		func(node: Node3D) -> void: changes.append("-%s" % node.name)
-	)
+	synchronizer.target_added.connect(func(node: Node) -> void: changes.append("+%s" % node.name))
+	synchronizer.target_removed.connect(func(node: Node) -> void: changes.append("-%s" % node.name))
 	root.add_child(world)
 	tree.root.add_child(root)
 	tree.set_multiplayer(api, root.get_path())

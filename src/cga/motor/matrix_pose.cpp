@@ -46,7 +46,7 @@ Result<Pose<double>, MatrixError> matrix_to_pose(const glm::dmat3 &linear, const
 	}
 	// The cube root of the product of the lengths, without leaving the range of double.
 	const double scale = longest * std::cbrt((length.x / longest) * (length.y / longest) * (length.z / longest) * volume);
-	return Pose<double>{ translation, glm::normalize(glm::quat_cast(directions)), scale };
+	return { std::in_place, translation, glm::normalize(glm::quat_cast(directions)), scale };
 }
 
 Result<Pose<double>, MatrixError> matrix_to_nearest_pose(const glm::dmat3 &linear, const Vector3<double> &translation) noexcept {

@@ -23,6 +23,7 @@ public:
 		IMAGE,
 	};
 
+	LocalFrame() = default; // the frame of the world
 	LocalFrame(const Multivector &first, int first_grade, const Multivector &second, int second_grade, Purpose purpose);
 
 	// `blade` of grade k in this frame, of size 1, and back.
@@ -38,8 +39,8 @@ private:
 
 	Vector3<double> _origin{};
 	double _unit = 1.0;
-	double _rounding;
-	double _flatness;
+	double _rounding = 0.0;
+	double _flatness = 0.0;
 };
 
 } // namespace cga

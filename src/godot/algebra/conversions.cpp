@@ -40,12 +40,7 @@ godot::Transform3D to_godot(const cga::Pose<double> &pose) {
 }
 
 godot::Transform3D transform_from_row(const float *row) {
-	godot::Transform3D transform;
-	for (int i = 0; i < 3; i++, row += 4) {
-		transform.basis.rows[i] = godot::Vector3(row[0], row[1], row[2]);
-		transform.origin[i] = row[3];
-	}
-	return transform;
+	return { godot::Basis(row[0], row[1], row[2], row[4], row[5], row[6], row[8], row[9], row[10]), godot::Vector3(row[3], row[7], row[11]) };
 }
 
 std::string to_utf8(const godot::String &text) {

@@ -28,11 +28,21 @@ public:
 
 	void set_mode(MultivectorLerp::Mode mode) {
 		ERR_FAIL_COND_MSG(!is_mode(mode), godot::vformat("%s: mode is %d, but must be LINEAR (0), SCREW (1) or SEPARATE (2).", Self::get_class_static(), int64_t(mode)));
-		set(_settings.mode, cga::Mode(mode));
+		change(_settings.mode, cga::Mode(mode));
 	}
 	MultivectorLerp::Mode get_mode() const { return MultivectorLerp::Mode(_settings.mode); }
 
+	void set_max_packet_size(int64_t bytes) {
+		ERR_FAIL_COND_MSG(bytes < MIN_PACKET_SIZE || bytes > MAX_PACKET_SIZE, godot::vformat("%s: max_packet_size is %d, but must be %d to %d bytes.", Self::get_class_static(), bytes, MIN_PACKET_SIZE, MAX_PACKET_SIZE));
+		change(_settings.max_packet_size, size_t(bytes));
+	}
+	int64_t get_max_packet_size() const { return int64_t(_settings.max_packet_size); }
+
 protected:
+	static constexpr int64_t MIN_PACKET_SIZE = 256;
+	static constexpr int64_t MAX_PACKET_SIZE = 65000;
+
+	StreamProperties() { _settings.max_latency = 0.1; }
 	static bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 	static void bind_stream_properties() {
@@ -45,13 +55,13 @@ protected:
 		bind_property<Self, double, double>("seconds", &Self::set_max_latency, &Self::get_max_latency, PropertyInfo(Variant::FLOAT, "max_latency", PROPERTY_HINT_RANGE, "0.02,1,0.01,or_greater,suffix:s"));
 		bind_property<Self, double, double>("hertz", &Self::set_send_rate, &Self::get_send_rate, PropertyInfo(Variant::FLOAT, "send_rate", PROPERTY_HINT_RANGE, "1,60,1,or_greater,suffix:Hz"));
 		bind_property<Self, MultivectorLerp::Mode, MultivectorLerp::Mode>("mode", &Self::set_mode, &Self::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
+		bind_property<Self, int64_t, int64_t>("bytes", &Self::set_max_packet_size, &Self::get_max_packet_size, PropertyInfo(Variant::INT, "max_packet_size", PROPERTY_HINT_RANGE, "256,1500,1,or_greater,suffix:B"));
 	}
 
 	net::StreamSettings _settings;
 
-private:
 	template <class T>
-	void set(T &setting, T value) {
+	void change(T &setting, T value) {
 		if (setting != value) {
 			setting = value;
 			static_cast<Self *>(this)->settings_changed();
@@ -60,7 +70,7 @@ private:
 
 	void set_positive(double &setting, double value, const char *name, const char *units) {
 		ERR_FAIL_COND_MSG(!is_positive(value), godot::vformat("%s: %s is %f, but must be a positive number of %s.", Self::get_class_static(), name, value, units));
-		set(setting, value);
+		change(setting, value);
 	}
 };
 

@@ -1,31 +1,25 @@
 #include "godot/net/target.hpp"
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/spatial_node.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/variant.hpp>
+
+#include <algorithm>
 
 namespace ga_godot {
 
 using godot::Node;
-using godot::Node3D;
-using godot::NodePath;
-using godot::Object;
-using godot::ObjectDB;
-using godot::String;
 using godot::Transform3D;
 using godot::vformat;
 
-Node3D *find_node(uint64_t id) {
-	return Object::cast_to<Node3D>(ObjectDB::get_instance(id));
-}
+/// A node counts as moving in frames after this many motions in frames, until a tick moves it, and again this many ticks later.
+static constexpr int32_t MIN_FRAME_MOTIONS = 2;
+static constexpr int32_t TICKS_TO_FORGET = 30;
 
-Node3D *find_node(const Node &from, const NodePath &path) {
-	return path.is_empty() ? nullptr : Object::cast_to<Node3D>(from.get_node_or_null(path));
-}
-
-std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform, const String &synchronizer) {
+std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform) {
 	_transform = transform;
 	_is_sampled = true;
 	PoseResult pose = pose_from_transform(transform);
@@ -34,29 +28,47 @@ std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform,
 		pose = nearest_pose_from_transform(transform);
 	}
 	if (!pose) {
-		report(synchronizer, cga::describe(pose.error()));
+		report(cga::describe(pose.error()));
 		return std::nullopt;
 	}
 	if (!is_uniform && !_is_non_uniform) {
 		_is_non_uniform = true;
-		WARN_PRINT(vformat("MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see the nearest uniform scale. Scale a child node instead.", synchronizer, find_node(node)->get_path()));
+		WARN_PRINT(vformat("MotorSynchronizer %s: the scale of %s is non-uniform or sheared. Other peers see the nearest uniform scale. Scale a child node instead.", synchronizer->get_path(), find_spatial(node)->get_path()));
 	}
 	return *pose;
 }
 
-void Target::report_out_of_range(const String &synchronizer) {
-	report(synchronizer, "is out of range: too far from the origin, or its scale is too small or too large");
+void Target::report_out_of_range() {
+	report("is out of range: too far from the origin, or its scale is too small or too large");
 }
 
-void Target::report(const String &synchronizer, const char *fault) {
+void Target::report(const char *fault) {
 	if (!_is_faulty) {
 		_is_faulty = true;
-		ERR_PRINT(vformat("MotorSynchronizer %s: the transform of %s %s. Other peers keep seeing its last pose.", synchronizer, find_node(node)->get_path(), fault));
+		ERR_PRINT(vformat("MotorSynchronizer %s: the transform of %s %s. Other peers keep seeing its last pose.", synchronizer->get_path(), find_spatial(node)->get_path(), fault));
 	}
 }
 
+void Target::before_scripts(const Transform3D &transform) {
+	_early_transform = transform;
+	if (_is_sampled && transform != _transform) {
+		_frame_motions = std::min(_frame_motions + 1, MIN_FRAME_MOTIONS);
+	}
+}
+
+bool Target::after_scripts(const Transform3D &transform) {
+	_ticks_since_tick_motion++;
+	if (transform != _early_transform) {
+		_ticks_since_tick_motion = 0;
+	}
+	if (_ticks_since_tick_motion < TICKS_TO_FORGET && transform != _early_transform) {
+		_frame_motions = 0;
+	}
+	return _frame_motions >= MIN_FRAME_MOTIONS;
+}
+
 void Target::place(const Transform3D &transform, bool is_physics_interpolated) {
-	Node3D *target = find_node(node);
+	Node *target = find_spatial(node);
 	if (target == nullptr) {
 		return;
 	}
@@ -65,14 +77,70 @@ void Target::place(const Transform3D &transform, bool is_physics_interpolated) {
 		_own_interpolation = int32_t(target->get_physics_interpolation_mode());
 		target->set_physics_interpolation_mode(Node::PHYSICS_INTERPOLATION_MODE_OFF);
 	}
-	if (target->get_transform() != transform) {
-		target->set_transform(transform);
+	if (!_was_synced_to_physics && target->is_class(is_2d ? "AnimatableBody2D" : "AnimatableBody3D") && bool(target->get("sync_to_physics"))) {
+		// The physics engine would move the body in ticks, and undo what the stream sets in frames.
+		_was_synced_to_physics = true;
+		target->set("sync_to_physics", false);
+	}
+	set_local_transform(target, transform);
+}
+
+void Target::begin_blend(const Transform3D &from, const Transform3D &transform, double now) {
+	const PoseResult shown = nearest_pose_from_transform(from);
+	const PoseResult next = nearest_pose_from_transform(transform);
+	if (!shown || !next) {
+		return;
+	}
+	_blend_begin = now;
+	_blend_from.translation = shown->translation - next->translation;
+	_blend_from.rotation = shown->rotation * glm::conjugate(next->rotation);
+	_blend_from.scale = shown->scale / next->scale;
+}
+
+Transform3D Target::blended(const Transform3D &transform, double now, double duration) const {
+	if (!_blend_begin || now >= *_blend_begin + duration) {
+		return transform;
+	}
+	PoseResult pose = nearest_pose_from_transform(transform);
+	if (!pose) {
+		return transform;
+	}
+	const double t = (now - *_blend_begin) / duration;
+	const double weight = t * t * (3.0 - 2.0 * t);
+	const cga::Pose<double> rest = cga::interpolate(_blend_from, cga::Pose<double>(), weight, cga::Mode::SEPARATE);
+	pose->translation += rest.translation;
+	pose->rotation = rest.rotation * pose->rotation;
+	pose->scale *= rest.scale;
+	return to_godot(*pose);
+}
+
+void Target::hide() {
+	Node *target = find_spatial(node);
+	if (target != nullptr && !_is_hidden && is_shown(target)) {
+		_is_hidden = true;
+		set_shown(target, false);
 	}
 }
 
+void Target::reveal() {
+	Node *target = find_spatial(node);
+	if (_is_hidden && target != nullptr) {
+		set_shown(target, true);
+	}
+	_is_hidden = false;
+}
+
 void Target::release() {
-	Node3D *target = find_node(node);
-	if (target != nullptr && _own_interpolation >= 0) {
+	reveal();
+	Node *target = find_spatial(node);
+	if (target == nullptr) {
+		return;
+	}
+	if (_was_synced_to_physics) {
+		_was_synced_to_physics = false;
+		target->set("sync_to_physics", true);
+	}
+	if (_own_interpolation >= 0) {
 		target->set_physics_interpolation_mode(Node::PhysicsInterpolationMode(_own_interpolation));
 		target->reset_physics_interpolation();
 		_own_interpolation = -1;

@@ -1,6 +1,6 @@
 #include "godot/net/target_selection.hpp"
 
-#include "godot/net/target.hpp"
+#include "godot/net/spatial_node.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -11,7 +11,6 @@
 namespace ga_godot {
 
 using godot::Node;
-using godot::Node3D;
 using godot::NodePath;
 using godot::Object;
 using godot::ObjectDB;
@@ -63,12 +62,12 @@ bool TargetSelection::is_empty() const {
 	return _paths.is_empty() && _group == StringName() && _added.empty();
 }
 
-bool TargetSelection::selects(const Node &synchronizer, const Node3D *node) const {
+bool TargetSelection::selects(const Node &synchronizer, const Node *node) const {
 	if (_group != StringName() && node->is_in_group(_group)) {
 		return true;
 	}
 	for (int64_t i = 0; i < _paths.size(); i++) {
-		if (find_node(synchronizer, _paths[i]) == node) {
+		if (find_spatial(synchronizer, _paths[i]) == node) {
 			return true;
 		}
 	}
@@ -82,7 +81,7 @@ bool TargetSelection::is_refresh_due(const Node &synchronizer) {
 	if (_group != StringName() && synchronizer.get_tree()->get_node_count_in_group(_group) != _group_count) {
 		return true;
 	}
-	return std::any_of(_unresolved.begin(), _unresolved.end(), [&](const NodePath &path) { return find_node(synchronizer, path) != nullptr; });
+	return std::any_of(_unresolved.begin(), _unresolved.end(), [&](const NodePath &path) { return find_spatial(synchronizer, path) != nullptr; });
 }
 
 std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const String &root) {
@@ -94,30 +93,28 @@ std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const Stri
 	std::unordered_set<uint64_t> seen(_excluded.begin(), _excluded.end());
 	const Node *top = root == String("/root/") ? nullptr : synchronizer.get_node_or_null(root);
 	// Skip nodes outside `root`: other branches of the tree may have their own MultiplayerAPI and synchronizer.
-	const auto gather = [&](Node3D *node) {
-		if (node->is_inside_tree() && seen.insert(node->get_instance_id()).second && (top == nullptr || top->is_ancestor_of(node))) {
+	const auto gather = [&](Node *node) {
+		if (node != nullptr && is_spatial(node) && node->is_inside_tree() && seen.insert(node->get_instance_id()).second && (top == nullptr || top->is_ancestor_of(node))) {
 			ids.push_back(node->get_instance_id());
 		}
 	};
 	_unresolved.clear();
 	for (int64_t i = 0; i < _paths.size(); i++) {
 		const NodePath path = _paths[i];
-		if (Node3D *node = find_node(synchronizer, path)) {
+		if (Node *node = find_spatial(synchronizer, path)) {
 			gather(node);
 		} else if (!path.is_empty()) {
 			_unresolved.push_back(path);
 		}
 	}
 	for (const uint64_t id : _added) {
-		gather(find_node(id));
+		gather(find_spatial(id));
 	}
 	if (_group != StringName()) {
 		const TypedArray<Node> members = synchronizer.get_tree()->get_nodes_in_group(_group);
 		_group_count = members.size();
 		for (int64_t i = 0; i < members.size(); i++) {
-			if (Node3D *node = Object::cast_to<Node3D>(members[i].get_validated_object())) {
-				gather(node);
-			}
+			gather(Object::cast_to<Node>(members[i].get_validated_object()));
 		}
 	}
 	return ids;

@@ -1,6 +1,7 @@
 #include "net/delivery/playback_clock.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace net {
 
@@ -25,6 +26,10 @@ constexpr double LOSS_MEMORY = 0.25;
 constexpr double LOSS_MEMORY_SLOPE = 5.0;
 /// The delay is adapted to silences only if they are less than this many seconds apart.
 constexpr double RARE_SILENCE = 6.0;
+/// A change of the sender's rate after which the required delay is measured again.
+constexpr double NEW_RATE = 0.03;
+/// Seconds in which everything arrives that was held up during a silence.
+constexpr double BACKLOG_TIME = 0.1;
 
 } // namespace
 
@@ -47,8 +52,10 @@ void PlaybackClock::observe_packet(double now) {
 		return;
 	}
 	const bool is_silent = interval > SILENT_INTERVALS * _packet_interval + SILENT_TIME;
-	_is_silence_over = is_silent && now - _silence_end > RARE_SILENCE;
-	_silence_end = is_silent ? now : _silence_end;
+	if (is_silent) {
+		_is_silence_rare = now - _silence_end > RARE_SILENCE;
+		_silence_end = now;
+	}
 	_packet_interval += (std::min(interval, MAX_INTERVAL) - _packet_interval) * INTERVAL_WEIGHT;
 	_packet_time = now;
 }
@@ -64,7 +71,7 @@ void PlaybackClock::observe(double begin, double end, double now) {
 		return;
 	}
 	close_batch();
-	_batch = { now, begin, end, _is_silence_over, true };
+	_batch = { now, begin, end, _is_silence_rare && now - _silence_end < BACKLOG_TIME, true };
 }
 
 void PlaybackClock::close_batch() {
@@ -76,11 +83,18 @@ void PlaybackClock::close_batch() {
 	_known_at = _batch.time;
 	const ArrivalLine::Arrival arrival = _line.add(_batch.end, _batch.time, _batch.time < _losses_until);
 	if (arrival == ArrivalLine::Arrival::MOVED) {
-		_suspect_delay = 0.0; // the delay was not the network's
+		// The delay was the sender's, not the network's.
+		_suspect_delay = 0.0;
+		_required_delay = RecentExtreme(1.0, 6.0);
 		if (_position > _batch.begin) {
 			_position = _batch.begin;
 			_last = std::max(_last, _batch.time);
 		}
+	}
+	if (std::fabs(_line.rate() - _delay_rate) > NEW_RATE && _batch.time >= _losses_until) {
+		// What was required of a sender of another rate says little.
+		_delay_rate = _line.rate();
+		_required_delay = RecentExtreme(1.0, 6.0);
 	}
 	if (_suspect_delay > 0.0) {
 		_required_delay.add(_suspect_delay, _batch.time);

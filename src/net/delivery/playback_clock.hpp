@@ -63,6 +63,7 @@ private:
 	double _losses_until = -1e9;
 	ArrivalLine _line;
 	RecentExtreme _required_delay{ 1.0, 6.0 }; // media time from the begin of a motion to its arrival
+	double _delay_rate = 1.0; // the sender's rate for which _required_delay was measured
 	double _suspect_delay = 0.0; // required by the last arrival, if that was suspect
 	Batch _batch;
 	double _known = 0.0; // media time
@@ -70,7 +71,7 @@ private:
 	double _packet_time = 0.0;
 	double _packet_interval = 0.1; // moving average
 	double _silence_end = -1e9; // when a packet last arrived after unusual silence
-	bool _is_silence_over = false; // the packets of this instant are the first after unusual silence
+	bool _is_silence_rare = false; // the last silence was the first in a long time
 };
 
 } // namespace net

@@ -130,7 +130,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 		return {};
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
-	if (const PacketResult result = decoder.read_snapshot(_window.data() + SnapshotHeader::BYTES, _window.size() - SnapshotHeader::BYTES); !result) {
+	if (const PacketResult result = decoder.read_snapshot(_window.data() + next->bytes(), _window.size() - next->bytes()); !result) {
 		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;
 		return result;
 	}
@@ -206,7 +206,8 @@ void Receiver::add(MotionTrack &track, BodyMotion &motion) {
 	const bool is_new = motion.appears && !motion.jumps;
 	motion.life = track.life();
 	if (motion.life != 0 && (is_new || motion.vanishes)) {
-		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin };
+		const BodyMotion *last = track.motion_at(motion.segment.begin);
+		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin, last != nullptr ? std::optional(last->segment.pose_at(motion.segment.begin)) : std::nullopt };
 		if (_ends.size() > MAX_ENDS) {
 			_ends.erase(_ends.begin());
 		}
@@ -339,6 +340,11 @@ std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) c
 BodyEnd Receiver::end(uint32_t id, uint64_t life) const {
 	const auto found = _ends.find(life);
 	return found != _ends.end() && found->second.id == id && found->second.tick <= media_time() / tick() ? found->second.kind : BodyEnd::NONE;
+}
+
+std::optional<cga::Pose<double>> Receiver::last_pose(uint32_t id, uint64_t life) const {
+	const auto found = _ends.find(life);
+	return found != _ends.end() && found->second.id == id ? found->second.pose : std::nullopt;
 }
 
 uint64_t Receiver::life_at_known_end(uint32_t id) const {

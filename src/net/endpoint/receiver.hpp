@@ -89,6 +89,8 @@ public:
 	/// otherwise NONE.
 	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life) const;
 	static constexpr double END_MEMORY = 2.0;
+	/// The last pose of a life that has ended (see `end`).
+	[[nodiscard]] std::optional<cga::Pose<double>> last_pose(uint32_t id, uint64_t life) const;
 	/// The life of the body at known_time(); 0 if it does not exist then.
 	[[nodiscard]] uint64_t life_at_known_end(uint32_t id) const;
 	/// Ids of the bodies shown.
@@ -140,6 +142,7 @@ private:
 		uint32_t id;
 		BodyEnd kind;
 		double tick;
+		std::optional<cga::Pose<double>> pose; // the last one
 	};
 
 	void count_loss(uint8_t number, double now);

@@ -35,11 +35,22 @@ uint8_t number_from(double time) {
 
 } // namespace
 
-bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose) {
+bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
 	if (_encoder) {
-		return _encoder->add_body(id, ticks(_time), pose);
+		return _encoder->add_body(id, ticks(time.value_or(_time)), pose, planar);
 	}
-	return id < ID_LIMIT && is_in_range(pose) && _idle_bodies.emplace(id, pose).second;
+	IdleBody body;
+	body.planar = planar;
+	return id < ID_LIMIT && set_idle_pose(body, pose) && _idle_bodies.emplace(id, body).second;
+}
+
+bool Sender::set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const {
+	const cga::Pose<double> used = body.planar ? BodyState::planar_part(pose) : pose;
+	if (!BodyState::is_in_range(used, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance)))) {
+		return false;
+	}
+	body.pose = used;
+	return true;
 }
 
 bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
@@ -51,11 +62,7 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return _encoder->observe(id, ticks(time), pose);
 	}
 	const auto found = _idle_bodies.find(id);
-	if (found == _idle_bodies.end() || !is_in_range(pose)) {
-		return false;
-	}
-	found->second = pose;
-	return true;
+	return found != _idle_bodies.end() && set_idle_pose(found->second, pose);
 }
 
 bool Sender::observe(uint32_t id, double time) {
@@ -96,7 +103,8 @@ void Sender::start_encoder() {
 	}
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
-		(void)_encoder->add_body(id, double(_window_begin), _idle_bodies[id]);
+		const IdleBody &body = _idle_bodies[id];
+		(void)_encoder->add_body(id, double(_window_begin), body.pose, body.planar);
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
@@ -107,7 +115,7 @@ void Sender::start_encoder() {
 
 void Sender::stop_encoder() {
 	if (_encoder) {
-		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose) { _idle_bodies.emplace(id, pose); });
+		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar) { _idle_bodies.emplace(id, IdleBody{ pose, planar }); });
 		_encoder.reset();
 	}
 }

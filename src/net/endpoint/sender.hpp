@@ -40,8 +40,10 @@ public:
 	explicit Sender(const StreamSettings &settings) :
 			_settings(settings) {}
 
-	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range.
-	bool add_body(uint32_t id, const cga::Pose<double> &pose);
+	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
+	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
+	/// It exists from `time` on; by default, from the last flush on.
+	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false, std::optional<double> time = std::nullopt);
 	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
 	bool remove_body(uint32_t id, bool freed = false) { return _encoder ? _encoder->remove_body(id, ticks(_time), freed) : _idle_bodies.erase(id) != 0; }
 	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
@@ -86,6 +88,11 @@ public:
 	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
 
 private:
+	struct IdleBody {
+		cga::Pose<double> pose; // the last one
+		bool planar = false;
+	};
+
 	struct Peer {
 		Delivery delivery;
 		uint64_t bytes_sent = 0;
@@ -93,7 +100,8 @@ private:
 	};
 
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
-	[[nodiscard]] bool is_in_range(const cga::Pose<double> &pose) const { return BodyState::is_in_range(pose, StreamGrid(float(_settings.position_tolerance), float(_settings.rotation_tolerance))); }
+	/// Sets the pose of a body while there is no encoder. Returns false if it is not finite or out of range.
+	[[nodiscard]] bool set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const;
 	void begin_at(double first_time);
 	void start_encoder();
 	void stop_encoder();
@@ -107,7 +115,7 @@ private:
 
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
-	std::unordered_map<uint32_t, cga::Pose<double>> _idle_bodies; // last poses, while there is no encoder
+	std::unordered_map<uint32_t, IdleBody> _idle_bodies; // while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;
 	std::vector<uint8_t> _window;

@@ -33,7 +33,9 @@ bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) 
 	if (!is_in_range(pose, grid)) {
 		return false;
 	}
-	*this = BodyState();
+	BodyState at_rest;
+	at_rest.planar = planar;
+	*this = at_rest;
 	for (int i = 0; i < 3; ++i) {
 		_position[i] = int64_t(std::floor(pose.translation[i] / grid.position_step + 0.5));
 	}
@@ -51,6 +53,7 @@ void BodyState::reset_motion() {
 	std::copy_n(_position, 3, at_rest._position);
 	at_rest._rotation = _rotation;
 	at_rest._scale = _scale;
+	at_rest.planar = planar;
 	at_rest.rest_corrected = rest_corrected;
 	*this = at_rest;
 }
@@ -132,6 +135,9 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 		}
 	}
 	for (int i = 0; i < 6; ++i) {
+		if (!is_coded(i)) {
+			continue;
+		}
 		const int group = i / 3;
 		_residual_mean[group].add(code.fine ? code.residual[i] / 2 : code.residual[i]);
 		if (code.curved[group]) {
@@ -177,7 +183,8 @@ bool BodyState::is_valid() const {
 	const auto are_means = [](const MeanMagnitude(&means)[2]) {
 		return std::all_of(means, means + 2, [](const MeanMagnitude &mean) { return mean.value() >= 0 && mean.value() <= MeanMagnitude::MAX * 256; });
 	};
-	return are_within(_position, MAX_STEPS) && are_within(_velocity, MAX_SPEED) && are_within(_curvature, MAX_CURVATURE) && are_means(_residual_mean) && are_means(_curvature_mean) &&
+	const bool is_in_plane = _position[2] == 0 && _rotation.dropped >= 2 && _rotation.level[0] == 0 && _rotation.level[1] == 0;
+	return (!planar || is_in_plane) && are_within(_position, MAX_STEPS) && are_within(_velocity, MAX_SPEED) && are_within(_curvature, MAX_CURVATURE) && are_means(_residual_mean) && are_means(_curvature_mean) &&
 			_rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && _ticks >= 1 && _ticks <= 64;
 }
 

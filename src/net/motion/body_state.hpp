@@ -12,7 +12,7 @@
 namespace net {
 
 /// The coded form of one segment. Coordinates 0 to 2 are the translation in world axes, 3 to 5 the rotation vector in the
-/// body's axes at the start of the segment; they form the groups 0 and 1.
+/// body's axes at the start of the segment; they form the groups 0 and 1. Of a planar body, 2, 3 and 4 are zero and not coded.
 struct SegmentCode {
 	int ticks = 1;
 	bool fine = false; ///< the residuals are in units of StreamGrid::FINE instead of COARSE
@@ -87,7 +87,12 @@ public:
 
 	/// True if a pose is finite and at most 2^46 steps from the origin, with a non-zero rotation and a scale from 2^-16 to 2^16.
 	[[nodiscard]] static bool is_in_range(const cga::Pose<double> &pose, const StreamGrid &grid);
-	/// Quantizes a pose and puts the body at rest there. Returns false and changes nothing if the pose is out of range.
+	/// The pose of a planar body: `pose` projected onto the plane z = 0, with only the rotation about z.
+	[[nodiscard]] static cga::Pose<double> planar_part(const cga::Pose<double> &pose) {
+		return { cga::Vector3<double>(pose.translation.x, pose.translation.y, 0.0), cga::Quaternion<double>(pose.rotation.w, 0.0, 0.0, pose.rotation.z), pose.scale };
+	}
+	/// Quantizes a pose and puts the body at rest there. The pose of a planar body must be its own planar_part(). Returns
+	/// false and changes nothing if the pose is out of range.
 	[[nodiscard]] bool set_pose(const cga::Pose<double> &pose, const StreamGrid &grid);
 	[[nodiscard]] cga::Pose<double> pose(const StreamGrid &grid) const;
 	/// Resets velocity, curvature and the predictors' statistics: the body is at rest.
@@ -114,6 +119,10 @@ public:
 	[[nodiscard]] bool is_valid() const;
 	[[nodiscard]] uint32_t hash() const;
 
+	/// True if a coordinate of a segment is coded: all six, or of a planar body x, y and the rotation about z.
+	[[nodiscard]] bool is_coded(int coordinate) const { return !planar || coordinate < 2 || coordinate == 5; }
+
+	bool planar = false; ///< moves in the plane z = 0 and rotates about z only
 	bool active = false; ///< moved in the last window
 	bool rest_corrected = true; ///< at rest, and its last sample is matched to within a step
 
@@ -126,6 +135,8 @@ private:
 		PREDICTOR_COUNT
 	};
 
+	template <bool PLANAR, class Coder>
+	void code_coordinates(Coder &coder, MotionModels &models, SegmentCode &code) const;
 	[[nodiscard]] int64_t predicted_by(int predictor, int coordinate, int ticks) const;
 	[[nodiscard]] int best_predictor(int group) const;
 
@@ -144,25 +155,39 @@ private:
 
 template <class Coder>
 void BodyState::code(Coder &coder, MotionModels &models, SegmentCode &code) const {
+	if (planar) {
+		code_coordinates<true>(coder, models, code);
+	} else {
+		code_coordinates<false>(coder, models, code);
+	}
+	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
+	if (code.scaled) {
+		models.scale.code(coder, code.scale_change, 4096);
+	}
+}
+
+template <bool PLANAR, class Coder>
+void BodyState::code_coordinates(Coder &coder, MotionModels &models, SegmentCode &code) const {
+	constexpr int BEGIN[2] = { 0, PLANAR ? 5 : 3 };
+	constexpr int END[2] = { PLANAR ? 2 : 3, 6 };
 	coder.bit(models.fine, code.fine);
 	for (int group = 0; group < 2; ++group) {
 		const int32_t mean = _residual_mean[group].value() * (code.fine ? 2 : 1);
 		int32_t magnitudes = 0; // sum over the preceding coordinates
-		for (int i = 0; i < 3; ++i) {
-			int32_t &value = code.residual[3 * group + i];
+		for (int i = 0; i < END[group] - BEGIN[group]; ++i) {
+			int32_t &value = code.residual[BEGIN[group] + i];
 			models.residual[group].code(coder, value, i == 0 ? mean : (3 * mean + magnitudes * 256 / i) / 4);
 			magnitudes += std::min(std::abs(value), MeanMagnitude::MAX);
 		}
 	}
 	for (int group = 0; group < 2; ++group) {
 		coder.bit(models.curved[group][_curved[group] ? 1 : 0], code.curved[group]);
-		for (int i = 3 * group; code.curved[group] && i < 3 * group + 3; ++i) {
+		for (int i = BEGIN[group]; code.curved[group] && i < END[group]; ++i) {
 			models.curvature[group].code(coder, code.curvature[i], _curvature_mean[group].value());
 		}
 	}
-	coder.bit(models.scaled[_scaled ? 1 : 0], code.scaled);
-	if (code.scaled) {
-		models.scale.code(coder, code.scale_change, 4096);
+	for (int i = END[0]; i < BEGIN[1]; ++i) {
+		code.residual[i] = code.curvature[i] = 0;
 	}
 }
 
@@ -171,9 +196,13 @@ void BodyState::visit(Visit &&visit) {
 	for (int64_t &value : _position) {
 		visit(value, 48);
 	}
-	visit(_rotation.dropped, 3);
-	for (int32_t &value : _rotation.level) {
-		visit(value, LatticeRotation::BITS);
+	// The dropped component is negative if the body is planar.
+	int32_t dropped = int32_t(_rotation.dropped) - (planar ? 4 : 0);
+	visit(dropped, 3);
+	planar = dropped < 0;
+	_rotation.dropped = uint8_t(dropped + (planar ? 4 : 0));
+	for (int i = planar ? 2 : 0; i < 3; ++i) {
+		visit(_rotation.level[i], LatticeRotation::BITS);
 	}
 	visit(_scale, 20);
 	visit(active, 2);
@@ -182,8 +211,10 @@ void BodyState::visit(Visit &&visit) {
 		return;
 	}
 	for (int i = 0; i < 6; ++i) {
-		visit(_velocity[i], 32);
-		visit(_curvature[i], 32);
+		if (is_coded(i)) {
+			visit(_velocity[i], 32);
+			visit(_curvature[i], 32);
+		}
 	}
 	visit(_ticks, 8);
 	visit(_scaled, 2);

@@ -38,6 +38,10 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		}
 		SegmentSteps steps;
 		for (int i = 0; i < 6; ++i) {
+			if (!state.is_coded(i)) {
+				motion.rest_correction[i] = 0;
+				continue;
+			}
 			uint32_t value = uint32_t(motion.rest_correction[i] + 16);
 			coder.bits(value, 5);
 			motion.rest_correction[i] = int32_t(value) - 16;

@@ -23,6 +23,11 @@ int32_t &coefficient(SegmentCode &code, int index) {
 	return index < 6 ? code.residual[index] : code.curvature[index - 6];
 }
 
+/// Coefficients that are not coded for planar bodies.
+constexpr bool is_spatial(int index) {
+	return index % 6 >= 2 && index % 6 <= 4;
+}
+
 } // namespace
 
 /// Sums over the samples (u, w, y) for the normal equations of the least-squares problem y = end u + curvature w.
@@ -54,6 +59,7 @@ void SegmentFit::begin(const BodyState &state, double begin, const MotionSample 
 	_available = available;
 	_begin = begin;
 	_start = state.pose(_grid);
+	_planar = state.planar;
 	const cga::Quaternion<double> inverse_start = glm::conjugate(_start.rotation);
 	cga::Vector3<double> previous(0.0);
 	if (_loaded > 0) {
@@ -184,7 +190,7 @@ uint32_t SegmentFit::cost_of(const BodyState &state, MotionModels &models, const
 
 void SegmentFit::improve_error(Candidate &best) const {
 	for (int i = 0; i < COEFFICIENTS; ++i) {
-		if (i >= 6 && !best.code.curved[(i - 6) / 3]) {
+		if ((i >= 6 && !best.code.curved[(i - 6) / 3]) || (_planar && is_spatial(i))) {
 			continue;
 		}
 		for (const int32_t step : { -1, 1 }) {

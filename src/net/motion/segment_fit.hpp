@@ -68,6 +68,7 @@ private:
 	size_t _available = 0;
 	double _begin = 0.0;
 	cga::Pose<double> _start;
+	bool _planar = false;
 	Row _target[6] = {}; // the rows of SegmentErrorInput; the padding is arbitrary
 	Row _to_body[9] = {};
 	Row _jacobian[9] = {};

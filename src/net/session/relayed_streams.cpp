@@ -100,6 +100,15 @@ void RelayedStreams::add_ack(uint32_t channel, Receiver &receiver, double now) {
 	}
 }
 
+std::vector<PeerId> RelayedStreams::owners() const {
+	std::vector<PeerId> owners;
+	owners.reserve(_streams.size());
+	for (const auto &entry : _streams) {
+		owners.push_back(entry.first);
+	}
+	return owners;
+}
+
 SessionStatistics RelayedStreams::statistics(PeerId owner, double now) {
 	SessionStatistics result;
 	if (Stream *stream = find(owner)) {

@@ -57,6 +57,8 @@ public:
 		return found != _streams.end() ? &found->second : nullptr;
 	}
 	[[nodiscard]] const Stream *find(PeerId owner) const { return const_cast<RelayedStreams *>(this)->find(owner); }
+	/// The owners of all streams, in ascending order.
+	[[nodiscard]] std::vector<PeerId> owners() const;
 	/// Statistics of the stream of an owner. Received bytes are those of its sections.
 	[[nodiscard]] SessionStatistics statistics(PeerId owner, double now);
 	/// Totals over all streams, with the late windows of those that have ended, but without their bytes and packets, which are also

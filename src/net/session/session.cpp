@@ -158,8 +158,8 @@ void Session::begin_tick(double now, double length) {
 	_tick++;
 }
 
-bool Session::observe(uint32_t body, const cga::Pose<double> &pose) {
-	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose))) {
+bool Session::observe(uint32_t body, const cga::Pose<double> &pose, bool planar) {
+	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar, time()))) {
 		return false;
 	}
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);

@@ -41,6 +41,10 @@ public:
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
 	[[nodiscard]] bool has_peer(PeerId peer) const { return _peers.count(peer) != 0; }
+	/// True if an owner's stream can arrive: its peer is connected, or the server relays.
+	[[nodiscard]] bool can_receive(PeerId owner) const { return has_peer(owner) || _is_link_relayed; }
+	/// The owners whose streams the server relays to this peer, in ascending order.
+	[[nodiscard]] std::vector<PeerId> relayed_owners() const { return _relayed.owners(); }
 	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
@@ -71,7 +75,8 @@ public:
 	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }
 	/// Records the pose of an owned body at this tick. Returns false if the pose is invalid: peers then see the last one.
-	bool observe(uint32_t body, const cga::Pose<double> &pose);
+	/// `planar` applies to a body without a pose in the current stream, see Sender::add_body.
+	bool observe(uint32_t body, const cga::Pose<double> &pose, bool planar = false);
 	/// Records that the body is still at its last pose. Returns false if the current stream has no pose of it yet.
 	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.

@@ -14,11 +14,16 @@ inline constexpr uint8_t STREAM_VERSION = 1;
 
 /// The header of a snapshot.
 struct SnapshotHeader {
-	static constexpr size_t BYTES = 30;
+	static constexpr size_t MIN_BYTES = 30;
+	static constexpr size_t MAX_BYTES = 34;
 
 	StreamSettings settings; ///< send_rate and max_packet_size are not transmitted
 	uint32_t tick = 0; ///< the snapshot's media time
 	float window = 0.0f; ///< the sender's maximum window length, in seconds
+
+	/// position_tolerance_2d is transmitted only if it is not the default.
+	[[nodiscard]] bool has_tolerance_2d() const { return float(settings.position_tolerance_2d) != float(StreamSettings().position_tolerance_2d); }
+	[[nodiscard]] size_t bytes() const { return has_tolerance_2d() ? MAX_BYTES : MIN_BYTES; }
 };
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header);

@@ -129,7 +129,7 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 		body.target.visit(state_coder);
 		body.event_tick = tick;
 		body.event = Event::JUMPS;
-		if (!body.target.is_valid() || body.target.active) {
+		if (!body.target.is_valid() || body.target.active || body.target.planar != body.state.planar) {
 			return false;
 		}
 	}

@@ -27,13 +27,13 @@ int tick_in_window(double time, double begin, int ticks) {
 
 } // namespace
 
-bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose) {
+bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &pose, bool planar) {
 	Body body;
-	if (id >= ID_LIMIT || has_body(id) || !body.state.set_pose(pose, _grid)) {
+	body.state.planar = planar;
+	if (id >= ID_LIMIT || has_body(id) || !set_latest(body, pose) || !body.state.set_pose(body.latest, _grid)) {
 		return false;
 	}
 	body.id = id;
-	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
 	body.added = true;
 	body.event_time = time;
 	body.encoded_until = time;
@@ -67,14 +67,20 @@ bool StreamEncoder::jump(uint32_t id) {
 	return true;
 }
 
+bool StreamEncoder::set_latest(Body &body, const cga::Pose<double> &pose) const {
+	const auto set = [&body, this](const cga::Pose<double> &used) {
+		if (!BodyState::is_in_range(used, _grid)) {
+			return false;
+		}
+		body.latest = { used.translation, glm::normalize(used.rotation), used.scale };
+		return true;
+	};
+	return body.state.planar ? set(BodyState::planar_part(pose)) : set(pose);
+}
+
 bool StreamEncoder::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 	const auto found = _index.find(id);
-	if (found == _index.end() || !BodyState::is_in_range(pose, _grid)) {
-		return false;
-	}
-	Body &body = _bodies[found->second];
-	body.latest = { pose.translation, glm::normalize(pose.rotation), pose.scale };
-	return observe(body, time);
+	return found != _index.end() && set_latest(_bodies[found->second], pose) && observe(_bodies[found->second], time);
 }
 
 bool StreamEncoder::observe(uint32_t id, double time) {
@@ -203,6 +209,7 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 			put_event(WindowEvent::JUMPED, body.event_time);
 			state_coder(index, INDEX_BITS);
 			BodyState target;
+			target.planar = body.state.planar;
 			const auto first = std::find_if(body.samples.begin(), body.samples.end(), [&](const MotionSample &sample) { return sample.time >= body.event_time; });
 			if (first == body.samples.end() || !target.set_pose(first->pose, _grid)) {
 				target = body.state;

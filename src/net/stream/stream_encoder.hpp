@@ -16,8 +16,9 @@ public:
 	StreamEncoder(float position_tolerance, float rotation_tolerance, cga::Mode mode) :
 			_grid(position_tolerance, rotation_tolerance), _planner(_grid, mode) {}
 
-	/// False if the id is taken or the pose is not finite or out of range.
-	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose);
+	/// False if the id is taken or the pose is not finite or out of range. Of the poses of a planar body, only the planar part
+	/// (BodyState::planar_part) is used.
+	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose, bool planar = false);
 	/// `freed`: its object was freed. Returns false if the body does not exist.
 	bool remove_body(uint32_t id, double time, bool freed = false);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }
@@ -28,11 +29,12 @@ public:
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next pose without interpolation. Returns false if the body does not exist.
 	bool jump(uint32_t id);
-	/// Calls visit(id, last pose) for each body.
+	/// Calls visit(id, last pose, planar) for each body.
 	template <class Visit>
 	void visit_bodies(Visit &&visit) const {
 		for (const auto &entry : _index) {
-			visit(entry.first, _bodies[entry.second].latest);
+			const Body &body = _bodies[entry.second];
+			visit(entry.first, body.latest, body.state.planar);
 		}
 	}
 
@@ -68,6 +70,8 @@ private:
 		[[nodiscard]] bool is_removed_by(double time) const { return removed && removal_time <= time; }
 	};
 
+	/// Sets the latest pose. Returns false and changes nothing if it is not finite or out of range.
+	bool set_latest(Body &body, const cga::Pose<double> &pose) const;
 	bool observe(Body &body, double time);
 	void find_gaps(double begin, int ticks);
 	void encode_events(RangeEncoder &coder, double begin, int ticks);

@@ -12,6 +12,8 @@ struct StreamSettings {
 	/// Maximum distance between a body as shown and as it was, in meters: at its center, and on its axes at the lever arm,
 	/// which StreamGrid derives from the two tolerances.
 	double position_tolerance = 0.005;
+	/// position_tolerance for planar bodies, in pixels. The pose of a planar body is given in meters, see planar_unit().
+	double position_tolerance_2d = 0.5;
 	/// Maximum angle between the rotation shown and the actual one, in degrees.
 	double rotation_tolerance = 1.4;
 	/// Playback delay of receivers, in seconds, without the delay of the network.
@@ -28,9 +30,13 @@ struct StreamSettings {
 	static constexpr size_t MIN_PACKET_SIZE = 256;
 	static constexpr size_t MAX_PACKET_SIZE = 65000;
 
+	/// The length of a pixel in meters for planar bodies: both tolerances of the position are the same length. Sender and
+	/// receivers compute the same value.
+	[[nodiscard]] double planar_unit() const { return double(float(position_tolerance)) / double(float(position_tolerance_2d)); }
+
 	/// True if a stream can continue when its settings change to `other`. Only send_rate and max_packet_size may differ.
 	[[nodiscard]] bool is_same_stream(const StreamSettings &other) const {
-		return position_tolerance == other.position_tolerance && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
+		return position_tolerance == other.position_tolerance && position_tolerance_2d == other.position_tolerance_2d && rotation_tolerance == other.rotation_tolerance && max_latency == other.max_latency && mode == other.mode && tick == other.tick;
 	}
 };
 

@@ -346,3 +346,44 @@ TEST_CASE("sender: windows end at the instants that a receiver requests, and wit
 	CHECK(session.error(end) <= 1.3);
 	CHECK(end.receiver->statistics().late_windows == 0);
 }
+
+TEST_CASE("sender: planar bodies are shown in their plane, also after a time without receivers") {
+	SimulatedSession session;
+	const auto path = [](double t) { return turned_at(Vector3D(std::sin(t), 0.4 * t, 5.0), Vector3D(0, 0, 1), 2.0 * t); };
+	const auto planar_path = [path](double t) { return BodyState::planar_part(path(t)); };
+	CHECK(session.sender->add_body(1, path(session.now), true));
+	session.bodies[1] = { planar_path };
+	session.add_body(2, path);
+	for (int i = 0; i < 2; ++i) {
+		RemoteEnd &end = session.add_receiver(1);
+		if (i == 1) {
+			CHECK(session.sender->add_body(3, path(session.now), true)); // while the stream runs
+			session.bodies[3] = { planar_path };
+		}
+		session.run(2.0);
+		CHECK(session.error(end) <= 1.1);
+		for (const auto &body : session.bodies) {
+			const PoseD shown = end.receiver->pose(body.first).value_or(path(0.0));
+			CHECK(std::abs(shown.translation.z - (body.first == 2 ? 5.0 : 0.0)) <= (body.first == 2 ? 0.01 : 0.0));
+		}
+		session.sender->remove_receiver(1);
+		session.ends.clear();
+		session.run(1.0);
+	}
+}
+
+TEST_CASE("sender: the tolerance of planar bodies reaches the receivers, in the units of both") {
+	SimulatedSession session;
+	RemoteEnd &end = session.add_receiver(1);
+	session.add_body(1, [](double t) { return at(t); });
+	session.run(1.0);
+	REQUIRE(end.receiver->is_ready());
+	CHECK(end.receiver->settings().planar_unit() == doctest::Approx(0.01).epsilon(1e-6)); // 5 mm for half a pixel
+	StreamSettings settings = session.sender->settings();
+	settings.position_tolerance_2d = 2.0;
+	session.sender->set_settings(settings);
+	session.run(2.0);
+	CHECK(session.error(end) <= 1.1);
+	CHECK(end.receiver->settings().position_tolerance_2d == 2.0);
+	CHECK(end.receiver->settings().planar_unit() == session.sender->settings().planar_unit());
+}

@@ -236,3 +236,83 @@ TEST_CASE("body state: visit covers the whole state, and the hash depends on pos
 	REQUIRE(b.set_pose(scaled, GRID));
 	CHECK(a.hash() != b.hash());
 }
+
+TEST_CASE("body state: a planar body codes neither z nor the rotation about x and y") {
+	cga_test::Random random(53);
+	for (int i = 0; i < 200; ++i) {
+		BodyState state;
+		state.planar = true;
+		const PoseD pose{ Vector3D(random.uniform(-100.0, 100.0), random.uniform(-100.0, 100.0), 0.0), cga_test::axis_angle(Vector3D(0, 0, 1), random.uniform(-3.1, 3.1)), 1.0 };
+		REQUIRE(state.set_pose(pose, GRID));
+		BodyState spatial;
+		REQUIRE(spatial.set_pose(pose, GRID));
+		CHECK(cga_test::difference(state.pose(GRID), spatial.pose(GRID)) == 0.0);
+		CHECK(numbers(state).size() == numbers(spatial).size() - 2);
+		for (int k = 0; k < i % 5; ++k) {
+			std::vector<uint8_t> bytes;
+			RangeEncoder encoder(bytes);
+			MotionModels models;
+			SegmentCode code;
+			code.ticks = 12;
+			for (const int c : { 0, 1, 5 }) {
+				code.residual[c] = int32_t(random.uniform(-20.0, 20.0));
+				code.curvature[c] = int32_t(random.uniform(-20.0, 20.0));
+			}
+			code.curved[k % 2] = true;
+			state.code(encoder, models, code);
+			encoder.finish();
+			// The decoder's code still has the numbers of another body.
+			SegmentCode read;
+			read.ticks = 12;
+			std::fill_n(read.residual, 6, 99);
+			std::fill_n(read.curvature, 6, 99);
+			RangeDecoder decoder(bytes.data(), bytes.size());
+			MotionModels other_models;
+			state.code(decoder, other_models, read);
+			for (int c = 0; c < 6; ++c) {
+				CHECK(read.residual[c] == code.residual[c]);
+				CHECK((!code.curved[c / 3] || read.curvature[c] == code.curvature[c]));
+			}
+			REQUIRE(state.apply(code, state.steps(code), GRID));
+			CHECK(state.planar);
+			CHECK(state.is_valid());
+			CHECK(state.pose(GRID).translation.z == 0.0);
+			CHECK(state.pose(GRID).rotation.x == 0.0);
+			CHECK(state.pose(GRID).rotation.y == 0.0);
+		}
+		std::vector<uint8_t> bytes;
+		RangeEncoder encoder(bytes);
+		StateCoder<RangeEncoder> writer(encoder);
+		state.visit(writer);
+		encoder.finish();
+		BodyState read;
+		RangeDecoder decoder(bytes.data(), bytes.size());
+		StateCoder<RangeDecoder> reader(decoder);
+		read.visit(reader);
+		CHECK(read.planar);
+		CHECK(read.is_valid());
+		CHECK(numbers(read) == numbers(state));
+		CHECK(cga_test::difference(read.pose(GRID), state.pose(GRID)) == 0.0);
+		CHECK(read.hash() == state.hash());
+		const int32_t correction[6] = { 3, -4, 0, 0, 0, -7 };
+		state.reset_motion();
+		REQUIRE(state.correct_rest(correction, GRID));
+		CHECK(state.planar);
+		CHECK(state.is_valid());
+	}
+}
+
+TEST_CASE("body state: a planar body out of its plane is not valid") {
+	for (const Vector3D &axis : { Vector3D(1, 0, 0), Vector3D(0, 1, 0) }) {
+		BodyState state;
+		REQUIRE(state.set_pose({ Vector3D(0.0), cga_test::axis_angle(axis, 3.0), 1.0 }, GRID));
+		CHECK(state.is_valid());
+		state.planar = true;
+		CHECK_FALSE(state.is_valid());
+	}
+	BodyState state;
+	REQUIRE(state.set_pose({ Vector3D(0.0, 0.0, 1.0), QuaternionD(1, 0, 0, 0), 1.0 }, GRID));
+	CHECK(state.is_valid());
+	state.planar = true;
+	CHECK_FALSE(state.is_valid());
+}

@@ -160,6 +160,7 @@ public:
 
 	std::map<PeerId, Peer> peers;
 	std::map<uint32_t, Path> paths; // of the bodies, by virtual time
+	bool has_planar_bodies = false; // bodies with odd numbers are planar
 	std::vector<SentPacket> sent;
 	std::vector<size_t> refusals; // what packet_refused() returned
 	double now = 100.0;
@@ -192,7 +193,7 @@ private:
 		for (const auto &[body, owner] : peer.owners) {
 			const auto path = paths.find(body);
 			if (owner == id && path != paths.end() && peer.session.is_sending()) {
-				peer.poses_rejected += peer.session.observe(body, path->second(now)) ? 0 : 1;
+				peer.poses_rejected += peer.session.observe(body, path->second(now), has_planar_bodies && body % 2 == 1) ? 0 : 1;
 			}
 		}
 		peer.session.end_tick();

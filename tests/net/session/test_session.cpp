@@ -37,6 +37,38 @@ TEST_CASE("session: poses of several peers arrive at all others within the toler
 	}
 }
 
+TEST_CASE("session: planar bodies among others, with every owner") {
+	SessionNetwork network;
+	network.has_planar_bodies = true;
+	for (PeerId id = 1; id <= 3; ++id) {
+		network.join(id);
+	}
+	for (uint32_t body = 0; body < 4; ++body) {
+		const Path path = smooth_path(body);
+		network.paths[body] = body % 2 == 0 ? path : [path](double time) {
+			PoseD pose = BodyState::planar_part(path(time));
+			pose.rotation = glm::normalize(pose.rotation);
+			return pose;
+		};
+	}
+	for (const PeerId owner : { 1, 2 }) {
+		for (uint32_t body = 0; body < 4; ++body) {
+			network.set_owner(body, owner);
+		}
+		network.run(2.0);
+		double worst = 0.0;
+		network.run(2.0, [&] {
+			for (uint32_t body = 0; body < 4; ++body) {
+				worst = std::max(worst, network.error(body, 3));
+				const PoseD shown = network.session(3).stream(owner)->pose(body).value_or(PoseD());
+				CHECK((body % 2 == 0 || shown.translation.z == 0.0));
+			}
+		});
+		CHECK(worst <= 1.3);
+		CHECK(network.peers[owner].poses_rejected == 0);
+	}
+}
+
 TEST_CASE("session: over impaired links all peers end at the owner's poses") {
 	for (const LinkSettings &link : { LinkSettings{ 0.03, 0.1, 0.3, 0.1 }, LinkSettings{ 0.05, 0.02, 0.5 }, LinkSettings{ 0.01, 0.2, 0.0, 1.0 } }) {
 		SessionNetwork network(link);

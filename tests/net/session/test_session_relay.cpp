@@ -57,6 +57,10 @@ TEST_CASE("relay: bodies of all owners arrive at all peers within the tolerance,
 			CHECK(network.total(at).unauthorized == 0);
 			CHECK(network.peers[at].poses_rejected == 0);
 		}
+		CHECK(network.session(2).relayed_owners() == std::vector<PeerId>{ 3, 4, 5 });
+		CHECK(network.session(SERVER).relayed_owners().empty());
+		CHECK(network.session(2).can_receive(3));
+		CHECK_FALSE(network.session(SERVER).can_receive(77));
 		const SessionStatistics relayed = network.statistics(3, 2);
 		CHECK(relayed.received_bytes > 20.0);
 		CHECK(relayed.playback_delay > 0.1);

@@ -125,7 +125,7 @@ TEST_CASE("session: a few packets cannot make it allocate much") {
 	CHECK(harness::live_bytes() < before + 50000);
 	// A snapshot that declares as many bodies as its size allows.
 	Bytes snapshot = snapshot_of(0);
-	snapshot.resize(SnapshotHeader::BYTES);
+	snapshot.resize(SnapshotHeader::MIN_BYTES);
 	RangeEncoder coder(snapshot);
 	uint32_t number = 1;
 	coder.bits(number, 7);

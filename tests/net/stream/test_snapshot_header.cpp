@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstring>
 #include <limits>
 #include <optional>
 
@@ -36,10 +37,11 @@ std::optional<PacketError> error_of(const SnapshotHeader &header) {
 
 } // namespace
 
-TEST_CASE("snapshot header: settings round-trip in BYTES bytes") {
+TEST_CASE("snapshot header: settings round-trip in MIN_BYTES bytes") {
 	Bytes bytes;
 	put_snapshot_header(bytes, valid_header());
-	CHECK(bytes.size() == SnapshotHeader::BYTES);
+	CHECK(bytes.size() == SnapshotHeader::MIN_BYTES);
+	CHECK(valid_header().bytes() == SnapshotHeader::MIN_BYTES);
 	const auto read = read_snapshot_header(bytes.data(), bytes.size());
 	REQUIRE(read);
 	const SnapshotHeader &header = *read;
@@ -50,6 +52,31 @@ TEST_CASE("snapshot header: settings round-trip in BYTES bytes") {
 	CHECK(header.settings.tick == 1.0 / 72.0); // exact: times are counted in ticks
 	CHECK(header.tick == 4000000000u);
 	CHECK(header.window == 0.125f);
+	CHECK(header.settings.position_tolerance_2d == 0.5);
+}
+
+TEST_CASE("snapshot header: a tolerance of planar bodies that is not the default takes four bytes") {
+	SnapshotHeader planar = valid_header();
+	planar.settings.position_tolerance_2d = 0.3;
+	Bytes bytes;
+	put_snapshot_header(bytes, planar);
+	CHECK(bytes.size() == SnapshotHeader::MAX_BYTES);
+	const auto read = read_snapshot_header(bytes.data(), bytes.size());
+	REQUIRE(read);
+	CHECK(read->bytes() == SnapshotHeader::MAX_BYTES);
+	CHECK(read->tick == 4000000000u);
+	CHECK(read->settings.mode == cga::Mode::SCREW);
+	CHECK(float(read->settings.position_tolerance_2d) == 0.3f);
+	// Both ends convert pixels to meters in the same way.
+	CHECK(read->settings.planar_unit() == planar.settings.planar_unit());
+	CHECK(planar.settings.planar_unit() == doctest::Approx(0.0025 / 0.3));
+	for (size_t size = 0; size < bytes.size(); ++size) {
+		CHECK(error_of(Bytes(bytes.begin(), bytes.begin() + ptrdiff_t(size))) == PacketError::TRUNCATED_SNAPSHOT);
+	}
+	// The default must not be sent.
+	const float tolerance = 0.5f;
+	std::memcpy(bytes.data() + SnapshotHeader::MIN_BYTES, &tolerance, sizeof(tolerance));
+	CHECK(error_of(bytes) == PacketError::SETTINGS_OUT_OF_RANGE);
 }
 
 TEST_CASE("snapshot header: truncated, of another version or with values out of range, it is rejected") {
@@ -71,6 +98,9 @@ TEST_CASE("snapshot header: truncated, of another version or with values out of 
 		header.settings.position_tolerance = bad;
 		CHECK(error_of(header) == PacketError::SETTINGS_OUT_OF_RANGE);
 		header = valid_header();
+		header.settings.position_tolerance_2d = bad;
+		CHECK(error_of(header) == PacketError::SETTINGS_OUT_OF_RANGE);
+		header = valid_header();
 		header.settings.rotation_tolerance = bad;
 		CHECK(error_of(header) == PacketError::SETTINGS_OUT_OF_RANGE);
 		header = valid_header();
@@ -83,7 +113,7 @@ TEST_CASE("snapshot header: truncated, of another version or with values out of 
 		header.window = float(bad);
 		CHECK(error_of(header) == PacketError::SETTINGS_OUT_OF_RANGE);
 	}
-	for (double StreamSettings::*member : { &StreamSettings::position_tolerance, &StreamSettings::rotation_tolerance, &StreamSettings::tick }) {
+	for (double StreamSettings::*member : { &StreamSettings::position_tolerance, &StreamSettings::position_tolerance_2d, &StreamSettings::rotation_tolerance, &StreamSettings::tick }) {
 		SnapshotHeader header = valid_header();
 		header.settings.*member = 0.0;
 		CHECK(error_of(header) == PacketError::SETTINGS_OUT_OF_RANGE);

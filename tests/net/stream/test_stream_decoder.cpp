@@ -288,3 +288,32 @@ TEST_CASE("stream decoder: its snapshots are those of the encoder") {
 		}
 	}
 }
+
+TEST_CASE("stream decoder: a jump cannot make a body planar, or a planar body not planar") {
+	struct Output {
+		Bytes snapshot;
+		Bytes window; // in which the body jumps
+	};
+	const auto encoded = [](bool planar) {
+		StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
+		REQUIRE(encoder.add_body(1, 0.0, PoseD(), planar));
+		Output output;
+		encoder.encode_window(0.0, 1, output.window);
+		encoder.encode_snapshot(output.snapshot);
+		REQUIRE(encoder.jump(1));
+		REQUIRE(encoder.observe(1, 2.0, PoseD()));
+		output.window.clear();
+		encoder.encode_window(1.0, 1, output.window);
+		return output;
+	};
+	const Output outputs[2] = { encoded(false), encoded(true) };
+	std::vector<BodyMotion> motions;
+	for (const Output &from : outputs) {
+		for (const Output &to : outputs) {
+			StreamDecoder decoder(0.005f, 1.4f, 10);
+			REQUIRE(decoder.read_snapshot(from.snapshot.data(), from.snapshot.size()));
+			const auto ticks = decoder.decode_window(to.window.data(), to.window.size(), { 0, 0 }, 1.0, cga::Mode::SEPARATE, motions);
+			CHECK(ticks.has_value() == (&from == &to));
+		}
+	}
+}

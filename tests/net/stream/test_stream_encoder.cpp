@@ -55,6 +55,10 @@ struct Link {
 	PoseD shown;
 };
 
+bool is_planar(const PoseD &pose) {
+	return std::abs(pose.translation.z) + std::abs(pose.rotation.x) + std::abs(pose.rotation.y) < 1e-12;
+}
+
 PoseD at(double x) {
 	PoseD pose;
 	pose.translation.x = x;
@@ -65,9 +69,9 @@ PoseD at(double x) {
 
 TEST_CASE("stream: a decoder follows random scenes, within the tolerance at every tick") {
 	for (const cga::Mode mode : { cga::Mode::SEPARATE, cga::Mode::LINEAR, cga::Mode::SCREW }) {
-		for (unsigned seed = 1; seed <= 6; ++seed) {
+		for (unsigned seed = 1; seed <= 10; ++seed) {
 			Link link(mode);
-			StreamScene scene(link.encoder, seed);
+			StreamScene scene(link.encoder, seed, seed > 6);
 			cga_test::Random random(seed + 100);
 			double worst = 0.0;
 			int checked = 0;
@@ -91,6 +95,7 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 						const bool between_jumps = is_same_life && time >= now->second.jumped && time < now->second.settled_from;
 						if (is_same_life && !between_jumps) {
 							REQUIRE(link.shows(entry.first, time));
+							CHECK((!entry.second.planar || is_planar(link.shown)));
 							worst = std::max(worst, error_share(link.shown, entry.second.last, link.encoder.grid()));
 							++checked;
 						}
@@ -106,33 +111,35 @@ TEST_CASE("stream: a decoder follows random scenes, within the tolerance at ever
 }
 
 TEST_CASE("stream: a decoder that starts at a later snapshot agrees with one that decoded all windows") {
-	Link link;
-	StreamScene scene(link.encoder, 9);
-	std::vector<std::unique_ptr<StreamDecoder>> others;
-	double tick = 0.0;
-	for (int window = 0; window < 60; ++window) {
-		for (int i = 0; i < 10; ++i) {
-			scene.step(++tick, 0.05);
-		}
-		const double begin = link.end;
-		REQUIRE(link.window(10));
-		scene.end_window();
-		for (auto &other : others) {
-			std::vector<BodyMotion> motions;
-			REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), { link.encoder.check(), 255 }, begin, link.mode, motions));
-			REQUIRE(other->body_count() == link.decoder.body_count());
-			CHECK(motions.size() == link.motions.size());
-			for (size_t i = 0; i < other->body_count(); ++i) {
-				CHECK(other->id(i) == link.decoder.id(i));
-				CHECK(cga_test::difference(other->pose(i), link.decoder.pose(i)) == 0.0);
+	for (const bool has_planar_bodies : { false, true }) {
+		Link link;
+		StreamScene scene(link.encoder, 9, has_planar_bodies);
+		std::vector<std::unique_ptr<StreamDecoder>> others;
+		double tick = 0.0;
+		for (int window = 0; window < 60; ++window) {
+			for (int i = 0; i < 10; ++i) {
+				scene.step(++tick, 0.05);
 			}
-		}
-		if (window % 10 == 3) {
-			Bytes snapshot;
-			link.encoder.encode_snapshot(snapshot);
-			CHECK(snapshot.size() < 8192 / 4 + 96 * scene.bodies.size());
-			others.push_back(std::make_unique<StreamDecoder>(0.005f, 1.4f, 1000));
-			REQUIRE(others.back()->read_snapshot(snapshot.data(), snapshot.size()));
+			const double begin = link.end;
+			REQUIRE(link.window(10));
+			scene.end_window();
+			for (auto &other : others) {
+				std::vector<BodyMotion> motions;
+				REQUIRE(other->decode_window(link.bytes.data(), link.bytes.size(), { link.encoder.check(), 255 }, begin, link.mode, motions));
+				REQUIRE(other->body_count() == link.decoder.body_count());
+				CHECK(motions.size() == link.motions.size());
+				for (size_t i = 0; i < other->body_count(); ++i) {
+					CHECK(other->id(i) == link.decoder.id(i));
+					CHECK(cga_test::difference(other->pose(i), link.decoder.pose(i)) == 0.0);
+				}
+			}
+			if (window % 10 == 3) {
+				Bytes snapshot;
+				link.encoder.encode_snapshot(snapshot);
+				CHECK(snapshot.size() < 8192 / 4 + 96 * scene.bodies.size());
+				others.push_back(std::make_unique<StreamDecoder>(0.005f, 1.4f, 1000));
+				REQUIRE(others.back()->read_snapshot(snapshot.data(), snapshot.size()));
+			}
 		}
 	}
 }
@@ -290,4 +297,26 @@ TEST_CASE("stream: after a long gap between its poses a body jumps") {
 	CHECK(link.shown.translation.x < 4.0);
 	REQUIRE(link.shows(1, 37.0));
 	CHECK(link.shown.translation.x == doctest::Approx(7.4).epsilon(0.001));
+}
+
+TEST_CASE("stream: of the poses of a planar body only x, y, the rotation about z and the scale count") {
+	Link link;
+	PoseD pose{ Vector3D(1.0, -2.0, 3.0), cga_test::axis_angle(Vector3D(0, 0, 1), 1.0), 2.0 };
+	REQUIRE(link.encoder.add_body(1, 0.0, pose, true));
+	REQUIRE(link.window(1));
+	CHECK(link.encoder.observe(1, 2.0, pose));
+	CHECK_FALSE(link.encoder.has_changes());
+	pose.translation.z = std::numeric_limits<double>::quiet_NaN();
+	CHECK(link.encoder.observe(1, 3.0, pose));
+	CHECK_FALSE(link.encoder.has_changes());
+	REQUIRE(link.window(12));
+	REQUIRE(link.shows(1, link.end));
+	CHECK(is_planar(link.shown));
+	pose.translation.z = 0.0;
+	CHECK(error_share(link.shown, pose, link.encoder.grid()) < 0.1);
+	// Half a turn about x: no rotation about z is nearest to it.
+	pose.rotation = QuaternionD(0, 1, 0, 0);
+	CHECK_FALSE(link.encoder.observe(1, 14.0, pose));
+	CHECK_FALSE(link.encoder.add_body(2, 14.0, pose, true));
+	CHECK(link.encoder.add_body(2, 14.0, pose));
 }

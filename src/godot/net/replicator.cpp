@@ -1,0 +1,289 @@
+#include "godot/net/replicator.hpp"
+
+#include "godot/algebra/conversions.hpp"
+#include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/setup_warnings.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/multiplayer_peer.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+// The connection of a session to the MultiplayerAPI.
+
+namespace ga_godot {
+
+using godot::Callable;
+using godot::Engine;
+using godot::MultiplayerPeer;
+using godot::PackedByteArray;
+using godot::PackedInt32Array;
+using godot::Ref;
+using godot::SceneMultiplayer;
+using godot::SceneTree;
+using godot::String;
+using godot::vformat;
+
+double clock_seconds() {
+	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+static std::unordered_map<uint64_t, std::weak_ptr<Replicator>> &replicators() {
+	static std::unordered_map<uint64_t, std::weak_ptr<Replicator>> by_api;
+	return by_api;
+}
+
+std::shared_ptr<Replicator> Replicator::of(const Ref<SceneMultiplayer> &api) {
+	std::weak_ptr<Replicator> &known = replicators()[api->get_instance_id()];
+	std::shared_ptr<Replicator> replicator = known.lock();
+	if (replicator == nullptr) {
+		replicator = std::make_shared<Replicator>(api);
+		known = replicator;
+	}
+	return replicator;
+}
+
+Replicator::Replicator(const Ref<SceneMultiplayer> &api) :
+		_api(api) {}
+
+Replicator::~Replicator() {
+	replicators().erase(_api->get_instance_id());
+}
+
+void Replicator::add(MotorSynchronizer *synchronizer) {
+	_synchronizers.push_back(synchronizer);
+	if (_synchronizers.size() == 1) {
+		set_lead(synchronizer);
+		update_root();
+	}
+	update_settings();
+}
+
+void Replicator::remove(MotorSynchronizer *synchronizer) {
+	const bool is_lead = lead() == synchronizer;
+	if (_synchronizers.size() == 1) {
+		close_session();
+		disconnect_session();
+	}
+	for (size_t i = _targets.size(); i-- > 0;) {
+		if (_targets[i].synchronizer == synchronizer) {
+			end_target(i);
+		}
+	}
+	remove_departed();
+	if (is_lead) {
+		set_lead(nullptr);
+	}
+	_synchronizers.erase(std::find(_synchronizers.begin(), _synchronizers.end(), synchronizer));
+	if (is_lead) {
+		set_lead(lead());
+	}
+	update_settings();
+}
+
+/// Connects the engine's signals to `lead`; null disconnects them from the current one.
+void Replicator::set_lead(MotorSynchronizer *next) {
+	MotorSynchronizer *const node = next != nullptr ? next : lead();
+	if (node == nullptr) {
+		return;
+	}
+	SceneTree *tree = node->get_tree();
+	const Callable packets(node, "_on_peer_packet");
+	const Callable renames(node, "_on_node_renamed");
+	const Callable ticks(node, "_on_physics_frame");
+	if (next != nullptr) {
+		_api->connect("peer_packet", packets);
+		tree->connect("node_renamed", renames);
+		tree->connect("physics_frame", ticks);
+		_monitors.add(node);
+	} else {
+		_api->disconnect("peer_packet", packets);
+		tree->disconnect("node_renamed", renames);
+		tree->disconnect("physics_frame", ticks);
+		_monitors.remove();
+	}
+}
+
+/// One stream serves all synchronizers, so it meets the strictest of their settings.
+void Replicator::update_settings() {
+	if (_synchronizers.empty()) {
+		return;
+	}
+	net::StreamSettings settings = lead()->stream_settings();
+	double min_delay = 0.0;
+	double jitter_allowance = 0.0;
+	bool differs = false;
+	for (const MotorSynchronizer *synchronizer : _synchronizers) {
+		const net::StreamSettings &other = synchronizer->stream_settings();
+		differs = differs || !settings.is_same_stream(other) || settings.send_rate != other.send_rate;
+		settings.position_tolerance = std::min(settings.position_tolerance, other.position_tolerance);
+		settings.rotation_tolerance = std::min(settings.rotation_tolerance, other.rotation_tolerance);
+		settings.position_tolerance_2d = std::min(settings.position_tolerance_2d, other.position_tolerance_2d);
+		settings.max_packet_size = std::min(settings.max_packet_size, other.max_packet_size);
+		settings.max_latency = std::min(settings.max_latency, other.max_latency);
+		settings.send_rate = std::max(settings.send_rate, other.send_rate);
+		min_delay = std::max(min_delay, synchronizer->get_min_delay());
+		jitter_allowance = std::max(jitter_allowance, synchronizer->get_jitter_allowance());
+	}
+	if (differs) {
+		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, the smallest max_latency and the highest send_rate apply to all of them. Give them the same settings.");
+	}
+	const String fault = send_rate_fault(settings.send_rate);
+	if (!fault.is_empty()) {
+		warn("send rate", fault);
+	}
+	_settings = settings;
+	_session.set_settings(settings);
+	_session.set_margin_limits(min_delay, jitter_allowance);
+}
+
+void Replicator::tick() {
+	const int64_t engine_tick = int64_t(Engine::get_singleton()->get_physics_frames());
+	if (engine_tick == _last_tick) {
+		return;
+	}
+	_last_tick = engine_tick;
+	const double now = clock_seconds();
+	const double length = 1.0 / double(Engine::get_singleton()->get_physics_ticks_per_second());
+	_frame_clock.tick(length);
+	update_connection();
+	if (_are_names_stale) {
+		rename_targets();
+	}
+	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
+		refresh(synchronizer);
+	}
+	if (_session.peers().empty()) {
+		end_freed_bodies();
+		remove_departed();
+		return;
+	}
+	_session.begin_tick(now, length);
+	sample_targets(now);
+	_session.end_tick();
+	end_freed_bodies();
+	remove_departed();
+	send_packets();
+}
+
+void Replicator::frame() {
+	const int64_t engine_frame = int64_t(Engine::get_singleton()->get_process_frames());
+	if (engine_frame == _last_frame || lead() == nullptr) {
+		return;
+	}
+	_last_frame = engine_frame;
+	const double now = clock_seconds();
+	_frame_clock.frame(lead()->get_process_delta_time(), Engine::get_singleton()->get_physics_interpolation_fraction());
+	update_connection();
+	free_ended(now);
+	if (_session.peers().empty()) {
+		return;
+	}
+	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
+		refresh(synchronizer);
+	}
+	_session.advance(now);
+	show_streams(now);
+	send_packets();
+	check_streams(now);
+	_session.report_rejections([this](int32_t peer, const net::Rejections::Report &report) {
+		lead()->emit_signal("packet_rejected", peer, vformat("Packet rejected: %s (%d since the last report).", net::describe(report.error), int64_t(report.count)));
+	});
+}
+
+void Replicator::update_connection() {
+	const Ref<MultiplayerPeer> transport = _api->get_multiplayer_peer();
+	const bool is_connected = transport.is_valid() && transport->get_connection_status() == MultiplayerPeer::CONNECTION_CONNECTED;
+	const uint64_t transport_id = is_connected ? transport->get_instance_id() : 0;
+	const int32_t self = is_connected ? _api->get_unique_id() : 0;
+	if (self != _session.self() || transport_id != _transport) {
+		disconnect_session();
+		_session.connect(self);
+		_transport = transport_id;
+	}
+	update_peers();
+}
+
+/// Forgets all peers without sending anything.
+void Replicator::disconnect_session() {
+	for (Target &target : _targets) {
+		target.release();
+		target.authority = 0;
+		target.view = net::BodyView();
+	}
+	_departed.clear();
+	_session.connect(0);
+	_transport = 0;
+}
+
+void Replicator::update_peers() {
+	if (!_session.is_connected()) {
+		return;
+	}
+	const PackedInt32Array ids = _api->get_peers();
+	std::vector<int32_t> peers(ids.ptr(), ids.ptr() + ids.size());
+	std::sort(peers.begin(), peers.end());
+	for (const int32_t peer : _session.set_peers(peers, clock_seconds())) {
+		for (Target &target : _targets) {
+			if (target.authority == peer) {
+				target.release();
+			}
+		}
+	}
+}
+
+void Replicator::update_root() {
+	_root = String(_api->get_root_path());
+	if (!_root.ends_with("/")) {
+		_root += "/";
+	}
+}
+
+/// Notifies all peers that this peer's last synchronizer is removed.
+void Replicator::close_session() {
+	const Ref<MultiplayerPeer> transport = _api->get_multiplayer_peer();
+	if (!_session.is_connected() || transport.is_null() || transport->get_connection_status() != MultiplayerPeer::CONNECTION_CONNECTED) {
+		return;
+	}
+	update_peers();
+	_session.close(clock_seconds());
+	send_packets();
+}
+
+void Replicator::send_packets() {
+	const int32_t channel = lead() != nullptr ? int32_t(lead()->get_channel()) : 0;
+	net::Outbox::Packet refused{};
+	_session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
+		const godot::Error error = _api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, channel);
+		if (error != godot::OK && packet.size > refused.size) {
+			refused = packet;
+		}
+	});
+	// Smaller packets are refused for other reasons, such as a peer that is about to leave.
+	if (refused.size > net::StreamSettings::MIN_PACKET_SIZE && _api->get_peers().has(refused.peer)) {
+		const size_t limit = _session.packet_refused(refused.peer, refused.size);
+		warn("packet size", vformat("the MultiplayerPeer refused to send a packet of %d bytes to peer %d. Packets are limited to %d bytes from now on. Set max_packet_size to the limit of the transport.", int64_t(refused.size), refused.peer, int64_t(limit)));
+	}
+}
+
+void Replicator::packet_received(int32_t peer, const PackedByteArray &packet) {
+	if (!_session.has_peer(peer)) {
+		update_peers();
+	}
+	_session.accept(peer, packet.ptr(), size_t(packet.size()), clock_seconds());
+}
+
+/// Prints a warning once, and keeps it for get_setup_warnings().
+void Replicator::warn(const std::string &key, const String &text) {
+	if (_warned.insert(key).second) {
+		_warnings.push_back(text);
+		WARN_PRINT(vformat("MotorSynchronizer: %s", text));
+	}
+}
+
+} // namespace ga_godot

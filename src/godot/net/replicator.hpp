@@ -1,0 +1,131 @@
+#pragma once
+
+#include "godot/net/statistics_monitors.hpp"
+#include "godot/net/target.hpp"
+#include "net/session/session.hpp"
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/scene_multiplayer.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace ga_godot {
+
+/// The part that all MotorSynchronizers of one MultiplayerAPI share: one net::Session, and the targets of all of them. It maps
+/// nodes to bodies, passes the poses of this peer's nodes to the session in each physics tick, and moves the other nodes in
+/// each frame. The first synchronizer is the lead: the engine's signals reach the replicator through it.
+class Replicator {
+public:
+	/// The replicator of an API; creates it if there is none.
+	[[nodiscard]] static std::shared_ptr<Replicator> of(const godot::Ref<godot::SceneMultiplayer> &api);
+	explicit Replicator(const godot::Ref<godot::SceneMultiplayer> &api);
+	~Replicator();
+
+	void add(MotorSynchronizer *synchronizer);
+	/// Ends the targets of a synchronizer. The last one closes the session.
+	void remove(MotorSynchronizer *synchronizer);
+	/// Applies changed properties of a synchronizer.
+	void update_settings();
+
+	/// The path of a node relative to the MultiplayerAPI's root: the same on all peers.
+	[[nodiscard]] godot::String relative_path(const godot::Node *node) const;
+
+	// The lead's notifications and signals; calls of the other synchronizers in the same tick or frame do nothing.
+	void tick();
+	void frame();
+	void before_scripts();
+	void packet_received(int32_t peer, const godot::PackedByteArray &packet);
+	void target_exiting(uint64_t node);
+	void node_renamed(const godot::Node *node);
+
+	/// Searches the targets of a synchronizer again, if they may have changed.
+	void refresh(MotorSynchronizer *synchronizer);
+	[[nodiscard]] Target *find_target(const godot::Node *node);
+	[[nodiscard]] godot::TypedArray<godot::Node> targets_of(const MotorSynchronizer *synchronizer) const;
+	void free_target(Target &target);
+
+	[[nodiscard]] net::Session &session() { return _session; }
+	[[nodiscard]] const godot::PackedStringArray &warnings() const { return _warnings; }
+	[[nodiscard]] const godot::Ref<godot::SceneMultiplayer> &api() const { return _api; }
+
+private:
+	/// A node that has left the tree and may return: it was reparented, or its new namesake is another body.
+	struct Departed {
+		uint64_t node;
+		uint32_t body;
+		uint64_t parent; // instance id
+		bool is_own;
+		net::BodyView view;
+		double time;
+	};
+	/// A node that free_target ends.
+	struct Freed {
+		uint64_t node;
+		double free_at;
+	};
+
+	// Connection
+	void set_lead(MotorSynchronizer *lead);
+	void update_connection();
+	void update_peers();
+	void update_root();
+	void disconnect_session();
+	void close_session();
+	void send_packets();
+	[[nodiscard]] MotorSynchronizer *lead() const { return _synchronizers.empty() ? nullptr : _synchronizers.front(); }
+	void warn(const std::string &key, const godot::String &text);
+
+	// Targets
+	bool claim_body(const Target &target);
+	void add_target(godot::Node *node, MotorSynchronizer *synchronizer);
+	void end_target(size_t index);
+	void rename_targets();
+	void index_targets();
+	void sample_targets(double now);
+	void sample(Target &target, godot::Node *node);
+	void observe_departed();
+	void remove_departed();
+	void end_freed_bodies();
+	[[nodiscard]] cga::Pose<double> to_stream(cga::Pose<double> pose, bool is_2d) const;
+	void change_authority(Target &target, int32_t authority, double now);
+	void show_streams(double now);
+	void show(Target &target, godot::Node *node, double now);
+	void free_ended(double now);
+	void check_streams(double now);
+
+	godot::Ref<godot::SceneMultiplayer> _api;
+	uint64_t _transport = 0; // instance id of the MultiplayerPeer
+	godot::String _root; // path of the MultiplayerAPI's root, with a trailing slash
+	net::StreamSettings _settings;
+	net::Session _session{ _settings };
+	std::vector<MotorSynchronizer *> _synchronizers;
+	int64_t _last_tick = -1; // of the engine
+	int64_t _last_frame = -1;
+	net::FrameClock _frame_clock;
+
+	std::vector<Target> _targets;
+	std::unordered_map<uint64_t, size_t> _index; // into _targets, by node
+	std::unordered_map<uint32_t, uint64_t> _node_of_body;
+	std::vector<Departed> _departed;
+	std::vector<Freed> _freed;
+	bool _are_names_stale = true;
+
+	StatisticsMonitors _monitors;
+	godot::PackedStringArray _warnings; // of this run, each printed once
+	std::unordered_set<std::string> _warned;
+	double _next_check = 0.0;
+	std::unordered_map<int32_t, double> _absent_since; // owners that are not connected, and peers with bodies without a node
+};
+
+/// The local clock in seconds.
+[[nodiscard]] double clock_seconds();
+
+} // namespace ga_godot

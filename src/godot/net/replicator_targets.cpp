@@ -1,0 +1,262 @@
+#include "godot/net/replicator.hpp"
+
+#include "godot/algebra/conversions.hpp"
+#include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/setup_warnings.hpp"
+#include "godot/net/spatial_node.hpp"
+#include "net/session/path_hash.hpp"
+
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+#include <algorithm>
+
+// Which nodes are targets, and which bodies they are.
+
+namespace ga_godot {
+
+using godot::Array;
+using godot::Callable;
+using godot::Node;
+using godot::NodePath;
+using godot::Object;
+using godot::ObjectDB;
+using godot::String;
+using godot::TypedArray;
+using godot::vformat;
+
+// A node that has left the tree is remembered this long, in seconds.
+static constexpr double DEPARTED_TIME = 1.0;
+// Seconds between free_target and the end of the node, in addition to the delays of other peers.
+static constexpr double FREE_MARGIN = 0.4;
+
+static uint64_t parent_of(const Node *node) {
+	return node != nullptr && node->get_parent() != nullptr ? node->get_parent()->get_instance_id() : 0;
+}
+
+String Replicator::relative_path(const Node *node) const {
+	const String path = node->get_path();
+	return path.begins_with(_root) ? path.substr(_root.length()) : path;
+}
+
+void Replicator::refresh(MotorSynchronizer *synchronizer) {
+	TargetSelection &selection = synchronizer->selection();
+	if (!selection.is_refresh_due(*synchronizer)) {
+		return;
+	}
+	const std::vector<uint64_t> ids = selection.find(*synchronizer, _root);
+	if (!selection.has_changed(ids)) {
+		return;
+	}
+	const std::unordered_set<uint64_t> selected(ids.begin(), ids.end());
+	std::vector<uint64_t> removed;
+	std::vector<uint64_t> added;
+	for (size_t i = _targets.size(); i-- > 0;) {
+		if (_targets[i].synchronizer == synchronizer && selected.count(_targets[i].node) == 0) {
+			removed.push_back(_targets[i].node);
+			end_target(i);
+		}
+	}
+	for (const uint64_t id : ids) {
+		const size_t before = _targets.size();
+		if (_index.count(id) == 0) {
+			add_target(find_spatial(id), synchronizer);
+		}
+		if (_targets.size() > before) {
+			added.push_back(id);
+		}
+	}
+	selection.remember(ids);
+	// Emit signals last, because their handlers may modify the targets.
+	for (const uint64_t id : removed) {
+		if (Node *node = find_spatial(id)) {
+			synchronizer->emit_signal("target_removed", node);
+		}
+	}
+	for (const uint64_t id : added) {
+		if (Node *node = find_spatial(id)) {
+			synchronizer->emit_signal("target_added", node);
+		}
+	}
+}
+
+void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
+	const String path = relative_path(node);
+	if (path.contains("@")) {
+		warn("automatic name", automatic_name_fault(*node));
+		return;
+	}
+	for (const String &fault : { thread_fault(*node), dimension_fault(*node) }) {
+		if (!fault.is_empty()) {
+			warn(to_utf8(fault), fault);
+		}
+	}
+	const uint64_t id = node->get_instance_id();
+	Target target(id, net::path_body(to_utf8(path)), synchronizer, is_node_2d(node));
+	if (!claim_body(target)) {
+		return;
+	}
+	const auto departed = std::find_if(_departed.begin(), _departed.end(), [id](const Departed &entry) { return entry.node == id; });
+	if (departed != _departed.end()) {
+		target.view = departed->view;
+		target.previous_parent = departed->parent;
+	}
+	node->connect("tree_exiting", Callable(synchronizer, "_on_target_exiting").bindv(Array{ id }));
+	_index[id] = _targets.size();
+	_targets.push_back(target);
+}
+
+/// Returns false and reports the collision once if another target has the same body.
+bool Replicator::claim_body(const Target &target) {
+	const auto [holder, is_claimed] = _node_of_body.emplace(target.body, target.node);
+	if (!is_claimed) {
+		const Node *other = find_spatial(holder->second);
+		const String path = find_spatial(target.node)->get_path();
+		if (_warned.insert("hash " + to_utf8(path)).second) {
+			ERR_PRINT(vformat("MotorSynchronizer %s: the paths of %s and %s have the same hash, so peers cannot tell them apart. The first is not replicated; rename one of them on all peers.", target.synchronizer->get_path(), path, other != nullptr ? other->get_path() : NodePath()));
+		}
+		return false;
+	}
+	for (Departed &departed : _departed) {
+		if (departed.is_own && departed.body == target.body) {
+			// The body of an earlier node of this name ends here, and another begins.
+			_session.remove_body(departed.body);
+			departed.is_own = false;
+		}
+	}
+	return true;
+}
+
+void Replicator::end_target(size_t index) {
+	Target &target = _targets[index];
+	target.release();
+	Node *node = find_spatial(target.node);
+	if (node != nullptr) {
+		node->disconnect("tree_exiting", Callable(target.synchronizer, "_on_target_exiting"));
+	}
+	const auto holder = _node_of_body.find(target.body);
+	if (holder != _node_of_body.end() && holder->second == target.node) {
+		const bool is_own = _session.is_connected() && target.authority == _session.self();
+		_departed.push_back({ target.node, target.body, parent_of(node), is_own, target.view, clock_seconds() });
+		if (!is_own) {
+			_session.remove_body(target.body);
+		}
+		_node_of_body.erase(holder);
+	}
+	for (MotorSynchronizer *synchronizer : _synchronizers) {
+		synchronizer->selection().forget();
+	}
+	_targets[index] = _targets.back();
+	_targets.pop_back();
+	index_targets();
+}
+
+void Replicator::index_targets() {
+	_index.clear();
+	for (size_t i = 0; i < _targets.size(); i++) {
+		_index[_targets[i].node] = i;
+	}
+}
+
+/// Ends the bodies of this peer whose nodes have left, after the tick in which they were last observed.
+void Replicator::remove_departed() {
+	const double now = clock_seconds();
+	for (Departed &departed : _departed) {
+		if (departed.is_own && _node_of_body.count(departed.body) == 0) {
+			_session.remove_body(departed.body);
+		}
+		departed.is_own = false;
+	}
+	_departed.erase(std::remove_if(_departed.begin(), _departed.end(), [now](const Departed &departed) { return now - departed.time > DEPARTED_TIME; }), _departed.end());
+}
+
+/// Updates the bodies after a target, or a node above it, was renamed: a body is the hash of a path.
+void Replicator::rename_targets() {
+	_are_names_stale = false;
+	_node_of_body.clear();
+	for (size_t i = _targets.size(); i-- > 0;) {
+		Target &target = _targets[i];
+		const Node *node = find_spatial(target.node);
+		const uint32_t body = node != nullptr ? net::path_body(to_utf8(relative_path(node))) : target.body;
+		if (body != target.body) {
+			_departed.push_back({ target.node, target.body, parent_of(node), target.authority == _session.self(), target.view, clock_seconds() });
+			target.previous_parent = parent_of(node);
+			target.authority = 0;
+			target.body = body;
+		}
+		if (!claim_body(target)) {
+			end_target(i);
+		}
+	}
+}
+
+Target *Replicator::find_target(const Node *node) {
+	const auto found = _index.find(node->get_instance_id());
+	return found != _index.end() ? &_targets[found->second] : nullptr;
+}
+
+TypedArray<Node> Replicator::targets_of(const MotorSynchronizer *synchronizer) const {
+	TypedArray<Node> nodes;
+	for (const Target &target : _targets) {
+		if (target.synchronizer == synchronizer) {
+			nodes.push_back(find_spatial(target.node));
+		}
+	}
+	return nodes;
+}
+
+void Replicator::target_exiting(uint64_t id) {
+	const auto found = _index.find(id);
+	if (found == _index.end()) {
+		return;
+	}
+	MotorSynchronizer *synchronizer = _targets[found->second].synchronizer;
+	end_target(found->second);
+	// The node may only be moving to another parent, so search again.
+	synchronizer->selection().invalidate();
+	synchronizer->emit_signal("target_removed", find_spatial(id));
+}
+
+void Replicator::node_renamed(const Node *renamed) {
+	const auto is_above = [renamed](Node *below) { return below != nullptr && (renamed == below || renamed->is_ancestor_of(below)); };
+	_are_names_stale = _are_names_stale || std::any_of(_targets.begin(), _targets.end(), [&](const Target &target) { return is_above(find_spatial(target.node)); });
+}
+
+void Replicator::free_target(Target &target) {
+	Node *node = find_spatial(target.node);
+	target.is_freed = true;
+	set_shown(node, false);
+	node->set_process_mode(Node::PROCESS_MODE_DISABLED);
+	const double now = clock_seconds();
+	const double delay = _settings.max_latency + target.synchronizer->get_jitter_allowance() + _session.total_statistics(now).round_trip;
+	_freed.push_back({ target.node, now + delay + FREE_MARGIN });
+}
+
+/// Ends the bodies of nodes that free_target ends, after their last pose has been observed.
+void Replicator::end_freed_bodies() {
+	for (size_t i = _targets.size(); i-- > 0;) {
+		if (!_targets[i].is_freed) {
+			continue;
+		}
+		const Target target = _targets[i];
+		_session.free_body(target.body);
+		_node_of_body.erase(target.body);
+		end_target(i);
+		target.synchronizer->selection().remove(target.node);
+		target.synchronizer->emit_signal("target_removed", find_spatial(target.node));
+	}
+}
+
+void Replicator::free_ended(double now) {
+	for (const Freed &freed : _freed) {
+		Node *node = freed.free_at <= now ? find_spatial(freed.node) : nullptr;
+		if (node != nullptr) {
+			node->queue_free();
+		}
+	}
+	_freed.erase(std::remove_if(_freed.begin(), _freed.end(), [now](const Freed &freed) { return freed.free_at <= now; }), _freed.end());
+}
+
+} // namespace ga_godot
