@@ -82,7 +82,7 @@ void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
 }
 
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
-	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next });
+	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next, ack.packets });
 	if (ack.later != 0) {
 		packet.push_back(uint8_t((bit_width(ack.later) + 7) / 8));
 	}
@@ -136,7 +136,9 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 		} else if (kind == ROUND_TRIP) {
 			content.round_trip = double(reader.read<uint16_t>()) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
-			AckItem ack{ reader.read<uint8_t>() };
+			AckItem ack;
+			ack.next = reader.read<uint8_t>();
+			ack.packets = reader.read<uint8_t>();
 			if (kind == ACK_WITH_LATER) {
 				const auto bytes = reader.read<uint8_t>();
 				if (bytes < 1 || bytes > 8) {

@@ -39,6 +39,7 @@ struct FragmentItem {
 struct AckItem {
 	uint8_t next = 0;
 	uint64_t later = 0;
+	uint8_t packets = 0; ///< number of packets received, modulo 256
 };
 
 /// Selective acknowledgement of a snapshot's fragments, in the same form.

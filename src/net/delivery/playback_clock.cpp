@@ -39,6 +39,7 @@ void PlaybackClock::start(double end, double delay, double now) {
 	*this = PlaybackClock();
 	set_limits(min_delay, max_delay);
 	_running = true;
+	_begin = end;
 	_position = end - delay;
 	_last = _packet_time = _known_at = now;
 	_known = end;
@@ -122,7 +123,7 @@ double PlaybackClock::speed(double now, double step) const {
 	return rate + std::clamp(behind / std::max(TIME_CONSTANT, step), -MAX_SLOWDOWN * rate, MAX_SPEEDUP - std::clamp(rate - 1.0, 0.0, 0.5 * MAX_SPEEDUP));
 }
 
-double PlaybackClock::media_time_at(double now) const {
+double PlaybackClock::position_at(double now) const {
 	const double step = std::max(now - _last, 0.0);
 	return _running ? _position + step * speed(now, step) : 0.0;
 }
@@ -132,7 +133,7 @@ void PlaybackClock::advance(double now) {
 		return;
 	}
 	close_batch();
-	_position = target(now) - media_time_at(now) > MAX_BEHIND ? target(now) : media_time_at(now);
+	_position = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
 	_last = std::max(now, _last);
 }
 

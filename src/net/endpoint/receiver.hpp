@@ -26,7 +26,7 @@ struct StreamStatistics {
 	double playback_delay = 0.0; ///< seconds behind the newest media time that can have arrived
 	double jitter = 0.0; ///< seconds between the earliest and the latest recent arrivals
 	double round_trip = 0.0; ///< seconds, as measured by the sender; 0 before it reports one
-	double loss = 0.0; ///< recent fraction of chunks that arrived after a newer one
+	double loss = 0.0; ///< recent fraction of chunks that arrived after or with a newer window
 };
 
 struct BodyEvent {
@@ -43,6 +43,7 @@ struct BodyEvent {
 struct ShownBody {
 	cga::Pose<double> pose;
 	uint64_t life = 0;
+	bool is_early = false; ///< playback has not reached the first known motion: this is its first pose
 };
 
 /// Whether and how a life has ended.
@@ -122,6 +123,8 @@ public:
 	}
 	/// The windows decoded since the last snapshot and earlier ones; null unless they are recorded.
 	[[nodiscard]] const ChunkRing *recorded() const { return _record ? &*_record : nullptr; }
+	/// The sender's maximum window length when the last snapshot was made, in seconds.
+	[[nodiscard]] double max_window() const { return double(_header.window); }
 	/// Number of snapshots decoded. The windows recorded before a snapshot do not continue after it.
 	[[nodiscard]] uint32_t snapshot_count() const { return _snapshot_count; }
 	/// Appends a snapshot of the state at known_time(). Requires is_ready().
@@ -145,7 +148,8 @@ private:
 		std::optional<cga::Pose<double>> pose; // the last one
 	};
 
-	void count_loss(uint8_t number, double now);
+	/// `is_copy`: a newer window arrived in the same packet.
+	void count_loss(uint8_t number, bool is_copy, double now);
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);

@@ -103,7 +103,8 @@ private:
 	/// Sets the pose of a body while there is no encoder. Returns false if it is not finite or out of range.
 	[[nodiscard]] bool set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const;
 	void begin_at(double first_time);
-	void start_encoder();
+	/// Starts the stream at the first tick at which all poses are known.
+	void start_encoder(int64_t last_flush);
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
 	void take_alignment(const AlignItem &request, double now);
@@ -115,6 +116,7 @@ private:
 
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
+	bool _is_starting = false; // the encoder waits for the poses of its first tick
 	std::unordered_map<uint32_t, IdleBody> _idle_bodies; // while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;
@@ -125,6 +127,7 @@ private:
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
+	double _observed = 0.0; // time of the last pose
 	double _now = 0.0;
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;

@@ -35,7 +35,9 @@ BodyView::Frame BodyView::frame(const Session &session, double now) {
 	const uint64_t min_life = now - _followed_at < MAX_WAIT ? _source.min_life : 0;
 	const Receiver *stream = session.stream(_source.owner);
 	const std::optional<ShownBody> shown = stream != nullptr ? stream->shown(_source.body) : std::nullopt;
-	if (shown && shown->life >= min_life) {
+	// At the beginning of a stream, bodies are at their first poses. What was shown before them comes to its end first.
+	const bool is_early = shown && shown->is_early && _has_shown && !_is_current;
+	if (shown && shown->life >= min_life && !is_early) {
 		frame.phase = Phase::CURRENT;
 		frame.pose = shown->pose;
 		frame.begins = !_is_current;

@@ -4,12 +4,15 @@ extends "pose_link.gd"
 
 ## Lever arm in meters at which the tolerances of position and rotation are equal.
 const LEVER_ARM := 0.25
+## Seconds; bytes count more here than the delay.
+const MAX_LATENCY := 0.2
 
 var _synchronizer := MotorSynchronizer.new()
 
 
 func _init() -> void:
 	_synchronizer.name = "Synchronizer"
+	_synchronizer.max_latency = MAX_LATENCY
 
 
 func _notification(what: int) -> void:
