@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,59 +25,18 @@ public:
 	}
 
 	/// The request that is due: later windows should arrive a little later or earlier.
-	[[nodiscard]] std::optional<AlignItem> take_request(double period, double tick, double now) {
-		if (_count < COUNT) {
-			return std::nullopt;
-		}
-		_count = 0;
-		std::sort(_lengths.begin(), _lengths.end());
-		// An owner whose windows are shorter divides the period.
-		const double interval = period / std::max(std::round(period / std::max(_lengths[COUNT / 2], tick)), 1.0);
-		// Leads are positions on a circle: measure from the one that is closest to all others.
-		std::array<double, COUNT> best{};
-		double best_sum = 1e9;
-		double center = 0.0;
-		for (const double middle : _leads) {
-			std::array<double, COUNT> distances = _leads;
-			double sum = 0.0;
-			for (double &distance : distances) {
-				distance = std::remainder(distance - middle, interval);
-				sum += std::fabs(distance);
-			}
-			if (sum < best_sum) {
-				best_sum = sum;
-				best = distances;
-				center = middle;
-			}
-		}
-		std::sort(best.begin(), best.end());
-		// The latest arrivals, except a very late one, should come just before the instant.
-		const double shift = std::remainder(center + best[1] - GOAL * tick, interval);
-		_is_aligned = std::fabs(shift) <= (_is_aligned ? KEPT_TOLERANCE : TOLERANCE) * tick;
-		if (_is_aligned) {
-			_max_lead = std::max(shift + GOAL * tick + best[COUNT - 1] - best[1], LEAD_DECAY * _max_lead);
-			return std::nullopt;
-		}
-		_settled_at = now + SETTLING_TIME + 2.0 * period;
-		return AlignItem{ ++_number, period, shift };
-	}
-
+	[[nodiscard]] std::optional<AlignItem> take_request(double period, double tick, double now);
 	[[nodiscard]] bool is_aligned() const { return _is_aligned; }
 	/// Lead of the earliest recent arrivals.
 	[[nodiscard]] double max_lead() const { return _max_lead; }
 
 private:
 	static constexpr size_t COUNT = 5; // windows
-	static constexpr double GOAL = 0.75; // ticks
-	static constexpr double TOLERANCE = 0.6; // ticks
-	static constexpr double KEPT_TOLERANCE = 1.3; // ticks, once aligned: arrivals vary
-	static constexpr double LEAD_DECAY = 0.9;
-	static constexpr double SETTLING_TIME = 0.2; // plus two periods, until a request has taken effect
-
 	std::array<double, COUNT> _leads{};
 	std::array<double, COUNT> _lengths{};
 	size_t _count = 0;
 	double _max_lead = 0.0;
+	double _spread = 0.0; // between recent leads
 	double _settled_at = -1e9;
 	uint8_t _number = 0;
 	bool _is_aligned = false;
@@ -105,7 +63,7 @@ public:
 	[[nodiscard]] int64_t ticks_since_instant() const { return _ticks - _left; }
 	/// True if, at the current tick, windows that arrive up to `max_lead` seconds before the next instant should wait for it, which is
 	/// at most MAX_HOLD ticks away.
-	[[nodiscard]] bool holds(double max_lead, double now) const { return now - _time < 0.5 * _tick && _left <= std::min(MAX_HOLD, int64_t(max_lead / _tick + 0.01)) && 3 * _left <= _ticks; }
+	[[nodiscard]] bool holds(double max_lead, double now) const { return now - _time < 0.5 * _tick && _left <= std::clamp(int64_t(max_lead / _tick + 0.01), int64_t(1), MAX_HOLD) && 3 * _left <= _ticks; }
 
 private:
 	static constexpr int64_t MAX_HOLD = 2;
