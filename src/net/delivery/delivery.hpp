@@ -23,6 +23,8 @@ public:
 			_heard(time) {}
 
 	[[nodiscard]] bool needs_snapshot() const { return _needs_snapshot; }
+	/// True if the receiver has acknowledged everything up to the ring's last chunk.
+	[[nodiscard]] bool is_complete(const ChunkRing &ring) const { return !_needs_snapshot && _snapshot == nullptr && _first_missing == ring.next(); }
 	/// Marks a snapshot as needed, unless the last request is too recent.
 	void request_snapshot(double time);
 	void start_snapshot(std::shared_ptr<const Snapshot> snapshot);

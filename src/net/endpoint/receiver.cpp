@@ -139,6 +139,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	const bool continues = is_ready() && next->settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next->tick) >= _window_end - MAX_TICKS));
 	_header = *next;
 	_decoder = std::move(decoder);
+	++_snapshot_count;
 	_refused_size = 0;
 	_window_end = double(next->tick);
 	_snapshot_done = true;
@@ -232,6 +233,9 @@ void Receiver::decode_windows(double now) {
 			_broken = true;
 			break;
 		}
+		if (_record) {
+			_record->push_window(_window, _decoder->check(), _record_size);
+		}
 		_progress_time = now;
 		const double begin = _window_end;
 		_window_end += *ticks;
@@ -255,6 +259,13 @@ void Receiver::decode_windows(double now) {
 	if (_broken) {
 		_chunks.forget();
 	}
+}
+
+void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
+	SnapshotHeader header = _header;
+	header.tick = uint32_t(_window_end);
+	put_snapshot_header(bytes, header);
+	_decoder->encode_snapshot(bytes);
 }
 
 void Receiver::set_limits() {

@@ -25,6 +25,9 @@ constexpr double SAME_TIME = 1e-5;
 /// A time this short of a tick counts as that tick: recorded times are rounded.
 constexpr double SAME_TICK = 0.01;
 
+/// Minimum seconds between two requests to align windows.
+constexpr double MIN_ALIGN_INTERVAL = 0.2;
+
 /// A pseudorandom number, determined by `time`.
 uint8_t number_from(double time) {
 	uint64_t bits = 0;
@@ -149,10 +152,14 @@ bool Sender::is_window_due(int64_t now) const {
 	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
 		return true;
 	}
+	const double max_ticks = max_window();
+	const bool is_aligned = _grid && _grid->ends_window(double(_window_begin), double(now), max_ticks);
 	if (_changed_since >= 0) {
-		return next - double(_changed_since) > max_window() + SAME_TIME;
+		return is_aligned || next - double(_changed_since) > max_ticks + SAME_TIME;
 	}
-	return next - double(_window_begin) > IDLE_WINDOW / _settings.tick;
+	// The next aligned end would be too late.
+	const double following = is_aligned ? double(now) + _grid->period : next;
+	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
 }
 
 void Sender::close_window(int64_t end) {
@@ -257,7 +264,21 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 		return result;
 	}
 	found->second.delivery.accept(_content, _ring, now);
+	if (_content.alignment) {
+		take_alignment(*_content.alignment, now);
+	}
 	return {};
+}
+
+void Sender::take_alignment(const AlignItem &request, double now) {
+	const double period = request.period / _settings.tick;
+	// Far shorter windows, and frequent requests, would cost bytes.
+	if ((_grid && request.number == _alignment) || now - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * max_window() || std::fabs(request.shift) > request.period) {
+		return;
+	}
+	_alignment = request.number;
+	_aligned_at = now;
+	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
 }
 
 void Sender::set_settings(const StreamSettings &settings) {
@@ -265,6 +286,7 @@ void Sender::set_settings(const StreamSettings &settings) {
 	if (_settings.tick != settings.tick) {
 		_origin = _time;
 		_window_begin = _last_flush = 0;
+		_grid.reset();
 	}
 	_settings = settings;
 	if (restarts) {

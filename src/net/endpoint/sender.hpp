@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/delivery/delivery.hpp"
+#include "net/endpoint/window_grid.hpp"
 #include "net/stream/stream_encoder.hpp"
 #include "net/stream/stream_settings.hpp"
 
@@ -68,6 +69,8 @@ public:
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
+	/// Makes windows end at `time` and at all multiples of `period` seconds before and after, as far as max_latency allows.
+	void align(double time, double period) { _grid = WindowGrid{ ticks(time), period / _settings.tick }; }
 	/// Processes a packet from a receiver.
 	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
@@ -104,6 +107,7 @@ private:
 	void start_encoder(int64_t last_flush);
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
+	void take_alignment(const AlignItem &request, double now);
 	[[nodiscard]] bool is_window_due(int64_t now) const;
 	void close_window(int64_t end);
 	void start_snapshots();
@@ -131,6 +135,9 @@ private:
 	int64_t _last_flush = 0; // ticks
 	int64_t _changed_since = -1; // tick; -1: nothing has changed
 	double _step = 1.0; // ticks between flushes
+	std::optional<WindowGrid> _grid; // at which windows end
+	uint8_t _alignment = 0; // number of the last request to align
+	double _aligned_at = -1e9; // time of that request
 	double _chunks_per_tick = 0.0; // in the last window
 };
 

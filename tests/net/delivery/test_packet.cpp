@@ -137,6 +137,28 @@ TEST_CASE("packet: round-trip times are sent in tenths of a millisecond, up to 6
 	}
 }
 
+TEST_CASE("packet: requests to align windows contain the period in microseconds and the shift in tenths of a millisecond") {
+	struct Row {
+		double period;
+		double shift;
+		double read_period;
+		double read_shift;
+	};
+	for (const Row &row : { Row{ 0.15, -0.0123, 0.15, -0.0123 }, Row{ 4.0 / 60.0, 0.00002, 0.066667, 0.0 }, Row{ 0.0, 0.0, 1e-6, 0.0 }, Row{ 1e4, 100.0, 1e3, 3.2767 }, Row{ 1.0, -100.0, 1.0, -3.2767 } }) {
+		Bytes packet;
+		put_alignment(packet, { 201, row.period, row.shift });
+		CHECK(packet.size() == 8);
+		const PacketContent content = read(packet);
+		REQUIRE(content.alignment);
+		CHECK(content.alignment->number == 201);
+		CHECK(content.alignment->period == doctest::Approx(row.read_period).epsilon(1e-12));
+		CHECK(content.alignment->shift == doctest::Approx(row.read_shift).epsilon(1e-12));
+		packet.pop_back();
+		CHECK(error_of(packet) == PacketError::TRUNCATED);
+	}
+	CHECK_FALSE(read({ 0xc2 }).alignment);
+}
+
 TEST_CASE("packet: it can have several items in any order; reused content keeps nothing of the previous packet") {
 	const PacketContent content = read(all_items());
 	CHECK(content.fragments.size() == 1);
@@ -176,7 +198,7 @@ TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item
 TEST_CASE("packet: unknown items and packets that are too long are rejected") {
 	for (int kind = 0x80; kind < 0x100; ++kind) {
 		const bool is_chunk = kind < 0xc0 && (kind & 7) == 0;
-		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc3) || kind == 0xe0 || kind == 0xe1;
+		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc4) || kind == 0xe0 || kind == 0xe1;
 		const std::optional<PacketError> error = error_of({ uint8_t(kind), 1 });
 		CAPTURE(kind);
 		CHECK((error == PacketError::UNKNOWN_ITEM) == !known);
