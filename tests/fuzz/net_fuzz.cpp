@@ -3,6 +3,7 @@
 // tests/harness). A failure ends it: a sanitizer's report or a violated condition.
 
 #include "input.hpp"
+#include "relay_client_target.hpp"
 #include "session_target.hpp"
 
 #include "net/endpoint/receiver.hpp"
@@ -196,8 +197,10 @@ const Target TARGETS[] = {
 	 } },
 	{ "pose codec", fuzz_pose_codec, [] { return std::vector<Bytes>(4, recording().poses); } },
 	{ "envelope", fuzz_envelope, [] { return recording().packets; } },
-	{ "session, peer with authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, true); }, fuzz::record_session },
-	{ "session, peer without authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, false); }, fuzz::record_session },
+	{ "session, peer with authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, true, false); }, [] { return fuzz::record_session(false); } },
+	{ "session, peer without authority", [](Pieces pieces) { fuzz::fuzz_session(pieces, false, false); }, [] { return fuzz::record_session(false); } },
+	{ "relaying session", [](Pieces pieces) { fuzz::fuzz_session(pieces, true, true); }, [] { return fuzz::record_session(true); } },
+	{ "client of a relay", fuzz::fuzz_relay_client, fuzz::record_relay },
 };
 constexpr size_t TARGET_COUNT = sizeof(TARGETS) / sizeof(TARGETS[0]);
 

@@ -25,8 +25,9 @@ inline bool has_chosen_link(const Bytes &packet) {
 
 /// A session with the bodies that it owns, number `id`, `id` + 10 and so on.
 struct SessionEnd {
-	SessionEnd(net::PeerId id, const std::vector<net::PeerId> &others, uint32_t owned) :
+	SessionEnd(net::PeerId id, const std::vector<net::PeerId> &others, uint32_t owned, bool relay = false) :
 			id(id), owned(owned) {
+		session.set_relay(relay);
 		session.connect(id);
 		(void)session.set_peers(others, 0.0);
 	}
@@ -54,10 +55,10 @@ inline void set_owners(net::Session &session, uint32_t hostile_bodies) {
 }
 
 /// The packets of a peer to the tested session, from its first OPEN to CLOSE.
-inline std::vector<Bytes> record_session() {
+inline std::vector<Bytes> record_session(bool relay) {
 	constexpr uint32_t BODIES = 4;
-	SessionEnd tested(TESTED, { HOSTILE }, 1);
-	SessionEnd peer(HOSTILE, { TESTED }, BODIES);
+	SessionEnd tested(TESTED, { HOSTILE }, 1, relay);
+	SessionEnd peer(HOSTILE, { TESTED }, BODIES, relay);
 	set_owners(tested.session, BODIES);
 	set_owners(peer.session, BODIES);
 	std::vector<Bytes> packets;
@@ -85,9 +86,9 @@ inline std::vector<Bytes> record_session() {
 /// The tested session and the honest one, which are directly connected, and the hostile peer.
 class SessionTarget {
 public:
-	/// The hostile peer owns some bodies or none.
-	explicit SessionTarget(bool has_authority) :
-			_tested(TESTED, { HONEST, HOSTILE }, 1), _honest(HONEST, { TESTED }, 1) {
+	/// The hostile peer owns some bodies or none. With `relay`, the tested session relays to both others.
+	SessionTarget(bool has_authority, bool relay) :
+			_tested(TESTED, { HONEST, HOSTILE }, 1, relay), _honest(HONEST, { TESTED }, 1, relay) {
 		set_owners(_tested.session, has_authority ? 4 : 0);
 		set_owners(_honest.session, 0);
 		for (int tick = 0; tick < 40; ++tick) {
@@ -163,8 +164,8 @@ private:
 	bool _is_running = false; // the honest streams
 };
 
-inline void fuzz_session(Pieces pieces, bool has_authority) {
-	SessionTarget target(has_authority);
+inline void fuzz_session(Pieces pieces, bool has_authority, bool relay) {
+	SessionTarget target(has_authority, relay);
 	const size_t before = harness::live_bytes();
 	Bytes piece;
 	while (pieces.next(piece)) {

@@ -62,7 +62,7 @@ def guide_project_moves_smoothly(run):
     if len(delays) < 30:
         raise AssertionError("host and client ran at the same time for too short")
     median = percentile(delays, 0.5)
-    if not 0.1 < median < 0.35:
+    if not 0.05 < median < 0.25:
         raise AssertionError(f"the client is {median * 1000:.0f} ms behind")
     spread = percentile(delays, 0.95) - percentile(delays, 0.05)
     if spread > 0.08:
@@ -76,6 +76,8 @@ def make_project(folder):
     shutil.copytree(os.path.join(checkout.PROJECT, "addons"), os.path.join(project, "addons"))
     with open(PAGE, encoding="utf-8") as page:
         files = dict(FILE.findall(page.read()))
+    # The scripts of situations belong to other scenes (godot_project/tests/test_networking_guide.gd).
+    files = {name: text for name, text in files.items() if name.startswith("main.")}
     if sorted(files) != ["main.gd", "main.tscn"]:
         raise AssertionError(f"the guide has the files {sorted(files)} instead of main.gd and main.tscn")
     files["probe.gd"] = PROBE.replace("SECONDS", str(SECONDS))

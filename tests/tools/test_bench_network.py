@@ -28,6 +28,12 @@ class ComparisonTest(unittest.TestCase):
         self.assertEqual(self.said(method(40, 1.0), **{"30hz": method(1200, 3.0), "60hz": method(2400, 2.0)}),
                          "ga_godot: 1/60.0 of pqs_float32_60hz, whose p99 is the best of pqs_float32_* but worse than that of ga_godot")
 
+    def test_only_baselines_with_no_more_delay(self):
+        methods = {"ga_godot": {**method(40, 5.0), "playback_delay_median": 50},
+                   "pqs_float32_10hz": {**method(400, 5.0), "playback_delay_median": 100},
+                   "pqs_float32_20hz": {**method(800, 2.0), "playback_delay_median": 50}}
+        self.assertEqual(list(bench_network_table.no_slower(methods)), ["ga_godot", "pqs_float32_20hz"])
+
     def test_nothing_shown(self):
         self.assertEqual(self.said(method(40, None), **{"5hz": method(200, 1.0)}), "ga_godot showed no moving body")
         self.assertEqual(self.said(method(40, 1.0), **{"5hz": method(200, None)}),
@@ -46,6 +52,10 @@ class OptionsTest(unittest.TestCase):
     def test_impairments_in_words(self):
         options = self.parse("--loss", "5", "--burst=3", "--jitter=30", "--bandwidth=12.5")
         self.assertEqual(bench_network.link_text(options), "5 % loss in bursts of 3, 30 ms jitter, 12.5 kB/s")
+
+    def test_windows_are_half_as_long_as_the_latency(self):
+        self.assertEqual([bench_network.send_rate(self.parse(*arguments)) for arguments in
+                          ([], ["--latency-ms=50"], ["--max-latency-ms=50", "--send-rate=30"])], [20, 40, 30])
 
     def test_several_runs_where_chance_decides(self):
         self.assertEqual(bench_network.run_count(self.parse("--delay=50")), 1)

@@ -20,6 +20,7 @@ PARTS = ("build", "bench")
 TRACES = os.path.join(os.path.dirname(checkout.ROOT), "shared", "traces")
 IMPAIRED_RUNS = 5
 PLOT_TOLERANCES = (1, 2, 3, 5, 8, 12, 20)
+PLOT_LATENCIES = (33, 50, 100, 200)
 # Options of the link: name here, name of the benchmark program's option, factor between their units.
 LINK = (("loss", "loss", 0.01), ("burst", "burst", 1.0), ("duplicates", "duplication", 0.01), ("delay", "delay", 0.001),
         ("jitter", "jitter", 0.001), ("bandwidth", "bytes-per-second", 1000.0))
@@ -40,8 +41,10 @@ def add_options(parser):
     parser.add_argument("--bandwidth", type=within(0, 1e9), default=0.0, metavar="KB/S", help="bandwidth of the link (0: unlimited)")
     parser.add_argument("--tolerance-mm", type=within(0.01, 10000), default=5.0, metavar="MM",
                         help="maximum error of ga_godot, at the center and 0.25 m from it (5)")
-    parser.add_argument("--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
-                        help="maximum latency of ga_godot (200)")
+    parser.add_argument("--latency-ms", "--max-latency-ms", type=within(10, 10000), default=200.0, metavar="MS",
+                        help="maximum latency of ga_godot (200); below 200, it is also compared at equal delay")
+    parser.add_argument("--send-rate", type=within(1, 1000), metavar="HZ",
+                        help="maximum rate of ga_godot's windows (two in the maximum latency, at least 20)")
     parser.add_argument("--mode", choices=("linear", "screw", "separate"), default="separate",
                         help="ga_godot's interpolation between samples (separate)")
     parser.add_argument("--seed", type=integer(0, 10 ** 15), default=1, help="seed of the link's random numbers (1)")
@@ -52,6 +55,9 @@ def add_options(parser):
     parser.add_argument("--rate-distortion", metavar="PNG",
                         help="plot bytes per second over error instead, ga_godot's for tolerances of "
                              + ", ".join(map(str, PLOT_TOLERANCES)) + " mm")
+    parser.add_argument("--latency-plot", metavar="PNG",
+                        help="plot bytes per second over the delay instead, ga_godot's for maximum latencies of "
+                             + ", ".join(map(str, PLOT_LATENCIES)) + " ms")
 
 
 def within(minimum, maximum):
@@ -86,13 +92,17 @@ def measure(options):
     if not traces:
         print("tools/bench network: no recordings found in ../shared/traces; pass one with --trace FILE", file=sys.stderr)
     if options.rate_distortion:
-        return measure_rate_distortion(options, traces)
+        series = [{"tolerance_mm": tolerance} for tolerance in PLOT_TOLERANCES]
+        return measure_series(options, traces, series, "plot_rate_distortion.py", options.rate_distortion)
+    if options.latency_plot:
+        series = [{"latency_ms": latency} for latency in PLOT_LATENCIES]
+        return measure_series(options, traces, series, "plot_latency.py", options.latency_plot)
     rows = []
     for trace in traces:
         found = run_trace(options, trace)
         print_trace(os.path.basename(trace), found, link_text(options))
         rows += found
-    server = run_program(options, options.tolerance_mm)
+    server = run_program(options)
     for row in server:
         row["trace"] = "lissajous"
     print_server(server, link_text(options))
@@ -112,39 +122,44 @@ def measure_in_engine(options):
             return json.load(file)["rows"]
 
 
-def measure_rate_distortion(options, traces):
-    """Measures every method on every trace, ours at several tolerances, and plots the results."""
+def measure_series(options, traces, series, script, plot):
+    """Measures every method on every trace, ours with each of the settings in `series`, and plots the results."""
     rows = []
     for trace in traces:
         baselines = run_trace(options, trace)
         rows += [row for row in baselines if row["subject"] != "ga_godot"]
-        for tolerance in PLOT_TOLERANCES:
-            rows += run_trace(options, trace, tolerance, "--baselines=no")
+        for changes in series:
+            rows += run_trace(argparse.Namespace(**{**vars(options), **changes}), trace, "--baselines=no")
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "rows.json")
         with open(path, "w", encoding="utf-8") as file:
             json.dump({"rows": rows}, file)
-        script = os.path.join(checkout.TOOLS, "lib", "plot_rate_distortion.py")
-        done = subprocess.run([checkout.setup_path("plots"), script, path, options.rate_distortion], check=False)
+        done = subprocess.run([checkout.setup_path("plots"), os.path.join(checkout.TOOLS, "lib", script), path, plot], check=False)
         if done.returncode != 0:
             sys.exit(1)
-    print(f"Saved the plot to {options.rate_distortion}")
+    print(f"Saved the plot to {plot}")
     return rows
 
 
-def run_trace(options, trace, tolerance_mm=None, *arguments):
+def run_trace(options, trace, *arguments):
     """The rows of a trace. Exits with a message if the trace is invalid."""
-    rows = run_program(options, tolerance_mm or options.tolerance_mm, f"--trace={trace}", *arguments)
+    rows = run_program(options, f"--trace={trace}", *arguments)
     for row in rows:
         row["trace"] = os.path.basename(trace)
     return rows
 
 
-def run_program(options, tolerance_mm, *arguments):
+def send_rate(options):
+    """The maximum rate of our windows: twice the reciprocal of the latency, as a window's length is part of it."""
+    return options.send_rate or max(20.0, 2000.0 / options.latency_ms)
+
+
+def run_program(options, *arguments):
     """Runs the benchmark program; returns its rows, with the settings added."""
     command = [os.path.join(checkout.variant(), "bench", "network_bench"), *arguments,
-               f"--tolerance={tolerance_mm / 1000:g}", f"--max-latency={options.max_latency_ms / 1000:g}",
-               f"--mode={options.mode}", f"--seed={options.seed}", f"--runs={run_count(options)}"]
+               f"--tolerance={options.tolerance_mm / 1000:g}", f"--max-latency={options.latency_ms / 1000:g}",
+               f"--send-rate={send_rate(options):g}", f"--mode={options.mode}", f"--seed={options.seed}",
+               f"--runs={run_count(options)}"]
     command += [f"--{name}={getattr(options, option) * factor:g}" for option, name, factor in LINK]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     if done.returncode != 0:
@@ -156,7 +171,7 @@ def run_program(options, tolerance_mm, *arguments):
     for row in rows:
         row.update(settings)
         if row["subject"] == "ga_godot":
-            row["tolerance_mm"] = tolerance_mm
+            row.update(tolerance_mm=options.tolerance_mm, latency_ms=options.latency_ms)
     return rows
 
 

@@ -55,6 +55,11 @@ def draw_panel(axes, lines, title):
                 below = ours and not (index > 0 and line[index - 1][0] < p99)
                 axes.annotate(label, (p99, cost), xytext=(-3, -6) if below else (7, 1), textcoords="offset points", color=color,
                               fontsize=8.5, ha="right" if below else "left", va="top" if below else "bottom")
+    finish_axes(axes, title)
+
+
+def finish_axes(axes, title):
+    """Sets the scales and the style of a panel."""
     axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -76,27 +81,38 @@ def titles(rows):
     return {trace: f"{trace}  ({count:,} {'body' if count == 1 else 'bodies'})" for trace, count in counts.items()}
 
 
+def new_figure(panel_count):
+    """A figure with this many panels, and its grid of axes."""
+    columns = min(COLUMNS, panel_count)
+    panel_rows = -(-panel_count // columns)
+    figure, grid = plt.subplots(panel_rows, columns, figsize=(5.6 * columns, 4.1 * panel_rows + 0.9), squeeze=False, sharey=True)
+    for axes in grid.flat[panel_count:]:
+        axes.set_visible(False)
+    return figure, grid
+
+
+def save_figure(figure, grid, x_label, path):
+    """Adds the labels and the legend to a figure and saves it."""
+    for axes in grid[:, 0]:
+        axes.set_ylabel("bytes per second and body", color=INK)
+    for axes in grid[-1]:
+        axes.set_xlabel(x_label, color=INK)
+    handles, names = grid.flat[0].get_legend_handles_labels()
+    figure.legend(handles[::-1], names[::-1], loc="upper left", ncols=3, frameon=False, fontsize=9.5, labelcolor=INK,
+                  bbox_to_anchor=(0.055, 0.995), handlelength=1.6, columnspacing=1.8)
+    figure.tight_layout(rect=(0, 0, 1, 0.955), w_pad=2.5, h_pad=2.0)
+    figure.savefig(path, dpi=110, facecolor="white", metadata={"Software": None})
+
+
 def main(rows_path, plot_path):
     """Reads the rows and saves the plot."""
     with open(rows_path, encoding="utf-8") as file:
         rows = json.load(file)["rows"]
     panels = titles(rows)
-    columns = min(COLUMNS, len(panels))
-    panel_rows = -(-len(panels) // columns)
-    figure, grid = plt.subplots(panel_rows, columns, figsize=(5.6 * columns, 4.1 * panel_rows + 0.9), squeeze=False, sharey=True)
-    for axes in grid.flat[len(panels):]:
-        axes.set_visible(False)
+    figure, grid = new_figure(len(panels))
     for axes, (trace, title) in zip(grid.flat, panels.items()):
         draw_panel(axes, curves(rows, trace), title)
-    for axes in grid[:, 0]:
-        axes.set_ylabel("bytes per second and body", color=INK)
-    for axes in grid[-1]:
-        axes.set_xlabel("error, 99th percentile of moving samples, mm", color=INK)
-    handles, names = grid.flat[0].get_legend_handles_labels()
-    figure.legend(handles[::-1], names[::-1], loc="upper left", ncols=3, frameon=False, fontsize=9.5, labelcolor=INK,
-                  bbox_to_anchor=(0.055, 0.995), handlelength=1.6, columnspacing=1.8)
-    figure.tight_layout(rect=(0, 0, 1, 0.955), w_pad=2.5, h_pad=2.0)
-    figure.savefig(plot_path, dpi=110, facecolor="white", metadata={"Software": None})
+    save_figure(figure, grid, "error, 99th percentile of moving samples, mm", plot_path)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace net {
 
@@ -21,9 +22,15 @@ constexpr uint32_t MAX_CHUNKS_KEPT = 200;
 constexpr double SNAPSHOT_INTERVAL = 0.5; // seconds
 /// Number of retransmissions before back-off starts.
 constexpr int PROMPT_RETRANSMISSIONS = 3;
-/// Loss above HIGH_LOSS shortens the timeout linearly, with slope LOSS_SLOPE.
-constexpr double HIGH_LOSS = 0.15;
-constexpr double LOSS_SLOPE = 4.0;
+/// A retransmission is sent again after this time, as a second loss would be noticed too late.
+constexpr double PAIR_INTERVAL = 0.01;
+/// At a loss p, copies are COPY_INTERVAL * -ln p apart, so that all copies of some time are lost with the same probability
+/// at any p. Just above the loss at which copies begin, they are farther apart.
+constexpr double COPY_INTERVAL = 0.05;
+/// For this many seconds after a loss, others are expected.
+constexpr double LOSS_MEMORY = 30.0;
+/// A packet that is sent anyway takes copies that are due after this fraction of their interval.
+constexpr double EARLY_COPY = 0.5;
 /// After this many consecutive ambiguous acknowledgements, an ambiguous one is used as a round-trip sample.
 constexpr int MAX_AMBIGUOUS = 8;
 /// Weight of one chunk in the moving average of the loss.
@@ -51,6 +58,50 @@ double Delivery::rto() const {
 	return _round_trip > 0.0 ? std::clamp(_round_trip + 4.0 * std::max(_deviation, MIN_DEVIATION), MIN_RTO, longest) : INITIAL_RTO;
 }
 
+void Delivery::mark_sent(Sent &sent, double time) {
+	_retransmissions += sent.times > 0 ? 1 : 0;
+	sent.second = sent.times == 1 ? time : sent.second;
+	sent.times = uint8_t(std::min<int>(sent.times + 1, 255));
+	sent.time = time;
+}
+
+bool Delivery::is_due(Sent &sent, double time) {
+	if (sent.arrived) {
+		return false;
+	}
+	const double timeout = rto();
+	if (sent.times == 0) {
+		sent.first = time;
+	} else if (!sent.lost && time - sent.first >= timeout) {
+		sent.lost = true;
+		_lost = time;
+		_loss += (1.0 - _loss) * LOSS_WEIGHT;
+	}
+	// The interval backs off linearly, up to 4 timeouts.
+	if (sent.times > 0 && time - sent.round < timeout * std::clamp(sent.rounds - PROMPT_RETRANSMISSIONS, 1, 4)) {
+		return false;
+	}
+	sent.round = time;
+	sent.rounds = uint8_t(std::min<int>(sent.rounds + 1, 255));
+	sent.is_paired = false;
+	mark_sent(sent, time);
+	return true;
+}
+
+double Delivery::copy_interval() const {
+	const double bound = _is_urgent ? LOW_LOSS : HIGH_LOSS;
+	const double p = _is_urgent ? _meter.loss() : loss();
+	return p > bound ? COPY_INTERVAL * -std::log(std::min(p, 0.9)) / std::min(p / bound - 1.0, 1.0) : std::numeric_limits<double>::infinity();
+}
+
+bool Delivery::is_copy_due(const Sent &sent, double time, double interval) {
+	if (sent.arrived || sent.times == 0) {
+		return false;
+	}
+	const bool is_pair_due = sent.rounds > 1 && !sent.is_paired && time - sent.time >= PAIR_INTERVAL;
+	return is_pair_due || time - sent.time >= interval;
+}
+
 void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) {
 	_due_fragments.clear();
 	_due_chunks.clear();
@@ -60,56 +111,47 @@ void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) 
 	if (_needs_snapshot) {
 		return;
 	}
-	const double timeout = rto();
-	// At high loss, waiting a full timeout before each retransmission would take too long.
-	const double shortening = std::clamp(1.0 - LOSS_SLOPE * (_loss - HIGH_LOSS), 0.25, 1.0);
-	const auto is_due = [&](Sent &sent) {
-		if (sent.arrived) {
-			return false;
-		}
-		if (sent.times == 0) {
-			sent.first = time;
-		} else if (!sent.lost && time - sent.first >= timeout) {
-			sent.lost = true;
-			_loss += (1.0 - _loss) * LOSS_WEIGHT;
-		}
-		// The interval backs off linearly, up to 4 timeouts.
-		if (sent.times > 0 && time - sent.time < timeout * shortening * std::clamp(sent.times - PROMPT_RETRANSMISSIONS, 1, 4)) {
-			return false;
-		}
-		_retransmissions += sent.times > 0 ? 1 : 0;
-		sent.times = uint8_t(std::min<int>(sent.times + 1, 255));
-		sent.time = time;
-		return true;
-	};
 	for (size_t i = 0; i < _fragments.size(); ++i) {
-		if (is_due(_fragments[i])) {
+		if (is_due(_fragments[i], time)) {
 			_due_fragments.push_back(uint16_t(i));
 		}
 	}
 	_sent_until = std::max(_sent_until, ring.next() > ChunkRing::RING ? ring.next() - ChunkRing::RING : 0);
+	// Copies must not multiply the bytes of a large stream: they only fill one packet.
+	size_t new_bytes = 0;
 	for (; _sent_until < ring.next(); ++_sent_until) {
 		_sent[_sent_until % ChunkRing::RING] = Sent();
+		new_bytes += CHUNK_HEADER + ring.chunk(_sent_until).bytes.size();
 	}
 	const uint32_t behind = ring.next() - _first_missing;
 	if (behind > MAX_CHUNKS_KEPT) {
 		request_snapshot(time);
 		return;
 	}
+	_is_urgent = rto() + 3.0 * _deviation > _patience && time - _lost < LOSS_MEMORY;
+	const double interval = copy_interval() * (new_bytes > 0 ? EARLY_COPY : 1.0);
 	const bool is_far_behind = _fragments.empty() && behind > MAX_CHUNKS_BEHIND;
+	size_t packet = new_bytes;
 	for (uint32_t number = _first_missing; number < ring.next(); ++number) {
-		if (is_due(_sent[number % ChunkRing::RING])) {
+		Sent &sent = _sent[number % ChunkRing::RING];
+		const size_t size = CHUNK_HEADER + ring.chunk(number).bytes.size();
+		if (is_due(sent, time)) {
 			_due_chunks.push_back(number);
-			if (ring.chunk(number).bytes.size() + CHUNK_HEADER > max_size) {
+			if (size > max_size) {
 				restart();
 				_due_fragments.clear();
 				_due_chunks.clear();
 				return;
 			}
+		} else if (packet + size <= max_size && is_copy_due(sent, time, interval)) {
+			packet += size;
+			sent.is_paired = true;
+			mark_sent(sent, time);
+			_due_chunks.push_back(number);
 		}
 	}
 	const Sent &oldest = _sent[_first_missing % ChunkRing::RING];
-	const bool is_stuck = _fragments.empty() && _first_missing < ring.next() && oldest.times > MAX_RETRANSMISSIONS && time - oldest.first > STUCK_TIME;
+	const bool is_stuck = _fragments.empty() && _first_missing < ring.next() && oldest.rounds > MAX_RETRANSMISSIONS && time - oldest.first > STUCK_TIME;
 	if (is_far_behind || is_stuck) {
 		request_snapshot(time);
 	}
@@ -129,6 +171,7 @@ void Delivery::accept(const PacketContent &acks, const ChunkRing &ring, double t
 }
 
 void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) {
+	_meter.reported(ack.packets, time - _round_trip);
 	const uint8_t ahead = uint8_t(ack.next - uint8_t(_first_missing));
 	if (_needs_snapshot || ring.next() - _first_missing > MAX_CHUNKS_KEPT || ahead > ring.next() - _first_missing) {
 		return; // stale, or from another stream
@@ -186,7 +229,7 @@ void Delivery::chunk_arrived(uint32_t number, double time, bool is_newest) {
 	// Karn's algorithm: a retransmitted chunk gives no round-trip sample, unless its acknowledgement comes too soon to belong to
 	// the retransmission. A long run of ambiguous ones means that the RTO is too short: most belong to the first transmission.
 	if (is_newest) {
-		const bool is_unambiguous = sent.times == 1 || (sent.times == 2 && time - sent.time < 0.5 * _round_trip);
+		const bool is_unambiguous = sent.times == 1 || time - sent.second < (sent.rounds == 1 ? 0.8 : 0.5) * _round_trip;
 		_ambiguous = is_unambiguous ? 0 : _ambiguous + 1;
 		if (_ambiguous == MAX_AMBIGUOUS) {
 			_ambiguous = 0;

@@ -2,6 +2,7 @@
 
 #include "net/delivery/chunk_ring.hpp"
 #include "net/delivery/fragment_buffer.hpp"
+#include "net/delivery/loss_meter.hpp"
 #include "net/stream/stream_settings.hpp"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ public:
 			_heard(time) {}
 
 	[[nodiscard]] bool needs_snapshot() const { return _needs_snapshot; }
+	/// True if the receiver has acknowledged everything up to the ring's last chunk.
+	[[nodiscard]] bool is_complete(const ChunkRing &ring) const { return !_needs_snapshot && _snapshot == nullptr && _first_missing == ring.next(); }
 	/// Marks a snapshot as needed, unless the last request is too recent.
 	void request_snapshot(double time);
 	void start_snapshot(std::shared_ptr<const Snapshot> snapshot);
@@ -46,26 +49,44 @@ public:
 	static constexpr double SILENCE = 3.0;
 	static constexpr double PROBE_INTERVAL = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
+	/// How long after its first transmission a chunk may arrive without stalling playback.
+	void set_patience(double seconds) { _patience = seconds; }
 	/// Retransmission timeout.
 	[[nodiscard]] double rto() const;
 	[[nodiscard]] double round_trip() const { return _round_trip; }
 	[[nodiscard]] double round_trip_deviation() const { return _deviation; }
-	[[nodiscard]] double loss() const { return _loss; }
+	/// Recent fraction of packets lost.
+	[[nodiscard]] double loss() const { return _meter.loss() > (_is_urgent ? LOW_LOSS : HIGH_LOSS) ? std::max(_loss, _meter.loss()) : _loss; }
 	/// loss() plus the prior, which decays as chunks arrive.
-	[[nodiscard]] double expected_loss() const { return _loss + _prior_loss; }
+	[[nodiscard]] double expected_loss() const { return loss() + _prior_loss; }
 	/// Number of retransmissions of chunks and fragments.
 	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
 private:
+	/// Above this loss, chunks are sent several times before a timeout.
+	static constexpr double HIGH_LOSS = 0.1;
+	/// The same if a timeout would stall playback.
+	static constexpr double LOW_LOSS = 0.015;
+
 	struct Sent {
 		double first = 0.0; // time of the first transmission
+		double second = 0.0;
 		double time = 0.0; // of the last
+		double round = 0.0; // of the last that was due after a timeout
 		uint8_t times = 0;
+		uint8_t rounds = 0; // transmissions that were due after a timeout, and the first
+		bool is_paired = false; // sent again since the last timeout
 		bool arrived = false;
 		bool lost = false; // counted as lost
 	};
 
 	void collect_due(const ChunkRing &ring, double time, size_t max_size);
+	[[nodiscard]] bool is_due(Sent &sent, double time);
+	/// Time between copies of a chunk before a timeout; infinite if it can wait for the timeout.
+	[[nodiscard]] double copy_interval() const;
+	/// True if a copy is due without a timeout.
+	[[nodiscard]] static bool is_copy_due(const Sent &sent, double time, double interval);
+	void mark_sent(Sent &sent, double time);
 	void take_ack(const AckItem &ack, const ChunkRing &ring, double time);
 	void take_snapshot_ack(const SnapshotAckItem &ack);
 	/// At first transmission, the receiver's first missing chunk is between ours and this chunk, so 4 bits identify the number.
@@ -87,7 +108,11 @@ private:
 	double _deviation = 0.0;
 	double _round_trip_sent = -1e9; // time of the last round-trip item
 	double _probed = -1e9; // time of the last probe
-	double _loss = 0.0;
+	double _loss = 0.0; // recent fraction of chunks that had not arrived after a timeout
+	LossMeter _meter;
+	double _lost = -1e9; // when a chunk was last counted as lost
+	double _patience = 1e9;
+	bool _is_urgent = false; // chunks get lost, and a timeout would stall playback
 	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample
 	uint64_t _retransmissions = 0;
@@ -100,16 +125,21 @@ void Delivery::send(const ChunkRing &ring, double time, size_t max_size, std::ve
 			_probed = time;
 			const size_t begin = bytes.size();
 			put_round_trip(bytes, _round_trip);
+			_meter.sent(time);
 			packet_done(begin, bytes.size() - begin);
 		}
 		return;
 	}
 	collect_due(ring, time, max_size);
 	size_t begin = bytes.size();
+	const auto finish_packet = [&] {
+		_meter.sent(time);
+		packet_done(begin, bytes.size() - begin);
+		begin = bytes.size();
+	};
 	const auto make_room = [&](size_t item) {
 		if (bytes.size() > begin && bytes.size() - begin + item > max_size) {
-			packet_done(begin, bytes.size() - begin);
-			begin = bytes.size();
+			finish_packet();
 		}
 	};
 	for (const uint16_t index : _due_fragments) {
@@ -134,12 +164,11 @@ void Delivery::send(const ChunkRing &ring, double time, size_t max_size, std::ve
 		const bool is_last = i + 1 == _due_chunks.size() || bytes.size() - begin + item.size + 2 * CHUNK_HEADER + ring.chunk(_due_chunks[i + 1]).bytes.size() > max_size;
 		put_chunk(bytes, item, is_last);
 		if (is_last) {
-			packet_done(begin, bytes.size() - begin);
-			begin = bytes.size();
+			finish_packet();
 		}
 	}
 	if (bytes.size() > begin) {
-		packet_done(begin, bytes.size() - begin);
+		finish_packet();
 	}
 }
 

@@ -24,8 +24,11 @@ constexpr uint8_t ACK = 0xc0;
 constexpr uint8_t ACK_WITH_LATER = 0xc1;
 constexpr uint8_t SNAPSHOT_REQUEST = 0xc2;
 constexpr uint8_t SNAPSHOT_ACK = 0xc3;
+constexpr uint8_t ALIGN = 0xc4;
 
 constexpr double ROUND_TRIP_STEPS = 10000.0; // per second
+constexpr double PERIOD_STEPS = 1e6; // per second
+constexpr double SHIFT_STEPS = 10000.0; // per second
 
 void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	ChunkItem chunk;
@@ -79,7 +82,7 @@ void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
 }
 
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
-	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next });
+	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next, ack.packets });
 	if (ack.later != 0) {
 		packet.push_back(uint8_t((bit_width(ack.later) + 7) / 8));
 	}
@@ -98,6 +101,12 @@ void put_snapshot_request(std::vector<uint8_t> &packet) {
 	packet.push_back(SNAPSHOT_REQUEST);
 }
 
+void put_alignment(std::vector<uint8_t> &packet, const AlignItem &alignment) {
+	packet.insert(packet.end(), { ALIGN, alignment.number });
+	put_number(packet, uint32_t(std::lround(std::clamp(alignment.period * PERIOD_STEPS, 1.0, 1e9))));
+	put_number(packet, int16_t(std::lround(std::clamp(alignment.shift * SHIFT_STEPS, -32767.0, 32767.0))));
+}
+
 void put_round_trip(std::vector<uint8_t> &packet, double seconds) {
 	packet.push_back(ROUND_TRIP);
 	put_number(packet, uint16_t(std::lround(std::clamp(seconds * ROUND_TRIP_STEPS, 1.0, 65535.0))));
@@ -109,6 +118,7 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 	content.acks.clear();
 	content.snapshot_acks.clear();
 	content.requests_snapshot = false;
+	content.alignment.reset();
 	content.round_trip = 0.0;
 	if (size == 0) {
 		return PacketError::EMPTY;
@@ -126,7 +136,9 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 		} else if (kind == ROUND_TRIP) {
 			content.round_trip = double(reader.read<uint16_t>()) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
-			AckItem ack{ reader.read<uint8_t>() };
+			AckItem ack;
+			ack.next = reader.read<uint8_t>();
+			ack.packets = reader.read<uint8_t>();
 			if (kind == ACK_WITH_LATER) {
 				const auto bytes = reader.read<uint8_t>();
 				if (bytes < 1 || bytes > 8) {
@@ -137,6 +149,11 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 			content.acks.push_back(ack);
 		} else if (kind == SNAPSHOT_REQUEST) {
 			content.requests_snapshot = true;
+		} else if (kind == ALIGN) {
+			AlignItem alignment{ reader.read<uint8_t>() };
+			alignment.period = double(reader.read<uint32_t>()) / PERIOD_STEPS;
+			alignment.shift = double(reader.read<int16_t>()) / SHIFT_STEPS;
+			content.alignment = alignment;
 		} else if (kind == SNAPSHOT_ACK) {
 			content.snapshot_acks.push_back({ reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint32_t>() });
 		} else {

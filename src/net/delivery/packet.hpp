@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 // The items of a packet; docs/wire-format.md describes them byte by byte.
@@ -38,6 +39,7 @@ struct FragmentItem {
 struct AckItem {
 	uint8_t next = 0;
 	uint64_t later = 0;
+	uint8_t packets = 0; ///< number of packets received, modulo 256
 };
 
 /// Selective acknowledgement of a snapshot's fragments, in the same form.
@@ -47,6 +49,13 @@ struct SnapshotAckItem {
 	uint32_t later = 0;
 };
 
+/// A receiver's request to align the ends of windows, so that windows of several senders arrive together.
+struct AlignItem {
+	uint8_t number = 0; ///< of the request: a repeated one has the same
+	double period = 0.0; ///< seconds between two instants at which windows should end
+	double shift = 0.0; ///< seconds by which windows should end later
+};
+
 /// The items of one packet. Pointers point into the packet's bytes.
 struct PacketContent {
 	std::vector<ChunkItem> chunks;
@@ -54,6 +63,7 @@ struct PacketContent {
 	std::vector<AckItem> acks;
 	std::vector<SnapshotAckItem> snapshot_acks;
 	bool requests_snapshot = false;
+	std::optional<AlignItem> alignment;
 	double round_trip = 0.0; ///< seconds; 0 if the packet does not contain it
 };
 
@@ -69,6 +79,7 @@ void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment);
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack);
 void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack);
 void put_snapshot_request(std::vector<uint8_t> &packet);
+void put_alignment(std::vector<uint8_t> &packet, const AlignItem &alignment);
 void put_round_trip(std::vector<uint8_t> &packet, double seconds);
 
 /// Parses a whole packet into `content`, whose memory is reused. Fails with the reason.

@@ -28,6 +28,8 @@ constexpr double LOSS_MEMORY_SLOPE = 5.0;
 constexpr double RARE_SILENCE = 6.0;
 /// A change of the sender's rate after which the required delay is measured again.
 constexpr double NEW_RATE = 0.03;
+/// If playback has not advanced for this many seconds, this peer stood still, not the network.
+constexpr double LOCAL_STALL = 0.1;
 /// Seconds in which everything arrives that was held up during a silence.
 constexpr double BACKLOG_TIME = 0.1;
 
@@ -39,6 +41,7 @@ void PlaybackClock::start(double end, double delay, double now) {
 	*this = PlaybackClock();
 	set_limits(min_delay, max_delay);
 	_running = true;
+	_begin = end;
 	_position = end - delay;
 	_last = _packet_time = _known_at = now;
 	_known = end;
@@ -71,7 +74,8 @@ void PlaybackClock::observe(double begin, double end, double now) {
 		return;
 	}
 	close_batch();
-	_batch = { now, begin, end, _is_silence_rare && now - _silence_end < BACKLOG_TIME, true };
+	const bool is_backlog = _is_silence_rare && now - _silence_end < BACKLOG_TIME;
+	_batch = { now, begin, end, is_backlog || now - _last > LOCAL_STALL, true };
 }
 
 void PlaybackClock::close_batch() {
@@ -122,7 +126,7 @@ double PlaybackClock::speed(double now, double step) const {
 	return rate + std::clamp(behind / std::max(TIME_CONSTANT, step), -MAX_SLOWDOWN * rate, MAX_SPEEDUP - std::clamp(rate - 1.0, 0.0, 0.5 * MAX_SPEEDUP));
 }
 
-double PlaybackClock::media_time_at(double now) const {
+double PlaybackClock::position_at(double now) const {
 	const double step = std::max(now - _last, 0.0);
 	return _running ? _position + step * speed(now, step) : 0.0;
 }
@@ -132,7 +136,7 @@ void PlaybackClock::advance(double now) {
 		return;
 	}
 	close_batch();
-	_position = target(now) - media_time_at(now) > MAX_BEHIND ? target(now) : media_time_at(now);
+	_position = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
 	_last = std::max(now, _last);
 }
 

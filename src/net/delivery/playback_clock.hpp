@@ -2,6 +2,8 @@
 
 #include "net/delivery/arrival_line.hpp"
 
+#include <algorithm>
+
 namespace net {
 
 /// Maps a receiver's local time to the media time it shows.
@@ -12,7 +14,7 @@ namespace net {
 /// Times in seconds.
 class PlaybackClock {
 public:
-	/// Starts at `now`. Motion is known up to media time `end`; playback starts at `end - delay`.
+	/// Starts at `now`. Motion is known at media time `end` only: playback stays there until it is `delay` old.
 	void start(double end, double delay, double now);
 	/// Records that a packet arrived.
 	void observe_packet(double now);
@@ -24,8 +26,10 @@ public:
 	void advance(double now);
 
 	[[nodiscard]] bool is_running() const { return _running; }
-	[[nodiscard]] double media_time() const { return _position; }
-	[[nodiscard]] double media_time_at(double now) const;
+	[[nodiscard]] double media_time() const { return std::max(_position, _begin); }
+	[[nodiscard]] double media_time_at(double now) const { return std::max(position_at(now), _begin); }
+	/// True while playback waits at the begin of the stream.
+	[[nodiscard]] bool is_waiting() const { return _running && _position < _begin; }
 	/// The target delay behind the newest media time that can have arrived, in media time.
 	[[nodiscard]] double target_delay() const;
 	/// The actual delay at `now`, in local time. While nothing arrives, it grows.
@@ -52,11 +56,13 @@ private:
 	};
 
 	void close_batch();
+	[[nodiscard]] double position_at(double now) const;
 	[[nodiscard]] double speed(double now, double step) const;
 	[[nodiscard]] double target(double now) const { return _line.newest_at(now) - target_delay(); }
 
 	bool _running = false;
-	double _position = 0.0;
+	double _begin = 0.0; // earliest known media time
+	double _position = 0.0; // may be before _begin
 	double _last = 0.0;
 	double _min_delay = 0.0;
 	double _max_delay = 0.2;

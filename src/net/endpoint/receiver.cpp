@@ -54,10 +54,12 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	if (_content.round_trip > 0.0) {
 		_statistics.round_trip = _content.round_trip;
 	}
+	const auto newest_window = std::find_if(_content.chunks.rbegin(), _content.chunks.rend(), [](const ChunkItem &chunk) { return chunk.first; });
+	const auto copies = _content.chunks.rend() - newest_window; // chunks up to the newest window's first
 	for (const ChunkItem &chunk : _content.chunks) {
 		_ack_due = true;
 		if (const auto number = _chunks.add(chunk)) {
-			count_loss(*number, now);
+			count_loss(*number, &chunk - _content.chunks.data() + 1 < copies, now);
 		}
 	}
 	for (const FragmentItem &fragment : _content.fragments) {
@@ -76,15 +78,14 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	return {};
 }
 
-void Receiver::count_loss(uint8_t number, double now) {
+void Receiver::count_loss(uint8_t number, bool is_copy, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
-	const bool is_late = int8_t(number - _newest_chunk) < 0;
+	const bool is_late = is_copy || int8_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
 	if (is_late) {
 		_clock.observe_loss(_statistics.loss, now);
-	} else {
-		_newest_chunk = number;
 	}
+	_newest_chunk = int8_t(number - _newest_chunk) < 0 ? _newest_chunk : number;
 }
 
 PacketResult Receiver::check_fragments() {
@@ -138,6 +139,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	const bool continues = is_ready() && next->settings.tick == tick() && (!is_earlier || (is_next_snapshot() && double(next->tick) >= _window_end - MAX_TICKS));
 	_header = *next;
 	_decoder = std::move(decoder);
+	++_snapshot_count;
 	_refused_size = 0;
 	_window_end = double(next->tick);
 	_snapshot_done = true;
@@ -231,6 +233,9 @@ void Receiver::decode_windows(double now) {
 			_broken = true;
 			break;
 		}
+		if (_record) {
+			_record->push_window(_window, _decoder->check(), _record_size);
+		}
 		_progress_time = now;
 		const double begin = _window_end;
 		_window_end += *ticks;
@@ -254,6 +259,13 @@ void Receiver::decode_windows(double now) {
 	if (_broken) {
 		_chunks.forget();
 	}
+}
+
+void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
+	SnapshotHeader header = _header;
+	header.tick = uint32_t(_window_end);
+	put_snapshot_header(bytes, header);
+	_decoder->encode_snapshot(bytes);
 }
 
 void Receiver::set_limits() {
@@ -280,7 +292,9 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 		_snapshot_ack_due = false;
 	}
 	if (_ack_due && is_ready() && !_broken) {
-		put_ack(packet, _chunks.ack());
+		AckItem ack = _chunks.ack();
+		ack.packets = uint8_t(_statistics.packets_received);
+		put_ack(packet, ack);
 	}
 	_ack_due = false;
 }
@@ -316,7 +330,7 @@ std::optional<ShownBody> Receiver::shown(uint32_t id) const {
 	const auto track = _tracks.find(id);
 	const double tick = media_time() / this->tick();
 	const BodyMotion *motion = track != _tracks.end() ? track->second.motion_at(tick) : nullptr;
-	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life }) : std::nullopt;
+	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life, motion->segment.begin > tick || _clock.is_waiting() }) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) const {

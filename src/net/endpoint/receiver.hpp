@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/delivery/chunk_buffer.hpp"
+#include "net/delivery/chunk_ring.hpp"
 #include "net/delivery/fragment_buffer.hpp"
 #include "net/delivery/playback_clock.hpp"
 #include "net/motion/motion_track.hpp"
@@ -25,7 +26,7 @@ struct StreamStatistics {
 	double playback_delay = 0.0; ///< seconds behind the newest media time that can have arrived
 	double jitter = 0.0; ///< seconds between the earliest and the latest recent arrivals
 	double round_trip = 0.0; ///< seconds, as measured by the sender; 0 before it reports one
-	double loss = 0.0; ///< recent fraction of chunks that arrived after a newer one
+	double loss = 0.0; ///< recent fraction of chunks that arrived after or with a newer window
 };
 
 struct BodyEvent {
@@ -42,6 +43,7 @@ struct BodyEvent {
 struct ShownBody {
 	cga::Pose<double> pose;
 	uint64_t life = 0;
+	bool is_early = false; ///< playback has not reached the first known motion: this is its first pose
 };
 
 /// Whether and how a life has ended.
@@ -112,6 +114,32 @@ public:
 	[[nodiscard]] const StreamSettings &settings() const { return _header.settings; }
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
+	/// Keeps the last windows from now on, as chunks for packets of `max_packet_size` bytes, so that a ForwardedStream can send them.
+	void record(size_t max_packet_size) {
+		_record_size = max_packet_size;
+		if (!_record) {
+			_record.emplace();
+		}
+	}
+	/// The windows decoded since the last snapshot and earlier ones; null unless they are recorded.
+	[[nodiscard]] const ChunkRing *recorded() const { return _record ? &*_record : nullptr; }
+	/// The sender's maximum window length when the last snapshot was made, in seconds.
+	[[nodiscard]] double max_window() const { return double(_header.window); }
+	/// Number of snapshots decoded. The windows recorded before a snapshot do not continue after it.
+	[[nodiscard]] uint32_t snapshot_count() const { return _snapshot_count; }
+	/// Appends a snapshot of the state at known_time(). Requires is_ready().
+	void encode_snapshot(std::vector<uint8_t> &bytes);
+	/// True if a body exists at known_time() for which matches(id) is true.
+	template <class Matches>
+	[[nodiscard]] bool has_body_if(Matches &&matches) const {
+		for (size_t i = 0; _decoder && i < _decoder->body_count(); ++i) {
+			if (matches(_decoder->id(i))) {
+				return true;
+			}
+		}
+		return false;
+	}
+
 private:
 	struct Ending {
 		uint32_t id;
@@ -120,7 +148,8 @@ private:
 		std::optional<cga::Pose<double>> pose; // the last one
 	};
 
-	void count_loss(uint8_t number, double now);
+	/// `is_copy`: a newer window arrived in the same packet.
+	void count_loss(uint8_t number, bool is_copy, double now);
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
@@ -142,6 +171,9 @@ private:
 	ChunkBuffer _chunks;
 	std::optional<StreamDecoder> _decoder; // set by the first snapshot
 	SnapshotHeader _header;
+	std::optional<ChunkRing> _record;
+	size_t _record_size = 0; // maximum packet size
+	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
 	std::unordered_map<uint32_t, MotionTrack> _tracks;

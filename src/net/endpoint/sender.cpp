@@ -13,15 +13,20 @@ namespace {
 /// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
 constexpr double IDLE_WINDOW = 0.5;
 /// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
-constexpr double MIN_WINDOW = 0.25;
+constexpr double MIN_WINDOW = 0.4;
 /// Above this loss, windows are shortened to leave time for a retransmission.
 constexpr double NOTABLE_LOSS = 0.004;
 /// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
 /// Windows are shortened to about this many chunks, so that few are in flight.
 constexpr double MAX_WINDOW_CHUNKS = 24.0;
-/// Times that differ by less, in ticks, are the same tick.
-constexpr double SAME_TICK = 1e-5;
+/// Rounding error of times, in ticks.
+constexpr double SAME_TIME = 1e-5;
+/// A time this short of a tick counts as that tick: recorded times are rounded.
+constexpr double SAME_TICK = 0.01;
+
+/// Minimum seconds between two requests to align windows.
+constexpr double MIN_ALIGN_INTERVAL = 0.2;
 
 /// A pseudorandom number, determined by `time`.
 uint8_t number_from(double time) {
@@ -55,6 +60,7 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return false;
 	}
 	begin_at(time);
+	_observed = time;
 	if (_encoder) {
 		return _encoder->observe(id, ticks(time), pose);
 	}
@@ -67,6 +73,7 @@ bool Sender::observe(uint32_t id, double time) {
 		return false;
 	}
 	begin_at(time);
+	_observed = time;
 	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
 }
 
@@ -91,7 +98,9 @@ void Sender::begin_at(double first_time) {
 	}
 }
 
-void Sender::start_encoder() {
+void Sender::start_encoder(int64_t last_flush) {
+	const double begin = std::max(ticks(_observed), double(last_flush));
+	_window_begin = int64_t(std::ceil(begin - SAME_TICK));
 	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
 	std::vector<uint32_t> ids;
 	ids.reserve(_idle_bodies.size());
@@ -101,13 +110,14 @@ void Sender::start_encoder() {
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
 		const IdleBody &body = _idle_bodies[id];
-		(void)_encoder->add_body(id, double(_window_begin), body.pose, body.planar);
+		(void)_encoder->add_body(id, begin, body.pose, body.planar);
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
 		peer.second.delivery = Delivery(_now);
 	}
 	_changed_since = -1;
+	_is_starting = true;
 }
 
 void Sender::stop_encoder() {
@@ -133,7 +143,7 @@ double Sender::max_window() const {
 
 bool Sender::is_window_due(int64_t now) const {
 	const double next = double(now) + _step;
-	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TICK) {
+	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TIME) {
 		return true;
 	}
 	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
@@ -142,10 +152,14 @@ bool Sender::is_window_due(int64_t now) const {
 	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
 		return true;
 	}
+	const double max_ticks = max_window();
+	const bool is_aligned = _grid && _grid->ends_window(double(_window_begin), double(now), max_ticks);
 	if (_changed_since >= 0) {
-		return next - double(_changed_since) > max_window() + SAME_TICK;
+		return is_aligned || next - double(_changed_since) > max_ticks + SAME_TIME;
 	}
-	return next - double(_window_begin) > IDLE_WINDOW / _settings.tick;
+	// The next aligned end would be too late.
+	const double following = is_aligned ? double(now) + _grid->period : next;
+	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
 }
 
 void Sender::close_window(int64_t end) {
@@ -191,8 +205,11 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 }
 
 void Sender::send_all() {
+	// By default, receivers delay playback by up to twice max_latency from the begin of a window.
+	const double patience = 2.0 * _settings.max_latency - max_window() * _settings.tick;
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
+		peer.delivery.set_patience(patience);
 		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
@@ -219,8 +236,12 @@ void Sender::flush(double time, double now) {
 		return;
 	}
 	if (!_encoder) {
-		_window_begin = tick > 0 ? tick - 1 : 0;
-		start_encoder();
+		start_encoder(before);
+	}
+	if (_is_starting && tick >= _window_begin) {
+		_encoder->start_at(double(_window_begin));
+		start_snapshots();
+		_is_starting = false;
 	}
 	if (_changed_since < 0 && _encoder->has_changes()) {
 		// Close the idle window at once, so that the window with the motion can be short.
@@ -243,7 +264,21 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 		return result;
 	}
 	found->second.delivery.accept(_content, _ring, now);
+	if (_content.alignment) {
+		take_alignment(*_content.alignment, now);
+	}
 	return {};
+}
+
+void Sender::take_alignment(const AlignItem &request, double now) {
+	const double period = request.period / _settings.tick;
+	// Far shorter windows, and frequent requests, would cost bytes.
+	if ((_grid && request.number == _alignment) || now - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * max_window() || std::fabs(request.shift) > request.period) {
+		return;
+	}
+	_alignment = request.number;
+	_aligned_at = now;
+	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
 }
 
 void Sender::set_settings(const StreamSettings &settings) {
@@ -251,6 +286,7 @@ void Sender::set_settings(const StreamSettings &settings) {
 	if (_settings.tick != settings.tick) {
 		_origin = _time;
 		_window_begin = _last_flush = 0;
+		_grid.reset();
 	}
 	_settings = settings;
 	if (restarts) {

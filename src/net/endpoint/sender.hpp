@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/delivery/delivery.hpp"
+#include "net/endpoint/window_grid.hpp"
 #include "net/stream/stream_encoder.hpp"
 #include "net/stream/stream_settings.hpp"
 
@@ -68,6 +69,8 @@ public:
 	[[nodiscard]] const std::vector<OutgoingPacket> &packets() const { return _packets; }
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
+	/// Makes windows end at `time` and at all multiples of `period` seconds before and after, as far as max_latency allows.
+	void align(double time, double period) { _grid = WindowGrid{ ticks(time), period / _settings.tick }; }
 	/// Processes a packet from a receiver.
 	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
@@ -100,9 +103,11 @@ private:
 	/// Sets the pose of a body while there is no encoder. Returns false if it is not finite or out of range.
 	[[nodiscard]] bool set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const;
 	void begin_at(double first_time);
-	void start_encoder();
+	/// Starts the stream at the first tick at which all poses are known.
+	void start_encoder(int64_t last_flush);
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
+	void take_alignment(const AlignItem &request, double now);
 	[[nodiscard]] bool is_window_due(int64_t now) const;
 	void close_window(int64_t end);
 	void start_snapshots();
@@ -111,6 +116,7 @@ private:
 
 	StreamSettings _settings;
 	std::optional<StreamEncoder> _encoder; // only while there are receivers
+	bool _is_starting = false; // the encoder waits for the poses of its first tick
 	std::unordered_map<uint32_t, IdleBody> _idle_bodies; // while there is no encoder
 	ChunkRing _ring;
 	std::map<uint32_t, Peer> _peers;
@@ -121,6 +127,7 @@ private:
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
 	double _time = 0.0; // of the last flush
+	double _observed = 0.0; // time of the last pose
 	double _now = 0.0;
 	double _origin = 0.0; // time of tick 0
 	bool _has_origin = false;
@@ -128,6 +135,9 @@ private:
 	int64_t _last_flush = 0; // ticks
 	int64_t _changed_since = -1; // tick; -1: nothing has changed
 	double _step = 1.0; // ticks between flushes
+	std::optional<WindowGrid> _grid; // at which windows end
+	uint8_t _alignment = 0; // number of the last request to align
+	double _aligned_at = -1e9; // time of that request
 	double _chunks_per_tick = 0.0; // in the last window
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "net/endpoint/receiver.hpp"
+#include "net/endpoint/sender.hpp"
 #include "net/session/rejections.hpp"
 #include "net/session/repetition.hpp"
 #include "net/session/session_statistics.hpp"
 #include "net/session/traffic_meter.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,8 +33,13 @@ struct Peer {
 	uint8_t subscription = 0; ///< link of the stream
 	double subscribed_at = -1e9;
 
+	// Relaying.
+	std::optional<uint8_t> relay_link; ///< link of the client to which we, the server, relay
+	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
+
 	// The peer's stream to us.
 	uint8_t link = 0; ///< of the stream that we request
+	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
 	Repetition open{ MAX_OPEN_INTERVAL };
 	size_t refused_size = 0; ///< bodies in the last stream, if it was refused because it has too many
@@ -42,12 +49,14 @@ struct Peer {
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 
-	/// Statistics of this peer, without those of the sender.
-	[[nodiscard]] SessionStatistics statistics(double now) {
+	/// Statistics of this peer. `sent_to` are those of our stream to it.
+	[[nodiscard]] SessionStatistics statistics(double now, const ReceiverStatistics &sent_to) {
 		SessionStatistics result{ sent.bytes_per_second(now), sent.packets_per_second(now), received.bytes_per_second(now), received.packets_per_second(now) };
+		result.loss = sent_to.loss;
+		result.round_trip = sent_to.round_trip;
 		if (stream) {
-			result.loss = stream->statistics().loss;
-			result.round_trip = stream->statistics().round_trip;
+			result.loss = std::max(result.loss, stream->statistics().loss);
+			result.round_trip = std::max(result.round_trip, stream->statistics().round_trip);
 			result.playback_delay = stream->statistics().playback_delay;
 			result.late = stream->statistics().late_windows;
 		}

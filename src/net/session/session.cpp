@@ -12,6 +12,8 @@ constexpr double SUBSCRIPTION_INTERVAL = 0.2;
 /// A peer that owns no more bodies keeps its streams open for this many seconds and twice max_latency, so that receivers play them
 /// to their end.
 constexpr double LINGER = 2.0;
+/// After this many ticks that were due, but have not begun, a server relays without them.
+constexpr double MAX_TICKS_MISSED = 2.5;
 /// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
 constexpr double MAX_STEP = 0.25;
 
@@ -31,8 +33,10 @@ void Session::set_now(double now) {
 
 void Session::connect(PeerId self) {
 	for (auto &[id, peer] : _peers) {
-		end_stream(peer);
+		end_stream(id, peer);
 	}
+	_relayer = Relay();
+	_is_link_relayed = false;
 	_peers.clear();
 	_connected.clear();
 	_owners.clear();
@@ -52,7 +56,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	_connected = peers;
 	for (const PeerId id : left) {
 		unsubscribe(id, _peers[id]);
-		end_stream(_peers[id]);
+		end_stream(id, _peers[id]);
 		_peers.erase(id);
 	}
 	for (const PeerId id : peers) {
@@ -61,16 +65,19 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 			request_stream(entry->second);
 		}
 	}
+	update_relay();
 	return left;
 }
 
 void Session::close(double now) {
 	set_now(now);
 	for (auto &[id, peer] : _peers) {
-		if (peer.subscribed) {
-			send_close(id, peer, peer.subscription, CloseRole::SENDER);
+		if (peer.subscribed || peer.relay_link) {
+			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 		}
-		send_close(id, peer, peer.link, CloseRole::RECEIVER);
+		if (peer.is_open_sent) {
+			send_close(id, peer, peer.link, CloseRole::RECEIVER);
+		}
 	}
 }
 
@@ -86,7 +93,7 @@ void Session::set_settings(const StreamSettings &settings) {
 StreamSettings Session::sender_settings() const {
 	StreamSettings settings = _settings;
 	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
-	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER;
+	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER - (_relay ? Section::HEADER : 0);
 	return settings;
 }
 
@@ -94,17 +101,19 @@ size_t Session::packet_refused(PeerId peer, size_t size) {
 	const size_t limit = std::max(size / 4 * 3, StreamSettings::MIN_PACKET_SIZE);
 	if (has_peer(peer) && size > StreamSettings::MIN_PACKET_SIZE) {
 		_size_limit = std::min(limit, _size_limit);
+		_relayer.resend_all(peer);
 		if (_sender) {
 			_sender->set_settings(sender_settings());
 			_sender->resend_all(uint32_t(peer));
 		}
 	}
-	return sender_settings().max_packet_size + ENVELOPE_BYTES + ENGINE_HEADER;
+	return std::clamp(std::min(_settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
 }
 
 void Session::set_margin_limits(double min, double max) {
 	_min_margin = min;
 	_max_margin = max;
+	_relayed.set_margin_limits(min, max);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->set_margin_limits(min, max);
@@ -113,12 +122,11 @@ void Session::set_margin_limits(double min, double max) {
 }
 
 void Session::set_owner(uint32_t body, PeerId owner) {
-	const auto found = _owners.find(body);
-	if (found != _owners.end() && found->second == owner) {
+	if (_owners.find(body) == owner) {
 		return;
 	}
 	remove_body(body);
-	_owners[body] = owner;
+	_owners.set(body, owner);
 	if (owner == _self) {
 		++_owned;
 		start_requested();
@@ -126,17 +134,13 @@ void Session::set_owner(uint32_t body, PeerId owner) {
 }
 
 void Session::remove_body(uint32_t body, bool freed) {
-	const auto found = _owners.find(body);
-	if (found == _owners.end()) {
-		return;
-	}
-	if (found->second == _self) {
+	if (_owners.find(body) == _self) {
 		--_owned;
 		if (_sender) {
 			_sender->remove_body(body, freed);
 		}
 	}
-	_owners.erase(found);
+	_owners.remove(body);
 }
 
 void Session::begin_tick(double now, double length) {
@@ -168,17 +172,31 @@ void Session::teleport(uint32_t body) {
 }
 
 void Session::end_tick() {
+	if (is_relaying()) {
+		// The longest windows of owners, as in Sender.
+		const double window = std::max(_settings.max_latency - FRAME, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0);
+		_relayer.begin_tick(_tick, _running_time, _settings.tick, window);
+		if (_sender) {
+			_sender->align(time() - double(_relayer.schedule().ticks_since_instant()) * _settings.tick, _relayer.schedule().period());
+		}
+	}
 	if (_sender) {
 		send_motion();
 		close_unneeded();
 	}
+	send_relayed();
 }
 
 void Session::send_motion() {
 	_sender->flush(time(), _running_time);
 	for (const OutgoingPacket &packet : _sender->packets()) {
-		Peer &peer = _peers[PeerId(packet.receiver)];
-		send(PeerId(packet.receiver), peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
+		const auto id = PeerId(packet.receiver);
+		Peer &peer = _peers[id];
+		if (peer.relay_link) {
+			_relayer.add_own_packet(id, _sender->bytes() + packet.begin, packet.size);
+		} else {
+			send(id, peer, PacketKind::MOTION, peer.subscription, _sender->bytes() + packet.begin, packet.size);
+		}
 	}
 }
 
@@ -188,7 +206,7 @@ void Session::close_unneeded() {
 		_owned_at = _now;
 	} else if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency) {
 		for (auto &[id, peer] : _peers) {
-			if (peer.subscribed) {
+			if (peer.subscribed && !peer.relay_link) {
 				send_close(id, peer, peer.subscription, CloseRole::SENDER);
 				peer.requested.reset();
 				unsubscribe(id, peer);
@@ -199,37 +217,17 @@ void Session::close_unneeded() {
 
 void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
+	peer.is_open_sent = false;
 	peer.open.restart(_now);
 }
 
-void Session::end_stream(Peer &peer) {
+void Session::end_stream(PeerId id, Peer &peer) {
+	end_relayed(id);
 	if (peer.stream) {
 		_late += peer.stream->statistics().late_windows;
 		peer.stream.reset();
 		peer.ended_at = _now;
 	}
-}
-
-/// Closes a stream with too many bodies and requests it again later.
-void Session::refuse_stream(PeerId id, Peer &peer) {
-	const size_t size = peer.stream->stream_size();
-	send_close(id, peer, peer.link, CloseRole::RECEIVER);
-	end_stream(peer);
-	request_stream(peer);
-	peer.refused_size = size;
-	peer.open.restart(_now + peer.refusal_pause);
-	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
-}
-
-void Session::accept_open(PeerId id, Peer &peer, uint8_t link, double now) {
-	if (peer.requested != link) {
-		peer.requested = link;
-		if (stream(id) == nullptr && peer.refused_size == 0) {
-			// The peer's session may be newer than our last request.
-			peer.open.restart(now);
-		}
-	}
-	start_requested();
 }
 
 /// Starts the streams that peers have requested, if there are bodies to send.
@@ -257,6 +255,11 @@ void Session::start_stream(PeerId id, Peer &peer) {
 }
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
+	if (peer.relay_link) {
+		peer.relay_link.reset();
+		peer.ended_at = _now;
+		_relayer.remove_client(id);
+	}
 	if (!peer.subscribed) {
 		return;
 	}
@@ -273,42 +276,44 @@ void Session::advance(double now) {
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
-			count_unauthorized(id, peer);
+			peer.unauthorized_bodies += _owners.count_unauthorized(id, *peer.stream);
+		}
+		if (peer.stream && is_relayed(id)) {
+			acknowledge_relayed(peer);
+		} else if (peer.stream) {
 			peer.stream->take_ack(_ack, now);
+			if (const auto alignment = _relayer.take_alignment(id, _running_time)) {
+				put_alignment(_ack, *alignment);
+			}
 			if (!_ack.empty()) {
 				send(id, peer, PacketKind::ACK, peer.link, _ack.data(), _ack.size());
 			}
 		}
-		if (peer.open.is_due(now)) {
+		const bool is_wanted = !_is_link_relayed || is_relayed(id);
+		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
-			send(id, peer, PacketKind::OPEN, peer.link, nullptr, 0);
+			peer.is_open_sent = true;
+			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
 		}
 	}
-}
-
-/// Bodies in the stream of a peer that does not own them are not shown. This is not an error: when a body changes its owner,
-/// peers are notified at different times.
-void Session::count_unauthorized(PeerId id, Peer &peer) {
-	peer.stream->take_events(_events);
-	for (const BodyEvent &event : _events) {
-		const auto owner = _owners.find(event.id);
-		if (event.kind == BodyEvent::ADDED && owner != _owners.end() && owner->second != id) {
-			peer.unauthorized_bodies++;
-		}
+	if (is_relaying() && _running_time - _relayed_at > MAX_TICKS_MISSED * _settings.tick) {
+		send_relayed(); // although we make no ticks, owners do
 	}
 }
 
 const Receiver *Session::stream(PeerId peer) const {
 	const auto found = _peers.find(peer);
-	return found != _peers.end() && found->second.stream && found->second.stream->is_ready() ? &*found->second.stream : nullptr;
+	const RelayedStreams::Stream *relayed = _relayed.find(peer);
+	const Receiver *stream = found != _peers.end() && found->second.stream ? &*found->second.stream : relayed != nullptr ? &relayed->receiver
+																														 : nullptr;
+	return stream != nullptr && stream->is_ready() ? stream : nullptr;
 }
 
 size_t Session::stream_size(PeerId peer) const {
 	const auto found = _peers.find(peer);
-	if (found == _peers.end()) {
-		return 0;
-	}
-	return found->second.stream && found->second.stream->is_ready() ? found->second.stream->stream_size() : found->second.refused_size;
+	const Receiver *receiver = stream(peer);
+	return receiver != nullptr ? receiver->stream_size() : found != _peers.end() ? found->second.refused_size
+																				 : 0;
 }
 
 double Session::media_time(PeerId peer) const {
@@ -320,23 +325,18 @@ double Session::media_time(PeerId peer) const {
 }
 
 SessionStatistics Session::statistics(PeerId id, double now) {
+	SessionStatistics result = _relayed.statistics(id, now);
 	const auto found = _peers.find(id);
-	if (found == _peers.end()) {
-		return {};
-	}
-	SessionStatistics result = found->second.statistics(now);
-	if (found->second.subscribed) {
-		const ReceiverStatistics receiver = _sender->statistics(uint32_t(id));
-		result.loss = std::max(result.loss, receiver.loss);
-		result.round_trip = std::max(result.round_trip, receiver.round_trip);
+	if (found != _peers.end()) {
+		result.add(found->second.statistics(now, _sender ? _sender->statistics(uint32_t(id)) : ReceiverStatistics()));
 	}
 	return result;
 }
 
 SessionStatistics Session::total_statistics(double now) {
-	SessionStatistics total;
-	for (const auto &entry : _peers) {
-		total.add(statistics(entry.first, now));
+	SessionStatistics total = _relayed.total_statistics(now);
+	for (auto &[id, peer] : _peers) {
+		total.add(peer.statistics(now, _sender ? _sender->statistics(uint32_t(id)) : ReceiverStatistics()));
 	}
 	total.late += _late;
 	total.rejected = _rejected;

@@ -1,15 +1,17 @@
 #pragma once
 
 #include "net/endpoint/sender.hpp"
+#include "net/session/body_owners.hpp"
 #include "net/session/envelope.hpp"
 #include "net/session/outbox.hpp"
 #include "net/session/peer.hpp"
+#include "net/session/relay.hpp"
+#include "net/session/relayed_streams.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace net {
@@ -21,6 +23,8 @@ namespace net {
 /// side starts first. A peer that owns no bodies remembers the request and starts the stream when it owns one. The receiver numbers
 /// each stream (its link), which distinguishes its packets from those of an earlier one that are still in flight. Either side ends
 /// a stream with a CLOSE packet; the sender does so when it has owned no bodies for a while.
+///
+/// If the session relays, clients exchange streams with the server only, which forwards the streams of all owners to them.
 ///
 /// The session is independent of the transport: the caller passes packets to `accept` and drains `outbox`. No input is
 /// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock.
@@ -37,12 +41,20 @@ public:
 	std::vector<PeerId> set_peers(const std::vector<PeerId> &peers, double now);
 	[[nodiscard]] const std::vector<PeerId> &peers() const { return _connected; }
 	[[nodiscard]] bool has_peer(PeerId peer) const { return _peers.count(peer) != 0; }
+	/// True if an owner's stream can arrive: its peer is connected, or the server relays.
+	[[nodiscard]] bool can_receive(PeerId owner) const { return has_peer(owner) || _is_link_relayed; }
+	/// The owners whose streams the server relays to this peer, in ascending order.
+	[[nodiscard]] std::vector<PeerId> relayed_owners() const { return _relayed.owners(); }
 	/// Queues CLOSE packets for all streams.
 	void close(double now);
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
 	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
 	void set_settings(const StreamSettings &settings);
+	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
+	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
+	void set_relay(bool relay);
+	[[nodiscard]] bool relay() const { return _relay; }
 	static constexpr size_t ENGINE_HEADER = 12;
 	/// Reports that the transport refused a packet of `size` bytes to a peer because it is too large. Reduces the maximum packet size
 	/// to three quarters of that, but not below StreamSettings::MIN_PACKET_SIZE, until the session connects again. Returns it.
@@ -74,7 +86,7 @@ public:
 
 	/// Advances playback to `now` and queues requests and acknowledgements. Call it once per frame.
 	void advance(double now);
-	/// The incoming stream of a peer; null until its first snapshot has arrived.
+	/// The incoming stream of an owner, relayed or not; null until its first snapshot has arrived.
 	[[nodiscard]] const Receiver *stream(PeerId peer) const;
 	/// Number of bodies in the incoming stream of a peer. A stream of more than MAX_BODIES is refused, and requested again after pauses
 	/// of 0.25 to 30 s.
@@ -110,9 +122,9 @@ private:
 	void remove_body(uint32_t body, bool freed);
 	[[nodiscard]] StreamSettings sender_settings() const;
 	void request_stream(Peer &peer);
-	void end_stream(Peer &peer);
+	void end_stream(PeerId id, Peer &peer);
 	void refuse_stream(PeerId id, Peer &peer);
-	void accept_open(PeerId id, Peer &peer, uint8_t link, double now);
+	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
 	void close_unneeded();
@@ -121,16 +133,24 @@ private:
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
 	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
-	PacketResult accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
 	PacketResult accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
-	void count_unauthorized(PeerId id, Peer &peer);
+
+	// Relaying (session_relay.cpp).
+	[[nodiscard]] bool is_relaying() const { return _relay && _self == RelayedStreams::SERVER; }
+	[[nodiscard]] bool is_relayed(PeerId sender) const { return _is_link_relayed && sender == RelayedStreams::SERVER; }
+	void update_relay();
+	PacketResult note_relay(PeerId id, Peer &peer, bool relay);
+	void end_relayed(PeerId id);
+	void send_relayed();
+	void acknowledge_relayed(Peer &server);
 
 	StreamSettings _settings;
 	size_t _size_limit = StreamSettings::MAX_PACKET_SIZE; // of the transport, as far as known
 	PeerId _self = 0;
 	std::vector<PeerId> _connected;
 	std::map<PeerId, Peer> _peers; // by id: the peers in _connected
-	std::unordered_map<uint32_t, PeerId> _owners; // keyed by body
+	BodyOwners _owners;
 	size_t _owned = 0; // number of bodies that this peer owns
 	double _owned_at = -1e9; // local time when it last owned one
 	std::optional<Sender> _sender; // while a peer is subscribed
@@ -142,9 +162,13 @@ private:
 	double _max_margin = -1.0;
 	uint64_t _rejected = 0; // total over all peers
 	uint64_t _late = 0; // late windows of streams that have ended
+	bool _relay = false;
+	bool _is_link_relayed = false; // we are a client and request a relayed stream from the server
+	Relay _relayer; // if we are the server
+	double _relayed_at = 0.0; // _running_time when it last sent
+	RelayedStreams _relayed; // if we are a client
 	Outbox _outbox;
 	std::vector<uint8_t> _ack;
-	std::vector<BodyEvent> _events;
 };
 
 } // namespace net

@@ -1,5 +1,6 @@
 #include "net/session/session.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 // The packets that a session sends and accepts.
@@ -42,7 +43,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (envelope->version != ENVELOPE_VERSION) {
 		result = PacketError::OTHER_SESSION_VERSION;
 	} else if (envelope->kind == PacketKind::OPEN) {
-		accept_open(id, peer, envelope->link, now);
+		result = accept_open(id, peer, envelope->link, bytes, size, now);
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
@@ -56,6 +57,29 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	}
 }
 
+PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
+	const PacketResult result = note_relay(id, peer, is_for_relay);
+	if (is_for_relay && id != RelayedStreams::SERVER) {
+		if (!is_relaying()) {
+			return result; // the peer falls back to a plain stream when it learns that we do not relay
+		}
+		if (peer.relay_link != link) {
+			peer.relay_link = link;
+			_relayer.add_client(id, _running_time);
+		}
+	}
+	if (peer.requested != link) {
+		peer.requested = link;
+		if (stream(id) == nullptr && peer.refused_size == 0) {
+			// The peer's session may be newer than our last request.
+			peer.open.restart(now);
+		}
+	}
+	start_requested();
+	return result;
+}
+
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	if (peer.link != link) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
@@ -63,8 +87,12 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	if (!peer.stream) {
 		peer.stream.emplace(MAX_BODIES);
 		peer.stream->set_margin_limits(_min_margin, _max_margin);
+		if (is_relaying()) {
+			_relayer.add_stream(id, *peer.stream, _running_time);
+		}
 	}
-	const PacketResult result = peer.stream->accept(bytes, size, now);
+	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
+	_relayer.note_arrival(id, _running_time);
 	if (peer.stream->is_refused()) {
 		refuse_stream(id, peer);
 	} else if (result) {
@@ -77,21 +105,43 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	return result;
 }
 
-PacketResult Session::accept_ack(PeerId id, const Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+/// Closes a stream with too many bodies and requests it again later.
+void Session::refuse_stream(PeerId id, Peer &peer) {
+	const size_t size = peer.stream->stream_size();
+	send_close(id, peer, peer.link, CloseRole::RECEIVER);
+	end_stream(id, peer);
+	request_stream(peer);
+	peer.refused_size = size;
+	peer.open.restart(_now + peer.refusal_pause);
+	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
+}
+
+PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+	const auto accept_own = [&](const uint8_t *own, size_t own_size) {
+		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time) : PacketResult();
+	};
+	if (peer.relay_link == link) {
+		return _relayer.accept(id, bytes, size, _running_time, accept_own);
+	}
 	if (!peer.is_subscribed(link)) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
-	return _sender->accept(uint32_t(id), bytes, size, _running_time);
+	return accept_own(bytes, size);
 }
 
 PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
-	if (size != 1 || bytes[0] > uint8_t(CloseRole::SENDER)) {
+	const bool is_channel = size == 3 && bytes[0] == uint8_t(CloseRole::SENDER);
+	if ((size != 1 && !is_channel) || bytes[0] > uint8_t(CloseRole::SENDER)) {
 		return PacketError::MALFORMED_CLOSE;
 	}
 	const CloseRole role = CloseRole(bytes[0]);
-	if (role == CloseRole::SENDER && peer.link == link) {
+	if (is_channel) {
+		if (peer.link == link && is_relayed(id)) {
+			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
+		}
+	} else if (role == CloseRole::SENDER && peer.link == link) {
 		// The sender may return.
-		end_stream(peer);
+		end_stream(id, peer);
 		request_stream(peer);
 	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
 		peer.requested.reset();

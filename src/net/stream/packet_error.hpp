@@ -30,6 +30,10 @@ enum class PacketError : uint8_t {
 	MALFORMED_CLOSE,
 	STREAM_NOT_REQUESTED,
 	NOT_SUBSCRIBED,
+	BAD_SECTION,
+	TOO_MANY_STREAMS,
+	UNAUTHORIZED_BODIES,
+	RELAY_DIFFERS,
 };
 
 /// Describes the reason as a clause without a period.
@@ -53,8 +57,12 @@ enum class PacketError : uint8_t {
 		"the close packet is malformed",
 		"the packet belongs to a stream that was not requested",
 		"it acknowledges a stream that its sender does not receive",
+		"the header of a section of the packet is malformed",
+		"the server relays the streams of too many owners",
+		"its stream contains bodies of other owners, so it is not relayed until it no longer does",
+		"`relay` is on at one of the two peers and off at the other; set it to the same value on all peers",
 	};
-	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::NOT_SUBSCRIBED) + 1);
+	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::RELAY_DIFFERS) + 1);
 	return DESCRIPTIONS[size_t(error)];
 }
 

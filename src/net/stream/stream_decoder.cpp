@@ -43,6 +43,20 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	return {};
 }
 
+void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
+	RangeEncoder coder(bytes);
+	StateCoder<RangeEncoder> state_coder(coder);
+	coder.bits(uint32_t(_last_ticks), 7);
+	coder.bits(_check, 32);
+	code_models(coder, _models);
+	coder.bits(uint32_t(_bodies.size()), INDEX_BITS);
+	for (Body &body : _bodies) {
+		coder.bits(body.id, 31);
+		body.state.visit(state_coder);
+	}
+	coder.finish();
+}
+
 std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions) {
 	const auto fail = [&motions] {
 		motions.clear();

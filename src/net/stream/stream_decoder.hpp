@@ -26,6 +26,11 @@ public:
 	/// time. Returns the window's length in ticks; std::nullopt if it cannot be decoded or its checksum differs.
 	[[nodiscard]] std::optional<int> decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions);
 
+	/// Appends the state after the last window, as StreamEncoder::encode_snapshot does.
+	void encode_snapshot(std::vector<uint8_t> &bytes);
+	/// Eight-bit checksum of the state after the last window.
+	[[nodiscard]] uint8_t check() const { return check_bits(_check); }
+
 	/// The bodies at the end of the last window.
 	[[nodiscard]] size_t body_count() const { return _bodies.size(); }
 	[[nodiscard]] uint32_t id(size_t index) const { return _bodies[index].id; }

@@ -1,5 +1,7 @@
 #include "net/stream/stream_encoder.hpp"
 
+#include "cga/motor/interpolate.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,27 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 	_bodies.push_back(std::move(body));
 	_changed = true;
 	return true;
+}
+
+void StreamEncoder::start_at(double tick) {
+	for (Body &body : _bodies) {
+		if (!body.added || body.event_time > tick + SAME_TICK) {
+			continue;
+		}
+		MotionSample from{ body.event_time, body.state.pose(_grid) };
+		auto after = body.samples.begin();
+		for (; after != body.samples.end() && after->time <= tick; ++after) {
+			from = *after;
+		}
+		if (after != body.samples.end()) {
+			(void)body.state.set_pose(cga::interpolate(from.pose, after->pose, std::max(tick - from.time, 0.0) / (after->time - from.time), cga::Mode::SEPARATE), _grid);
+		} else if (after != body.samples.begin()) {
+			(void)body.state.set_pose(from.pose, _grid);
+		}
+		body.samples.erase(body.samples.begin(), after);
+		body.added = false;
+		body.encoded_until = tick;
+	}
 }
 
 bool StreamEncoder::remove_body(uint32_t id, double time, bool freed) {

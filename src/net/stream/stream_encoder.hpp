@@ -19,6 +19,9 @@ public:
 	/// False if the id is taken or the pose is not finite or out of range. Of the poses of a planar body, only the planar part
 	/// (BodyState::planar_part) is used.
 	bool add_body(uint32_t id, double time, const cga::Pose<double> &pose, bool planar = false);
+	/// Starts the stream at `tick`, before the first window: a snapshot contains all bodies added until then, at their
+	/// poses at that tick. Poses observed between ticks are interpolated.
+	void start_at(double tick);
 	/// `freed`: its object was freed. Returns false if the body does not exist.
 	bool remove_body(uint32_t id, double time, bool freed = false);
 	[[nodiscard]] bool has_body(uint32_t id) const { return _index.count(id) != 0; }

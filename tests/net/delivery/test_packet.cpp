@@ -109,17 +109,18 @@ TEST_CASE("packet: an acknowledgement mask takes as many bytes as its highest bi
 		uint64_t later;
 		size_t size;
 	};
-	for (const Row &row : { Row{ 0, 2 }, Row{ 1, 4 }, Row{ 0x80, 4 }, Row{ 0x100, 5 }, Row{ uint64_t(1) << 56, 11 }, Row{ ~uint64_t(0), 11 } }) {
+	for (const Row &row : { Row{ 0, 3 }, Row{ 1, 5 }, Row{ 0x80, 5 }, Row{ 0x100, 6 }, Row{ uint64_t(1) << 56, 12 }, Row{ ~uint64_t(0), 12 } }) {
 		Bytes packet;
-		put_ack(packet, { 200, row.later });
+		put_ack(packet, { 200, row.later, 17 });
 		CHECK(packet.size() == row.size);
 		const PacketContent content = read(packet);
 		REQUIRE(content.acks.size() == 1);
 		CHECK(content.acks[0].next == 200);
 		CHECK(content.acks[0].later == row.later);
+		CHECK(content.acks[0].packets == 17);
 	}
 	for (const uint8_t length : { 0, 9, 255 }) {
-		CHECK(error_of({ 0xc1, 1, length, 1, 1, 1, 1, 1, 1, 1, 1, 1 }) == PacketError::BAD_ACK);
+		CHECK(error_of({ 0xc1, 1, 1, length, 1, 1, 1, 1, 1, 1, 1, 1, 1 }) == PacketError::BAD_ACK);
 	}
 }
 
@@ -134,6 +135,28 @@ TEST_CASE("packet: round-trip times are sent in tenths of a millisecond, up to 6
 		CHECK(packet.size() == 3);
 		CHECK(read(packet).round_trip == doctest::Approx(row.read).epsilon(1e-12));
 	}
+}
+
+TEST_CASE("packet: requests to align windows contain the period in microseconds and the shift in tenths of a millisecond") {
+	struct Row {
+		double period;
+		double shift;
+		double read_period;
+		double read_shift;
+	};
+	for (const Row &row : { Row{ 0.15, -0.0123, 0.15, -0.0123 }, Row{ 4.0 / 60.0, 0.00002, 0.066667, 0.0 }, Row{ 0.0, 0.0, 1e-6, 0.0 }, Row{ 1e4, 100.0, 1e3, 3.2767 }, Row{ 1.0, -100.0, 1.0, -3.2767 } }) {
+		Bytes packet;
+		put_alignment(packet, { 201, row.period, row.shift });
+		CHECK(packet.size() == 8);
+		const PacketContent content = read(packet);
+		REQUIRE(content.alignment);
+		CHECK(content.alignment->number == 201);
+		CHECK(content.alignment->period == doctest::Approx(row.read_period).epsilon(1e-12));
+		CHECK(content.alignment->shift == doctest::Approx(row.read_shift).epsilon(1e-12));
+		packet.pop_back();
+		CHECK(error_of(packet) == PacketError::TRUNCATED);
+	}
+	CHECK_FALSE(read({ 0xc2 }).alignment);
 }
 
 TEST_CASE("packet: it can have several items in any order; reused content keeps nothing of the previous packet") {
@@ -157,14 +180,14 @@ TEST_CASE("packet: it can have several items in any order; reused content keeps 
 TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item") {
 	const Bytes packet = all_items();
 	// Truncated after an item, it is a valid packet; within the last chunk, a packet with a shorter chunk.
-	const std::vector<size_t> whole = { 26, 29, 31, 36, 44, 45, 69 };
-	CHECK(packet.size() == 77);
+	const std::vector<size_t> whole = { 26, 29, 32, 38, 46, 47, 71 };
+	CHECK(packet.size() == 79);
 	for (size_t size = 0; size < packet.size(); ++size) {
 		const std::optional<PacketError> error = error_of(Bytes(packet.begin(), packet.begin() + ptrdiff_t(size)));
 		CAPTURE(size);
 		if (size == 0) {
 			CHECK(error == PacketError::EMPTY);
-		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 72) {
+		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 74) {
 			CHECK(error == std::nullopt);
 		} else {
 			CHECK((error == PacketError::TRUNCATED || error == PacketError::BAD_ACK));
@@ -175,7 +198,7 @@ TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item
 TEST_CASE("packet: unknown items and packets that are too long are rejected") {
 	for (int kind = 0x80; kind < 0x100; ++kind) {
 		const bool is_chunk = kind < 0xc0 && (kind & 7) == 0;
-		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc3) || kind == 0xe0 || kind == 0xe1;
+		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc4) || kind == 0xe0 || kind == 0xe1;
 		const std::optional<PacketError> error = error_of({ uint8_t(kind), 1 });
 		CAPTURE(kind);
 		CHECK((error == PacketError::UNKNOWN_ITEM) == !known);

@@ -23,6 +23,7 @@ struct Stream {
 	double sent = 1000.0; // local time at which the last window ended
 	double arrival = 0.0; // of the next window
 	double media = 0.0; // of the last arrival
+	double first = 0.0; // media time at which playback starts
 	double now = 1000.0;
 	double min_rate = 1e9;
 	double max_rate = -1e9;
@@ -55,9 +56,11 @@ struct Stream {
 			now += FRAME;
 			const double shown_before = shown();
 			const double before = clock.media_time();
+			const bool has_begun = clock.is_running() && before > first;
 			while (arrival < now) {
 				media += window;
 				if (!clock.is_running()) {
+					first = media;
 					clock.start(media, 0.1, now);
 				}
 				clock.set_limits(min_delay, max_delay);
@@ -66,7 +69,7 @@ struct Stream {
 				schedule(network, jitter);
 			}
 			clock.advance(now);
-			if (clock.is_running() && before != 0.0) {
+			if (has_begun) { // before that, playback waits at the first known motion
 				min_rate = std::min(min_rate, (clock.media_time() - before) / FRAME);
 				max_rate = std::max(max_rate, (clock.media_time() - before) / FRAME);
 				max_step_back = std::max(max_step_back, shown_before - shown());

@@ -77,7 +77,7 @@ TEST_CASE("receiver: 250 ms after the last lost packet the error is below the bo
 		session.run(10.0);
 		end.change_links([](LinkSettings &link) { link.loss = 0.0; });
 		const double last_loss = std::max(end.down.model().last_loss_time(), end.up.model().last_loss_time());
-		double back_at = session.now;
+		double back_at = last_loss;
 		session.run(3.0, [&] { back_at = session.error(end) > 1.3 ? session.now : back_at; });
 		CAPTURE(seed);
 		CHECK(back_at - last_loss <= 0.25 + SimulatedSession::TICK);

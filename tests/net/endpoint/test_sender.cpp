@@ -295,6 +295,58 @@ TEST_CASE("sender: long round trips, from the start or later, are measured and c
 	}
 }
 
+TEST_CASE("sender: windows end at the instants that a receiver requests, and within max_latency") {
+	SimulatedSession session;
+	add_smooth_bodies(session, 3);
+	RemoteEnd &end = session.add_receiver(1);
+	session.run(10.0); // until the loss is known to be low
+	// Media times at which windows end, in ticks.
+	const auto window_ends = [&](double seconds) {
+		std::vector<int64_t> ends;
+		double known = end.receiver->known_time();
+		session.run(seconds, [&] {
+			if (end.receiver->known_time() > known) {
+				known = end.receiver->known_time();
+				ends.push_back(std::lround(known / SimulatedSession::TICK));
+			}
+		});
+		return ends;
+	};
+	const auto request = [&](uint8_t number, double period, double shift) {
+		std::vector<uint8_t> packet;
+		put_alignment(packet, { number, period, shift });
+		REQUIRE(session.sender->accept(1, packet.data(), packet.size(), session.now));
+	};
+	for (const int ticks : { 9, 8 }) {
+		request(uint8_t(ticks), ticks * SimulatedSession::TICK, 0.0);
+		(void)window_ends(0.5);
+		const std::vector<int64_t> ends = window_ends(2.0);
+		CAPTURE(ticks);
+		CHECK(std::abs(double(ends.size()) - 120.0 / ticks) < 1.0);
+		const int64_t phase = ends[0] % ticks;
+		for (const int64_t window_end : ends) {
+			CHECK(window_end % ticks == phase);
+		}
+		if (ticks == 8) {
+			request(1, 8 * SimulatedSession::TICK, 3 * SimulatedSession::TICK);
+			request(2, 8 * SimulatedSession::TICK, 3 * SimulatedSession::TICK); // too soon after the first
+			(void)window_ends(0.5);
+			request(1, 8 * SimulatedSession::TICK, 3 * SimulatedSession::TICK); // a duplicate
+			for (const int64_t window_end : window_ends(1.0)) {
+				CHECK(window_end % 8 == (phase + 3) % 8);
+			}
+		}
+	}
+	// A period that is longer than the windows may be is divided; far shorter ones are ignored.
+	request(3, 16 * SimulatedSession::TICK, 0.0);
+	(void)window_ends(0.5);
+	CHECK(window_ends(2.0).size() == 15);
+	request(4, SimulatedSession::TICK, 0.0);
+	CHECK(window_ends(2.0).size() == 15);
+	CHECK(session.error(end) <= 1.3);
+	CHECK(end.receiver->statistics().late_windows == 0);
+}
+
 TEST_CASE("sender: planar bodies are shown in their plane, also after a time without receivers") {
 	SimulatedSession session;
 	const auto path = [](double t) { return turned_at(Vector3D(std::sin(t), 0.4 * t, 5.0), Vector3D(0, 0, 1), 2.0 * t); };

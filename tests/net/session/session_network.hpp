@@ -166,6 +166,7 @@ public:
 	double now = 100.0;
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
+	bool is_star = false; // clients are connected to peer 1 only
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
@@ -173,7 +174,7 @@ private:
 		for (auto &entry : peers) {
 			std::vector<PeerId> others;
 			for (const auto &other : peers) {
-				if (other.first != entry.first) {
+				if (other.first != entry.first && (!is_star || entry.first == 1 || other.first == 1)) {
 					others.push_back(other.first);
 				}
 			}

@@ -258,6 +258,37 @@ TEST_CASE("stream: encoder and decoder do not allocate in steady state") {
 	CHECK(harness::allocation_count() == before);
 }
 
+TEST_CASE("stream decoder: its snapshots are those of the encoder") {
+	StreamEncoder encoder(0.005f, 1.4f, cga::Mode::SEPARATE);
+	StreamScene scene(encoder, 5);
+	StreamDecoder decoder(0.005f, 1.4f, 100);
+	std::vector<BodyMotion> motions;
+	double tick = 0.0;
+	for (int i = 0; i < 60; ++i) {
+		Bytes snapshot;
+		encoder.encode_snapshot(snapshot);
+		if (i == 20) {
+			REQUIRE(decoder.read_snapshot(snapshot.data(), snapshot.size()));
+		}
+		if (i >= 20) {
+			Bytes decoded;
+			decoder.encode_snapshot(decoded);
+			CHECK(decoded == snapshot);
+		}
+		const double begin = tick;
+		for (int k = 0; k < 3 + i % 9; ++k) {
+			scene.step(++tick, 0.08);
+		}
+		Bytes window;
+		encoder.encode_window(begin, int(tick - begin), window);
+		scene.end_window();
+		if (i >= 20) {
+			REQUIRE(decode(decoder, window, encoder.check(), begin, motions));
+			CHECK(decoder.check() == encoder.check());
+		}
+	}
+}
+
 TEST_CASE("stream decoder: a jump cannot make a body planar, or a planar body not planar") {
 	struct Output {
 		Bytes snapshot;

@@ -4,7 +4,7 @@ extends "pose_link.gd"
 
 ## Lever arm in meters at which the tolerances of position and rotation are equal.
 const LEVER_ARM := 0.25
-## Maximum latency in seconds. The demo shows the lowest bandwidth (LATENCY_ECONOMICAL).
+## Seconds; bytes count more here than the delay.
 const MAX_LATENCY := 0.2
 
 var _synchronizer := MotorSynchronizer.new()

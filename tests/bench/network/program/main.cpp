@@ -45,6 +45,7 @@ void print_method(const MethodResult &method, const Trace &trace) {
 std::string measure_ours(const Options &options, const Trace &trace) {
 	net::StreamSettings settings = stream_settings(trace, options.tolerance);
 	settings.max_latency = options.max_latency;
+	settings.send_rate = options.send_rate;
 	settings.mode = options.mode;
 	const SourceFeed feed(trace, settings.tick, DRAIN);
 	StreamResult first;

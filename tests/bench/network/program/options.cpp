@@ -48,7 +48,7 @@ bool parse_number(std::string_view text, const NumberOption &option) {
 std::string parse_options(int count, const char *const *arguments, Options &options) {
 	double seed = double(options.seed);
 	double runs = double(options.runs);
-	const std::array<NumberOption, 10> numbers = { {
+	const std::array<NumberOption, 11> numbers = { {
 			{ "loss", &options.link.loss, 0.0, 1.0 },
 			{ "burst", &options.link.burst, 0.0, 1e6 },
 			{ "duplication", &options.link.duplication, 0.0, 1.0 },
@@ -57,6 +57,7 @@ std::string parse_options(int count, const char *const *arguments, Options &opti
 			{ "bytes-per-second", &options.link.bytes_per_second, 0.0, 1e12 },
 			{ "tolerance", &options.tolerance, 1e-5, 10.0 },
 			{ "max-latency", &options.max_latency, 0.01, 10.0 },
+			{ "send-rate", &options.send_rate, 1.0, 1000.0 },
 			{ "seed", &seed, 0.0, 9e15 },
 			{ "runs", &runs, 1.0, 1000.0 },
 	} };

@@ -15,6 +15,7 @@ struct Options {
 	harness::LinkSettings link; ///< each way
 	double tolerance = 0.005; ///< meters
 	double max_latency = 0.2; ///< seconds
+	double send_rate = 20.0; ///< windows per second
 	cga::Mode mode = cga::Mode::SEPARATE;
 	uint64_t seed = 1;
 	uint64_t runs = 1; ///< over the link, with consecutive seeds from `seed`; their errors are pooled

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "net/endpoint/receiver.hpp"
+#include "net/session/outbox.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace net {
+
+/// The owners of the bodies that exist at this peer.
+class BodyOwners {
+public:
+	[[nodiscard]] std::optional<PeerId> find(uint32_t body) const {
+		const auto found = _owners.find(body);
+		return found != _owners.end() ? std::optional(found->second) : std::nullopt;
+	}
+	void set(uint32_t body, PeerId owner) { _owners[body] = owner; }
+	void remove(uint32_t body) { _owners.erase(body); }
+	void clear() { _owners.clear(); }
+
+	/// True if the body belongs to another peer. A body that does not exist here may belong to anyone.
+	[[nodiscard]] bool is_unauthorized(PeerId sender, uint32_t body) const { return find(body).value_or(sender) != sender; }
+	/// Takes the events of a stream and returns the number of new bodies that its sender does not own. They are not shown. This is
+	/// not an error: when a body changes its owner, peers are notified at different times.
+	[[nodiscard]] size_t count_unauthorized(PeerId sender, Receiver &stream) {
+		stream.take_events(_events);
+		return size_t(std::count_if(_events.begin(), _events.end(), [&](const BodyEvent &event) { return event.kind == BodyEvent::ADDED && is_unauthorized(sender, event.id); }));
+	}
+
+private:
+	std::unordered_map<uint32_t, PeerId> _owners; // by body
+	std::vector<BodyEvent> _events;
+};
+
+} // namespace net
