@@ -38,6 +38,21 @@ const MAX_NAME := 24
 const MIN_TOLERANCE := 0.0005
 const MAX_TOLERANCE := 0.1
 
+
+## A name that no other player has: the requested one, or "Player" and the slot; with a number if it
+## is taken.
+static func get_unique_name(requested: String, slot: int, taken: Array[String]) -> String:
+	var base := requested.strip_edges()
+	if base.is_empty():
+		base = "Player %d" % slot
+	var unique := base
+	var number := 1
+	while taken.has(unique):
+		number += 1
+		unique = "%s (%d)" % [base, number]
+	return unique
+
+
 @rpc("authority", "call_remote", "reliable")
 func welcome(scene: String, cubes: int, method: String, session: String) -> void:
 	welcomed.emit(scene, cubes, method, session)

@@ -1,7 +1,6 @@
 extends RefCounted
 ## Reports the traffic that a client received during the scene to the tool that started the client.
 
-const PoseLink := preload("../replication/pose_link.gd")
 const TrafficMeter := preload("traffic_meter.gd")
 
 var _begun_at := 0.0
@@ -34,9 +33,9 @@ func finish(method: String, meter: TrafficMeter) -> void:
 	}
 
 
-## Prints the report. Call when the complete scene has been shown.
-func print_json(link: PoseLink) -> void:
-	_values.merge(link.get_counts())
+## Prints the report with additional counts. Call when the complete scene has been shown.
+func print_json(counts: Dictionary) -> void:
+	_values.merge(counts)
 	print("REPORT ", JSON.stringify(_values))
 
 

@@ -15,13 +15,13 @@ var bytes := 0
 var packets := 0
 ## Lost packets, which are also counted in [member packets]; known only with a proxy.
 var lost := 0
-## Received bytes.
+## Received bytes and packets.
 var arrived := 0
+var arrived_packets := 0
 
 var _host: ENetConnection
 var _proxy: UdpProxy
 var _discounted := 0
-var _arrived_packets := 0
 ## Packets that the proxy had delivered in the previous frame. ENet has read them by now, unless the
 ## system has dropped them.
 var _delivered := 0
@@ -43,10 +43,10 @@ func discount(packet_bytes: int) -> void:
 
 ## Reads the counters.
 func update() -> void:
-	_arrived_packets += int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
+	arrived_packets += int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_PACKETS))
 	arrived += int(_host.pop_statistic(ENetConnection.HOST_TOTAL_RECEIVED_DATA))
 	if _proxy == null:
-		packets = _arrived_packets
+		packets = arrived_packets
 		bytes = arrived - _discounted
 		return
 	var counts := _proxy.get_counts()
@@ -60,7 +60,7 @@ func count_drops() -> void:
 	if _proxy == null:
 		return
 	var counts := _proxy.get_counts()
-	_dropped_after_proxy = maxi(_dropped_after_proxy, _delivered - _arrived_packets)
+	_dropped_after_proxy = maxi(_dropped_after_proxy, _delivered - arrived_packets)
 	_delivered = counts.down_delivered
 	var now := Time.get_ticks_usec() * 1e-6
 	if now >= _next_drop_reading:

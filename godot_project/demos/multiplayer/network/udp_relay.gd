@@ -8,9 +8,9 @@ const LineConditions := preload("line_conditions.gd")
 const LOOPBACK := "127.0.0.1"
 ## Microseconds between two polls of the sockets.
 const POLL_INTERVAL := 400
-## Size of the buffer for packets of the server, in bytes: what arrives while a busy machine does not
-## run the thread. The default of 64 KiB holds a quarter of a second of MultiplayerSynchronizer's
-## packets; beyond it, the engine drops packets and prints "Buffer full".
+## Size of the buffer for packets of the server, in bytes, for what arrives while a busy machine
+## does not run the thread. The default of 64 KiB holds a quarter of a second of
+## MultiplayerSynchronizer's packets. Beyond it, the engine drops packets and prints "Buffer full".
 const RECEIVE_BUFFER := 1 << 22
 ## Maximum number of clients. The relay ignores more.
 const MAX_ROUTES := 32

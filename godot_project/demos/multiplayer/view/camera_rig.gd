@@ -20,6 +20,8 @@ var camera := Camera3D.new()
 var yaw := YAW
 var pitch := -0.52
 var distance: float
+## Height of the point that the camera orbits, in meters.
+var height := 0.0
 ## Position of the player's ball, or the center of the arena.
 var target := Vector3.ZERO
 ## The part of the window that no panel covers, as a share of its size. The camera shows the arena
@@ -40,7 +42,7 @@ func _ready() -> void:
 
 func _process(delta: float) -> void:
 	var goal := target * FOLLOW_SHARE
-	goal.y = 0.0
+	goal.y = height
 	position = position.lerp(goal, 1.0 - exp(-FOLLOW_SPEED * delta))
 	_place()
 

@@ -1,17 +1,12 @@
 extends CanvasLayer
-## The HUD of a client: statistics and controls in a column on the left; in the rest of the window,
-## players at the top and keys at the bottom. The scene is shown between them. H toggles the panels,
-## M switches the method.
+## The HUD of a client of the scenes of cubes: statistics and controls. H toggles the panels, M
+## switches the method.
 
 const Client := preload("../client.gd")
 const ControlsPanel := preload("controls_panel.gd")
+const HudLayout := preload("hud_layout.gd")
 const StatisticsPanel := preload("statistics_panel.gd")
-const PlayerList := preload("player_list.gd")
 
-const MARGIN := 16
-const GAP := 12
-## Minimum size of the window; in a smaller one the HUD is scaled down.
-const MIN_SIZE := Vector2(1080.0, 560.0)
 const KEYS := (
 	"WASD, arrows: roll   ·   Space: jump   ·   Click: kick   ·   Right drag, wheel: camera   ·   "
 	+ "M: switch method   ·   H: toggle panels"
@@ -20,21 +15,14 @@ const KEYS := (
 var _client: Client
 var _statistics := StatisticsPanel.new()
 var _controls := ControlsPanel.new()
-var _players := PlayerList.new()
-var _panels := MarginContainer.new()
-## Where the scene is shown.
-var _free := Control.new()
+var _panels := HudLayout.new([_statistics, _controls], KEYS)
 var _message := Label.new()
 
 
 func _init(client: Client) -> void:
 	_client = client
-	for side: String in ["left", "top", "right", "bottom"]:
-		_panels.add_theme_constant_override("margin_" + side, MARGIN)
-	_panels.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	_panels.hide()
 	add_child(_panels)
-	_arrange()
 	_message.theme_type_variation = &"HeadingLabel"
 	_message.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_message.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
@@ -62,24 +50,17 @@ func open() -> void:
 
 
 func show_players(roster: Array, own_slot: int) -> void:
-	_players.show_players(roster, own_slot)
+	_panels.players.show_players(roster, own_slot)
 
 
 ## The part of the window that no panel covers, as a share of its size.
 func get_free_area() -> Rect2:
-	if not _panels.visible:
-		return Rect2(0.0, 0.0, 1.0, 1.0)
-	var window := get_viewport().get_visible_rect().size
-	var rect := _free.get_global_rect()
-	return Rect2(rect.position * scale / window, rect.size * scale / window)
+	return _panels.get_free_area()
 
 
 ## Call it every frame.
 func update() -> void:
-	var window := get_viewport().get_visible_rect().size
-	var factor := minf(1.0, minf(window.x / MIN_SIZE.x, window.y / MIN_SIZE.y))
-	scale = Vector2.ONE * factor
-	_panels.size = window / factor
+	_panels.fit_window()
 	_statistics.update(_client)
 
 
@@ -101,42 +82,3 @@ func _on_method_changed() -> void:
 
 func _on_tuned() -> void:
 	_controls.show_tuning(_client.tolerance, _client.mode)
-
-
-func _in_panel(content: Control) -> PanelContainer:
-	var panel := PanelContainer.new()
-	panel.add_child(content)
-	return panel
-
-
-func _arrange() -> void:
-	var columns := HBoxContainer.new()
-	columns.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	columns.add_theme_constant_override(&"separation", GAP)
-	_panels.add_child(columns)
-	var left := VBoxContainer.new()
-	left.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	left.add_theme_constant_override(&"separation", GAP)
-	left.add_child(_in_panel(_statistics))
-	left.add_child(_in_panel(_controls))
-	columns.add_child(left)
-	var right := VBoxContainer.new()
-	right.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	right.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	_free.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	_free.size_flags_vertical = Control.SIZE_EXPAND_FILL
-	for row: Control in [_players, _free, _make_keys()]:
-		row.size_flags_horizontal = (
-			Control.SIZE_FILL if row == _free else Control.SIZE_SHRINK_CENTER
-		)
-		right.add_child(row)
-	columns.add_child(right)
-
-
-func _make_keys() -> PanelContainer:
-	var keys := Label.new()
-	keys.text = KEYS
-	keys.theme_type_variation = &"CaptionLabel"
-	var panel := _in_panel(keys)
-	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	return panel

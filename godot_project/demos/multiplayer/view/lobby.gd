@@ -13,7 +13,7 @@ const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
 const SCENE_TITLES: Dictionary[String, String] = {
-	"cubes": "Falling Structures", "push": "Field of Cubes"
+	"cubes": "Falling Structures", "push": "Field of Cubes", "avatars": "Avatars"
 }
 const COLUMN_WIDTH := 400
 ## Rotation of the background in radians per second.
@@ -50,7 +50,7 @@ func _init(options: Options, message: String) -> void:
 	_add_label(column, "Multiplayer", &"TitleLabel")
 	_add_label(
 		column,
-		"A server simulates the cubes and sends their poses as quantized motors.",
+		"A server simulates cubes, or forwards the players' avatars, as quantized motors.",
 		&"CaptionLabel"
 	)
 	if not message.is_empty():
@@ -120,10 +120,11 @@ func _on_host() -> void:
 			"--port=%d" % _options.port,
 			"--session=%s" % _options.session,
 			"--scene=%s" % _options.scene,
-			"--cubes=%d" % _options.cubes,
 			"--method=%s" % _options.method
 		]
 	)
+	if _options.cubes > 0:
+		arguments.append("--cubes=%d" % _options.cubes)
 	OS.create_process(OS.get_executable_path(), arguments)
 	_options.address = "127.0.0.1"
 	_play()
