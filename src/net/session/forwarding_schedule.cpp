@@ -18,6 +18,8 @@ constexpr double FAR = 1.5;
 constexpr double DECAY = 0.9;
 /// Seconds until a request has taken effect, besides two periods.
 constexpr double SETTLING_TIME = 0.2;
+/// The same if the windows did not arrive with the requested period: they do so from now on, or cannot.
+constexpr double UNSTEADY_TIME = 1.0;
 
 } // namespace
 
@@ -49,13 +51,16 @@ std::optional<AlignItem> WindowAligner::take_request(double period, double tick,
 	std::sort(offsets.begin(), offsets.end());
 	const double latest = offsets[1] - offsets[0] < FAR * tick ? offsets[0] : offsets[1];
 	const double shift = std::remainder(center + latest - GOAL * tick, interval);
-	_spread = std::max(offsets[COUNT - 1] - latest, DECAY * _spread);
-	_is_aligned = std::fabs(shift) <= (_is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE) * tick;
+	const double spread = offsets[COUNT - 1] - latest;
+	_spread = interval == _interval ? std::max(spread, DECAY * _spread) : spread;
+	_interval = interval;
+	const bool is_periodic = spread <= 0.5 * interval;
+	_is_aligned = is_periodic && std::fabs(shift) <= (_is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE) * tick;
 	if (_is_aligned) {
-		_max_lead = std::max(shift + GOAL * tick + offsets[COUNT - 1] - latest, DECAY * _max_lead);
+		_max_lead = std::max(shift + GOAL * tick + spread, DECAY * _max_lead);
 		return std::nullopt;
 	}
-	_settled_at = now + SETTLING_TIME + 2.0 * period;
+	_settled_at = now + (is_periodic ? SETTLING_TIME : UNSTEADY_TIME) + 2.0 * period;
 	return AlignItem{ ++_number, period, shift };
 }
 
