@@ -6,12 +6,13 @@ namespace net {
 
 namespace {
 
-/// The latest windows should arrive this long before an instant, within a tolerance, in ticks.
+/// The latest windows should arrive this long before an instant, or a little later or earlier, in ticks.
 constexpr double GOAL = 0.25;
+constexpr double LATE_TOLERANCE = 0.3;
 constexpr double TOLERANCE = 0.6;
 /// The tolerance for an owner that is aligned, if its arrivals vary by MIN_SPREAD or more.
 constexpr double KEPT_TOLERANCE = 0.8;
-constexpr double MIN_SPREAD = 0.25;
+constexpr double MIN_SPREAD = 0.05;
 /// A window that is later than all others by this is an exception, for example a retransmission. In ticks.
 constexpr double FAR = 1.5;
 /// Factor by which maxima decay from measurement to measurement.
@@ -55,7 +56,8 @@ std::optional<AlignItem> WindowAligner::take_request(double period, double tick,
 	_spread = interval == _interval ? std::max(spread, DECAY * _spread) : spread;
 	_interval = interval;
 	const bool is_periodic = spread <= 0.5 * interval;
-	_is_aligned = is_periodic && std::fabs(shift) <= (_is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE) * tick;
+	const double tolerance = _is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE;
+	_is_aligned = is_periodic && shift >= -LATE_TOLERANCE * tick && shift <= tolerance * tick;
 	if (_is_aligned) {
 		_max_lead = std::max(shift + GOAL * tick + spread, DECAY * _max_lead);
 		return std::nullopt;
