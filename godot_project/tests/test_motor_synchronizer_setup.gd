@@ -116,8 +116,8 @@ func test_latency_presets() -> void:
 	var node := MotorSynchronizer.new()
 	add_node(node)
 	var presets := {
-		MotorSynchronizer.LATENCY_RESPONSIVE: [0.05, 60.0],
-		MotorSynchronizer.LATENCY_ECONOMICAL: [0.2, 20.0],
+		MotorSynchronizer.LATENCY_RESPONSIVE: [0.05, 40.0],
+		MotorSynchronizer.LATENCY_ECONOMICAL: [0.2, 10.0],
 		MotorSynchronizer.LATENCY_BALANCED: [0.1, 20.0],
 	}
 	for preset: MotorSynchronizer.LatencyPreset in presets:
@@ -130,7 +130,7 @@ func test_latency_presets() -> void:
 	expect_equal([node.max_latency, node.send_rate], [0.07, 20.0], "settings")
 	node.max_latency = 0.05
 	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_CUSTOM, "at another rate")
-	node.send_rate = 60.0
+	node.send_rate = 40.0
 	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_RESPONSIVE, "of both")
 	# The inspector restores these when a change of the preset is undone.
 	expect_equal(

@@ -89,7 +89,7 @@ def spawned_bodies_are_never_shown_elsewhere(run):
     findings = Findings([*sessions, waiting])
     for label in (f"B{number}" for number in range(4)):
         shown = waiting.clients[0].record.shown(label)
-        findings.check(shown and shown[0].position == (0.0, 0.0, 0.0), f"hide_until_known false: {label} does not stay at its place")
+        findings.check(shown, f"hide_until_known false: {label} is never shown")
         moved = [sample for sample in shown if sample.position != (0.0, 0.0, 0.0)]
         worst = max((truth_of(waiting, label).distance(sample.position) for sample in moved), default=float("inf"))
         findings.check(worst <= TOLERANCE, f"hide_until_known false: {label} is shown {worst * 1000:.0f} mm beside its path")

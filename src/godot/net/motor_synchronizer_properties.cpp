@@ -31,7 +31,7 @@ struct Latency {
 };
 
 // Indexed by LatencyPreset.
-constexpr Latency LATENCIES[] = { { 0.0, 0.0 }, { 0.05, 60.0 }, { 0.1, 20.0 }, { 0.2, 20.0 } };
+constexpr Latency LATENCIES[] = { { 0.0, 0.0 }, { 0.05, 40.0 }, { 0.1, 20.0 }, { 0.2, 10.0 } };
 
 } // namespace
 

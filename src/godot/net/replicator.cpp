@@ -117,10 +117,12 @@ void Replicator::update_settings() {
 	net::StreamSettings settings = lead()->stream_settings();
 	double min_delay = 0.0;
 	double jitter_allowance = 0.0;
+	bool relay = lead()->is_relay();
 	bool differs = false;
 	for (const MotorSynchronizer *synchronizer : _synchronizers) {
 		const net::StreamSettings &other = synchronizer->stream_settings();
-		differs = differs || !settings.is_same_stream(other) || settings.send_rate != other.send_rate;
+		differs = differs || !settings.is_same_stream(other) || settings.send_rate != other.send_rate || settings.max_packet_size != other.max_packet_size || relay != synchronizer->is_relay();
+		relay = relay || synchronizer->is_relay();
 		settings.position_tolerance = std::min(settings.position_tolerance, other.position_tolerance);
 		settings.rotation_tolerance = std::min(settings.rotation_tolerance, other.rotation_tolerance);
 		settings.position_tolerance_2d = std::min(settings.position_tolerance_2d, other.position_tolerance_2d);
@@ -131,7 +133,7 @@ void Replicator::update_settings() {
 		jitter_allowance = std::max(jitter_allowance, synchronizer->get_jitter_allowance());
 	}
 	if (differs) {
-		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, the smallest max_latency and the highest send_rate apply to all of them. Give them the same settings.");
+		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, max_latency and max_packet_size, the highest send_rate, and relay if one of them has it, apply to all of them. Give them the same settings.");
 	}
 	const String fault = send_rate_fault(settings.send_rate);
 	if (!fault.is_empty()) {
@@ -139,6 +141,7 @@ void Replicator::update_settings() {
 	}
 	_settings = settings;
 	_session.set_settings(settings);
+	_session.set_relay(relay);
 	_session.set_margin_limits(min_delay, jitter_allowance);
 }
 

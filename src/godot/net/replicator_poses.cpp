@@ -208,7 +208,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 	const bool is_interpolated = node->get_tree()->is_physics_interpolation_enabled();
 	switch (frame.phase) {
 		case Phase::UNKNOWN:
-			if (target.synchronizer->is_hide_until_known() && !had_shown && _session.has_peer(target.authority) && now - target.view.followed_at() < MAX_HIDDEN) {
+			if (target.synchronizer->is_hide_until_known() && !had_shown && _session.can_receive(target.authority) && now - target.view.followed_at() < MAX_HIDDEN) {
 				target.hide();
 			} else {
 				target.reveal();
@@ -230,6 +230,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 				const Transform3D from = frame.previous_pose && previous_parent != nullptr ? from_previous(*frame.previous_pose) : local_transform(node);
 				target.begin_blend(from, transform, now);
 			}
+			target.previous_parent = 0;
 			target.place(target.blended(transform, now, target.synchronizer->get_blend_time()), is_interpolated);
 			target.reveal();
 			break;
@@ -260,14 +261,16 @@ void Replicator::check_streams(double now) {
 		return now - absent[key] > MAX_ABSENT;
 	};
 	for (const Target &target : _targets) {
-		if (target.authority == 0 || target.authority == _session.self() || _session.has_peer(target.authority) || absent.count(target.authority) != 0) {
+		if (target.authority == 0 || target.authority == _session.self() || _session.can_receive(target.authority) || absent.count(target.authority) != 0) {
 			continue;
 		}
 		if (is_reported(target.authority)) {
 			warn("owner " + std::to_string(target.authority), vformat("the authority of %s, peer %d, is not connected to this peer, so its motion cannot arrive. Set \"relay\" on all peers, or SceneMultiplayer.server_relay, or give the node to a connected peer with set_multiplayer_authority().", find_spatial(target.node)->get_path(), target.authority));
 		}
 	}
-	for (const int32_t peer : _session.peers()) {
+	std::vector<int32_t> owners = _session.relayed_owners();
+	owners.insert(owners.end(), _session.peers().begin(), _session.peers().end());
+	for (const int32_t peer : owners) {
 		const net::Receiver *stream = _session.stream(peer);
 		if (stream == nullptr) {
 			continue;

@@ -28,6 +28,8 @@ constexpr double LOSS_MEMORY_SLOPE = 5.0;
 constexpr double RARE_SILENCE = 6.0;
 /// A change of the sender's rate after which the required delay is measured again.
 constexpr double NEW_RATE = 0.03;
+/// If playback has not advanced for this many seconds, this peer stood still, not the network.
+constexpr double LOCAL_STALL = 0.1;
 /// Seconds in which everything arrives that was held up during a silence.
 constexpr double BACKLOG_TIME = 0.1;
 
@@ -72,7 +74,8 @@ void PlaybackClock::observe(double begin, double end, double now) {
 		return;
 	}
 	close_batch();
-	_batch = { now, begin, end, _is_silence_rare && now - _silence_end < BACKLOG_TIME, true };
+	const bool is_backlog = _is_silence_rare && now - _silence_end < BACKLOG_TIME;
+	_batch = { now, begin, end, is_backlog || now - _last > LOCAL_STALL, true };
 }
 
 void PlaybackClock::close_batch() {

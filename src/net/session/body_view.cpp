@@ -16,7 +16,7 @@ void BodyView::follow(const BodySource &source, double now) {
 	}
 	_source = source;
 	_life = 0;
-	_is_current = false;
+	_is_current = _is_held = false;
 	_followed_at = now;
 }
 
@@ -35,8 +35,8 @@ BodyView::Frame BodyView::frame(const Session &session, double now) {
 	const uint64_t min_life = now - _followed_at < MAX_WAIT ? _source.min_life : 0;
 	const Receiver *stream = session.stream(_source.owner);
 	const std::optional<ShownBody> shown = stream != nullptr ? stream->shown(_source.body) : std::nullopt;
-	// At the beginning of a stream, bodies are at their first poses. What was shown before them comes to its end first.
-	const bool is_early = shown && shown->is_early && _has_shown && !_is_current;
+	// At the beginning of a stream, bodies are at their first poses. The old source comes to its end first.
+	const bool is_early = shown && shown->is_early && _previous && !_is_current;
 	if (shown && shown->life >= min_life && !is_early) {
 		frame.phase = Phase::CURRENT;
 		frame.pose = shown->pose;
@@ -48,12 +48,15 @@ BodyView::Frame BodyView::frame(const Session &session, double now) {
 		_last_pose = shown->pose;
 		_life = shown->life;
 		_is_current = _has_shown = true;
+		_is_held = false;
 		return frame;
 	}
 	if (_is_current) {
 		const bool is_freed = stream != nullptr && stream->end(_source.body, _life) == BodyEnd::FREED;
 		frame.phase = is_freed ? Phase::ENDED : Phase::HELD;
-		frame.pose = is_freed ? stream->last_pose(_source.body, _life) : std::nullopt;
+		// The game may move the node from then on.
+		frame.pose = stream != nullptr && !_is_held ? stream->last_pose(_source.body, _life) : std::nullopt;
+		_is_held = true;
 		return frame;
 	}
 	if (_previous) {

@@ -24,9 +24,9 @@ public:
 		UNKNOWN, ///< no pose is known
 		UNBORN, ///< playback has not reached the first pose, which is shown
 		PREVIOUS, ///< the new source shows nothing yet; the old one does, or did until its end
-		HELD, ///< the new source shows nothing yet, and the old stream has closed: its last pose; or the source has ended: no pose
+		HELD, ///< the source has ended, or the old stream has closed before the new source begins: in the first frame, the last pose
 		CURRENT,
-		ENDED, ///< playback has reached the end of the body, which its owner has freed: its last pose
+		ENDED, ///< playback has reached the end of the body, which its owner has freed: in the first frame, the last pose
 	};
 
 	struct Frame {
@@ -58,6 +58,7 @@ private:
 	BodySource _source;
 	uint64_t _life = 0; // shown of _source
 	bool _is_current = false; // _source has been shown
+	bool _is_held = false; // _source has ended, and its last pose was shown
 	std::optional<BodySource> _previous;
 	std::optional<cga::Pose<double>> _last_pose; // shown of _previous, or of _source
 	uint64_t _previous_life = 0;
