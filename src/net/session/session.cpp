@@ -233,6 +233,11 @@ void Session::end_stream(PeerId id, Peer &peer) {
 /// Starts the streams that peers have requested, if there are bodies to send.
 void Session::start_requested() {
 	for (auto &[id, peer] : _peers) {
+		if (is_relaying() && peer.relay == true && peer.requested && peer.relay_link != peer.requested && _now - peer.relayed_at >= SUBSCRIPTION_INTERVAL) {
+			peer.relay_link = peer.requested;
+			peer.relayed_at = _now;
+			_relayer.add_client(id, _running_time);
+		}
 		const bool is_recent = _now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
 		if (_owned > 0 && peer.requested && !peer.is_subscribed(*peer.requested) && !is_recent) {
 			start_stream(id, peer);

@@ -262,6 +262,27 @@ TEST_CASE("relay: at any tick rate and latency, and with packets of any size, bo
 	}
 }
 
+TEST_CASE("relay: a client that requests new streams all the time gets few snapshots") {
+	SessionNetwork network = network_of_owners(3);
+	for (uint32_t body = 100; body < 300; ++body) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, 3);
+	}
+	network.run(3.0);
+	const double from = network.now;
+	uint8_t link = 0;
+	network.run(2.0, [&] { network.inject(2, SERVER, make_packet(PacketKind::OPEN, ++link, { OPEN_RELAY })); });
+	size_t bytes = 0;
+	for (const SessionNetwork::SentPacket &packet : network.packets(SERVER, 2, PacketKind::MOTION, from)) {
+		bytes += packet.bytes.size();
+	}
+	// A snapshot has about 10,000 bytes.
+	CHECK(bytes <= 200000);
+	network.run(3.0);
+	CHECK(worst_error(network, 2) <= 1.3);
+	CHECK(worst_error(network, 4) <= 1.3);
+}
+
 TEST_CASE("relay: if the transport refuses packets, they become smaller") {
 	SessionNetwork network = network_of_owners(3);
 	for (uint32_t body = 100; body < 220; ++body) {
