@@ -204,8 +204,8 @@ func test_synchronizers_with_different_settings_warn_once() -> void:
 	var node := _add_synchronizer(Node3D.new())
 	var warning := (
 		"The MotorSynchronizers of this tree have different settings, but share one stream: the "
-		+ "smallest tolerances, the smallest max_latency and the highest send_rate apply to all of "
-		+ "them. Give them the same settings."
+		+ "smallest tolerances, max_latency and max_packet_size, the highest send_rate, and relay if "
+		+ "one of them has it, apply to all of them. Give them the same settings."
 	)
 	await _settle()
 	for i in 3:

@@ -263,7 +263,7 @@ void Replicator::send_packets() {
 	net::Outbox::Packet refused{};
 	_session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
 		if (!_session.has_peer(packet.peer)) {
-			return; // it left after the packet was queued
+			return; // it has left since
 		}
 		const godot::Error error = _api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, channel);
 		if (error != godot::OK && packet.size > refused.size) {

@@ -6,18 +6,21 @@ namespace net {
 
 namespace {
 
-/// The latest windows should arrive this long before an instant, within a tolerance, in ticks.
+/// The latest windows should arrive this long before an instant, or a little later or earlier, in ticks.
 constexpr double GOAL = 0.25;
+constexpr double LATE_TOLERANCE = 0.3;
 constexpr double TOLERANCE = 0.6;
 /// The tolerance for an owner that is aligned, if its arrivals vary by MIN_SPREAD or more.
 constexpr double KEPT_TOLERANCE = 0.8;
-constexpr double MIN_SPREAD = 0.25;
+constexpr double MIN_SPREAD = 0.05;
 /// A window that is later than all others by this is an exception, for example a retransmission. In ticks.
 constexpr double FAR = 1.5;
 /// Factor by which maxima decay from measurement to measurement.
 constexpr double DECAY = 0.9;
 /// Seconds until a request has taken effect, besides two periods.
 constexpr double SETTLING_TIME = 0.2;
+/// The same if the windows did not arrive with the requested period: they do so from now on, or cannot.
+constexpr double UNSTEADY_TIME = 1.0;
 
 } // namespace
 
@@ -49,13 +52,17 @@ std::optional<AlignItem> WindowAligner::take_request(double period, double tick,
 	std::sort(offsets.begin(), offsets.end());
 	const double latest = offsets[1] - offsets[0] < FAR * tick ? offsets[0] : offsets[1];
 	const double shift = std::remainder(center + latest - GOAL * tick, interval);
-	_spread = std::max(offsets[COUNT - 1] - latest, DECAY * _spread);
-	_is_aligned = std::fabs(shift) <= (_is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE) * tick;
+	const double spread = offsets[COUNT - 1] - latest;
+	_spread = interval == _interval ? std::max(spread, DECAY * _spread) : spread;
+	_interval = interval;
+	const bool is_periodic = spread <= 0.5 * interval;
+	const double tolerance = _is_aligned && _spread >= MIN_SPREAD * tick ? KEPT_TOLERANCE : TOLERANCE;
+	_is_aligned = is_periodic && shift >= -LATE_TOLERANCE * tick && shift <= tolerance * tick;
 	if (_is_aligned) {
-		_max_lead = std::max(shift + GOAL * tick + offsets[COUNT - 1] - latest, DECAY * _max_lead);
+		_max_lead = std::max(shift + GOAL * tick + spread, DECAY * _max_lead);
 		return std::nullopt;
 	}
-	_settled_at = now + SETTLING_TIME + 2.0 * period;
+	_settled_at = now + (is_periodic ? SETTLING_TIME : UNSTEADY_TIME) + 2.0 * period;
 	return AlignItem{ ++_number, period, shift };
 }
 

@@ -37,6 +37,7 @@ private:
 	size_t _count = 0;
 	double _max_lead = 0.0;
 	double _spread = 0.0; // between recent leads
+	double _interval = 0.0; // between the ends of windows
 	double _settled_at = -1e9;
 	uint8_t _number = 0;
 	bool _is_aligned = false;
@@ -45,11 +46,10 @@ private:
 /// The ticks at which a relaying server forwards all streams at once.
 class ForwardingSchedule {
 public:
-	/// Sets the number of ticks between two instants from the owners' maximum window, and the current tick. Owners whose network
-	/// varies have slightly shorter windows.
+	/// Sets the current tick, and the time between two instants to at most `max_window`.
 	void begin_tick(int64_t number, double time, double tick, double max_window) {
 		_tick = tick;
-		_ticks = std::clamp(int64_t(WINDOW_SHARE * max_window / tick + 1e-6), int64_t(1), int64_t(MAX_TICKS));
+		_ticks = std::clamp(int64_t(max_window / tick + 1e-6), int64_t(1), int64_t(MAX_TICKS));
 		_left = _ticks - (number % _ticks + _ticks) % _ticks;
 		_time = time;
 	}
@@ -67,7 +67,6 @@ public:
 
 private:
 	static constexpr int64_t MAX_HOLD = 2;
-	static constexpr double WINDOW_SHARE = 0.85;
 
 	double _tick = 1.0 / 60.0;
 	int64_t _ticks = 1; // between two instants

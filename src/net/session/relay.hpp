@@ -23,7 +23,7 @@ public:
 
 	/// Forwards an owner's stream from now on. `source` must exist until remove_stream.
 	void add_stream(PeerId owner, Receiver &source, double now);
-	/// Returns the channel of the stream, which its clients have to be told; std::nullopt if it is not forwarded.
+	/// Returns the channel of the stream, so that it can be reported to the clients; std::nullopt if it is not forwarded.
 	std::optional<uint32_t> remove_stream(PeerId owner);
 
 	void add_client(PeerId client, double now);

@@ -173,8 +173,8 @@ void Session::teleport(uint32_t body) {
 
 void Session::end_tick() {
 	if (is_relaying()) {
-		// The longest windows of owners, as in Sender.
-		const double window = std::max(_settings.max_latency - FRAME, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0);
+		// Not the longest windows that Sender makes: owners on a varying network should not have to divide the period.
+		const double window = std::max(_settings.max_latency - 2.0 * FRAME, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0);
 		_relayer.begin_tick(_tick, _running_time, _settings.tick, window);
 		if (_sender) {
 			_sender->align(time() - double(_relayer.schedule().ticks_since_instant()) * _settings.tick, _relayer.schedule().period());
@@ -233,6 +233,11 @@ void Session::end_stream(PeerId id, Peer &peer) {
 /// Starts the streams that peers have requested, if there are bodies to send.
 void Session::start_requested() {
 	for (auto &[id, peer] : _peers) {
+		if (is_relaying() && peer.relay == true && peer.requested && peer.relay_link != peer.requested && _now - peer.relayed_at >= SUBSCRIPTION_INTERVAL) {
+			peer.relay_link = peer.requested;
+			peer.relayed_at = _now;
+			_relayer.add_client(id, _running_time);
+		}
 		const bool is_recent = _now - peer.subscribed_at < SUBSCRIPTION_INTERVAL;
 		if (_owned > 0 && peer.requested && !peer.is_subscribed(*peer.requested) && !is_recent) {
 			start_stream(id, peer);

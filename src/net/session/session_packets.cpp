@@ -60,14 +60,8 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
 	const PacketResult result = note_relay(id, peer, is_for_relay);
-	if (is_for_relay && id != RelayedStreams::SERVER) {
-		if (!is_relaying()) {
-			return result; // the peer falls back to a plain stream when it learns that we do not relay
-		}
-		if (peer.relay_link != link) {
-			peer.relay_link = link;
-			_relayer.add_client(id, _running_time);
-		}
+	if (is_for_relay && id != RelayedStreams::SERVER && !is_relaying()) {
+		return result; // the peer requests a plain stream when it learns that we do not relay
 	}
 	if (peer.requested != link) {
 		peer.requested = link;

@@ -57,9 +57,12 @@ TEST_CASE("forwarding schedule: owners are aligned by few requests, from any pha
 			CHECK(owner.run(100) == 0);
 			for (int i = 0; i < 50; ++i) {
 				(void)owner.run(1);
-				CHECK(owner.last_lead <= jitter + 2.1 * TICK);
+				// A lead just below the period is that of a window that is slightly late.
+				const double lead = std::remainder(owner.last_lead, owner.period);
+				CHECK(lead >= -0.35 * TICK);
+				CHECK(lead <= jitter + 1.1 * TICK);
 			}
-			CHECK(owner.aligner.max_lead() <= jitter + 2.1 * TICK);
+			CHECK(owner.aligner.max_lead() <= jitter + 1.1 * TICK);
 		}
 	}
 }
@@ -70,7 +73,7 @@ TEST_CASE("forwarding schedule: owners with shorter windows divide the period") 
 	owner.phase = 2.5 * TICK;
 	CHECK(owner.run(40) <= 2);
 	CHECK(owner.aligner.is_aligned());
-	CHECK(std::remainder(owner.last_lead - 0.75 * TICK, 0.5 * owner.period) == doctest::Approx(0.0).epsilon(0.6 * TICK));
+	CHECK(std::fabs(std::remainder(owner.last_lead - 0.25 * TICK, 0.5 * owner.period)) <= 0.6 * TICK);
 }
 
 TEST_CASE("forwarding schedule: a late window changes nothing") {
@@ -109,11 +112,13 @@ TEST_CASE("forwarding schedule: instants are whole ticks apart, within the owner
 TEST_CASE("forwarding schedule: windows that come early wait at most two ticks") {
 	ForwardingSchedule schedule;
 	int held = 0;
-	for (int64_t tick = 0; tick < 9; ++tick) {
-		schedule.begin_tick(tick, double(tick) * TICK, TICK, 0.183);
+	int held_shortly = 0;
+	for (int64_t tick = 0; tick < 10; ++tick) {
+		schedule.begin_tick(tick, double(tick) * TICK, TICK, 10 * TICK);
 		held += schedule.holds(1.0, double(tick) * TICK) ? 1 : 0;
-		CHECK_FALSE(schedule.holds(0.5 * TICK, double(tick) * TICK));
+		held_shortly += schedule.holds(0.0, double(tick) * TICK) ? 1 : 0;
 		CHECK_FALSE(schedule.holds(1.0, double(tick + 1) * TICK)); // there was no tick
 	}
 	CHECK(held == 2);
+	CHECK(held_shortly == 1);
 }

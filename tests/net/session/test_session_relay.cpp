@@ -262,6 +262,27 @@ TEST_CASE("relay: at any tick rate and latency, and with packets of any size, bo
 	}
 }
 
+TEST_CASE("relay: a client that requests new streams all the time gets few snapshots") {
+	SessionNetwork network = network_of_owners(3);
+	for (uint32_t body = 100; body < 300; ++body) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(body, 3);
+	}
+	network.run(3.0);
+	const double from = network.now;
+	uint8_t link = 0;
+	network.run(2.0, [&] { network.inject(2, SERVER, make_packet(PacketKind::OPEN, ++link, { OPEN_RELAY })); });
+	size_t bytes = 0;
+	for (const SessionNetwork::SentPacket &packet : network.packets(SERVER, 2, PacketKind::MOTION, from)) {
+		bytes += packet.bytes.size();
+	}
+	// A snapshot has about 10,000 bytes.
+	CHECK(bytes <= 200000);
+	network.run(3.0);
+	CHECK(worst_error(network, 2) <= 1.3);
+	CHECK(worst_error(network, 4) <= 1.3);
+}
+
 TEST_CASE("relay: if the transport refuses packets, they become smaller") {
 	SessionNetwork network = network_of_owners(3);
 	for (uint32_t body = 100; body < 220; ++body) {
@@ -289,12 +310,15 @@ struct PacketRates {
 	double bytes = 0.0;
 };
 
-PacketRates packet_rates(int owners, double jitter, int frames) {
+PacketRates packet_rates(int owners, double jitter, int frames, double max_latency) {
 	SessionNetwork network({ 0.03, jitter });
+	StreamSettings settings;
+	settings.max_latency = max_latency;
 	network.frames_per_tick = frames;
 	network.is_star = true;
 	for (PeerId id = 1; id <= owners + 1; ++id) {
 		network.peers[id].session.set_relay(true);
+		network.peers[id].session.set_settings(settings);
 		network.join(id);
 		network.run(0.05 + 0.017 * double(id * 7 % 10));
 	}
@@ -322,13 +346,20 @@ PacketRates packet_rates(int owners, double jitter, int frames) {
 } // namespace
 
 TEST_CASE("relay: the number of datagrams for each client does not depend on the number of owners") {
-	for (const int frames : { 1, 2 }) {
+	struct Row {
+		double max_latency;
+		int frames;
+		double packets;
+	};
+	for (const Row &row : { Row{ 0.2, 1, 6.7 }, Row{ 0.2, 2, 6.7 }, Row{ 0.1, 1, 20.0 }, Row{ 0.1, 4, 20.0 } }) {
+		const int frames = row.frames;
+		CAPTURE(row.max_latency);
 		CAPTURE(frames);
-		const PacketRates two = packet_rates(2, 0.0, frames);
-		CHECK(two.motion <= 7.5);
+		const PacketRates two = packet_rates(2, 0.0, frames, row.max_latency);
+		CHECK(two.motion <= 1.03 * row.packets);
 		for (const int owners : { 4, 8, 16 }) {
 			CAPTURE(owners);
-			const PacketRates more = packet_rates(owners, 0.0, frames);
+			const PacketRates more = packet_rates(owners, 0.0, frames, row.max_latency);
 			CHECK(more.motion <= 1.05 * two.motion);
 			CHECK(more.server_acks <= 1.05 * two.server_acks);
 			CHECK(more.acks <= 1.05 * two.acks);
@@ -340,9 +371,9 @@ TEST_CASE("relay: the number of datagrams for each client does not depend on the
 		// Jitter disperses the arrivals at the server.
 		for (const double jitter : { 0.005, 0.02 }) {
 			CAPTURE(jitter);
-			const PacketRates many = packet_rates(16, jitter, frames);
-			CHECK(many.motion <= 15.0);
-			CHECK(many.acks <= 15.0);
+			const PacketRates many = packet_rates(16, jitter, frames, row.max_latency);
+			CHECK(many.motion <= 1.5 * row.packets);
+			CHECK(many.acks <= 1.5 * row.packets);
 			CHECK(many.excess <= 0.01);
 		}
 	}
