@@ -14,9 +14,9 @@ TITLES = {"on": "MotorSynchronizer.relay", "off": "forwarded by Godot"}
 SPARE_SECONDS = 40
 # One in so many frames is compared.
 FRAME_STEP = 3
-# How far the delay of a frame may differ from the mean one, and the step in which it is searched, in seconds.
+# How far the delay of a frame may differ from the mean one, and the steps in which it is searched, in seconds.
 DELAY_RANGE = 0.03
-DELAY_STEP = 0.003
+DELAY_STEPS = (0.005, 0.001)
 
 
 @dataclass
@@ -104,20 +104,36 @@ def compare(truth, moving, shown, network_delay, errors, delays):
     one close to the mean delay at which its three bodies fit the owner's best.
     """
     mean = best_delay(truth, moving, shown, 0.5 + 2 * network_delay)
-    steps = int(DELAY_RANGE / DELAY_STEP)
-    candidates = [mean + DELAY_STEP * step for step in range(-steps, steps + 1)]
-    offsets = range(0, PARTS * ROW_FLOATS, ROW_FLOATS)
     for wall, rows in list(zip(shown.walls, shown.rows))[::FRAME_STEP]:
         best = None
-        for delay in candidates:
-            pose, index = rows_at(truth, truth.walls, wall - delay)
-            if pose is not None:
-                fit = [lever_distance(pose, rows, at) for at in offsets]
-                if best is None or sum(fit) < sum(best[0]):
-                    best = (fit, delay, moving[index])
-        if best is not None:
-            errors += [error for at, error in zip(offsets, best[0]) if at in best[2]]
-            delays.append(best[1])
+        delay, span = mean, DELAY_RANGE
+        for step in DELAY_STEPS:
+            count = round(span / step)
+            fits = [fit for fit in (fit_at(truth, moving, wall, rows, delay + step * i) for i in range(-count, count + 1)) if fit]
+            if not fits:
+                break
+            best = min(fits, key=lambda fit: sum(fit.errors))
+            delay, span = best.delay, step
+        if best:
+            errors += [best.errors[at // ROW_FLOATS] for at in best.moving]
+            delays.append(best.delay)
+
+
+@dataclass
+class Fit:
+    """The errors of the bodies of a frame, in meters, if it is `delay` seconds late; `moving` are the offsets of moving ones."""
+
+    errors: list
+    delay: float
+    moving: list
+
+
+def fit_at(truth, moving, wall, rows, delay):
+    """The Fit of a frame at a delay; None if the owner recorded nothing at that time."""
+    pose, index = rows_at(truth, truth.walls, wall - delay)
+    if pose is None:
+        return None
+    return Fit([lever_distance(pose, rows, at) for at in range(0, PARTS * ROW_FLOATS, ROW_FLOATS)], delay, moving[index])
 
 
 COLUMNS = (

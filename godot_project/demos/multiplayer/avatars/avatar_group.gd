@@ -6,7 +6,8 @@ signal avatar_added(slot: int, player_name: String, avatar: Avatar)
 
 const Avatar := preload("avatar.gd")
 
-var synchronizer := MotorSynchronizer.new()
+## Null before [method open].
+var synchronizer: MotorSynchronizer
 
 ## By peer.
 var _avatars: Dictionary[int, Avatar] = {}
@@ -14,11 +15,12 @@ var _avatars: Dictionary[int, Avatar] = {}
 
 func _init() -> void:
 	name = "Avatars"
-	synchronizer.name = "Synchronizer"
 
 
 ## [param relay]: whether the server forwards the motion of the clients, or Godot their packets.
 func open(relay: bool) -> void:
+	synchronizer = MotorSynchronizer.new()
+	synchronizer.name = "Synchronizer"
 	synchronizer.relay = relay
 	add_child(synchronizer)
 

@@ -20,13 +20,15 @@ const SETTLING_FRAMES := 4
 var _options: Options
 var _rig := CameraRig.new(Layout.AVATAR_HALF_EXTENT)
 var _hud: AvatarHud
+## True while the screenshot is taken; the statistics are then frozen.
+var _is_taking_screenshot := false
 
 
 func _init(client: AvatarClient, options: Options) -> void:
 	_options = options
 	add_child(Stage.new(Options.AVATARS, Layout.AVATAR_HALF_EXTENT))
-	# The point to orbit is at the height of the hands, near the center.
-	_rig.height = 0.9
+	# Between the floor and the hands.
+	_rig.height = 0.6
 	add_child(_rig)
 	_hud = AvatarHud.new(client)
 	_hud.show_message("Connecting to %s:%d..." % [options.address, options.port])
@@ -42,7 +44,8 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	_hud.update()
+	if not _is_taking_screenshot:
+		_hud.update()
 	_rig.free_area = _hud.get_free_area()
 
 
@@ -86,6 +89,7 @@ func _add_box(part: Node3D, size: Vector3, color: Color) -> MeshInstance3D:
 ## 3D rendering is off until then, because software rendering would be too slow for realistic
 ## statistics.
 func _take_screenshot() -> void:
+	_is_taking_screenshot = true
 	get_viewport().disable_3d = false
 	for frame: int in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw

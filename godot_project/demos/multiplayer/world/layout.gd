@@ -13,7 +13,7 @@ const TOWER_RING := 16
 const WALL_WIDTH := 14
 const FIELD_PITCH := 0.8
 ## Half the side of the arena of the avatars, in meters.
-const AVATAR_HALF_EXTENT := 4.0
+const AVATAR_HALF_EXTENT := 3.4
 ## Shares of a set; the rest forms the cloud.
 const TOWER_SHARE := 0.38
 const WALL_SHARE := 0.25
