@@ -14,9 +14,11 @@ TITLES = {"on": "MotorSynchronizer.relay", "off": "forwarded by Godot"}
 SPARE_SECONDS = 40
 # One in so many frames is compared.
 FRAME_STEP = 3
-# How far the delay of a frame may differ from the mean one, and the steps in which it is searched, in seconds.
+# How far the delay of a frame may differ from the mean one, and the steps in which it is searched, in seconds. On an impaired
+# network, the playback delay adapts.
 DELAY_RANGE = 0.03
-DELAY_STEPS = (0.005, 0.001)
+IMPAIRED_DELAY_RANGE = 0.25
+DELAY_STEPS = (0.01, 0.001)
 
 
 @dataclass
@@ -67,7 +69,7 @@ def run_avatars(engine, folder, options, relay):
         run.wait(options.seconds + SPARE_SECONDS, lambda elapsed: progress(f"{phase},", f" {elapsed:.0f} s"))
         run.check_logs()
         progress(f"relay {relay}: comparing the clients' poses with the owners' ...")
-        return evaluate(run, demo_network.max_delay(options))
+        return evaluate(run, options)
 
 
 def start_clients(run, options, seconds):
@@ -79,17 +81,19 @@ def start_clients(run, options, seconds):
                          window=window)
 
 
-def evaluate(run, network_delay):
+def evaluate(run, options):
     """The figures of a finished run: errors pooled over all pairs of an owner and a client that shows its avatar."""
     reports = [client.report() for client in run.clients]
     errors, delays = [], []
+    network_delay = demo_network.max_delay(options)
+    delay_range = IMPAIRED_DELAY_RANGE if demo_network.describe(options) else DELAY_RANGE
     for owner, own in zip(run.clients, reports):
         truth = PoseRecord(owner.record_path, PARTS)
         moving = moving_bodies(truth)
         for viewer in run.clients:
             if viewer is not owner:
                 shown = PoseRecord(f"{viewer.record_path}.{own['slot']}", PARTS)
-                compare(truth, moving, shown, network_delay, errors, delays)
+                compare(truth, moving, shown, best_delay(truth, moving, shown, 0.5 + 2 * network_delay), delay_range, errors, delays)
     if not errors:
         raise RunFailed("no client showed an avatar of another")
     return Figures(Traffic.of(run.server.report()), Traffic.mean([Traffic.of(report) for report in reports]),
@@ -97,16 +101,15 @@ def evaluate(run, network_delay):
                    1000 * percentile(delays, 0.5))
 
 
-def compare(truth, moving, shown, network_delay, errors, delays):
+def compare(truth, moving, shown, mean_delay, delay_range, errors, delays):
     """Appends the errors of the moving bodies and the delay of frames.
 
     The clocks of the owner and the client are the same, but the media time shown is not recorded: the delay of a frame is the
     one close to the mean delay at which its three bodies fit the owner's best.
     """
-    mean = best_delay(truth, moving, shown, 0.5 + 2 * network_delay)
     for wall, rows in list(zip(shown.walls, shown.rows))[::FRAME_STEP]:
         best = None
-        delay, span = mean, DELAY_RANGE
+        delay, span = mean_delay, delay_range
         for step in DELAY_STEPS:
             count = round(span / step)
             fits = [fit for fit in (fit_at(truth, moving, wall, rows, delay + step * i) for i in range(-count, count + 1)) if fit]

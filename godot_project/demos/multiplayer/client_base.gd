@@ -81,7 +81,12 @@ func open() -> String:
 	return ""
 
 
-## Slot of this client's ball, or -1 before it has one.
+## Address and port of the server.
+func get_server() -> String:
+	return "%s:%d" % [_options.address, _options.port]
+
+
+## Slot of this client, or -1 before it has one.
 func get_own_slot() -> int:
 	for player: Array in roster:
 		if player[1] == _own_id:

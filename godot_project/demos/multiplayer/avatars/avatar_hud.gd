@@ -8,7 +8,7 @@ const KEYS := "Right drag, wheel: camera   ·   H: toggle panels"
 const UPDATE_INTERVAL := 0.5
 const WIDTH := 270
 const STATISTICS: PackedStringArray = [
-	"Forwarded by", "Received", "Datagrams received", "Packet loss", "Playback delay"
+	"Server", "Forwarded by", "Received", "Datagrams received", "Packet loss", "Playback delay"
 ]
 
 var _client: AvatarClient
@@ -69,6 +69,7 @@ func _show_statistics(elapsed: float) -> void:
 	var packets := meter.packets - _packets
 	var statistics := _client.group.synchronizer.get_statistics()
 	var delay: float = statistics["playback_delay"]
+	_values["Server"].text = _client.get_server()
 	_values["Forwarded by"].text = "MotorSynchronizer" if _client.method == "on" else "Godot"
 	_values["Received"].text = "%.1f kB/s" % ((meter.bytes - _bytes) / elapsed / 1000.0)
 	_values["Datagrams received"].text = "%.0f/s" % (packets / elapsed)

@@ -29,6 +29,7 @@ func _init(client: AvatarClient, options: Options) -> void:
 	add_child(Stage.new(Options.AVATARS, Layout.AVATAR_HALF_EXTENT))
 	# Between the floor and the hands.
 	_rig.height = 0.6
+	_rig.distance *= 1.15
 	add_child(_rig)
 	_hud = AvatarHud.new(client)
 	_hud.show_message("Connecting to %s:%d..." % [options.address, options.port])

@@ -78,7 +78,7 @@ func _add_background() -> void:
 	_rig = CameraRig.new(layout.half_extent)
 	_rig.yaw = yaw
 	# The panel is on the left.
-	_rig.free_area = Rect2(0.38, 0.0, 0.62, 1.0)
+	_rig.free_area = Rect2(0.46, 0.0, 0.54, 1.0)
 	_background.add_child(Stage.new(_options.scene, layout.half_extent))
 	_background.add_child(CubesView.new(layout, layout.poses.size()))
 	_background.add_child(_rig)
@@ -105,7 +105,8 @@ func _on_join() -> void:
 ## example by a server whose players were just killed, takes the next free one.
 func _on_host() -> void:
 	var port := Ports.find_free(_options.port)
-	if port != 0:
+	if port != 0 and port != _options.port:
+		print("Port %d is in use. Hosting on port %d." % [_options.port, port])
 		_options.port = port
 	_options.session = "%d-%d" % [OS.get_process_id(), Time.get_ticks_usec()]
 	var arguments: PackedStringArray = ["--headless"]
