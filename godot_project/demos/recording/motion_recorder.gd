@@ -23,7 +23,7 @@ func open(path: String, bodies: Dictionary[int, Transform3D]) -> Error:
 	for id: int in bodies:
 		sender.add_body(id, bodies[id])
 	sender.add_receiver(RECEIVER, 0.0)
-	sender.max_latency = 0.2 # nobody waits for a file
+	sender.max_latency = 0.2  # nobody waits for a file
 	return OK
 
 

@@ -128,7 +128,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) 
 		request_snapshot(time);
 		return;
 	}
-	_is_urgent = rto() + 3.0 * _deviation > _patience && time - _lost < LOSS_MEMORY;
+	_is_urgent = rto() + 3.0 * _deviation > _max_wait && time - _lost < LOSS_MEMORY;
 	const double interval = copy_interval() * (new_bytes > 0 ? EARLY_COPY : 1.0);
 	const bool is_far_behind = _fragments.empty() && behind > MAX_CHUNKS_BEHIND;
 	size_t packet = new_bytes;

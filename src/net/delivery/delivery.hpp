@@ -50,7 +50,7 @@ public:
 	static constexpr double PROBE_INTERVAL = 1.0;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
 	/// How long after its first transmission a chunk may arrive without stalling playback.
-	void set_patience(double seconds) { _patience = seconds; }
+	void set_max_wait(double seconds) { _max_wait = seconds; }
 	/// Retransmission timeout.
 	[[nodiscard]] double rto() const;
 	[[nodiscard]] double round_trip() const { return _round_trip; }
@@ -111,7 +111,7 @@ private:
 	double _loss = 0.0; // recent fraction of chunks that had not arrived after a timeout
 	LossMeter _meter;
 	double _lost = -1e9; // when a chunk was last counted as lost
-	double _patience = 1e9;
+	double _max_wait = 1e9;
 	bool _is_urgent = false; // chunks get lost, and a timeout would stall playback
 	double _prior_loss = INITIAL_PRIOR_LOSS;
 	int _ambiguous = 0; // ambiguous acknowledgements since the last round-trip sample

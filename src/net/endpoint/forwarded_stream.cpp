@@ -37,11 +37,11 @@ void ForwardedStream::update(double time, size_t max_size) {
 		return;
 	}
 	// As in Sender::send_all.
-	const double patience = 2.0 * _source.settings().max_latency - _source.max_window();
+	const double max_wait = 2.0 * _source.settings().max_latency - _source.max_window();
 	std::shared_ptr<Snapshot> snapshot; // the same one for all
 	for (auto &entry : _receivers) {
 		Delivery &delivery = entry.second;
-		delivery.set_patience(patience);
+		delivery.set_max_wait(max_wait);
 		if (!delivery.needs_snapshot() || delivery.is_silent(time)) {
 			continue;
 		}

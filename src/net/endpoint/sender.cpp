@@ -206,10 +206,10 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 
 void Sender::send_all() {
 	// By default, receivers delay playback by up to twice max_latency from the begin of a window.
-	const double patience = 2.0 * _settings.max_latency - max_window() * _settings.tick;
+	const double max_wait = 2.0 * _settings.max_latency - max_window() * _settings.tick;
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
-		peer.delivery.set_patience(patience);
+		peer.delivery.set_max_wait(max_wait);
 		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;

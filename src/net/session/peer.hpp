@@ -36,6 +36,7 @@ struct Peer {
 	// Relaying.
 	std::optional<uint8_t> relay_link; ///< link of the client to which we, the server, relay
 	double relayed_at = -1e9; ///< when that began
+	double acked_at = -1e9; ///< when its stream was last acknowledged
 	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
 
 	// The peer's stream to us.

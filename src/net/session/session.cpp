@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace net {
 
@@ -16,6 +17,8 @@ constexpr double LINGER = 2.0;
 constexpr double MAX_TICKS_MISSED = 2.5;
 /// If two calls are farther apart than this, in seconds, the process stood still: packets waited, although the network was fast.
 constexpr double MAX_STEP = 0.25;
+/// Maximum time in seconds for which a server that relays holds back acknowledgements.
+constexpr double MAX_ACK_HOLD = 0.05;
 
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
@@ -278,6 +281,7 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 
 void Session::advance(double now) {
 	set_now(now);
+	const bool has_forwarded = std::exchange(_has_forwarded, false);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
 			peer.stream->advance(now);
@@ -285,7 +289,9 @@ void Session::advance(double now) {
 		}
 		if (peer.stream && is_relayed(id)) {
 			acknowledge_relayed(peer);
-		} else if (peer.stream) {
+		} else if (peer.stream && (has_forwarded || !peer.relay_link || now - peer.acked_at >= MAX_ACK_HOLD)) {
+			// A server that relays acknowledges when it forwards, so that both travel in one datagram.
+			peer.acked_at = now;
 			peer.stream->take_ack(_ack, now);
 			if (const auto alignment = _relayer.take_alignment(id, _running_time)) {
 				put_alignment(_ack, *alignment);

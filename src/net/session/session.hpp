@@ -166,6 +166,7 @@ private:
 	bool _is_link_relayed = false; // we are a client and request a relayed stream from the server
 	Relay _relayer; // if we are the server
 	double _relayed_at = 0.0; // _running_time when it last sent
+	bool _has_forwarded = false; // since the last `advance`
 	RelayedStreams _relayed; // if we are a client
 	Outbox _outbox;
 	std::vector<uint8_t> _ack;

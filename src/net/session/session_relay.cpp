@@ -70,6 +70,7 @@ void Session::send_relayed() {
 	_relayer.flush(_running_time, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
 		Peer &to = _peers.at(client);
 		send(client, to, PacketKind::MOTION, *to.relay_link, bytes, size);
+		_has_forwarded = true;
 	});
 }
 
