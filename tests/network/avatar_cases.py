@@ -25,7 +25,8 @@ def clients_own_avatars_with_and_without_relay(run):
     on, off = arms["on"], arms["off"]
     expect(on.server.datagrams < 0.7 * off.server.datagrams,
            f"with relay {on.server.datagrams:.0f} datagrams/s at the server, without {off.server.datagrams:.0f}")
-    expect(on.server.bytes < 0.8 * off.server.bytes, f"with relay {on.server.bytes:.0f} bytes/s at the server, without {off.server.bytes:.0f}")
+    expect(on.server.bytes < 0.8 * off.server.bytes,
+           f"with relay {on.server.bytes:.0f} bytes/s at the server, without {off.server.bytes:.0f}")
 
 
 def client_changes_to_the_scene_of_the_server(run):
