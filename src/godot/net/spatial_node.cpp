@@ -81,12 +81,12 @@ void set_local_transform(Node *node, const Transform3D &transform) {
 	if (Node2D *node_2d = Object::cast_to<Node2D>(node)) {
 		const Vector3 x = transform.basis.get_column(0);
 		const Vector2 position(transform.origin.x, transform.origin.y);
-		const double rotation = std::atan2(x.y, x.x);
+		const float rotation = float(std::atan2(x.y, x.x));
 		const float scale = std::sqrt(x.x * x.x + x.y * x.y);
 		if (node_2d->get_position() != position) {
 			node_2d->set_position(position);
 		}
-		if (node_2d->get_rotation() != rotation) {
+		if (float(node_2d->get_rotation()) != rotation) {
 			node_2d->set_rotation(rotation);
 		}
 		if (node_2d->get_scale() != Vector2(scale, scale)) {
