@@ -1,6 +1,7 @@
 """Sessions over an impaired network: the demo's proxy between each client and the server, in both directions."""
 
 import os
+import signal
 import time
 
 from checks import expect, expect_errors_within, expect_same_end, resident_bytes
@@ -14,6 +15,28 @@ SETTLING = 3
 BAD = ("--loss=30", "--jitter=100", "--reorder=10", "--duplicate=10")
 # Maximum growth of resident memory, in bytes, after the first third of a session.
 MAX_GROWTH = 8_000_000
+# A client process that stops for this many seconds loses most of the packets meanwhile.
+STOPPED = 1.5
+
+
+def packets_dropped_by_a_busy_machine_count_as_lost(run):
+    """The engine's method; the client's process, and with it the proxy, stops for a while."""
+    run.start_server("--cubes=250", "--seconds=5", "--clients=1", "--method=synchronizer", "--record=")
+    client = run.start_client("--delay=1", "--record=")
+    run.server.wait_for_line("The scene begins", START_SECONDS)
+    time.sleep(1)
+    client.process.send_signal(signal.SIGSTOP)
+    time.sleep(STOPPED)
+    client.process.send_signal(signal.SIGCONT)
+    run.wait(30)
+    run.check_logs()
+    expect("Buffer full" not in client.log(), "the engine dropped packets in the proxy")
+    report, sent = client.report(), run.server.report()["total_packets"]
+    counted = report["total_packets"]
+    print(f"   {report['lost']} of {counted} packets lost; the server has sent {sent:.0f}", flush=True)
+    expect(report["lost"] > 50, f"only {report['lost']} packets counted as lost in {STOPPED} s without reading")
+    # The two counts end a network delay apart.
+    expect(abs(counted - sent) < 0.03 * sent, f"the client counts {counted} packets, the server has sent {sent:.0f}")
 
 
 def recovers_from_loss_and_jitter(run):
@@ -72,6 +95,7 @@ def all_peers_converge_while_others_join_and_leave(run):
 
 
 CASES = (
+    packets_dropped_by_a_busy_machine_count_as_lost,
     recovers_from_loss_and_jitter,
     recovers_from_bursts_delay_and_limited_bandwidth,
     all_peers_converge_while_others_join_and_leave,

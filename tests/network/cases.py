@@ -78,6 +78,18 @@ def method_tolerance_and_interpolation_change_during_the_scene(run):
     expect_errors_within(run, other, 80, share=0.5, maximum=2.0)
 
 
+def players_have_different_names(run):
+    run.start_server("--cubes=20", "--seconds=2", "--clients=4", "--record=")
+    for name in ("", "", "Ada", "Ada"):
+        run.start_client(f"--name={name}", "--record=")
+    run.wait(30)
+    run.check_logs()
+    joined = sorted(re.findall(r"^(.*) has joined\.$", run.server.log(), re.MULTILINE))
+    expect(len(set(joined)) == 4, f"the players are called {joined}")
+    expect(joined[:2] == ["Ada", "Ada (2)"] and all(re.fullmatch(r"Player \d", name) for name in joined[2:]),
+           f"the players are called {joined}")
+
+
 def clients_quit_with_a_message_when_the_server_stops(run):
     run.start_server("--cubes=20", "--record=")
     client = run.start_client("--record=")
@@ -114,6 +126,22 @@ def invalid_arguments_and_used_ports_are_reported(run):
            f"invalid argument: {invalid.process.returncode}, {invalid.last_line()}")
 
 
+def a_port_in_use_is_replaced_and_a_server_of_another_run_is_left(run):
+    run.start_server("--cubes=5", "--record=", "--quit-when-empty=on")
+    first, used = run.server, run.port
+    try:
+        run.start_server("--cubes=5", "--record=", "--quit-when-empty=on")
+        expect(run.port != used, "the second server of the run did not choose another port")
+        joined = run.start_client("--leave-after=0.2", "--record=")
+        lost = run.start_client(f"--port={used}", "--session=other", "--record=")
+        wait_until(lambda: not joined.is_running() and not lost.is_running(), 30, "the clients did not leave")
+    finally:
+        first.kill()
+    expect(f"Joined the server at 127.0.0.1:{run.port}" in joined.log(), f"the client's last line: {joined.last_line()}")
+    message = f"Another server is at 127.0.0.1:{used} (scene cubes, 5 cubes)"
+    expect(message in lost.log() and "Joined" not in lost.log(), f"the last line of the client of another run: {lost.last_line()}")
+
+
 def synchronizer_shows_the_same_scene(run):
     run.start_server("--cubes=40", "--seconds=3", "--clients=1", "--scripted-motion=off", "--method=synchronizer")
     client = run.start_client()
@@ -132,8 +160,10 @@ CASES = (
     late_joiner_gets_the_snapshot_and_a_killed_client_affects_no_other,
     kick_by_one_client_moves_the_cube_on_all_peers,
     method_tolerance_and_interpolation_change_during_the_scene,
+    players_have_different_names,
     clients_quit_with_a_message_when_the_server_stops,
     server_without_clients_quits,
     invalid_arguments_and_used_ports_are_reported,
+    a_port_in_use_is_replaced_and_a_server_of_another_run_is_left,
     synchronizer_shows_the_same_scene,
 )

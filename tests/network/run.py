@@ -17,6 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
+import avatar_cases  # noqa: E402
 import bad_network_cases  # noqa: E402
 import cases  # noqa: E402
 import guide_case  # noqa: E402
@@ -27,7 +28,7 @@ import project  # noqa: E402
 from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
-CASES = (*cases.CASES, *bad_network_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
+CASES = (*cases.CASES, *bad_network_cases.CASES, *avatar_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
          guide_case.guide_project_moves_smoothly)
 LONG_SECONDS = "60"
 

@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import time
+import uuid
 
 import checkout
 import engine_log
@@ -14,6 +15,8 @@ import engine_log
 SCENE = "res://demos/multiplayer/multiplayer.tscn"
 START_SECONDS = 25
 LISTENING = "Server on port"
+PORT_IN_USE = "Cannot listen on UDP port"
+PORT_ATTEMPTS = 5
 REPORT = "REPORT "
 
 
@@ -98,6 +101,8 @@ class DemoRun:
         self.folder = folder
         self.project = project
         self.port = free_port()
+        # Clients leave a server of another run, which may have taken the port.
+        self.session = uuid.uuid4().hex[:12]
         self.server = None
         self.clients = []
 
@@ -110,8 +115,17 @@ class DemoRun:
                 process.kill()
 
     def start_server(self, *arguments):
-        self.server = self._start("server", ["--role=server", *arguments])
-        self.server.wait_for_line(LISTENING, START_SECONDS)
+        """Starts the server; if another process has taken the port, on another one."""
+        for attempt in range(PORT_ATTEMPTS):
+            self.server = self._start("server", ["--role=server", *arguments])
+            try:
+                self.server.wait_for_line(LISTENING, START_SECONDS)
+                return
+            except RunFailed:
+                if PORT_IN_USE not in self.server.log() or attempt == PORT_ATTEMPTS - 1:
+                    raise
+                self.server.kill()
+                self.port = free_port()
 
     def start_client(self, *arguments, window=None, script=None):
         name = f"client{len(self.clients) + 1}"
@@ -140,7 +154,8 @@ class DemoRun:
     def _start(self, name, arguments, window=None, script=None):
         record = os.path.join(self.folder, name + ".poses")
         return DemoProcess(self.engine, name, self.folder,
-                           [f"--port={self.port}", f"--record={record}", *arguments], window, self.project, script)
+                           [f"--port={self.port}", f"--session={self.session}", f"--record={record}", *arguments],
+                           window, self.project, script)
 
 
 def progress(phase, detail=""):

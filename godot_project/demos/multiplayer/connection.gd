@@ -14,6 +14,14 @@ const MAX_TIMEOUT := 60000
 const TIMEOUT_LIMIT := 4096
 
 
+## The message for a port at which no server can listen.
+static func get_port_error(port: int) -> String:
+	return (
+		"Cannot listen on UDP port %d: it is in use or not permitted. Use --port to choose another."
+		% port
+	)
+
+
 ## Configures a new connection.
 static func prepare(peer: ENetPacketPeer) -> void:
 	peer.set_timeout(TIMEOUT_LIMIT, MIN_TIMEOUT, MAX_TIMEOUT)

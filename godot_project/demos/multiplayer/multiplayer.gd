@@ -2,7 +2,11 @@ extends Node3D
 ## The multiplayer demo: a server, a client, or the lobby, depending on the command line
 ## (options.gd). It has its own multiplayer API, so that it runs anywhere in the scene tree.
 
+const AvatarClient := preload("avatars/avatar_client.gd")
+const AvatarServer := preload("avatars/avatar_server.gd")
+const AvatarView := preload("avatars/avatar_view.gd")
 const Client := preload("client.gd")
+const ClientBase := preload("client_base.gd")
 const ClientView := preload("view/client_view.gd")
 const Lobby := preload("view/lobby.gd")
 const MotorLink := preload("replication/motor_link.gd")
@@ -24,8 +28,11 @@ func _ready() -> void:
 		get_tree().quit(2)
 		return
 	var api := SceneMultiplayer.new()
-	# Clients communicate only with the server.
-	api.server_relay = false
+	# Clients communicate only with the server, except for avatars without MotorSynchronizer's relay.
+	# A client gets the scene from the server, which decides.
+	api.server_relay = (
+		_options.role != "server" or (_options.scene == Options.AVATARS and not _options.relay)
+	)
 	get_tree().set_multiplayer(api, get_path())
 	match _options.role:
 		"server":
@@ -42,9 +49,7 @@ func _exit_tree() -> void:
 
 func _start_server() -> void:
 	_add_session()
-	var server := Server.new(_options, _session, _make_links())
-	add_child(server)
-	var error := server.open()
+	var error := _open_avatar_server() if _is_avatars() else _open_server()
 	if not error.is_empty():
 		printerr(error)
 		get_tree().quit(1)
@@ -52,16 +57,50 @@ func _start_server() -> void:
 		_show_text("Server on port %d. Close this window to stop it." % _options.port)
 
 
+func _open_server() -> String:
+	var server := Server.new(_options, _session, _make_links())
+	add_child(server)
+	return server.open()
+
+
+func _open_avatar_server() -> String:
+	var server := AvatarServer.new(_options, _session)
+	add_child(server)
+	return server.open()
+
+
 func _start_client() -> void:
 	_add_session()
-	var client := Client.new(_options, _session, _make_links())
+	var client: ClientBase
+	var view: Node3D
+	if _is_avatars():
+		var avatar_client := AvatarClient.new(_options, _session)
+		client = avatar_client
+		view = AvatarView.new(avatar_client, _options) if _has_window() else null
+	else:
+		var cube_client := Client.new(_options, _session, _make_links())
+		client = cube_client
+		view = ClientView.new(cube_client, _options) if _has_window() else null
+	client.name = "Client"
 	client.closed.connect(_on_client_closed)
+	client.scene_differs.connect(_on_scene_differs, CONNECT_DEFERRED)
 	add_child(client)
-	if _has_window():
-		add_child(ClientView.new(client, _options))
+	if view != null:
+		add_child(view)
 	var error := client.open()
 	if not error.is_empty():
 		_on_client_closed(error)
+
+
+## The server has a scene of the other kind: starts again with its client.
+func _on_scene_differs(scene: String) -> void:
+	_options.scene = scene
+	_remove_children()
+	_start_client()
+
+
+func _is_avatars() -> bool:
+	return _options.scene == Options.AVATARS
 
 
 func _on_client_closed(reason: String) -> void:
@@ -73,9 +112,7 @@ func _on_client_closed(reason: String) -> void:
 
 ## Shows the lobby, with a message if there is one.
 func _open_lobby(message: String) -> void:
-	for child: Node in get_children():
-		child.queue_free()
-		remove_child(child)
+	_remove_children()
 	if not _has_window():
 		printerr("multiplayer demo: without a window, --role=server or --role=client is required.")
 		get_tree().quit(2)
@@ -89,6 +126,12 @@ func _on_lobby_chosen() -> void:
 	remove_child(_lobby)
 	_lobby.queue_free()
 	_start_client()
+
+
+func _remove_children() -> void:
+	for child: Node in get_children():
+		child.queue_free()
+		remove_child(child)
 
 
 func _add_session() -> void:

@@ -7,8 +7,11 @@ const Options := preload("res://demos/multiplayer/options.gd")
 
 const DEFAULT_PORT := 24816
 const ROLES: PackedStringArray = ["", "server", "client"]
-const SCENES: PackedStringArray = ["cubes", "push"]
-const CUBES: Dictionary[String, int] = {"cubes": 250, "push": 901}
+## The scene in which each client owns an avatar. In the others the server simulates cubes.
+const AVATARS := "avatars"
+const SCENES: PackedStringArray = ["cubes", "push", AVATARS]
+const CUBES: Dictionary[String, int] = {"cubes": 250, "push": 901, AVATARS: 0}
+const MAX_CLIENTS: Dictionary[String, int] = {"cubes": 6, "push": 6, AVATARS: 16}
 const METHODS: PackedStringArray = ["motors", "synchronizer"]
 
 ## "server", "client", or empty to show the lobby.
@@ -16,12 +19,18 @@ var role := ""
 ## Address at which a client connects to the server.
 var address := "127.0.0.1"
 var port := DEFAULT_PORT
-## "cubes" or "push". A client gets it from the server.
+## Identifies the run that this process belongs to: a client leaves a server of another one. Empty
+## for a client that joins any server.
+var session := ""
+## "cubes", "push" or "avatars". A client gets it from the server.
 var scene := "cubes"
 ## Number of cubes, 0 for the default of the scene. A client gets it from the server.
 var cubes := 0
 ## Initial replication method, "motors" or "synchronizer". A client can request the other.
 var method := "motors"
+## Scene "avatars": whether MotorSynchronizer's "relay" forwards the motion of the clients, or
+## Godot's SceneMultiplayer.server_relay. A client gets it from the server.
+var relay := true
 ## Duration of the scene in seconds, after which all processes quit; 0 for no end.
 var seconds := 0.0
 ## Number of clients that the server waits for before the scene begins.
@@ -40,8 +49,8 @@ var record := ""
 var conditions := LineConditions.new()
 ## Seed of the network impairments.
 var seed_value := 1
-## Name shown above the player's ball.
-var player_name := "Player"
+## Name shown above the player's ball. If empty, the server assigns "Player" and a number.
+var player_name := ""
 ## Scripted player: "none", "circle" (drives in a circle), "kick" (kicks cube 0 every second) or
 ## "settings" (changes method, tolerance and mode in turn, one per second, and ends with the initial
 ## ones).
@@ -59,7 +68,17 @@ static func parse(arguments: PackedStringArray) -> Options:
 		options._parse_argument(argument)
 	if options.cubes == 0:
 		options.cubes = CUBES[options.scene]
+	if options.clients > MAX_CLIENTS[options.scene] and options.error.is_empty():
+		options.error = (
+			"--clients=%d is invalid: the scene %s has at most %d"
+			% [options.clients, options.scene, MAX_CLIENTS[options.scene]]
+		)
 	return options
+
+
+## "on" or "off".
+func get_relay_name() -> String:
+	return "on" if relay else "off"
 
 
 func _parse_argument(argument: String) -> void:
@@ -76,6 +95,8 @@ func _parse_argument(argument: String) -> void:
 			method = _parse_choice(argument, value, METHODS)
 		"autopilot":
 			autopilot = _parse_choice(argument, value, ["none", "circle", "kick", "settings"])
+		"relay":
+			relay = _parse_choice(argument, value, ["on", "off"]) == "on"
 		"scripted-motion":
 			scripted_motion = _parse_choice(argument, value, ["on", "off"]) == "on"
 		"quit-when-empty":
@@ -84,6 +105,8 @@ func _parse_argument(argument: String) -> void:
 			address = value
 		"name":
 			player_name = value.left(24)
+		"session":
+			session = value
 		"record":
 			record = value
 		"screenshot":
@@ -95,7 +118,7 @@ func _parse_argument(argument: String) -> void:
 		"cubes":
 			cubes = int(_parse_number(argument, value, 1.0, 2000.0))
 		"clients":
-			clients = int(_parse_number(argument, value, 0.0, 6.0))
+			clients = int(_parse_number(argument, value, 0.0, 16.0))
 		"seconds":
 			seconds = _parse_number(argument, value, 0.0, 86400.0)
 		"calm":

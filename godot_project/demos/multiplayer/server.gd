@@ -10,7 +10,6 @@ const Session := preload("session.gd")
 const Simulation := preload("world/simulation.gd")
 const TruthProbe := preload("measure/truth_probe.gd")
 
-const MAX_CLIENTS := 6
 ## Seconds between two checks for silent players.
 const CHECK_INTERVAL := 0.5
 ## Frame rate of the main loop: twice the tick rate, so that ticks are on time.
@@ -59,11 +58,8 @@ func _ready() -> void:
 func open() -> String:
 	# No channel count: Godot 4.6 passes it to clients as the incoming bandwidth of the server in
 	# bytes per second.
-	if _peer.create_server(_options.port, MAX_CLIENTS) != OK:
-		return (
-			"Cannot listen on UDP port %d: it is in use or not permitted. Use --port to choose another."
-			% _options.port
-		)
+	if _peer.create_server(_options.port, Options.MAX_CLIENTS[_options.scene]) != OK:
+		return Connection.get_port_error(_options.port)
 	Engine.max_fps = FRAMES_PER_SECOND
 	multiplayer.multiplayer_peer = _peer
 	multiplayer.peer_connected.connect(_on_peer_connected)
@@ -166,6 +162,8 @@ func _finish(sent_tick: float) -> void:
 				{
 					"role": "server",
 					"seconds": _simulation.seconds,
+					"total_packets":
+					_peer.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS),
 					"rejected": _links["motors"].get_counts()["rejected"],
 				}
 			)
@@ -178,7 +176,7 @@ func _finish(sent_tick: float) -> void:
 
 func _on_peer_connected(peer: int) -> void:
 	Connection.prepare(_peer.get_peer(peer))
-	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method)
+	_session.welcome.rpc_id(peer, _options.scene, _options.cubes, _options.method, _options.session)
 
 
 func _on_peer_disconnected(peer: int) -> void:
@@ -212,13 +210,13 @@ func _on_entered(peer: int, player_name: String) -> void:
 		_session.refuse.rpc_id(peer, "The server is full.")
 		return
 	_slots[peer] = slot
-	_names[peer] = player_name
+	_names[peer] = Session.get_unique_name(player_name, slot, _names.values())
 	_heard_at[peer] = Time.get_ticks_msec() * 1e-3
 	_add_body(_options.cubes + slot)
 	_session.tune.rpc_id(peer, _tolerance, _mode)
 	_set_method(peer, _options.method)
 	_send_roster()
-	print("%s has joined." % player_name)
+	print("%s has joined." % _names[peer])
 	if _first_tick >= 0:
 		_session.begin.rpc_id(peer)
 	_begin_if_complete()

@@ -3,8 +3,9 @@ extends Node
 ## and end of the scene. Each message emits a signal on the receiving side. The server validates the
 ## messages of clients.
 
-## On a client: the server describes its scene, the number of cubes and the initial method.
-signal welcomed(scene: String, cubes: int, method: String)
+## On a client: the server describes its scene, the number of cubes, the initial method and the run
+## that it belongs to.
+signal welcomed(scene: String, cubes: int, method: String, session: String)
 ## On a client: the server refuses the connection.
 signal refused(reason: String)
 ## On a client: all players, each as [slot, peer, name].
@@ -37,9 +38,24 @@ const MAX_NAME := 24
 const MIN_TOLERANCE := 0.0005
 const MAX_TOLERANCE := 0.1
 
+
+## A name that no other player has: the requested one, or "Player" and the slot; with a number if it
+## is taken.
+static func get_unique_name(requested: String, slot: int, taken: Array[String]) -> String:
+	var base := requested.strip_edges()
+	if base.is_empty():
+		base = "Player %d" % slot
+	var unique := base
+	var number := 1
+	while taken.has(unique):
+		number += 1
+		unique = "%s (%d)" % [base, number]
+	return unique
+
+
 @rpc("authority", "call_remote", "reliable")
-func welcome(scene: String, cubes: int, method: String) -> void:
-	welcomed.emit(scene, cubes, method)
+func welcome(scene: String, cubes: int, method: String, session: String) -> void:
+	welcomed.emit(scene, cubes, method, session)
 
 
 @rpc("authority", "call_remote", "reliable")

@@ -133,11 +133,11 @@ void Replicator::update_settings() {
 		jitter_allowance = std::max(jitter_allowance, synchronizer->get_jitter_allowance());
 	}
 	if (differs) {
-		warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, max_latency and max_packet_size, the highest send_rate, and relay if one of them has it, apply to all of them. Give them the same settings.");
+		_warnings.warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, max_latency and max_packet_size, the highest send_rate, and relay if one of them has it, apply to all of them. Give them the same settings.");
 	}
 	const String fault = send_rate_fault(settings.send_rate);
 	if (!fault.is_empty()) {
-		warn("send rate", fault);
+		_warnings.warn("send rate", fault);
 	}
 	_settings = settings;
 	_session.set_settings(settings);
@@ -158,9 +158,7 @@ void Replicator::tick() {
 	if (_are_names_stale) {
 		rename_targets();
 	}
-	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
-		refresh(synchronizer);
-	}
+	refresh_all();
 	if (_session.peers().empty()) {
 		end_freed_bodies();
 		remove_departed();
@@ -187,16 +185,28 @@ void Replicator::frame() {
 	if (_session.peers().empty()) {
 		return;
 	}
-	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
-		refresh(synchronizer);
-	}
+	refresh_all();
 	_session.advance(now);
 	show_streams(now);
 	send_packets();
 	check_streams(now);
 	_session.report_rejections([this](int32_t peer, const net::Rejections::Report &report) {
-		lead()->emit_signal("packet_rejected", peer, vformat("Packet rejected: %s (%d since the last report).", net::describe(report.error), int64_t(report.count)));
+		const String reason = vformat("Packet rejected: %s (%d since the last report).", net::describe(report.error), int64_t(report.count));
+		for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
+			if (has(synchronizer)) {
+				synchronizer->emit_signal("packet_rejected", peer, reason);
+			}
+		}
 	});
+}
+
+void Replicator::refresh_all() {
+	// Handlers of signals may remove synchronizers.
+	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
+		if (has(synchronizer)) {
+			refresh(synchronizer);
+		}
+	}
 }
 
 void Replicator::update_connection() {
@@ -273,7 +283,7 @@ void Replicator::send_packets() {
 	// Smaller packets are refused for other reasons, such as a peer that is about to leave.
 	if (refused.size > net::StreamSettings::MIN_PACKET_SIZE && _api->get_peers().has(refused.peer)) {
 		const size_t limit = _session.packet_refused(refused.peer, refused.size);
-		warn("packet size", vformat("the MultiplayerPeer refused to send a packet of %d bytes to peer %d. Packets are limited to %d bytes from now on. Set max_packet_size to the limit of the transport.", int64_t(refused.size), refused.peer, int64_t(limit)));
+		_warnings.warn("packet size", vformat("the MultiplayerPeer refused to send a packet of %d bytes to peer %d. Packets are limited to %d bytes from now on. Set max_packet_size to the limit of the transport.", int64_t(refused.size), refused.peer, int64_t(limit)));
 	}
 }
 
@@ -282,14 +292,6 @@ void Replicator::packet_received(int32_t peer, const PackedByteArray &packet) {
 		update_peers();
 	}
 	_session.accept(peer, packet.ptr(), size_t(packet.size()), clock_seconds());
-}
-
-/// Prints a warning once, and keeps it for get_setup_warnings().
-void Replicator::warn(const std::string &key, const String &text) {
-	if (_warned.insert(key).second) {
-		_warnings.push_back(text);
-		WARN_PRINT(vformat("MotorSynchronizer: %s", text));
-	}
 }
 
 } // namespace ga_godot

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "godot/net/run_time_warnings.hpp"
 #include "godot/net/statistics_monitors.hpp"
-#include "godot/net/target.hpp"
+#include "godot/net/target_list.hpp"
 #include "net/session/session.hpp"
 
 #include <godot_cpp/classes/ref.hpp>
@@ -10,11 +11,10 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace ga_godot {
@@ -48,12 +48,12 @@ public:
 
 	/// Searches the targets of a synchronizer again, if they may have changed.
 	void refresh(MotorSynchronizer *synchronizer);
-	[[nodiscard]] Target *find_target(const godot::Node *node);
+	[[nodiscard]] Target *find_target(const godot::Node *node) { return _targets.find(node->get_instance_id()); }
 	[[nodiscard]] godot::TypedArray<godot::Node> targets_of(const MotorSynchronizer *synchronizer) const;
 	void free_target(Target &target);
 
 	[[nodiscard]] net::Session &session() { return _session; }
-	[[nodiscard]] const godot::PackedStringArray &warnings() const { return _warnings; }
+	[[nodiscard]] const godot::PackedStringArray &warnings() const { return _warnings.texts(); }
 	[[nodiscard]] const godot::Ref<godot::SceneMultiplayer> &api() const { return _api; }
 
 private:
@@ -80,21 +80,21 @@ private:
 	void disconnect_session();
 	void close_session();
 	void send_packets();
+	[[nodiscard]] bool has(const MotorSynchronizer *synchronizer) const { return std::find(_synchronizers.begin(), _synchronizers.end(), synchronizer) != _synchronizers.end(); }
 	[[nodiscard]] MotorSynchronizer *lead() const { return _synchronizers.empty() ? nullptr : _synchronizers.front(); }
-	void warn(const std::string &key, const godot::String &text);
 
 	// Targets
+	void refresh_all();
+	void emit(MotorSynchronizer *synchronizer, const char *signal, const std::vector<uint64_t> &nodes);
 	bool claim_body(const Target &target);
 	void add_target(godot::Node *node, MotorSynchronizer *synchronizer);
 	void end_target(size_t index);
 	void rename_targets();
-	void index_targets();
 	void sample_targets(double now);
 	void sample(Target &target, godot::Node *node);
 	void observe_departed();
 	void remove_departed();
 	void end_freed_bodies();
-	[[nodiscard]] cga::Pose<double> to_stream(cga::Pose<double> pose, bool is_2d) const;
 	void change_authority(Target &target, int32_t authority, double now);
 	void show_streams(double now);
 	void show(Target &target, godot::Node *node, double now);
@@ -111,16 +111,14 @@ private:
 	int64_t _last_frame = -1;
 	net::FrameClock _frame_clock;
 
-	std::vector<Target> _targets;
-	std::unordered_map<uint64_t, size_t> _index; // into _targets, by node
+	TargetList _targets;
 	std::unordered_map<uint32_t, uint64_t> _node_of_body;
 	std::vector<Departed> _departed;
 	std::vector<Freed> _freed;
 	bool _are_names_stale = true;
 
 	StatisticsMonitors _monitors;
-	godot::PackedStringArray _warnings; // of this run, each printed once
-	std::unordered_set<std::string> _warned;
+	RunTimeWarnings _warnings;
 	double _next_check = 0.0;
 	std::unordered_map<int32_t, double> _absent_since; // owners that are not connected, and peers with bodies without a node
 };

@@ -32,8 +32,8 @@ static constexpr double CHECK_INTERVAL = 0.5;
 static constexpr double MAX_ABSENT = 2.0;
 
 /// A pose in the units of the stream. Those of a Node2D are pixels.
-cga::Pose<double> Replicator::to_stream(cga::Pose<double> pose, bool is_2d) const {
-	pose.translation *= is_2d ? _settings.planar_unit() : 1.0;
+static cga::Pose<double> to_stream(cga::Pose<double> pose, bool is_2d, const net::StreamSettings &settings) {
+	pose.translation *= is_2d ? settings.planar_unit() : 1.0;
 	return pose;
 }
 
@@ -96,11 +96,11 @@ void Replicator::before_scripts() {
 		return;
 	}
 	for (Target &target : _targets) {
-		const Node *node = target.authority == _session.self() ? find_spatial(target.node) : nullptr;
+		const Node *node = target.authority == _session.self() ? find_known_spatial(target.node) : nullptr;
 		if (node == nullptr) {
 			continue;
 		}
-		const Transform3D transform = local_transform(node);
+		const Transform3D transform = local_transform(node, target.is_2d);
 		if (!target.is_unchanged(transform) && is_moved_by_physics(node)) {
 			target.forget_transform();
 		}
@@ -112,7 +112,7 @@ void Replicator::sample_targets(double now) {
 	observe_departed();
 	bool has_frame_motion = false;
 	for (Target &target : _targets) {
-		Node *node = find_spatial(target.node);
+		Node *node = find_known_spatial(target.node);
 		if (node == nullptr) {
 			continue;
 		}
@@ -131,7 +131,7 @@ void Replicator::sample_targets(double now) {
 }
 
 void Replicator::sample(Target &target, Node *node) {
-	const Transform3D transform = local_transform(node);
+	const Transform3D transform = local_transform(node, target.is_2d);
 	const bool moves_in_frames = target.after_scripts(transform);
 	if (target.is_unchanged(transform) && (!moves_in_frames || target.is_settled) && _session.observe(target.body)) {
 		if (moves_in_frames) {
@@ -153,7 +153,7 @@ void Replicator::sample(Target &target, Node *node) {
 		target.sampler.clear();
 		target.is_settled = false;
 	}
-	if (_session.observe(target.body, to_stream(*pose, target.is_2d), target.is_2d)) {
+	if (_session.observe(target.body, to_stream(*pose, target.is_2d, _settings), target.is_2d)) {
 		target.clear_fault();
 	} else {
 		target.report_out_of_range();
@@ -166,7 +166,7 @@ void Replicator::observe_departed() {
 		return;
 	}
 	for (const Departed &departed : _departed) {
-		const Node *node = departed.is_own && _index.count(departed.node) != 0 ? find_spatial(departed.node) : nullptr;
+		const Node *node = departed.is_own && _targets.has(departed.node) ? find_spatial(departed.node) : nullptr;
 		const Node *parent = Object::cast_to<Node>(ObjectDB::get_instance(departed.parent));
 		if (node == nullptr || parent == nullptr) {
 			continue;
@@ -174,7 +174,7 @@ void Replicator::observe_departed() {
 		const PoseResult pose = nearest_pose_from_transform(change_parent(local_transform(node), node->get_parent(), parent));
 		if (pose) {
 			const bool is_2d = is_node_2d(node);
-			(void)_session.observe(departed.body, to_stream(*pose, is_2d), is_2d);
+			(void)_session.observe(departed.body, to_stream(*pose, is_2d, _settings), is_2d);
 		}
 	}
 }
@@ -182,7 +182,7 @@ void Replicator::observe_departed() {
 void Replicator::show_streams(double now) {
 	for (size_t i = 0; i < _targets.size(); i++) {
 		Target &target = _targets[i];
-		Node *node = find_spatial(target.node);
+		Node *node = find_known_spatial(target.node);
 		if (node == nullptr) {
 			continue;
 		}
@@ -265,7 +265,7 @@ void Replicator::check_streams(double now) {
 			continue;
 		}
 		if (is_reported(target.authority)) {
-			warn("owner " + std::to_string(target.authority), vformat("the authority of %s, peer %d, is not connected to this peer, so its motion cannot arrive. Set \"relay\" on all peers, or SceneMultiplayer.server_relay, or give the node to a connected peer with set_multiplayer_authority().", find_spatial(target.node)->get_path(), target.authority));
+			_warnings.warn("owner " + std::to_string(target.authority), vformat("the authority of %s, peer %d, is not connected to this peer, so its motion cannot arrive. Set \"relay\" on all peers, or SceneMultiplayer.server_relay, or give the node to a connected peer with set_multiplayer_authority().", find_spatial(target.node)->get_path(), target.authority));
 		}
 	}
 	std::vector<int32_t> owners = _session.relayed_owners();
@@ -278,7 +278,7 @@ void Replicator::check_streams(double now) {
 		const std::vector<uint32_t> bodies = stream->bodies();
 		const int64_t missing = std::count_if(bodies.begin(), bodies.end(), [this](uint32_t body) { return _node_of_body.count(body) == 0; });
 		if (missing > 0 && is_reported(-peer)) {
-			warn("bodies " + std::to_string(peer), vformat("peer %d replicates %d bodies, of which %d have no node on this peer: no target has their path. Create the nodes under the same names on all peers, or remove the targets there.", peer, int64_t(bodies.size()), missing));
+			_warnings.warn("bodies " + std::to_string(peer), vformat("peer %d replicates %d bodies, of which %d have no node on this peer: no target has their path. Create the nodes under the same names on all peers, or remove the targets there.", peer, int64_t(bodies.size()), missing));
 		}
 	}
 	_absent_since.swap(absent);

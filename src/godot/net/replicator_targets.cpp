@@ -61,7 +61,7 @@ void Replicator::refresh(MotorSynchronizer *synchronizer) {
 	}
 	for (const uint64_t id : ids) {
 		const size_t before = _targets.size();
-		if (_index.count(id) == 0) {
+		if (!_targets.has(id)) {
 			add_target(find_spatial(id), synchronizer);
 		}
 		if (_targets.size() > before) {
@@ -69,15 +69,16 @@ void Replicator::refresh(MotorSynchronizer *synchronizer) {
 		}
 	}
 	selection.remember(ids);
-	// Emit signals last, because their handlers may modify the targets.
-	for (const uint64_t id : removed) {
-		if (Node *node = find_spatial(id)) {
-			synchronizer->emit_signal("target_removed", node);
-		}
-	}
-	for (const uint64_t id : added) {
-		if (Node *node = find_spatial(id)) {
-			synchronizer->emit_signal("target_added", node);
+	// Emit signals last, because their handlers may modify the targets and remove the synchronizer.
+	emit(synchronizer, "target_removed", removed);
+	emit(synchronizer, "target_added", added);
+}
+
+void Replicator::emit(MotorSynchronizer *synchronizer, const char *signal, const std::vector<uint64_t> &nodes) {
+	for (const uint64_t id : nodes) {
+		Node *node = find_spatial(id);
+		if (node != nullptr && has(synchronizer)) {
+			synchronizer->emit_signal(signal, node);
 		}
 	}
 }
@@ -85,12 +86,12 @@ void Replicator::refresh(MotorSynchronizer *synchronizer) {
 void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
 	const String path = relative_path(node);
 	if (path.contains("@")) {
-		warn("automatic name", automatic_name_fault(*node));
+		_warnings.warn("automatic name", automatic_name_fault(*node));
 		return;
 	}
 	for (const String &fault : { thread_fault(*node), dimension_fault(*node) }) {
 		if (!fault.is_empty()) {
-			warn(to_utf8(fault), fault);
+			_warnings.warn(to_utf8(fault), fault);
 		}
 	}
 	const uint64_t id = node->get_instance_id();
@@ -104,8 +105,7 @@ void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
 		target.previous_parent = departed->parent;
 	}
 	node->connect("tree_exiting", Callable(synchronizer, "_on_target_exiting").bindv(Array{ id }));
-	_index[id] = _targets.size();
-	_targets.push_back(target);
+	_targets.add(target);
 }
 
 /// Returns false and reports the collision once if another target has the same body.
@@ -114,7 +114,7 @@ bool Replicator::claim_body(const Target &target) {
 	if (!is_claimed) {
 		const Node *other = find_spatial(holder->second);
 		const String path = find_spatial(target.node)->get_path();
-		if (_warned.insert("hash " + to_utf8(path)).second) {
+		if (_warnings.is_first("hash " + to_utf8(path))) {
 			ERR_PRINT(vformat("MotorSynchronizer %s: the paths of %s and %s have the same hash, so peers cannot tell them apart. The first is not replicated; rename one of them on all peers.", target.synchronizer->get_path(), path, other != nullptr ? other->get_path() : NodePath()));
 		}
 		return false;
@@ -148,16 +148,7 @@ void Replicator::end_target(size_t index) {
 	for (MotorSynchronizer *synchronizer : _synchronizers) {
 		synchronizer->selection().forget();
 	}
-	_targets[index] = _targets.back();
-	_targets.pop_back();
-	index_targets();
-}
-
-void Replicator::index_targets() {
-	_index.clear();
-	for (size_t i = 0; i < _targets.size(); i++) {
-		_index[_targets[i].node] = i;
-	}
+	_targets.remove(index);
 }
 
 /// Ends the bodies of this peer whose nodes have left, after the tick in which they were last observed.
@@ -192,11 +183,6 @@ void Replicator::rename_targets() {
 	}
 }
 
-Target *Replicator::find_target(const Node *node) {
-	const auto found = _index.find(node->get_instance_id());
-	return found != _index.end() ? &_targets[found->second] : nullptr;
-}
-
 TypedArray<Node> Replicator::targets_of(const MotorSynchronizer *synchronizer) const {
 	TypedArray<Node> nodes;
 	for (const Target &target : _targets) {
@@ -208,15 +194,15 @@ TypedArray<Node> Replicator::targets_of(const MotorSynchronizer *synchronizer) c
 }
 
 void Replicator::target_exiting(uint64_t id) {
-	const auto found = _index.find(id);
-	if (found == _index.end()) {
+	if (!_targets.has(id)) {
 		return;
 	}
-	MotorSynchronizer *synchronizer = _targets[found->second].synchronizer;
-	end_target(found->second);
+	const size_t index = _targets.index_of(id);
+	MotorSynchronizer *synchronizer = _targets[index].synchronizer;
+	end_target(index);
 	// The node may only be moving to another parent, so search again.
 	synchronizer->selection().invalidate();
-	synchronizer->emit_signal("target_removed", find_spatial(id));
+	emit(synchronizer, "target_removed", { id });
 }
 
 void Replicator::node_renamed(const Node *renamed) {
@@ -236,16 +222,19 @@ void Replicator::free_target(Target &target) {
 
 /// Ends the bodies of nodes that free_target ends, after their last pose has been observed.
 void Replicator::end_freed_bodies() {
+	std::vector<std::pair<MotorSynchronizer *, uint64_t>> ended;
 	for (size_t i = _targets.size(); i-- > 0;) {
-		if (!_targets[i].is_freed) {
-			continue;
+		if (_targets[i].is_freed) {
+			const Target target = _targets[i];
+			_session.free_body(target.body);
+			_node_of_body.erase(target.body);
+			end_target(i);
+			target.synchronizer->selection().remove(target.node);
+			ended.emplace_back(target.synchronizer, target.node);
 		}
-		const Target target = _targets[i];
-		_session.free_body(target.body);
-		_node_of_body.erase(target.body);
-		end_target(i);
-		target.synchronizer->selection().remove(target.node);
-		target.synchronizer->emit_signal("target_removed", find_spatial(target.node));
+	}
+	for (const auto &[synchronizer, node] : ended) {
+		emit(synchronizer, "target_removed", { node });
 	}
 }
 

@@ -45,6 +45,10 @@ bool is_spatial(const Node *node) {
 	return as_3d(node) != nullptr || as_2d(node) != nullptr;
 }
 
+Node *find_known_spatial(uint64_t id) {
+	return static_cast<Node *>(ObjectDB::get_instance(id));
+}
+
 Node *find_spatial(uint64_t id) {
 	Node *node = Object::cast_to<Node>(ObjectDB::get_instance(id));
 	return is_spatial(node) ? node : nullptr;
@@ -55,12 +59,16 @@ Node *find_spatial(const Node &from, const NodePath &path) {
 	return is_spatial(node) ? node : nullptr;
 }
 
-Transform3D local_transform(const Node *node) {
-	if (const Node3D *node_3d = as_3d(node)) {
-		return node_3d->get_transform();
+Transform3D local_transform(const Node *node, bool is_2d) {
+	if (!is_2d) {
+		return static_cast<const Node3D *>(node)->get_transform();
 	}
-	const Node2D *node_2d = as_2d(node);
-	return node_2d != nullptr ? planar(node_2d->get_position(), node_2d->get_rotation(), node_2d->get_scale()) : Transform3D();
+	const Node2D *node_2d = static_cast<const Node2D *>(node);
+	return planar(node_2d->get_position(), node_2d->get_rotation(), node_2d->get_scale());
+}
+
+Transform3D local_transform(const Node *node) {
+	return is_spatial(node) ? local_transform(node, is_node_2d(node)) : Transform3D();
 }
 
 void set_local_transform(Node *node, const Transform3D &transform) {

@@ -13,12 +13,16 @@ namespace ga_godot {
 [[nodiscard]] bool is_node_2d(const godot::Node *node);
 [[nodiscard]] bool is_spatial(const godot::Node *node);
 
+/// The Node3D or Node2D with an instance id that is known to be one; null if it has been freed.
+[[nodiscard]] godot::Node *find_known_spatial(uint64_t id);
 /// The node with an instance id; null if it has been freed, or is neither a Node3D nor a Node2D.
 [[nodiscard]] godot::Node *find_spatial(uint64_t id);
 /// The Node3D or Node2D at a path from a node; null if there is none.
 [[nodiscard]] godot::Node *find_spatial(const godot::Node &from, const godot::NodePath &path);
 
 [[nodiscard]] godot::Transform3D local_transform(const godot::Node *node);
+/// The same for a node of known class, which is faster.
+[[nodiscard]] godot::Transform3D local_transform(const godot::Node *node, bool is_2d);
 void set_local_transform(godot::Node *node, const godot::Transform3D &transform);
 /// The identity for a node without a transform, and for null.
 [[nodiscard]] godot::Transform3D global_transform(const godot::Node *node);

@@ -1,12 +1,12 @@
 extends RefCounted
 ## Reports the traffic that a client received during the scene to the tool that started the client.
 
-const PoseLink := preload("../replication/pose_link.gd")
 const TrafficMeter := preload("traffic_meter.gd")
 
 var _begun_at := 0.0
 var _bytes := 0
 var _packets := 0
+var _lost := 0
 var _values: Dictionary = {}
 
 
@@ -16,6 +16,7 @@ func begin(meter: TrafficMeter) -> void:
 	_begun_at = _get_seconds()
 	_bytes = meter.bytes
 	_packets = meter.packets
+	_lost = meter.lost
 
 
 ## Call when the scene has ended on the server.
@@ -27,12 +28,14 @@ func finish(method: String, meter: TrafficMeter) -> void:
 		"seconds": _get_seconds() - _begun_at,
 		"bytes": meter.bytes - _bytes,
 		"packets": meter.packets - _packets,
+		"lost": meter.lost - _lost,
+		"total_packets": meter.packets,
 	}
 
 
-## Prints the report. Call when the complete scene has been shown.
-func print_json(link: PoseLink) -> void:
-	_values.merge(link.get_counts())
+## Prints the report with additional counts. Call when the complete scene has been shown.
+func print_json(counts: Dictionary) -> void:
+	_values.merge(counts)
 	print("REPORT ", JSON.stringify(_values))
 
 

@@ -8,6 +8,10 @@ const LineConditions := preload("line_conditions.gd")
 const LOOPBACK := "127.0.0.1"
 ## Microseconds between two polls of the sockets.
 const POLL_INTERVAL := 400
+## Size of the buffer for packets of the server, in bytes, for what arrives while a busy machine
+## does not run the thread. The default of 64 KiB holds a quarter of a second of
+## MultiplayerSynchronizer's packets. Beyond it, the engine drops packets and prints "Buffer full".
+const RECEIVE_BUFFER := 1 << 22
 ## Maximum number of clients. The relay ignores more.
 const MAX_ROUTES := 32
 ## Seconds without a packet from a client after which its route is removed.
@@ -23,6 +27,9 @@ class Route:
 	var up: ImpairedLine
 	var down: ImpairedLine
 	var heard_at := 0.0
+	## Packets passed to the client's socket, and those that the socket refused.
+	var delivered := 0
+	var refused := 0
 
 
 ## Packets and bytes that entered the lines, including lost ones.
@@ -31,15 +38,21 @@ class Counts:
 	var up_bytes := 0
 	var down_packets := 0
 	var down_bytes := 0
-	## Packets to clients that were lost or dropped.
+	## Packets to clients that were lost or dropped in the line, or refused by the socket.
 	var down_lost := 0
+	## Packets passed to the sockets of clients.
+	var down_delivered := 0
+	## Local ports of the sockets that receive the server's packets.
+	var ports := PackedInt32Array()
 
 	func add(route: Route) -> void:
 		up_packets += route.up.packets
 		up_bytes += route.up.bytes
 		down_packets += route.down.packets
 		down_bytes += route.down.bytes
-		down_lost += route.down.lost + route.down.overflowed
+		down_lost += route.down.lost + route.down.overflowed + route.refused
+		down_delivered += route.delivered
+		ports.append(route.server.get_local_port())
 
 
 var _listener := UDPServer.new()
@@ -143,12 +156,16 @@ func _forward(route: Route, now: float) -> void:
 	for packet: PackedByteArray in route.up.take(now):
 		route.server.put_packet(packet)
 	for packet: PackedByteArray in route.down.take(now):
-		route.client.put_packet(packet)
+		if route.client.put_packet(packet) == OK:
+			route.delivered += 1
+		else:
+			route.refused += 1
 
 
 func _add_client(client: PacketPeerUDP, now: float) -> void:
 	var route := Route.new()
 	route.client = client
+	route.server.bind(0, "*", RECEIVE_BUFFER)
 	route.server.set_dest_address(_server_address, _server_port)
 	route.up = ImpairedLine.new(_seed + SEED_STEP * 2 * _route_count)
 	route.down = ImpairedLine.new(_seed + SEED_STEP * (2 * _route_count + 1))

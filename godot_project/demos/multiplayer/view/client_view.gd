@@ -48,6 +48,7 @@ func _process(_delta: float) -> void:
 		_multimesh.set_instance_transform(id, _client.link.bodies[id].transform)
 	_update_balls()
 	_rig.target = _get_own_position()
+	_rig.free_area = _hud.get_free_area()
 	_client.get_input().yaw = _rig.yaw
 
 

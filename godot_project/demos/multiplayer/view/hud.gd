@@ -1,13 +1,12 @@
 extends CanvasLayer
-## The HUD of a client: statistics on the left, controls on the right, players at the top, keys at
-## the bottom. H toggles the panels, M switches the method.
+## The HUD of a client of the scenes of cubes: statistics and controls. H toggles the panels, M
+## switches the method.
 
 const Client := preload("../client.gd")
 const ControlsPanel := preload("controls_panel.gd")
+const HudLayout := preload("hud_layout.gd")
 const StatisticsPanel := preload("statistics_panel.gd")
-const PlayerList := preload("player_list.gd")
 
-const MARGIN := 16
 const KEYS := (
 	"WASD, arrows: roll   ·   Space: jump   ·   Click: kick   ·   Right drag, wheel: camera   ·   "
 	+ "M: switch method   ·   H: toggle panels"
@@ -16,21 +15,14 @@ const KEYS := (
 var _client: Client
 var _statistics := StatisticsPanel.new()
 var _controls := ControlsPanel.new()
-var _players := PlayerList.new()
-var _panels := Control.new()
+var _panels := HudLayout.new([_statistics, _controls], KEYS)
 var _message := Label.new()
 
 
 func _init(client: Client) -> void:
 	_client = client
-	_panels.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
-	_panels.mouse_filter = Control.MOUSE_FILTER_IGNORE
 	_panels.hide()
 	add_child(_panels)
-	_add_to_edge(_in_panel(_statistics), Control.SIZE_SHRINK_BEGIN, Control.SIZE_SHRINK_BEGIN)
-	_add_to_edge(_in_panel(_controls), Control.SIZE_SHRINK_END, Control.SIZE_SHRINK_BEGIN)
-	_add_to_edge(_players, Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_BEGIN)
-	_add_to_edge(_make_keys(), Control.SIZE_SHRINK_CENTER, Control.SIZE_SHRINK_END)
 	_message.theme_type_variation = &"HeadingLabel"
 	_message.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_message.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
@@ -58,11 +50,17 @@ func open() -> void:
 
 
 func show_players(roster: Array, own_slot: int) -> void:
-	_players.show_players(roster, own_slot)
+	_panels.players.show_players(roster, own_slot)
+
+
+## The part of the window that no panel covers, as a share of its size.
+func get_free_area() -> Rect2:
+	return _panels.get_free_area()
 
 
 ## Call it every frame.
 func update() -> void:
+	_panels.fit_window()
 	_statistics.update(_client)
 
 
@@ -84,32 +82,3 @@ func _on_method_changed() -> void:
 
 func _on_tuned() -> void:
 	_controls.show_tuning(_client.tolerance, _client.mode)
-
-
-func _in_panel(content: Control) -> PanelContainer:
-	var panel := PanelContainer.new()
-	panel.add_child(content)
-	return panel
-
-
-func _add_to_edge(
-	panel: Control, horizontal: Control.SizeFlags, vertical: Control.SizeFlags
-) -> void:
-	var frame := MarginContainer.new()
-	frame.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	frame.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
-	for side: String in ["left", "top", "right", "bottom"]:
-		frame.add_theme_constant_override("margin_" + side, MARGIN)
-	panel.size_flags_horizontal = horizontal
-	panel.size_flags_vertical = vertical
-	frame.add_child(panel)
-	_panels.add_child(frame)
-
-
-func _make_keys() -> PanelContainer:
-	var keys := Label.new()
-	keys.text = KEYS
-	keys.theme_type_variation = &"CaptionLabel"
-	var panel := _in_panel(keys)
-	panel.mouse_filter = Control.MOUSE_FILTER_IGNORE
-	return panel

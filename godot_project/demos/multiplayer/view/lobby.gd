@@ -8,11 +8,12 @@ const CameraRig := preload("camera_rig.gd")
 const CubesView := preload("cubes_view.gd")
 const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
+const Ports := preload("../network/ports.gd")
 const Stage := preload("stage.gd")
 
 const SCENE := "res://demos/multiplayer/multiplayer.tscn"
 const SCENE_TITLES: Dictionary[String, String] = {
-	"cubes": "Falling Structures", "push": "Field of Cubes"
+	"cubes": "Falling Structures", "push": "Field of Cubes", "avatars": "Avatars"
 }
 const COLUMN_WIDTH := 400
 ## Rotation of the background in radians per second.
@@ -27,6 +28,8 @@ var _background: Node3D
 
 func _init(options: Options, message: String) -> void:
 	_options = options
+	# Only hosting chooses a server of a certain run.
+	options.session = ""
 	set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
 	_add_background()
 	# On the left, so that the scene stays visible.
@@ -47,12 +50,13 @@ func _init(options: Options, message: String) -> void:
 	_add_label(column, "Multiplayer", &"TitleLabel")
 	_add_label(
 		column,
-		"A server simulates the cubes and sends their poses as quantized motors.",
+		"A server simulates cubes, or forwards the players' avatars, as quantized motors.",
 		&"CaptionLabel"
 	)
 	if not message.is_empty():
 		_add_label(column, message, &"HeadingLabel")
 	_name.text = options.player_name
+	_name.placeholder_text = "Player"
 	_name.max_length = 24
 	_address.text = "%s:%d" % [options.address, options.port]
 	_add_field(column, "Name", _name)
@@ -73,7 +77,8 @@ func _add_background() -> void:
 	var yaw := _rig.yaw if _rig != null else CameraRig.YAW
 	_rig = CameraRig.new(layout.half_extent)
 	_rig.yaw = yaw
-	_rig.camera.h_offset = -layout.half_extent * 0.45
+	# The panel is on the left.
+	_rig.free_area = Rect2(0.46, 0.0, 0.54, 1.0)
 	_background.add_child(Stage.new(_options.scene, layout.half_extent))
 	_background.add_child(CubesView.new(layout, layout.poses.size()))
 	_background.add_child(_rig)
@@ -96,8 +101,14 @@ func _on_join() -> void:
 	_play()
 
 
-## Starts a server process that quits when the last player leaves.
+## Starts a server process that quits when the last player leaves. If the port is in use, for
+## example by a server whose players were just killed, takes the next free one.
 func _on_host() -> void:
+	var port := Ports.find_free(_options.port)
+	if port != 0 and port != _options.port:
+		print("Port %d is in use. Hosting on port %d." % [_options.port, port])
+		_options.port = port
+	_options.session = "%d-%d" % [OS.get_process_id(), Time.get_ticks_usec()]
 	var arguments: PackedStringArray = ["--headless"]
 	if OS.has_feature("editor"):
 		arguments.append_array(["--path", ProjectSettings.globalize_path("res://")])
@@ -108,19 +119,20 @@ func _on_host() -> void:
 			"--role=server",
 			"--quit-when-empty=on",
 			"--port=%d" % _options.port,
+			"--session=%s" % _options.session,
 			"--scene=%s" % _options.scene,
-			"--cubes=%d" % _options.cubes,
 			"--method=%s" % _options.method
 		]
 	)
+	if _options.cubes > 0:
+		arguments.append("--cubes=%d" % _options.cubes)
 	OS.create_process(OS.get_executable_path(), arguments)
 	_options.address = "127.0.0.1"
 	_play()
 
 
 func _play() -> void:
-	var player_name := _name.text.strip_edges()
-	_options.player_name = player_name if not player_name.is_empty() else "Player"
+	_options.player_name = _name.text.strip_edges()
 	chosen.emit()
 
 

@@ -42,7 +42,7 @@ func _init(title: String, description: String, color: Color, group: ButtonGroup)
 ## Shows a rate in bytes per second, negative if not yet measured, and its share of the highest
 ## rate.
 func show_rate(rate: float, share: float) -> void:
-	_rate.text = "%.1f kB/s" % (rate / 1000.0) if rate >= 0.0 else "not measured yet"
+	_rate.text = "%.1f kB/s" % (rate / 1000.0) if rate >= 0.0 else "not measured"
 	_rate.theme_type_variation = &"Label" if rate >= 0.0 else &"CaptionLabel"
 	_rate.modulate.a = 1.0 if button_pressed or rate < 0.0 else 0.7
 	_share = share

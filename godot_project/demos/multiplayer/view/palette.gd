@@ -21,6 +21,7 @@ const PLAYERS: Array[Color] = [
 	Color("ff6b8b"),
 	Color("5eead4"),
 	Color("f4f1de"),
+	Color("f4a261"),
 ]
 
 

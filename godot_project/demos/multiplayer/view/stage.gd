@@ -12,7 +12,7 @@ const FLOOR_MARGIN := 160.0
 func _init(scene: String, half_extent: float) -> void:
 	add_child(_make_environment())
 	_add_lights(half_extent)
-	add_child(_make_floor(half_extent, scene != "push"))
+	add_child(_make_floor(half_extent, scene == "cubes"))
 	for side: float in [-1.0, 1.0]:
 		var at := side * (half_extent + RIM_WIDTH * 0.5)
 		var length := 2.0 * (half_extent + RIM_WIDTH)

@@ -18,6 +18,7 @@ const LINES: Dictionary[String, String] = {
 	"synchronizer": "Godot: every transform at 20 Hz",
 }
 const STATISTICS: PackedStringArray = [
+	"Server",
 	"Packets",
 	"Packet loss",
 	"Playback delay",
@@ -95,6 +96,7 @@ func update(client: Client) -> void:
 		)
 		_graph.push(rate)
 	_show_rates()
+	_values["Server"].text = client.get_server()
 	_values["Packets"].text = "%.0f/s" % (packets / elapsed)
 	_values["Packet loss"].text = "%.0f%%" % (100.0 * lost / maxi(packets, 1))
 	var delay := client.link.get_delay() * 1000.0

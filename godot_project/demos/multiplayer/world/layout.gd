@@ -1,7 +1,7 @@
 extends RefCounted
 ## Start pose and color of each cube, the same on the server and on all clients. Scene "cubes": a
 ## round tower, a wall, a pyramid and a cloud of falling cubes, repeated for every 250 cubes. Scene
-## "push": a field of cubes on the floor.
+## "push": a field of cubes on the floor. Scene "avatars" has no cubes.
 
 ## Edge of a cube, in meters.
 const EDGE := 0.5
@@ -12,6 +12,8 @@ const PITCH := EDGE * 1.04
 const TOWER_RING := 16
 const WALL_WIDTH := 14
 const FIELD_PITCH := 0.8
+## Half the side of the arena of the avatars, in meters.
+const AVATAR_HALF_EXTENT := 3.4
 ## Shares of a set; the rest forms the cloud.
 const TOWER_SHARE := 0.38
 const WALL_SHARE := 0.25
@@ -32,6 +34,8 @@ var half_extent := 0.0
 func _init(scene: String, count: int) -> void:
 	if scene == "push":
 		_add_field(count)
+	elif scene == "avatars":
+		half_extent = AVATAR_HALF_EXTENT
 	else:
 		_add_sets(count)
 
