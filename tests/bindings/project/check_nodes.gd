@@ -109,6 +109,25 @@ func check_transforms() -> void:
 	parent.free()
 
 
+func check_2d_nodes() -> void:
+	var parent := Node2D.new()
+	parent.position = Vector2(10, 0)
+	var mark := Marker2D.new()
+	parent.add_child(mark)
+	tree.root.add_child(parent)
+	var mover := SampleMover.new()
+	same(
+		mover.place_flat(mark, Vector2(1, 2), 0.5, Vector2(2, 3), false),
+		[Vector2(1, 2), 0.5, Vector2(2, 3), Vector2(11, 2), false]
+	)
+	same([mark.position, mark.rotation, mark.visible], [Vector2(1, 2), 0.5, false])
+	same(mark.scale, Vector2(2, 3))
+	same(mover.place_flat(mover, Vector2.ZERO, 0.0, Vector2.ONE, true), [])
+	same(mover.place_flat(null, Vector2.ZERO, 0.0, Vector2.ONE, true), [])
+	mover.free()
+	parent.free()
+
+
 func check_scripts_of_nodes() -> void:
 	var script := GDScript.new()
 	script.source_code = "extends SampleChild\nvar seen := 0\nfunc _ready() -> void:\n\tseen += 1\n"

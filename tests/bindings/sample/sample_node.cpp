@@ -2,6 +2,7 @@
 
 #include <godot_cpp/classes/multiplayer_peer.hpp>
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
+#include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/classes/scene_multiplayer.hpp>
 #include <godot_cpp/classes/scene_replication_config.hpp>
@@ -228,10 +229,23 @@ Vector3 SampleMover::parent_position() const {
 	return parent ? parent->get_global_transform().origin : Vector3();
 }
 
+Array SampleMover::place_flat(Node *other, const Vector2 &position, double rotation, const Vector2 &scale, bool visible) const {
+	Node2D *node = Object::cast_to<Node2D>(other);
+	if (node == nullptr) {
+		return Array();
+	}
+	node->set_position(position);
+	node->set_rotation(float(rotation));
+	node->set_scale(scale);
+	node->set_visible(visible);
+	return Array{ node->get_position(), node->get_rotation(), node->get_scale(), node->get_global_position(), node->is_visible() };
+}
+
 void SampleMover::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("place", "position"), &SampleMover::place);
 	ClassDB::bind_method(D_METHOD("place_other", "other", "transform"), &SampleMover::place_other);
 	ClassDB::bind_method(D_METHOD("parent_position"), &SampleMover::parent_position);
+	ClassDB::bind_method(D_METHOD("place_flat", "other", "position", "rotation", "scale", "visible"), &SampleMover::place_flat);
 }
 
 } // namespace bindings_sample

@@ -87,6 +87,9 @@ public:
 	void place_other(godot::Node3D *other, const godot::Transform3D &transform) const;
 	/// The global position of the parent; the origin if that is not a Node3D.
 	godot::Vector3 parent_position() const;
+	/// Places a Node2D, and shows or hides it. Returns its position, rotation, scale, global position and visibility;
+	/// empty if the node is not a Node2D.
+	godot::Array place_flat(godot::Node *other, const godot::Vector2 &position, double rotation, const godot::Vector2 &scale, bool visible) const;
 
 protected:
 	static void _bind_methods();
