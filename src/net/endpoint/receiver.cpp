@@ -18,6 +18,8 @@ constexpr double FRAGMENT_TIMEOUT = 0.75;
 constexpr double RESTART_SILENCE = 1.0;
 /// A snapshot whose number is further ahead than this and whose time is earlier comes from another sender.
 constexpr uint8_t MAX_SNAPSHOTS_MISSED = 32;
+/// A chunk that arrives this many seconds after a newer one was not lost.
+constexpr double MAX_REORDERING = 0.02;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 /// Minimum size of a fragment of a snapshot, except the last.
@@ -82,10 +84,13 @@ void Receiver::count_loss(uint8_t number, bool is_copy, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
 	const bool is_late = is_copy || int8_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
-	if (is_late) {
+	if (is_late && (is_copy || now - _newest_chunk_time > MAX_REORDERING)) {
 		_clock.observe_loss(_statistics.loss, now);
 	}
-	_newest_chunk = int8_t(number - _newest_chunk) < 0 ? _newest_chunk : number;
+	if (int8_t(number - _newest_chunk) >= 0) {
+		_newest_chunk = number;
+		_newest_chunk_time = now;
+	}
 }
 
 PacketResult Receiver::check_fragments() {

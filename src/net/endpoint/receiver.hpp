@@ -193,6 +193,7 @@ private:
 	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
 	uint8_t _newest_chunk = 0;
+	double _newest_chunk_time = -1e9; // when it arrived
 	double _min_margin = 0.0;
 	double _max_margin = -1.0; // negative: max_latency
 	StreamStatistics _statistics;

@@ -35,6 +35,8 @@ public:
 		double blocked_until = 0.0; // virtual time until which its process does nothing
 		double tick_share = 1.0; // fraction of its ticks that it makes
 		double due_ticks = 0.0;
+		int missed_ticks = 0;
+		int max_catch_up = 0;
 		int64_t ticks = 0;
 	};
 
@@ -94,7 +96,7 @@ public:
 				}
 				receive(id, peer);
 				if (frame == 0) {
-					step_tick(id, peer);
+					step_ticks(id, peer);
 				}
 				peer.session.advance(local(id));
 				send(id, peer);
@@ -182,12 +184,20 @@ private:
 		}
 	}
 
-	void step_tick(PeerId id, Peer &peer) {
-		peer.due_ticks += now < peer.held_until ? 0.0 : peer.tick_share;
-		if (peer.due_ticks < 1.0 - 1e-9) {
+	/// The ticks that are due: after a hold, up to `max_catch_up` at once.
+	void step_ticks(PeerId id, Peer &peer) {
+		peer.missed_ticks += now < peer.held_until ? 1 : 0;
+		if (now < peer.held_until) {
 			return;
 		}
-		peer.due_ticks -= 1.0;
+		peer.due_ticks += peer.tick_share + std::min(peer.missed_ticks, peer.max_catch_up);
+		peer.missed_ticks = 0;
+		for (; peer.due_ticks > 1.0 - 1e-9; peer.due_ticks -= 1.0) {
+			step_tick(id, peer);
+		}
+	}
+
+	void step_tick(PeerId id, Peer &peer) {
 		++peer.ticks;
 		peer.session.begin_tick(local(id), tick);
 		for (const auto &[body, owner] : peer.owners) {

@@ -139,3 +139,35 @@ TEST_CASE("session: a server that was paused or blocked knows its receivers' rou
 		}
 	}
 }
+
+TEST_CASE("session: a server that stood still and then makes up for ticks, all at once, on lines with jitter") {
+	for (const bool relay : { false, true }) {
+		for (const double delay : { 0.001, 0.005, 0.02, 0.05 }) {
+			for (const double jitter : { 0.0, 0.005, 0.015 }) {
+				for (const double max_latency : { 0.05, 0.1, 0.2 }) {
+					for (const double seconds : { 0.2, 0.3, 0.5, 1.0, 1.03, 3.0 }) {
+						CAPTURE(relay);
+						CAPTURE(delay);
+						CAPTURE(jitter);
+						CAPTURE(max_latency);
+						CAPTURE(seconds);
+						MovingBody body({ delay, jitter });
+						StreamSettings settings;
+						settings.max_latency = max_latency;
+						body.network.session(1).set_settings(settings);
+						body.network.session(1).set_relay(relay);
+						body.network.session(2).set_relay(relay);
+						body.network.peers.at(1).max_catch_up = 8; // as Godot does
+						body.run(5.0);
+						const double usual = body.delay();
+						body.network.peers.at(1).held_until = body.network.now + seconds;
+						body.run(seconds + 0.5);
+						body.run(1.5);
+						CHECK(body.frozen <= 2);
+						CHECK(body.delay() < usual + 0.03);
+					}
+				}
+			}
+		}
+	}
+}
