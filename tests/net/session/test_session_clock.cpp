@@ -171,3 +171,30 @@ TEST_CASE("session: a server that stood still and then makes up for ticks, all a
 		}
 	}
 }
+
+TEST_CASE("session: a slow server on a line with jitter and losses") {
+	for (const double rate : { 0.95, 0.9, 0.8, 0.67, 0.5, 0.4 }) {
+		for (const double delay : { 0.001, 0.02, 0.05 }) {
+			for (const double loss : { 0.0, 0.02, 0.05 }) {
+				for (const double max_latency : { 0.05, 0.1, 0.2 }) {
+					CAPTURE(rate);
+					CAPTURE(delay);
+					CAPTURE(loss);
+					CAPTURE(max_latency);
+					LinkSettings link{ delay, 0.01 };
+					link.loss = loss;
+					MovingBody body(link);
+					StreamSettings settings;
+					settings.max_latency = max_latency;
+					body.network.session(1).set_settings(settings);
+					body.network.session(2).set_margin_limits(0.0, 0.2);
+					body.run(4.0);
+					body.network.peers.at(1).tick_share = rate;
+					body.run(3.0, SPEED * rate);
+					body.run(5.0, SPEED * rate);
+					CHECK(body.frozen <= body.frames / (loss == 0.0 ? 50 : 20));
+				}
+			}
+		}
+	}
+}
