@@ -31,7 +31,8 @@ def ball_keeps_moving_when_its_owner_changes(run):
         at = server.events[event]
         samples = watcher.shown("A", at - 0.2, at + 0.9)
         name = f"watcher, {event}"
-        findings.smooth(name, samples)
+        # It may stand for a few frames in these 1.1 s.
+        findings.smooth(name, samples, max_frozen=0.08)
         stand = longest_stand(samples, SPEED)
         findings.check(stand <= MAX_STAND, f"{name}: the ball stands for {stand * 1000:.0f} ms")
         found = delays(watcher.shown("A", at, at + 0.7), truth)

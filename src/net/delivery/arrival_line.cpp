@@ -30,9 +30,6 @@ constexpr double MIN_NOTABLE_DRIFT = 0.01;
 constexpr double DRIFT_PER_SPREAD = 2.5;
 /// If the line moves twice within this many seconds, a smaller difference is enough to conclude that the sender is slow.
 constexpr double SAME_CAUSE = 2.0;
-/// After a sender stood still, what it then sends at once arrives within this many seconds.
-constexpr double MIN_STEP = 0.035;
-constexpr double MIN_CAUSE = 0.1; // seconds between two moves that tell a slope
 /// Arrivals farther apart than this, in seconds, say nothing about the slope.
 constexpr double MAX_STEP = 1.0;
 
@@ -82,17 +79,15 @@ ArrivalLine::Arrival ArrivalLine::add(double end, double now, bool has_losses) {
 		move_to(end, now);
 		return Arrival::EXPECTED;
 	}
-	// A retransmission says nothing about the line.
-	if (distance <= bound) {
-		const double share = std::min(step / FULL_STEP, 1.0);
-		_bias += (distance - _bias) * BIAS_WEIGHT;
-		_spread += (std::fabs(distance - _bias) - _spread) * SPREAD_WEIGHT;
-		const double boost = std::clamp(std::fabs(_bias) / (_spread + NO_SPREAD), 1.0, MAX_BOOST);
-		_offset = predicted + ALPHA * boost * share * distance;
-		_drift = std::clamp(_drift + BETA * boost * boost * share * distance / std::max(step, FULL_STEP), MIN_DRIFT, MAX_DRIFT);
-		_mean_drift += (_drift - _mean_drift) * BIAS_WEIGHT;
-		_time = now;
-	}
+	const double share = std::min(step / FULL_STEP, 1.0);
+	const double near = std::min(distance, bound);
+	_bias += (near - _bias) * BIAS_WEIGHT;
+	_spread += (std::fabs(near - _bias) - _spread) * SPREAD_WEIGHT;
+	const double boost = std::clamp(std::fabs(_bias) / (_spread + NO_SPREAD), 1.0, MAX_BOOST);
+	_offset = predicted + ALPHA * boost * share * near;
+	_drift = std::clamp(_drift + BETA * boost * boost * share * near / std::max(step, FULL_STEP), MIN_DRIFT, MAX_DRIFT);
+	_mean_drift += (_drift - _mean_drift) * BIAS_WEIGHT;
+	_time = now;
 	_earliest.add(distance, now);
 	_latest.add(distance, now);
 	if (is_drifting()) {
@@ -108,21 +103,17 @@ ArrivalLine::Arrival ArrivalLine::add(double end, double now, bool has_losses) {
 ArrivalLine::Arrival ArrivalLine::add_late(double end, double now, double bound) {
 	const double step = now - _late_time;
 	const double later = now - end - (_late_offset + _drift * step);
-	const bool is_backlog = _is_late && step < MIN_STEP;
-	if (is_backlog && later > 0.0) {
-		return Arrival::SUSPECT;
-	}
 	const bool was_late = _is_late;
 	_is_early = false;
 	_is_late = true;
 	_late_offset = now - end;
 	_late_time = now;
-	if (!was_late || is_backlog || later < -bound) {
+	if (!was_late || later < -bound) {
 		return Arrival::SUSPECT;
 	}
 	if (step > MAX_STEP) {
 		_drift = 0.0;
-	} else if (later > 0.5 * bound && now - _moved_at < SAME_CAUSE && now - _moved_at > MIN_CAUSE) {
+	} else if (later > 0.5 * bound && now - _moved_at < SAME_CAUSE) {
 		_drift = std::clamp((now - end - _moved_offset) / (now - _moved_at), MIN_DRIFT, MAX_DRIFT);
 	} else if (later > bound) {
 		_drift = std::clamp(_drift + later / step, MIN_DRIFT, MAX_DRIFT);
