@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import demo_network
 from demo_run import DemoRun, RunFailed, progress
+from demo_table import print_rows
 from pose_error import best_delay, percentile, rows_at
 from pose_record import ROW_FLOATS, PoseRecord, lever_distance, moving_bodies
 
@@ -154,18 +155,8 @@ COLUMNS = (
 
 def print_table(arms, options):
     """Prints the table, the meaning of its columns, and a one-sentence result."""
-    rows = [["", *(title for title, _ in COLUMNS)]]
-    rows += [[TITLES[relay], *(cell(figures) for _, cell in COLUMNS)] for relay, figures in arms.items()]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     print(f"{options.clients} avatars of {PARTS} bodies, each owned by a client, {options.seconds} s each")
-    network = demo_network.describe(options)
-    if network:
-        print(f"network, each way: {network}")
-    print()
-    for row in rows:
-        cells = [text.rjust(width) for text, width in zip(row[1:], widths[1:])]
-        print("  ".join([row[0].ljust(widths[0]), *cells]).rstrip())
-    print()
+    print_rows(COLUMNS, {TITLES[relay]: figures for relay, figures in arms.items()}, options)
     print("server: datagrams and bytes sent and received; client: the mean of all clients. By ENet's counters, without the 28 bytes")
     print("of IP and UDP headers per datagram.")
     print("error: distance between a client's and the owner's pose, for moving heads and hands; the largest of the center and three")

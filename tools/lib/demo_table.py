@@ -16,23 +16,27 @@ COLUMNS = (
 )
 
 
-def print_table(arms, options):
-    """Prints the table, the meaning of its columns, and a one-sentence result."""
-    rows = [["", *(title for title, _ in COLUMNS)]]
-    for method, figures in arms.items():
-        rows.append([TITLES[method], *(cell(figures) for _, cell in COLUMNS)])
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    motors, synchronizer = arms["motors"], arms["synchronizer"]
-    print(f"{options.cubes} cubes, {motors['moving']:.0f} of them moving on average, {options.clients} clients, "
-          f"{options.seconds} s each")
+def print_rows(columns, figures_by_title, options):
+    """Prints the impairment of the network, if any, and a table with a row per title. `columns` are (title, text of figures)."""
     network = demo_network.describe(options)
     if network:
         print(f"network, each way: {network}")
     print()
+    rows = [["", *(title for title, _ in columns)]]
+    rows += [[title, *(cell(figures) for _, cell in columns)] for title, figures in figures_by_title.items()]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     for row in rows:
         cells = [text.rjust(width) for text, width in zip(row[1:], widths[1:])]
         print("  ".join([row[0].ljust(widths[0]), *cells]).rstrip())
     print()
+
+
+def print_table(arms, options):
+    """Prints the table, the meaning of its columns, and a one-sentence result."""
+    motors, synchronizer = arms["motors"], arms["synchronizer"]
+    print(f"{options.cubes} cubes, {motors['moving']:.0f} of them moving on average, {options.clients} clients, "
+          f"{options.seconds} s each")
+    print_rows(COLUMNS, {TITLES[method]: figures for method, figures in arms.items()}, options)
     print("kB/s, packets/s: sent to one client, without the 28 bytes of IP and UDP headers per packet; by ENet's counters, or, if")
     print("the network is impaired, by the proxy's, before losses.")
     print("error: distance between the client's and the server's pose at the same media time, for moving cubes; the largest of the")

@@ -4,10 +4,9 @@ The rows are those of tools/bench network --latency-plot: baselines at fixed rat
 One panel per trace, both axes logarithmic. Labels give the error of each point.
 """
 
-import json
 import sys
 
-from plot_rate_distortion import KINDS as TOLERANCE_KINDS, finish_axes, new_figure, save_figure, titles
+from plot_rate_distortion import KINDS as TOLERANCE_KINDS, draw_line, finish_axes, plot
 
 KINDS = TOLERANCE_KINDS[:-1] + (("ga_godot", "GA-Godot, for latencies", *TOLERANCE_KINDS[-1][2:]),)
 CASES = ("error_p99", "bytes_per_second_per_body", "playback_delay_median")
@@ -37,12 +36,11 @@ def cheapest_at_each_delay(line):
 
 def draw_panel(axes, lines, title):
     """Draws the curves of one trace."""
-    for prefix, name, color, marker in KINDS:
+    for kind in KINDS:
+        prefix, _, color, _ = kind
         line = lines[prefix]
         ours = prefix == "ga_godot"
-        axes.plot([delay for delay, _, _ in line], [cost for _, cost, _ in line], color=color, marker=marker, label=name,
-                  linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
-                  zorder=4 if ours else 3)
+        draw_line(axes, line, kind)
         if prefix != "paper_motor_float32_":
             for delay, cost, p99 in line:
                 label = f"{p99:.1f} mm" if p99 < 10 else f"{p99:.0f} mm"
@@ -51,16 +49,5 @@ def draw_panel(axes, lines, title):
     finish_axes(axes, title)
 
 
-def main(rows_path, plot_path):
-    """Reads the rows and saves the plot."""
-    with open(rows_path, encoding="utf-8") as file:
-        rows = json.load(file)["rows"]
-    panels = titles(rows)
-    figure, grid = new_figure(len(panels))
-    for axes, (trace, title) in zip(grid.flat, panels.items()):
-        draw_panel(axes, curves(rows, trace), title)
-    save_figure(figure, grid, "median playback delay, ms", plot_path)
-
-
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    plot(*sys.argv[1:], curves, draw_panel, "median playback delay, ms")

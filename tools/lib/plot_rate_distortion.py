@@ -41,14 +41,22 @@ def curves(rows, trace):
     return {prefix: sorted(line, key=lambda point: point[1]) for prefix, line in found.items()}
 
 
+def draw_line(axes, line, kind):
+    """Draws the curve of a kind through points that begin with x and y."""
+    prefix, name, color, marker = kind
+    ours = prefix == "ga_godot"
+    axes.plot([point[0] for point in line], [point[1] for point in line], color=color, marker=marker, label=name,
+              linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
+              zorder=4 if ours else 3)
+
+
 def draw_panel(axes, lines, title):
     """Draws the curves of one trace."""
-    for prefix, name, color, marker in KINDS:
+    for kind in KINDS:
+        prefix, _, color, _ = kind
         line = lines[prefix]
         ours = prefix == "ga_godot"
-        axes.plot([p99 for p99, _, _ in line], [cost for _, cost, _ in line], color=color, marker=marker, label=name,
-                  linewidth=2.4 if ours else 1.6, markersize=6.5 if ours else 5, markeredgecolor="white", markeredgewidth=0.8,
-                  zorder=4 if ours else 3)
+        draw_line(axes, line, kind)
         for index, (p99, cost, label) in enumerate(line):
             if label in LABELED:
                 # Ours below the curve, unless it bends back there.
@@ -104,16 +112,16 @@ def save_figure(figure, grid, x_label, path):
     figure.savefig(path, dpi=110, facecolor="white", metadata={"Software": None})
 
 
-def main(rows_path, plot_path):
-    """Reads the rows and saves the plot."""
+def plot(rows_path, plot_path, find_curves, draw, x_label):
+    """Reads the rows and saves a plot with a panel per trace: draw(axes, find_curves(rows, trace), title)."""
     with open(rows_path, encoding="utf-8") as file:
         rows = json.load(file)["rows"]
     panels = titles(rows)
     figure, grid = new_figure(len(panels))
     for axes, (trace, title) in zip(grid.flat, panels.items()):
-        draw_panel(axes, curves(rows, trace), title)
-    save_figure(figure, grid, "error, 99th percentile of moving samples, mm", plot_path)
+        draw(axes, find_curves(rows, trace), title)
+    save_figure(figure, grid, x_label, plot_path)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    plot(*sys.argv[1:], curves, draw_panel, "error, 99th percentile of moving samples, mm")

@@ -15,9 +15,8 @@ using godot::Node;
 using godot::Transform3D;
 using godot::vformat;
 
-/// A node counts as moving in frames after this many motions in frames, until a tick moves it, and again this many ticks later.
+/// A node counts as moving in frames after this many motions in frames, until a tick moves it.
 static constexpr int32_t MIN_FRAME_MOTIONS = 2;
-static constexpr int32_t TICKS_TO_FORGET = 30;
 
 std::optional<cga::Pose<double>> Target::read_pose(const Transform3D &transform) {
 	_transform = transform;
@@ -57,11 +56,7 @@ void Target::before_scripts(const Transform3D &transform) {
 }
 
 bool Target::after_scripts(const Transform3D &transform) {
-	_ticks_since_tick_motion++;
 	if (transform != _early_transform) {
-		_ticks_since_tick_motion = 0;
-	}
-	if (_ticks_since_tick_motion < TICKS_TO_FORGET && transform != _early_transform) {
 		_frame_motions = 0;
 	}
 	return _frame_motions >= MIN_FRAME_MOTIONS;

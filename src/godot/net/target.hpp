@@ -65,8 +65,7 @@ private:
 
 	godot::Transform3D _transform; // of the last sample
 	godot::Transform3D _early_transform; // before the scripts of this tick
-	int32_t _ticks_since_tick_motion = 0;
-	int32_t _frame_motions = 0; // consecutive motions in frames
+	int32_t _frame_motions = 0; // motions in frames since the last one in a tick, up to the number that counts
 	bool _is_sampled = false;
 	bool _is_faulty = false; // a fault of the transform has been reported
 	bool _is_non_uniform = false; // a non-uniform scale has been reported

@@ -45,10 +45,9 @@ void ArrivalLine::move_to(double end, double now) {
 	_time = now;
 	_is_late = false;
 	_mean_drift = _drift;
-	_earliest = RecentExtreme(-1.0, 4.0);
-	_latest = RecentExtreme(1.0, 2.0);
-	_earliest_offset = _earliest;
-	_latest_offset = _latest;
+	for (RecentExtreme *extreme : { &_earliest, &_latest, &_earliest_offset, &_latest_offset }) {
+		extreme->clear();
+	}
 	_earliest.add(0.0, now);
 	_latest.add(0.0, now);
 	_earliest_offset.add(_offset, now);
@@ -91,8 +90,8 @@ ArrivalLine::Arrival ArrivalLine::add(double end, double now, bool has_losses) {
 	_earliest.add(distance, now);
 	_latest.add(distance, now);
 	if (is_drifting()) {
-		_earliest_offset = RecentExtreme(-1.0, 4.0);
-		_latest_offset = RecentExtreme(1.0, 2.0);
+		_earliest_offset.clear();
+		_latest_offset.clear();
 	}
 	_earliest_offset.add(now - end, now);
 	_latest_offset.add(now - end, now);

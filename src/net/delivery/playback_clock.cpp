@@ -89,7 +89,7 @@ void PlaybackClock::close_batch() {
 	if (arrival == ArrivalLine::Arrival::MOVED) {
 		// The delay was the sender's, not the network's.
 		_suspect_delay = 0.0;
-		_required_delay = RecentExtreme(1.0, 6.0);
+		_required_delay.clear();
 		if (_position > _batch.begin) {
 			_position = _batch.begin;
 			_last = std::max(_last, _batch.time);
@@ -98,7 +98,7 @@ void PlaybackClock::close_batch() {
 	if (std::fabs(_line.rate() - _delay_rate) > NEW_RATE && _batch.time >= _losses_until) {
 		// What was required of a sender of another rate says little.
 		_delay_rate = _line.rate();
-		_required_delay = RecentExtreme(1.0, 6.0);
+		_required_delay.clear();
 	}
 	if (_suspect_delay > 0.0) {
 		_required_delay.add(_suspect_delay, _batch.time);

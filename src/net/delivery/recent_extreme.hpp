@@ -25,6 +25,7 @@ public:
 		}
 		_current = _sign * std::max(_sign * _current, _sign * value);
 	}
+	void clear() { *this = RecentExtreme(_sign, _span); }
 	[[nodiscard]] double value() const { return _sign * std::max(_sign * _current, _sign * _previous); }
 	[[nodiscard]] bool is_empty() const { return _empty; }
 

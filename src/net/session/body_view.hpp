@@ -12,8 +12,6 @@ struct BodySource {
 	PeerId owner = 0;
 	uint32_t body = 0;
 	uint64_t min_life = 0; ///< lives before it belong to an earlier node of the same name
-
-	[[nodiscard]] bool operator==(const BodySource &other) const { return owner == other.owner && body == other.body && min_life == other.min_life; }
 };
 
 /// What to show of one body, across changes of its owner and its name: the old source until its end, then the new one from
@@ -43,7 +41,6 @@ public:
 	/// What to show at the session's media time.
 	Frame frame(const Session &session, double now);
 
-	[[nodiscard]] const BodySource &source() const { return _source; }
 	[[nodiscard]] bool has_shown() const { return _has_shown; }
 	/// Local time of the last `follow`.
 	[[nodiscard]] double followed_at() const { return _followed_at; }

@@ -29,7 +29,6 @@ public:
 	void add_client(PeerId client, double now);
 	void remove_client(PeerId client);
 	[[nodiscard]] bool has_client(PeerId client) const { return _clients.count(client) != 0; }
-	[[nodiscard]] bool has_streams() const { return !_streams.empty(); }
 	template <class Visit>
 	void visit_clients(Visit &&visit) const {
 		for (const auto &entry : _clients) {

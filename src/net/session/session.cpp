@@ -313,18 +313,21 @@ void Session::advance(double now) {
 }
 
 const Receiver *Session::stream(PeerId peer) const {
-	const auto found = _peers.find(peer);
-	const RelayedStreams::Stream *relayed = _relayed.find(peer);
-	const Receiver *stream = found != _peers.end() && found->second.stream ? &*found->second.stream : relayed != nullptr ? &relayed->receiver
-																														 : nullptr;
+	const Receiver *stream = nullptr;
+	if (const auto found = _peers.find(peer); found != _peers.end() && found->second.stream) {
+		stream = &*found->second.stream;
+	} else if (const RelayedStreams::Stream *relayed = _relayed.find(peer)) {
+		stream = &relayed->receiver;
+	}
 	return stream != nullptr && stream->is_ready() ? stream : nullptr;
 }
 
 size_t Session::stream_size(PeerId peer) const {
+	if (const Receiver *receiver = stream(peer)) {
+		return receiver->stream_size();
+	}
 	const auto found = _peers.find(peer);
-	const Receiver *receiver = stream(peer);
-	return receiver != nullptr ? receiver->stream_size() : found != _peers.end() ? found->second.refused_size
-																				 : 0;
+	return found != _peers.end() ? found->second.refused_size : 0;
 }
 
 double Session::media_time(PeerId peer) const {

@@ -3,6 +3,7 @@ extends CanvasLayer
 
 const AvatarClient := preload("avatar_client.gd")
 const HudLayout := preload("../view/hud_layout.gd")
+const StatisticRow := preload("../view/statistic_row.gd")
 
 const KEYS := "Right drag, wheel: camera   ·   H: toggle panels"
 const UPDATE_INTERVAL := 0.5
@@ -27,7 +28,10 @@ func _init(client: AvatarClient) -> void:
 	_client = client
 	_column.custom_minimum_size.x = WIDTH
 	for statistic: String in STATISTICS:
-		_column.add_child(_make_row(statistic))
+		var row := StatisticRow.new(statistic)
+		row.value.text = "–"
+		_values[statistic] = row.value
+		_column.add_child(row)
 	add_child(_panels)
 	_message.theme_type_variation = &"HeadingLabel"
 	_message.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
@@ -78,17 +82,3 @@ func _show_statistics(elapsed: float) -> void:
 	_bytes = meter.bytes
 	_packets = meter.packets
 	_lost = meter.lost
-
-
-func _make_row(caption: String) -> Control:
-	var row := HBoxContainer.new()
-	var label := Label.new()
-	label.text = caption
-	label.theme_type_variation = &"CaptionLabel"
-	label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	var value := Label.new()
-	value.text = "–"
-	row.add_child(label)
-	row.add_child(value)
-	_values[caption] = value
-	return row

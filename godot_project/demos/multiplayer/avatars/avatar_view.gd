@@ -8,14 +8,13 @@ const CameraRig := preload("../view/camera_rig.gd")
 const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
 const Palette := preload("../view/palette.gd")
+const Screenshot := preload("../view/screenshot.gd")
 const Stage := preload("../view/stage.gd")
 
 const HEAD_SIZE := Vector3(0.2, 0.26, 0.22)
 const VISOR_SIZE := Vector3(0.17, 0.09, 0.04)
 const HAND_SIZE := Vector3(0.09, 0.05, 0.16)
 const LABEL_HEIGHT := 0.35
-## Frames until shaders are compiled and shadows are drawn.
-const SETTLING_FRAMES := 4
 
 var _options: Options
 var _rig := CameraRig.new(Layout.AVATAR_HALF_EXTENT)
@@ -91,10 +90,5 @@ func _add_box(part: Node3D, size: Vector3, color: Color) -> MeshInstance3D:
 ## statistics.
 func _take_screenshot() -> void:
 	_is_taking_screenshot = true
-	get_viewport().disable_3d = false
-	for frame: int in SETTLING_FRAMES:
-		await RenderingServer.frame_post_draw
-	var error := get_viewport().get_texture().get_image().save_png(_options.screenshot)
-	if error != OK:
-		printerr("Cannot write the screenshot %s: %s." % [_options.screenshot, error_string(error)])
+	await Screenshot.save(get_viewport(), _options.screenshot)
 	get_tree().quit()

@@ -8,12 +8,11 @@ const CubesView := preload("cubes_view.gd")
 const Hud := preload("hud.gd")
 const Layout := preload("../world/layout.gd")
 const Options := preload("../options.gd")
+const Screenshot := preload("screenshot.gd")
 const Stage := preload("stage.gd")
 
 ## Maximum distance, in meters, from the mouse ray to the center of the cube that a click kicks.
 const PICK_RADIUS := 0.42
-## Frames until shaders are compiled and shadows are drawn.
-const SETTLING_FRAMES := 4
 
 var _client: Client
 var _options: Options
@@ -147,10 +146,5 @@ func _prepare_screenshot() -> void:
 
 func _take_screenshot() -> void:
 	_is_taking_screenshot = true
-	get_viewport().disable_3d = false
-	for frame: int in SETTLING_FRAMES:
-		await RenderingServer.frame_post_draw
-	var error := get_viewport().get_texture().get_image().save_png(_options.screenshot)
-	if error != OK:
-		printerr("Cannot write the screenshot %s: %s." % [_options.screenshot, error_string(error)])
+	await Screenshot.save(get_viewport(), _options.screenshot)
 	get_tree().quit()

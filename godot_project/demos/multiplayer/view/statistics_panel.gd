@@ -8,6 +8,7 @@ const Client := preload("../client.gd")
 const MethodCard := preload("method_card.gd")
 const Palette := preload("palette.gd")
 const Sparkline := preload("sparkline.gd")
+const StatisticRow := preload("statistic_row.gd")
 
 const TITLES: Dictionary[String, String] = {
 	"motors": "MotorSynchronizer",
@@ -61,7 +62,9 @@ func _init() -> void:
 	var rows := VBoxContainer.new()
 	rows.add_theme_constant_override(&"separation", 2)
 	for statistic: String in STATISTICS:
-		rows.add_child(_make_row(statistic))
+		var row := StatisticRow.new(statistic)
+		_values[statistic] = row.value
+		rows.add_child(row)
 	add_child(rows)
 
 
@@ -118,16 +121,3 @@ func _show_errors(client: Client) -> void:
 	var errors := client.gauge.get_statistics() * 1000.0 if is_known else Vector2.ZERO
 	_values["Median error"].text = "%.1f mm" % errors.x if is_known else "–"
 	_values["Maximum error (2 s)"].text = "%.1f mm" % errors.y if is_known else "–"
-
-
-func _make_row(caption: String) -> Control:
-	var row := HBoxContainer.new()
-	var label := Label.new()
-	label.text = caption
-	label.theme_type_variation = &"CaptionLabel"
-	label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	var value := Label.new()
-	row.add_child(label)
-	row.add_child(value)
-	_values[caption] = value
-	return row

@@ -1,0 +1,15 @@
+extends RefCounted
+## Saves pictures of a viewport whose 3D rendering was off.
+
+## Frames until shaders are compiled and shadows are drawn.
+const SETTLING_FRAMES := 4
+
+
+## Draws a few frames, then saves one as PNG at [param path]. Prints an error if that fails.
+static func save(viewport: Viewport, path: String) -> void:
+	viewport.disable_3d = false
+	for frame: int in SETTLING_FRAMES:
+		await RenderingServer.frame_post_draw
+	var error := viewport.get_texture().get_image().save_png(path)
+	if error != OK:
+		printerr("Cannot write the screenshot %s: %s." % [path, error_string(error)])
