@@ -54,7 +54,7 @@ void Delivery::start_snapshot(std::shared_ptr<const Snapshot> snapshot) {
 	_needs_snapshot = false;
 	_snapshot = std::move(snapshot);
 	_fragments.assign(_snapshot->fragment_count(), Sent());
-	_fragment_time = _sent_at;
+	_fragment_time = std::max(_sent_at, _heard);
 	_first_missing = _unsent = _snapshot->next_chunk;
 }
 

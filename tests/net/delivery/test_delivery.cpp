@@ -217,7 +217,7 @@ TEST_CASE("delivery: what is sent at once exceeds the mean of the stream by 4 kB
 
 TEST_CASE("delivery: a silent receiver is only probed") {
 	Line line;
-	line.finish_snapshot(0.0);
+	line.finish_snapshot(0.0, 0.0);
 	line.push_window();
 	int packets = 0;
 	size_t bytes = 0;
