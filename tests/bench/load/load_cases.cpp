@@ -8,10 +8,15 @@ namespace {
 
 constexpr double CLEAN_ROUND_TRIP = 0.02; // seconds
 constexpr double USUAL_ROUND_TRIP = 0.1;
+constexpr double LONG_QUEUE = 2.0; // seconds
 constexpr double TOLERANCE = 0.005; // meters
 constexpr double MAX_LATENCY = 0.2; // seconds
-constexpr double QUICK_SECONDS = 8.0;
+constexpr double QUICK_SECONDS = 4.0; // measured
 constexpr double QUICK_WARM_UP = 3.0;
+constexpr double SECONDS = 20.0; // measured
+constexpr double WARM_UP = 5.0;
+// At a tenth of the need, the snapshot alone takes 8 seconds.
+constexpr double NARROW_WARM_UP = 15.0;
 
 void set_line(ReceiverGroup &group, double round_trip, double loss) {
 	for (LineSettings *line : { &group.down, &group.up }) {
@@ -26,14 +31,14 @@ public:
 			_is_quick(is_quick) {}
 
 	// One group of receivers over one kind of line. The reference is valid until the next call.
-	LoadCase &add(const char *name, const char *base, size_t bodies, double round_trip, double loss, double seconds = 20.0) {
+	LoadCase &add(const char *name, const char *base, size_t bodies, double round_trip, double loss, double seconds = SECONDS) {
 		LoadCase added;
 		LoadScenario &scenario = added.scenario;
 		added.base = base;
 		scenario.name = name;
 		scenario.bodies = bodies;
-		scenario.seconds = _is_quick ? std::min(seconds, QUICK_SECONDS) : seconds;
-		scenario.warm_up = _is_quick ? QUICK_WARM_UP : scenario.warm_up;
+		scenario.warm_up = _is_quick ? QUICK_WARM_UP : WARM_UP;
+		scenario.seconds = scenario.warm_up + (_is_quick ? QUICK_SECONDS : seconds);
 		scenario.stream = load_settings(TOLERANCE, MAX_LATENCY);
 		scenario.groups.emplace_back();
 		set_line(scenario.groups.back(), round_trip, loss);
@@ -41,7 +46,6 @@ public:
 		return _cases.back();
 	}
 
-	[[nodiscard]] double seconds(double usual) const { return _is_quick ? QUICK_SECONDS : usual; }
 	[[nodiscard]] std::vector<LoadCase> take() { return std::move(_cases); }
 
 private:
@@ -55,26 +59,32 @@ void add_long_lines(CaseList &list) {
 	list.add("rtt200_10k", "clean_10k", 10000, 0.2, 0.0);
 	list.add("rtt500_10k", "clean_10k", 10000, 0.5, 0.0);
 	list.add("loss5_10k", "clean_10k", 10000, USUAL_ROUND_TRIP, 0.05);
-	list.add("clean_5k", "", 5000, CLEAN_ROUND_TRIP, 0.0);
-	list.add("loss10_5k", "clean_5k", 5000, USUAL_ROUND_TRIP, 0.1);
-	list.add("clean_40k", "", 40000, CLEAN_ROUND_TRIP, 0.0);
+	list.add("loss10_5k", "clean_10k", 5000, USUAL_ROUND_TRIP, 0.1);
+	list.add("clean_40k", "clean_10k", 40000, CLEAN_ROUND_TRIP, 0.0);
 }
 
 // Lines that carry less than the stream needs.
 void add_narrow_lines(CaseList &list) {
-	const auto narrow = [&list](const char *name, std::vector<LineRate> shares) -> LoadCase & {
-		LoadCase &added = list.add(name, "clean_1k", 1000, USUAL_ROUND_TRIP, 0.0, 30.0);
-		added.rate_shares = std::move(shares);
+	const auto narrow = [&list](const char *name, size_t bodies) -> LoadCase & {
+		LoadCase &added = list.add(name, bodies == 1000 ? "clean_1k" : "clean_10k", bodies, USUAL_ROUND_TRIP, 0.0);
+		added.scenario.seconds += NARROW_WARM_UP - added.scenario.warm_up;
+		added.scenario.warm_up = NARROW_WARM_UP;
 		return added;
 	};
 	list.add("clean_1k", "", 1000, CLEAN_ROUND_TRIP, 0.0);
-	narrow("half_1k", { { 0.0, 0.5 } });
-	narrow("quarter_1k", { { 0.0, 0.25 } });
-	narrow("tenth_1k", { { 0.0, 0.1 } });
-	narrow("half_long_queue_1k", { { 0.0, 0.5 } }).scenario.groups[0].down.queue = 2.0;
-	narrow("half_policed_1k", { { 0.0, 0.5 } }).scenario.groups[0].down.polices = true;
-	narrow("varying_1k", { { 0.0, 2.0 }, { list.seconds(30.0) / 3.0, 0.5 }, { list.seconds(30.0) * 2.0 / 3.0, 2.0 } });
-	list.add("rate100_10k", "clean_10k", 10000, USUAL_ROUND_TRIP, 0.0).scenario.groups[0].down.rates = { { 0.0, 100e3 } };
+	narrow("half_1k", 1000).rate_shares = { { 0.0, 0.5 } };
+	narrow("quarter_1k", 1000).rate_shares = { { 0.0, 0.25 } };
+	narrow("tenth_1k", 1000).rate_shares = { { 0.0, 0.1 } };
+	LoadCase &buffered = narrow("half_long_queue_1k", 1000);
+	buffered.rate_shares = { { 0.0, 0.5 } };
+	buffered.scenario.groups[0].down.queue = LONG_QUEUE;
+	LoadCase &policed = narrow("half_policed_1k", 1000);
+	policed.rate_shares = { { 0.0, 0.5 } };
+	policed.scenario.groups[0].down.polices = true;
+	LoadCase &varying = narrow("varying_1k", 1000);
+	const double third = (varying.scenario.seconds - NARROW_WARM_UP) / 3.0;
+	varying.rate_shares = { { 0.0, 2.0 }, { NARROW_WARM_UP + third, 0.5 }, { NARROW_WARM_UP + 2.0 * third, 2.0 } };
+	narrow("rate100_10k", 10000).scenario.groups[0].down.rates = { { 0.0, 100e3 } };
 }
 
 // Loss in bursts, jitter, and loss of acknowledgements only.
@@ -88,6 +98,8 @@ void add_bad_lines(CaseList &list) {
 void add_mixed_receivers(CaseList &list) {
 	const auto mixed = [&list](const char *name, double bad_loss) -> LoadCase & {
 		LoadCase &added = list.add(name, "clean_64", 1000, USUAL_ROUND_TRIP, 0.0);
+		added.scenario.seconds += NARROW_WARM_UP - added.scenario.warm_up;
+		added.scenario.warm_up = NARROW_WARM_UP;
 		ReceiverGroup bad = added.scenario.groups[0];
 		set_line(bad, USUAL_ROUND_TRIP, bad_loss);
 		bad.name = "bad";
@@ -116,9 +128,9 @@ std::vector<LoadCase> load_cases(bool is_quick) {
 	add_narrow_lines(list);
 	add_bad_lines(list);
 	add_mixed_receivers(list);
-	LoadCase &hours = list.add("ten_minutes_64", "clean_1k", 1000, USUAL_ROUND_TRIP, 0.0, 600.0);
-	hours.scenario.groups[0].count = 64;
-	hours.scenario.cpu_limit = 1200.0;
+	LoadCase &long_run = list.add("ten_minutes_64", "clean_1k", 1000, USUAL_ROUND_TRIP, 0.0, 600.0);
+	long_run.scenario.groups[0].count = 64;
+	long_run.scenario.cpu_limit = 1200.0;
 	return list.take();
 }
 
@@ -155,12 +167,12 @@ void apply(const LoadChanges &changes, LoadCase &changed) {
 	}
 }
 
-void set_rates(LoadCase &changed, double base_bytes) {
+void set_rates(LoadCase &changed, double need) {
 	for (ReceiverGroup &group : changed.scenario.groups) {
 		if (!changed.rate_shares.empty() && (changed.rated_group.empty() || changed.rated_group == group.name)) {
 			group.down.rates = changed.rate_shares;
 			for (LineRate &rate : group.down.rates) {
-				rate.bytes_per_second *= base_bytes;
+				rate.bytes_per_second *= need;
 			}
 		}
 	}

@@ -9,7 +9,7 @@ namespace bench {
 /// A scenario, and with which other one to compare its bytes.
 struct LoadCase {
 	LoadScenario scenario;
-	std::string base; ///< name of the case on a clean line, with as many bodies for each receiver; empty: none
+	std::string base; ///< name of the case on a clean line, whose bytes per body are compared; empty: none
 	/// Rates of all lines to the receivers as shares of what the base case sends; empty: LineSettings::rates applies.
 	std::vector<LineRate> rate_shares;
 	std::string rated_group; ///< the only group that rate_shares applies to; empty: all
@@ -41,7 +41,7 @@ struct LoadChanges {
 [[nodiscard]] std::vector<LoadCase> load_cases(bool is_quick);
 /// Changes the scenario of a case; line changes apply to every group.
 void apply(const LoadChanges &changes, LoadCase &changed);
-/// Sets the rates that are shares of what the base case sends, in bytes per second.
-void set_rates(LoadCase &changed, double base_bytes);
+/// Sets the rates that are shares of the need: what the bodies cost on a clean line, in bytes per second.
+void set_rates(LoadCase &changed, double need);
 
 } // namespace bench

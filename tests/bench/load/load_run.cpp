@@ -7,18 +7,25 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 
 namespace bench {
 
 namespace {
 
 constexpr double MINUTE = 60.0;
+constexpr double MIN_MINUTES = 0.5;
 constexpr double NANO = 1e9;
 
 // The peaks of memory in the two halves of the measured time. A cycle of use and release has equal peaks.
 struct MemoryPeaks {
 	double first = 0.0;
 	double second = 0.0;
+
+	// Bytes per minute, for halves that are this long; not a number if they are too short to tell growth from the filling of buffers.
+	[[nodiscard]] double growth(double minutes) const {
+		return minutes < MIN_MINUTES ? std::numeric_limits<double>::quiet_NaN() : (second - first) / minutes;
+	}
 };
 
 class LoadRun {
@@ -136,7 +143,7 @@ private:
 		_result.core_share = _sender_meter.seconds() / _result.seconds;
 		_result.tick_ns = _sender_meter.seconds() / ticks * NANO;
 		_result.memory = std::max(_sender_peaks.first, _sender_peaks.second);
-		_result.memory_growth = (_sender_peaks.second - _sender_peaks.first) / minutes;
+		_result.memory_growth = _sender_peaks.growth(minutes);
 		size_t first = 0;
 		for (const ReceiverGroup &group : _scenario.groups) {
 			_result.groups.push_back(finish_group(group, first, minutes));
@@ -171,7 +178,7 @@ private:
 			result.dropped += share * double(client.dropped());
 			result.core_share += share * client.meter().seconds() / seconds;
 			result.memory += share * std::max(_receiver_peaks[i].first, _receiver_peaks[i].second);
-			result.memory_growth += share * (_receiver_peaks[i].second - _receiver_peaks[i].first) / minutes;
+			result.memory_growth += share * _receiver_peaks[i].growth(minutes);
 			result.rejected += client.rejected();
 			unseen += double(client.unseen());
 			moving.add(client.moving_errors());

@@ -35,7 +35,7 @@ struct GroupResult {
 	double core_share = 0.0; ///< of one receiver, mean
 	double frame_ns = 0.0; ///< processor time of one frame of one receiver, mean
 	double memory = 0.0; ///< allocated bytes in use of one receiver, peak, mean
-	double memory_growth = 0.0; ///< bytes per simulated minute, mean
+	double memory_growth = 0.0; ///< bytes per simulated minute, mean; NaN for runs under a minute
 	uint64_t rejected = 0; ///< packets, all receivers
 };
 
@@ -47,7 +47,7 @@ struct LoadResult {
 	double tick_ns = 0.0; ///< processor time of one tick of the sender
 	double tick_ns_max = 0.0; ///< of one tick
 	double memory = 0.0; ///< allocated bytes in use of the sender, peak
-	double memory_growth = 0.0; ///< bytes per simulated minute
+	double memory_growth = 0.0; ///< bytes per simulated minute; NaN for runs under a minute
 	uint64_t rejected = 0; ///< poses and packets that the sender rejected
 	std::vector<GroupResult> groups;
 };

@@ -24,7 +24,7 @@ struct LoadScenario {
 	size_t bodies = 1000;
 	double moving_share = 1.0; ///< of the bodies, 0 to 1
 	std::vector<ReceiverGroup> groups;
-	double seconds = 20.0; ///< of virtual time
+	double seconds = 25.0; ///< of virtual time, with the warm-up
 	double warm_up = 5.0; ///< from which to measure; groups that join are measured from their join on
 	net::StreamSettings stream;
 	uint64_t seed = 1;

@@ -21,14 +21,14 @@ int fail(const std::string &problem) {
 	return 1;
 }
 
-void print_group(const LoadScenario &scenario, const LoadResult &result, const GroupResult &group, double base) {
+void print_group(const LoadScenario &scenario, const LoadResult &result, const GroupResult &group, double need) {
 	const std::string subject = scenario.groups.size() > 1 ? result.name + "/" + group.name : result.name;
 	const auto row = [&](const char *name, double value, const char *unit) { print_row("load", name, subject, scenario.bodies, value, unit); };
 	row("receivers", double(group.receivers), "receivers");
 	row("simulated_seconds", result.seconds, "s");
 	row("is_cut", result.is_cut ? 1.0 : 0.0, "");
 	row("bytes_per_second", group.bytes_per_second, "B/s");
-	row("clean_ratio", base > 0.0 ? group.bytes_per_second / base : 1.0, "");
+	row("clean_ratio", need > 0.0 ? group.bytes_per_second / need : 1.0, "");
 	row("packets_per_second", group.packets_per_second, "1/s");
 	row("ack_bytes_per_second", group.ack_bytes_per_second, "B/s");
 	row("burst_max", group.burst, "B");
@@ -126,26 +126,27 @@ private:
 		return names;
 	}
 
-	// Runs and prints a case, after the one it is compared with. Returns the bytes per second to a receiver. A case runs once.
+	// Runs and prints a case, after the one it is compared with. Returns the bytes per second and body to a receiver. A case runs once.
 	double run_case(size_t index, const LoadChanges &changes) {
 		if (const auto done = _bytes.find(index); done != _bytes.end()) {
 			return done->second;
 		}
 		LoadCase chosen = _cases[index];
 		const std::optional<size_t> base = find(chosen.base);
-		const double base_bytes = base ? run_case(*base, without_line(changes)) : 0.0;
+		const double per_body = base ? run_case(*base, without_line(changes)) : 0.0;
 		apply(changes, chosen);
-		set_rates(chosen, base_bytes);
+		const double need = per_body * double(chosen.scenario.bodies);
+		set_rates(chosen, need);
 		const LoadResult result = run_load(chosen.scenario);
 		for (const GroupResult &group : result.groups) {
-			print_group(chosen.scenario, result, group, base_bytes);
+			print_group(chosen.scenario, result, group, need);
 		}
-		return _bytes[index] = result.groups[0].bytes_per_second;
+		return _bytes[index] = result.groups[0].bytes_per_second / double(chosen.scenario.bodies);
 	}
 
 	const LoadOptions &_options;
 	std::vector<LoadCase> _cases;
-	std::map<size_t, double> _bytes; // per second and receiver, by case
+	std::map<size_t, double> _bytes; // per second, body and receiver, by case
 };
 
 } // namespace
