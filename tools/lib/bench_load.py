@@ -39,8 +39,21 @@ COLUMNS = (("kB/s", "bytes_per_second", 1e-3, "{:.1f}"), ("x clean", "clean_rati
            ("recv us", "receiver_frame", 1e-3, "{:.0f}"), ("core %", "receiver_core_share", 100, "{:.2f}"),
            ("send MB", "sender_memory", 1e-6, "{:.1f}"), ("kB/min", "sender_memory_growth", 1e-3, "{:.0f}"),
            ("recv MB", "receiver_memory", 1e-6, "{:.1f}"), ("kB/min", "receiver_memory_growth", 1e-3, "{:.0f}"))
-NAME_WIDTH = 22
-LAST_CASE = "sender_rejected"
+# The same for the cases with a hostile peer, before and during its attack, and for requests without acknowledgement.
+ATTACK_COLUMNS = (("packets", "hostile_packets", 1, "{:.0f}"), ("MB in", "hostile_bytes", 1e-6, "{:.2f}"),
+                  ("frame us", "server_frame_before", 1e-3, "{:.0f}"), ("attacked", "server_frame_during", 1e-3, "{:.0f}"),
+                  ("ratio", "server_frame_ratio", 1, "{:.2f}"), ("max us", "server_frame_max_during", 1e-3, "{:.0f}"),
+                  ("us/packet", "hostile_packet_cost", 1e-3, "{:.2f}"), ("MB", "server_memory_before", 1e-6, "{:.1f}"),
+                  ("attacked", "server_memory_during", 1e-6, "{:.1f}"), ("p99 mm", "honest_error_p99_before", 1, "{:.2f}"),
+                  ("attacked", "honest_error_p99_during", 1, "{:.2f}"), ("delay ms", "honest_delay_median_during", 1, "{:.0f}"),
+                  ("stall ms", "honest_longest_stall_during", 1, "{:.0f}"),
+                  ("kB/s", "honest_bytes_per_second_before", 1e-3, "{:.1f}"),
+                  ("attacked", "honest_bytes_per_second_during", 1e-3, "{:.1f}"),
+                  ("out kB/s", "hostile_bytes_per_second_during", 1e-3, "{:.1f}"))
+AMPLIFICATION_COLUMNS = (("B in", "bytes_in", 1, "{:.0f}"), ("B out", "bytes_out", 1, "{:.0f}"), ("out/in", "amplification", 1, "{:.1f}"))
+# The last row of a subject, and the columns of its table.
+TABLES = {"sender_rejected": COLUMNS, "server_frame_ratio": ATTACK_COLUMNS, "amplification": AMPLIFICATION_COLUMNS}
+NAME_WIDTH = 28
 
 
 def add_options(parser):
@@ -59,7 +72,7 @@ def measure(options):
     command += ["--quick"] if options.quick else []
     command += [f"--{name}={value:g}" for name, value in changes(options).items()]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as program:
-        rows = print_table(program.stdout)
+        rows = print_tables(program.stdout)
     if program.returncode != 0:
         sys.exit(f"tools/bench: load_bench failed with exit code {program.returncode}")
     return rows
@@ -71,22 +84,26 @@ def changes(options):
     return {name: value for name, value in values.items() if value != SHARED.get(name)}
 
 
-def print_table(lines):
-    """Prints a line of the table when all rows of a subject have arrived; returns the rows."""
-    print(f"\n{'':<{NAME_WIDTH}}" + "".join(f"{heading:>9}" for heading, *_ in COLUMNS), flush=True)
+def print_tables(lines):
+    """Prints a line of a table when all rows of a subject have arrived; returns the rows."""
     rows = []
     values = {}
+    table = None
     for line in lines:
         row = json.loads(line)
         rows.append(row)
         values[row["case"]] = row["value"]
-        if row["case"] == LAST_CASE:
-            mark = "*" if values["is_cut"] else ""
-            print(f"{row['subject'] + mark:<{NAME_WIDTH}}"
-                  + "".join(f"{number(values[case], factor, form):>9}" for _, case, factor, form in COLUMNS), flush=True)
+        columns = TABLES.get(row["case"])
+        if columns:
+            if columns is not table:
+                print(f"\n{'':<{NAME_WIDTH}}" + "".join(f"{heading:>10}" for heading, *_ in columns))
+            table = columns
+            name = row["subject"] + ("*" if values.get("is_cut") else "")
+            print(f"{name:<{NAME_WIDTH}}" + "".join(f"{number(values[case], factor, form):>10}" for _, case, factor, form in columns),
+                  flush=True)
             values = {}
     if any(row["case"] == "is_cut" and row["value"] for row in rows):
-        print("* ended early, at the limit of the processor time")
+        print("* ended early, at the limit of processor time or memory")
     return rows
 
 

@@ -3,6 +3,7 @@
 
 #include "../../json_rows.hpp"
 #include "../load_run.hpp"
+#include "hostile_cases.hpp"
 #include "options.hpp"
 
 #include <cstdio>
@@ -98,8 +99,14 @@ public:
 		for (size_t i = 0; names.empty() && i + 2 < _cases.size(); ++i) {
 			run_case(i, _options.changes);
 		}
+		if (names.empty()) {
+			names = hostile_case_names();
+		}
 		for (const std::string &name : names) {
 			const std::optional<size_t> found = find(name);
+			if (!found && run_hostile_case(name, _options.is_quick)) {
+				continue;
+			}
 			if (!found) {
 				return fail("'" + name + "' is not a case; the cases are " + list());
 			}
@@ -121,7 +128,10 @@ private:
 	[[nodiscard]] std::string list() const {
 		std::string names;
 		for (const LoadCase &listed : _cases) {
-			names += (names.empty() ? "" : ", ") + listed.scenario.name;
+			names += listed.scenario.name + ", ";
+		}
+		for (const std::string &name : hostile_case_names()) {
+			names += name + (name == hostile_case_names().back() ? "" : ", ");
 		}
 		return names;
 	}
