@@ -61,7 +61,7 @@ private:
 
 	static constexpr size_t NO_LIMIT = ~size_t(0);
 	static constexpr double PACKET = 1200.0;
-	static constexpr double INITIAL_WINDOW = 10 * PACKET; // RFC 6928
+	static constexpr double INITIAL_WINDOW = 24 * PACKET;
 	static constexpr double MIN_WINDOW = 4 * PACKET;
 	static constexpr double MAX_WINDOW = 16e6;
 	/// Growth per round trip after the first reduction.

@@ -137,7 +137,9 @@ double Sender::max_window() const {
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
 	}
-	const double longest = std::max(_settings.max_latency - network, _settings.max_latency * MIN_WINDOW);
+	// While the chunks of a window are sent, the next window begins.
+	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
+	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
 	return std::max(longest, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0) / _settings.tick;
 }
 

@@ -187,9 +187,9 @@ TEST_CASE("delivery: a request for a snapshot is ignored while one arrives") {
 	request.requests_snapshot = true;
 	for (double time = 0.0; time < 5.0; time += 0.1) {
 		(void)line.send(time);
-		line.accept_snapshot_ack(3, uint16_t(time < 2.5 ? 1 : 2), {}, time);
+		line.accept_snapshot_ack(3, uint16_t(time < 1.5 ? 1 : 2), {}, time);
 		line.delivery.accept(request, line.ring, time);
-		CHECK(line.delivery.needs_snapshot() == (time > 4.45)); // nothing has been acknowledged for 2 s
+		CHECK(line.delivery.needs_snapshot() == (time > 3.45)); // nothing has been acknowledged for 2 s
 	}
 }
 
