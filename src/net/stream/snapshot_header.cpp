@@ -22,7 +22,7 @@ void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &head
 	put_number(bytes, float(header.settings.max_latency));
 	put_number(bytes, header.window);
 	put_number(bytes, header.settings.tick);
-	put_number(bytes, header.tick);
+	put_number(bytes, header.tick, SnapshotHeader::TICK_BYTES);
 	if (header.has_tolerance_2d()) {
 		put_number(bytes, float(header.settings.position_tolerance_2d));
 	}
@@ -48,7 +48,7 @@ cga::Result<SnapshotHeader, PacketError> read_snapshot_header(const uint8_t *byt
 	header.settings.max_latency = double(reader.read<float>());
 	header.window = reader.read<float>();
 	header.settings.tick = reader.read<double>();
-	header.tick = reader.read<uint32_t>();
+	header.tick = reader.read<uint64_t>(SnapshotHeader::TICK_BYTES);
 	if (has_tolerance_2d) {
 		header.settings.position_tolerance_2d = double(reader.read<float>());
 	}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "net/stream/setting_range.hpp"
 
 #include <cstddef>
 #include <cstdint>
