@@ -12,6 +12,8 @@ namespace {
 
 /// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
 constexpr double IDLE_WINDOW = 0.5;
+/// Maximum length of any other window, in seconds: receivers request a snapshot after 1.5 s without one.
+constexpr double MAX_WINDOW = 1.0;
 /// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
 constexpr double MIN_WINDOW = 0.4;
 /// Above this loss, windows are shortened to leave time for a retransmission.
@@ -148,7 +150,7 @@ double Sender::max_window() const {
 		}
 	}
 	const double longest = std::max(_settings.max_latency - network, _settings.max_latency * MIN_WINDOW);
-	return std::max(longest, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0) / _settings.tick;
+	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
 }
 
 bool Sender::is_window_due(int64_t now) const {
@@ -301,7 +303,10 @@ void Sender::take_alignment(const AlignItem &request, double now) {
 	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
 }
 
-void Sender::set_settings(const StreamSettings &settings) {
+bool Sender::set_settings(const StreamSettings &settings) {
+	if (!settings.is_valid()) {
+		return false;
+	}
 	const bool restarts = !_settings.is_same_stream(settings);
 	if (_settings.tick != settings.tick) {
 		begin_at(_time);
@@ -310,6 +315,7 @@ void Sender::set_settings(const StreamSettings &settings) {
 	if (restarts) {
 		stop_encoder();
 	}
+	return true;
 }
 
 void Sender::resend_all(uint32_t receiver) {

@@ -40,8 +40,9 @@ struct ReceiverStatistics {
 /// receiver that is new or too far behind gets a snapshot.
 class Sender {
 public:
+	/// Settings that are not valid are replaced with the defaults.
 	explicit Sender(const StreamSettings &settings) :
-			_settings(settings) {}
+			_settings(settings.is_valid() ? settings : StreamSettings()) {}
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
 	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
@@ -81,8 +82,8 @@ public:
 	void resend_all(uint32_t receiver);
 
 	/// New settings apply from the next window on. A change of any setting but send_rate and max_packet_size restarts
-	/// the stream.
-	void set_settings(const StreamSettings &settings);
+	/// the stream. Returns false and changes nothing if they are not valid.
+	bool set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
 	/// Converts a time on the sender's clock to media time (see Receiver::media_time); 0 before the first observation or flush.

@@ -85,13 +85,16 @@ void Session::close(double now) {
 	}
 }
 
-void Session::set_settings(const StreamSettings &settings) {
-	const double tick = _settings.tick;
+bool Session::set_settings(StreamSettings settings) {
+	settings.tick = _settings.tick;
+	if (!settings.is_valid()) {
+		return false;
+	}
 	_settings = settings;
-	_settings.tick = tick;
 	if (_sender) {
 		_sender->set_settings(sender_settings());
 	}
+	return true;
 }
 
 StreamSettings Session::sender_settings() const {

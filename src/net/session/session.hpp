@@ -31,8 +31,9 @@ namespace net {
 /// may jump (see SteadyClock).
 class Session {
 public:
+	/// Settings that are not valid are replaced with the defaults.
 	explicit Session(const StreamSettings &settings) :
-			_settings(settings) {}
+			_settings(settings.is_valid() ? settings : StreamSettings()) {}
 
 	/// Resets the session to local peer `self` (0: not connected), without peers and bodies. Sends no packets.
 	void connect(PeerId self);
@@ -50,8 +51,8 @@ public:
 	void close(double now);
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
-	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
-	void set_settings(const StreamSettings &settings);
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet. Returns false and changes nothing if they are not valid.
+	bool set_settings(StreamSettings settings);
 	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
 	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
 	void set_relay(bool relay);

@@ -16,8 +16,10 @@ struct SettingRange {
 // This table is the only one: properties, packets and the documentation of the settings follow it.
 inline constexpr SettingRange POSITION_TOLERANCE_RANGE{ 1e-6, 1e6 }; ///< meters
 inline constexpr SettingRange POSITION_TOLERANCE_2D_RANGE{ 1e-6, 1e6 }; ///< pixels
-inline constexpr SettingRange ROTATION_TOLERANCE_RANGE{ 0.001, 180.0 }; ///< degrees
+inline constexpr SettingRange ROTATION_TOLERANCE_RANGE{ 0.01, 30.0 }; ///< degrees
 inline constexpr SettingRange MAX_LATENCY_RANGE{ 0.001, 10.0 }; ///< seconds
+/// A receiver keeps so many ticks of motion: max_latency is at most this many ticks.
+inline constexpr double MAX_LATENCY_TICKS = 2048.0;
 inline constexpr SettingRange SEND_RATE_RANGE{ 0.01, 10000.0 }; ///< windows per second
 inline constexpr SettingRange TICK_RANGE{ 1e-4, 1.0 }; ///< seconds
 inline constexpr SettingRange TICK_RATE_RANGE{ 1.0, 10000.0 }; ///< 1 / TICK_RANGE, in hertz
