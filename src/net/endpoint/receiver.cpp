@@ -1,6 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <unordered_set>
 
@@ -38,6 +39,7 @@ uint64_t next_life() {
 } // namespace
 
 PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	now = _local_clock.advance(now);
 	PacketResult result = read_packet(packet, size, _content);
 	if (result) {
 		result = check_fragments();
@@ -269,7 +271,7 @@ void Receiver::decode_windows(double now) {
 
 void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
 	SnapshotHeader header = _header;
-	header.tick = uint32_t(_window_end);
+	header.tick = uint64_t(_window_end);
 	put_snapshot_header(bytes, header);
 	_decoder->encode_snapshot(bytes);
 }
@@ -288,6 +290,7 @@ bool Receiver::needs_snapshot(double now) const {
 }
 
 void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
+	now = _local_clock.advance(now);
 	packet.clear();
 	if (needs_snapshot(now) && now - _request_time > REQUEST_INTERVAL) {
 		_request_time = now;
@@ -306,6 +309,7 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 }
 
 void Receiver::advance(double now) {
+	now = _local_clock.advance(now);
 	if (!is_ready()) {
 		return;
 	}
@@ -329,7 +333,7 @@ void Receiver::advance(double now) {
 
 std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
 	const auto track = _tracks.find(id);
-	return track != _tracks.end() ? track->second.pose_at(media_time / tick()) : std::nullopt;
+	return track != _tracks.end() && !std::isnan(media_time) ? track->second.pose_at(media_time / tick()) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::shown(uint32_t id) const {

@@ -6,6 +6,7 @@
 #include "net/delivery/playback_clock.hpp"
 #include "net/motion/motion_track.hpp"
 #include "net/stream/snapshot_header.hpp"
+#include "net/stream/steady_clock.hpp"
 #include "net/stream/stream_decoder.hpp"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ enum class BodyEnd : uint8_t {
 };
 
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
-/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock.
+/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock, which may
+/// jump (see SteadyClock); an invalid time counts as that of the previous call.
 class Receiver {
 public:
 	/// Rejects streams with more than `max_bodies` bodies.
@@ -74,7 +76,7 @@ public:
 	/// The media time shown: seconds on the sender's clock since its stream began.
 	[[nodiscard]] double media_time() const { return _clock.media_time(); }
 	/// The media time that playback will show at `now`, without advancing it.
-	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(now); }
+	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(_local_clock.at(now)); }
 	/// The media time up to which all motion has arrived.
 	[[nodiscard]] double known_time() const { return _window_end * tick(); }
 
@@ -179,6 +181,7 @@ private:
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
+	SteadyClock _local_clock; // of `now`
 	std::unordered_map<uint32_t, MotionTrack> _tracks;
 	std::map<uint64_t, Ending> _ends; // by life: recent ones and those that playback has not reached
 	std::vector<BodyEvent> _events;
