@@ -105,6 +105,8 @@ Dictionary MotorSender::get_statistics(int64_t receiver) const {
 	result["chunks_repeated"] = int64_t(statistics.chunks_repeated);
 	result["loss"] = statistics.loss;
 	result["round_trip"] = statistics.round_trip;
+	result["line_rate"] = statistics.line_rate;
+	result["relaxation"] = statistics.relaxation;
 	return result;
 }
 

@@ -30,6 +30,8 @@ static constexpr double MAX_HIDDEN = 1.0;
 // Seconds between two checks for owners and nodes that are missing, and how long they may be missing before they are reported.
 static constexpr double CHECK_INTERVAL = 0.5;
 static constexpr double MAX_ABSENT = 2.0;
+/// A line that makes errors grow by more than this factor is reported.
+static constexpr double NOTABLE_RELAXATION = 3.0;
 
 /// A pose in the units of the stream. Those of a Node2D are pixels.
 static cga::Pose<double> to_stream(cga::Pose<double> pose, bool is_2d, const net::StreamSettings &settings) {
@@ -248,7 +250,7 @@ void Replicator::show(Target &target, Node *node, double now) {
 	}
 }
 
-/// Reports owners that are not connected, and bodies that have no node on this peer.
+/// Reports owners that are not connected, lines that do not carry the motion, and bodies that have no node on this peer.
 void Replicator::check_streams(double now) {
 	if (now < _next_check) {
 		return;
@@ -271,6 +273,10 @@ void Replicator::check_streams(double now) {
 	std::vector<int32_t> owners = _session.relayed_owners();
 	owners.insert(owners.end(), _session.peers().begin(), _session.peers().end());
 	for (const int32_t peer : owners) {
+		const net::SessionStatistics statistics = _session.statistics(peer, now);
+		if (statistics.relaxation > NOTABLE_RELAXATION) {
+			_warnings.warn("line " + std::to_string(peer), vformat("the line to peer %d carries about %d bytes per second, which is less than the motion of the targets needs. Errors at that peer are up to %d times the tolerances. Replicate fewer targets, raise position_tolerance, rotation_tolerance or max_latency, or lower send_rate.", peer, int64_t(statistics.line_rate), int64_t(statistics.relaxation)));
+		}
 		const net::Receiver *stream = _session.stream(peer);
 		if (stream == nullptr) {
 			continue;

@@ -25,6 +25,8 @@ Dictionary to_dictionary(const net::SessionStatistics &statistics) {
 	result["received_bytes_per_second"] = statistics.received_bytes;
 	result["loss"] = statistics.loss;
 	result["round_trip"] = statistics.round_trip;
+	result["line_rate"] = statistics.line_rate;
+	result["relaxation"] = statistics.relaxation;
 	result["playback_delay"] = statistics.playback_delay;
 	result["late"] = int64_t(statistics.late);
 	result["rejected"] = int64_t(statistics.rejected);

@@ -6,8 +6,7 @@ namespace net {
 
 size_t CongestionControl::allowance() const {
 	const double window = _window - double(_in_flight);
-	const size_t allowed = window > 0.0 ? size_t(window) : 0;
-	return _credit != nullptr ? std::min(allowed, _credit->allowance()) : allowed;
+	return window > 0.0 ? size_t(window) : 0;
 }
 
 double CongestionControl::rate() const {
@@ -17,9 +16,6 @@ double CongestionControl::rate() const {
 void CongestionControl::acknowledged(size_t bytes, double round_trip, double loss, double time) {
 	if (!_is_validated) {
 		_is_validated = true;
-		if (_credit != nullptr) {
-			_credit->validate();
-		}
 		_epoch = Epoch{ time };
 	}
 	_epoch.delivered += bytes;

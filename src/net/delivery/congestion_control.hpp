@@ -1,13 +1,10 @@
 #pragma once
 
 #include "net/delivery/recent_extreme.hpp"
-#include "net/delivery/send_credit.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <utility>
 
 namespace net {
 
@@ -18,28 +15,15 @@ namespace net {
 /// Copa (Arun and Balakrishnan, 2018). Loss counts only if it falls when less is sent: a line that loses a part of all packets is
 /// not congested.
 ///
-/// Before the first acknowledgement, a SendCredit limits all bytes as well. Times in seconds.
+/// Times in seconds.
 class CongestionControl {
 public:
-	/// `credit` may be null.
-	explicit CongestionControl(std::shared_ptr<SendCredit> credit = nullptr) :
-			_credit(std::move(credit)) {}
-
 	/// Bytes that may be sent now.
 	[[nodiscard]] size_t allowance() const;
 	/// The sender has more to send than the window allows.
 	void set_limited() { _is_limited = true; }
 
-	void sent(size_t bytes) {
-		_in_flight += bytes;
-		spend(bytes);
-	}
-	/// Bytes are sent that are not acknowledged.
-	void spend(size_t bytes) {
-		if (_credit != nullptr) {
-			_credit->sent(bytes);
-		}
-	}
+	void sent(size_t bytes) { _in_flight += bytes; }
 	/// `bytes` in flight are known to have left the network: acknowledged, or lost.
 	void left(size_t bytes) { _in_flight -= std::min(bytes, _in_flight); }
 	/// The receiver has acknowledged `bytes`. `round_trip` is that of the newest acknowledged packet, 0 if it is unknown.
@@ -47,8 +31,8 @@ public:
 
 	/// Bytes per second that the line carries, as far as known: more if the window has not limited the sender lately.
 	[[nodiscard]] double rate() const;
-	/// True if the window has limited the sender in the last two round trips.
-	[[nodiscard]] bool is_limiting() const { return _was_limited || _is_limited; }
+	/// True if the line has shown its limit, and the window has limited the sender in the last two round trips.
+	[[nodiscard]] bool is_limiting() const { return !_is_slow_start && (_was_limited || _is_limited); }
 	[[nodiscard]] bool is_validated() const { return _is_validated; }
 
 private:
@@ -84,7 +68,6 @@ private:
 	static constexpr double MAX_EPOCH = 1.0;
 	static constexpr double BASE_SPAN = 15.0; // seconds
 
-	std::shared_ptr<SendCredit> _credit;
 	bool _is_validated = false;
 	size_t _in_flight = 0;
 	double _window = INITIAL_WINDOW;

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace net {
@@ -19,10 +18,9 @@ namespace net {
 /// time. Times in seconds.
 class Delivery {
 public:
-	/// Creates a delivery at `time`. The silence timer starts there. `credit` limits what is sent before the first acknowledgement;
-	/// null: nothing does.
-	explicit Delivery(double time, std::shared_ptr<SendCredit> credit = nullptr) :
-			_heard(time), _congestion(std::move(credit)) {}
+	/// Creates a delivery at `time`. The silence timer starts there.
+	explicit Delivery(double time) :
+			_heard(time) {}
 
 	[[nodiscard]] bool needs_snapshot() const { return _needs_snapshot; }
 	/// True if the receiver has acknowledged everything up to the ring's last chunk.
@@ -53,8 +51,6 @@ public:
 	/// that has not received any packet does not request a snapshot.)
 	static constexpr double SILENCE = 3.0;
 	static constexpr double PROBE_INTERVAL = 1.0;
-	/// Size of a probe, in bytes, with what a session puts before it.
-	static constexpr size_t PROBE_COST = 16;
 	[[nodiscard]] bool is_silent(double time) const { return time - _heard > SILENCE; }
 	/// Bytes that `send` may send at once above the mean of the stream: packets that arrive in bursts overflow the queues of lines.
 	static constexpr double MAX_BURST = 3600.0;
@@ -159,12 +155,11 @@ private:
 template <class PacketDone>
 void Delivery::send(const ChunkRing &ring, double time, size_t max_size, std::vector<uint8_t> &bytes, PacketDone &&packet_done) {
 	if (is_silent(time)) {
-		if (time - _probed >= PROBE_INTERVAL && _congestion.allowance() >= PROBE_COST) {
+		if (time - _probed >= PROBE_INTERVAL) {
 			_probed = time;
 			const size_t begin = bytes.size();
 			put_round_trip(bytes, _round_trip);
 			_meter.sent(time);
-			_congestion.spend(PROBE_COST);
 			packet_done(begin, bytes.size() - begin);
 		}
 		return;

@@ -22,6 +22,9 @@ constexpr double MAX_WINDOW_CHUNKS = 24.0;
 /// Rounding error of times, in ticks.
 constexpr double SAME_TIME = 1e-5;
 
+/// Windows are short for this many seconds after a peer has joined, until its line is known.
+constexpr double MAX_UNKNOWN_TIME = 1.0;
+
 /// If what waits for a line takes longer than a window and this, in seconds, errors grow by RELAX per window.
 constexpr double MAX_WAITING = 0.03;
 constexpr double RELAX = 1.2;
@@ -40,8 +43,11 @@ void OutgoingStream::start(double begin, double now) {
 	_is_starting = true;
 }
 
-double OutgoingStream::network_time(const Peer &peer) const {
+double OutgoingStream::network_time(const Peer &peer, double now) const {
 	const Delivery &delivery = peer.delivery;
+	if (delivery.is_silent(now) || (!delivery.congestion().is_validated() && now - peer.joined_at > MAX_UNKNOWN_TIME)) {
+		return 0.0;
+	}
 	return std::max(3.0 * delivery.round_trip_deviation(), FRAME) + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0);
 }
 
@@ -53,7 +59,7 @@ double OutgoingStream::waiting_time(const Peer &peer) const {
 double OutgoingStream::max_window(double now) const {
 	double network = FRAME;
 	for (const auto &peer : _peers) {
-		network = peer.second.delivery.is_silent(now) ? network : std::max(network, network_time(peer.second));
+		network = std::max(network, network_time(peer.second, now));
 	}
 	// While the chunks of a window are sent, the next window begins.
 	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);

@@ -73,8 +73,9 @@ public:
 
 	/// Maximum length of a window.
 	[[nodiscard]] double max_window(double now) const;
-	/// Seconds from the end of a window to the arrival of its last chunk that windows leave for the line of a peer.
-	[[nodiscard]] double network_time(const Peer &peer) const;
+	/// Seconds from the end of a window to the arrival of its last chunk that windows leave for the line of a peer; 0 for a peer that
+	/// acknowledges nothing.
+	[[nodiscard]] double network_time(const Peer &peer, double now) const;
 	/// Seconds that a line needs for what waits to be sent to it, if that is what limits it.
 	[[nodiscard]] double waiting_time(const Peer &peer) const;
 	/// Bytes per second.

@@ -82,13 +82,13 @@ bool Sender::observe(uint32_t id, double time) {
 	return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.observe(id, ticks(_observed)); }) : _idle_bodies.count(id) != 0;
 }
 
-void Sender::add_receiver(uint32_t receiver, double time, double now, std::shared_ptr<SendCredit> credit) {
+void Sender::add_receiver(uint32_t receiver, double time, double now) {
 	(void)follow(time);
 	_now = _network_clock.advance(now);
 	for (const auto &stream : _streams) {
 		stream->peers().erase(receiver);
 	}
-	OutgoingStream::Peer peer{ Delivery(_now, std::move(credit)) };
+	OutgoingStream::Peer peer{ Delivery(_now) };
 	peer.joined_at = _now;
 	main().peers().emplace(receiver, std::move(peer));
 }
@@ -138,13 +138,13 @@ void Sender::balance() {
 	// The lines of most receivers of the main stream are no worse than this.
 	std::vector<double> times;
 	for (const auto &entry : main().peers()) {
-		times.push_back(main().network_time(entry.second));
+		times.push_back(main().network_time(entry.second, _now));
 	}
 	std::sort(times.begin(), times.end());
 	const double usual = times[(times.size() - 1) / 2];
 	std::vector<uint32_t> worse;
 	for (auto &[id, peer] : main().peers()) {
-		const bool is_worse = main().network_time(peer) > usual + WORSE_BY || main().waiting_time(peer) > _settings.tick;
+		const bool is_worse = main().network_time(peer, _now) > usual + WORSE_BY || main().waiting_time(peer) > _settings.tick;
 		const bool is_settled = _now - peer.joined_at > SETTLING_TIME && !peer.delivery.is_silent(_now);
 		if (differs_for(peer, is_worse && is_settled) >= MIN_DIFFERENCE_TIME) {
 			worse.push_back(id);
@@ -170,7 +170,7 @@ void Sender::balance() {
 	for (auto &[id, peer] : _streams[1]->peers()) {
 		const CongestionControl &line = peer.delivery.congestion();
 		const bool carries = !line.is_limiting() || line.rate() > SPARE_RATE * main().rate();
-		if (differs_for(peer, carries && _streams[1]->network_time(peer) < usual + 0.5 * WORSE_BY) >= MIN_GOOD_TIME) {
+		if (differs_for(peer, carries && _streams[1]->network_time(peer, _now) < usual + 0.5 * WORSE_BY) >= MIN_GOOD_TIME) {
 			better.push_back(id);
 		}
 	}

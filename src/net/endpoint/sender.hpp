@@ -44,7 +44,9 @@ public:
 	/// It exists from `time` on; by default, from the last flush on.
 	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false, std::optional<double> time = std::nullopt);
 	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
-	bool remove_body(uint32_t id, bool freed = false) { return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.remove_body(id, ticks(_time), freed); }) : _idle_bodies.erase(id) != 0; }
+	bool remove_body(uint32_t id, bool freed = false) {
+		return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.remove_body(id, ticks(_time), freed); }) : _idle_bodies.erase(id) != 0;
+	}
 	[[nodiscard]] bool has_body(uint32_t id) const { return is_running() ? main().encoder().has_body(id) : _idle_bodies.count(id) != 0; }
 	[[nodiscard]] size_t body_count() const { return is_running() ? main().encoder().body_count() : _idle_bodies.size(); }
 
@@ -54,10 +56,11 @@ public:
 	/// Records that the body is still at its last pose. Returns false if the body does not exist.
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
-	bool teleport(uint32_t id) { return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.jump(id); }) : has_body(id); }
+	bool teleport(uint32_t id) {
+		return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.jump(id); }) : has_body(id);
+	}
 
-	/// `credit` limits what is sent before the first acknowledgement; null: nothing does.
-	void add_receiver(uint32_t receiver, double time, double now, std::shared_ptr<SendCredit> credit = nullptr);
+	void add_receiver(uint32_t receiver, double time, double now);
 	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
 	void remove_receiver(uint32_t receiver);
 	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return stream_of(receiver) != nullptr; }

@@ -10,14 +10,17 @@
 namespace net {
 
 enum class PacketKind : uint8_t {
-	OPEN, ///< a receiver requests the peer's stream; content: nothing or OPEN_RELAY
+	OPEN, ///< a receiver requests the peer's stream; content: flags, see OPEN_RELAY
 	CLOSE, ///< a stream has ended; content: a CloseRole; if a server ends a relayed stream, its channel as well
 	MOTION, ///< content: a packet of net::Sender; if relayed, sections
 	ACK, ///< content: a packet of net::Receiver; if relayed, sections
 };
 
-/// Content of an OPEN that requests a relayed stream, and of one from a server that relays; other OPEN packets have none.
-inline constexpr uint8_t OPEN_RELAY = 1;
+/// Flags in the first byte of an OPEN packet's content; without content, none is set.
+inline constexpr uint8_t OPEN_RELAY = 1; ///< it requests a relayed stream, or comes from a server that relays
+inline constexpr uint8_t OPEN_CHALLENGE = 2; ///< a token follows (u16): it asks the peer to repeat its OPEN of this link with that
+inline constexpr uint8_t OPEN_TOKEN = 4; ///< the token follows (u16)
+inline constexpr size_t OPEN_BYTES = 3; ///< of a content with a token
 
 /// The endpoint that closes a stream.
 enum class CloseRole : uint8_t {

@@ -29,6 +29,8 @@ struct Peer {
 
 	// Our stream to the peer.
 	std::optional<uint8_t> requested; ///< link of the stream that the peer has requested last
+	std::optional<uint16_t> token; ///< that the peer has to repeat to request `challenged`
+	uint8_t challenged = 0; ///< link
 	bool subscribed = false;
 	uint8_t subscription = 0; ///< link of the stream
 	double subscribed_at = -1e9;
@@ -56,6 +58,8 @@ struct Peer {
 		SessionStatistics result{ sent.bytes_per_second(now), sent.packets_per_second(now), received.bytes_per_second(now), received.packets_per_second(now) };
 		result.loss = sent_to.loss;
 		result.round_trip = sent_to.round_trip;
+		result.line_rate = sent_to.line_rate;
+		result.relaxation = sent_to.relaxation;
 		if (stream) {
 			result.loss = std::max(result.loss, stream->statistics().loss);
 			result.round_trip = std::max(result.round_trip, stream->statistics().round_trip);

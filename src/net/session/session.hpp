@@ -133,6 +133,7 @@ private:
 	void close_unneeded();
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
+	void send_open(PeerId id, Peer &peer, uint8_t link, uint8_t flags, uint16_t token);
 	void send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role);
 	void send_motion();
 	PacketResult accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <random>
 
 // The packets that a session sends and accepts.
 
@@ -12,6 +13,11 @@ namespace {
 /// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
 
+uint16_t random_token() {
+	static std::mt19937 generator{ std::random_device{}() };
+	return uint16_t(generator());
+}
+
 } // namespace
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
@@ -21,6 +27,11 @@ void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const u
 		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
 	}
 	peer.sent.add(ENVELOPE_BYTES + size, _now);
+}
+
+void Session::send_open(PeerId id, Peer &peer, uint8_t link, uint8_t flags, uint16_t token) {
+	const uint8_t content[OPEN_BYTES] = { uint8_t(flags | (is_relaying() || is_relayed(id) ? OPEN_RELAY : 0)), uint8_t(token), uint8_t(token >> 8) };
+	send(id, peer, PacketKind::OPEN, link, content, flags != 0 ? OPEN_BYTES : (content[0] != 0 ? 1 : 0));
 }
 
 void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
@@ -58,17 +69,35 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 }
 
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
+	const uint8_t flags = size > 0 ? bytes[0] : 0;
+	const uint16_t token = size >= OPEN_BYTES ? uint16_t(bytes[1] | bytes[2] << 8) : 0;
+	if ((flags & OPEN_CHALLENGE) != 0) {
+		if (peer.is_open_sent && peer.link == link) {
+			send_open(id, peer, link, OPEN_TOKEN, token);
+		}
+		return {};
+	}
+	const bool is_for_relay = (flags & OPEN_RELAY) != 0;
 	const PacketResult result = note_relay(id, peer, is_for_relay);
 	if (is_for_relay && id != RelayedStreams::SERVER && !is_relaying()) {
 		return result; // the peer requests a plain stream when it learns that we do not relay
 	}
 	if (peer.requested != link) {
-		peer.requested = link;
-		if (stream(id) == nullptr && peer.refused_size == 0) {
-			// The peer's session may be newer than our last request.
-			peer.open.restart(now);
+		// A stream is far larger than the request. So the peer has to prove that it receives what is sent to it.
+		if ((flags & OPEN_TOKEN) == 0 || peer.challenged != link || peer.token != token) {
+			if (!peer.token || peer.challenged != link) {
+				peer.token = random_token();
+				peer.challenged = link;
+				if (stream(id) == nullptr && peer.refused_size == 0) {
+					// The peer's session may be newer than our last request.
+					peer.open.restart(now);
+				}
+			}
+			send_open(id, peer, link, OPEN_CHALLENGE, *peer.token);
+			return result;
 		}
+		peer.token.reset();
+		peer.requested = link;
 	}
 	start_requested();
 	return result;

@@ -17,6 +17,14 @@ using harness::LinkSettings;
 using harness::SimulatedLink;
 using net::PeerId;
 
+/// A session packet with the given content.
+inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}) {
+	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
+	net::write_envelope({ kind, link, net::ENVELOPE_VERSION }, bytes.data());
+	bytes.insert(bytes.end(), content.begin(), content.end());
+	return bytes;
+}
+
 /// Peers with a session each, connected by simulated links, in virtual time. Reliable packets are delayed, but not lost.
 class SessionNetwork {
 public:
@@ -47,6 +55,8 @@ public:
 		bool reliable;
 		double time;
 		std::vector<uint8_t> bytes;
+
+		[[nodiscard]] bool is_challenge() const { return envelope.kind == net::PacketKind::OPEN && bytes.size() > net::ENVELOPE_BYTES && (bytes[net::ENVELOPE_BYTES] & net::OPEN_CHALLENGE) != 0; }
 	};
 
 	/// All links have the same settings; by default 30 ms of delay.
@@ -121,6 +131,26 @@ public:
 		peers.at(to).session.accept(from, bytes.data(), bytes.size(), local(to));
 	}
 
+	/// A hostile peer requests streams: every second call requests the next `link`, the calls between prove that it receives replies.
+	void request(PeerId from, PeerId to, uint8_t &link, uint8_t flags) {
+		for (const SentPacket &packet : packets(to, from, net::PacketKind::OPEN)) {
+			if (packet.envelope.link == link && packet.is_challenge() && _answered != link) {
+				_answered = link;
+				inject(from, to, make_packet(net::PacketKind::OPEN, link, { uint8_t(flags | net::OPEN_TOKEN), packet.bytes[net::ENVELOPE_BYTES + 1], packet.bytes[net::ENVELOPE_BYTES + 2] }));
+				return;
+			}
+		}
+		inject(from, to, make_packet(net::PacketKind::OPEN, ++link, { flags }));
+	}
+	/// The link of the stream that a peer has requested last.
+	[[nodiscard]] uint8_t requested_link(PeerId from, PeerId to) const {
+		uint8_t link = 0;
+		for (const SentPacket &packet : packets(from, to, net::PacketKind::OPEN)) {
+			link = packet.is_challenge() ? link : packet.envelope.link;
+		}
+		return link;
+	}
+
 	[[nodiscard]] net::Session &session(PeerId id) { return peers.at(id).session; }
 	[[nodiscard]] bool is_streaming(PeerId from, PeerId to) { return session(to).stream(from) != nullptr; }
 	/// The error of a body at a peer, relative to the tolerance; 1e9 if the peer does not show it.
@@ -170,6 +200,7 @@ public:
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
 	uint64_t link_seed = 0;
+	int _answered = -1; // link of the last challenge that `request` has answered
 	bool is_star = false; // clients are connected to peer 1 only
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
@@ -260,14 +291,6 @@ inline SessionNetwork network_of_two(const LinkSettings &link = { 0.03 }) {
 	network.paths[5] = smooth_path(5);
 	network.set_owner(5, 1);
 	return network;
-}
-
-/// A session packet with the given content.
-inline std::vector<uint8_t> make_packet(net::PacketKind kind, uint8_t link, const std::vector<uint8_t> &content = {}) {
-	std::vector<uint8_t> bytes(net::ENVELOPE_BYTES);
-	net::write_envelope({ kind, link, net::ENVELOPE_VERSION }, bytes.data());
-	bytes.insert(bytes.end(), content.begin(), content.end());
-	return bytes;
 }
 
 } // namespace net_test

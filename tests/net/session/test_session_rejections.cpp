@@ -70,8 +70,8 @@ TEST_CASE("session: each invalid packet is rejected with its error and changes n
 	CHECK(network.error(6, 1) <= 1.3);
 	CHECK(network.error(5, 2) <= 1.3);
 	CHECK(network.total(2).rejected == 0);
-	CHECK(network.packets(2, 1, PacketKind::OPEN).size() <= 2);
-	CHECK(network.packets(1, 2, PacketKind::OPEN).size() <= 2);
+	CHECK(network.packets(2, 1, PacketKind::OPEN).size() <= 6);
+	CHECK(network.packets(1, 2, PacketKind::OPEN).size() <= 6);
 }
 
 TEST_CASE("session: packets of another session, of the game or of peers that are not connected are ignored") {

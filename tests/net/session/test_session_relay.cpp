@@ -271,7 +271,7 @@ TEST_CASE("relay: a client that requests new streams all the time gets few snaps
 	network.run(3.0);
 	const double from = network.now;
 	uint8_t link = 0;
-	network.run(2.0, [&] { network.inject(2, SERVER, make_packet(PacketKind::OPEN, ++link, { OPEN_RELAY })); });
+	network.run(2.0, [&] { network.request(2, SERVER, link, OPEN_RELAY); });
 	size_t bytes = 0;
 	for (const SessionNetwork::SentPacket &packet : network.packets(SERVER, 2, PacketKind::MOTION, from)) {
 		bytes += packet.bytes.size();

@@ -47,7 +47,7 @@ TEST_CASE("session: a stream opens whichever peer starts first") {
 		double ready_at = 1e9;
 		network.run(2.0, [&] { ready_at = network.is_streaming(1, 2) ? std::min(ready_at, network.now) : ready_at; });
 		CAPTURE(viewer_first);
-		CHECK(ready_at - both <= 1.5 * ROUND_TRIP + TICKS);
+		CHECK(ready_at - both <= 2.0 * ROUND_TRIP + TICKS);
 		CHECK(network.error(5, 2) <= 1.3);
 		CHECK(network.total(1).rejected + network.total(2).rejected == 0);
 	}
@@ -108,7 +108,7 @@ TEST_CASE("session: a peer that owns nothing remembers requests and costs next t
 	network.join(2);
 	network.run(10.0);
 	CHECK_FALSE(network.session(1).is_sending());
-	CHECK(network.packets(2, 1, PacketKind::OPEN).size() <= 7);
+	CHECK(network.packets(2, 1, PacketKind::OPEN).size() <= 11);
 	CHECK(network.sent.size() == network.packets(1, 2, PacketKind::OPEN).size() + network.packets(2, 1, PacketKind::OPEN).size());
 	const double before = network.now;
 	network.run(60.0);
@@ -138,10 +138,10 @@ TEST_CASE("session: a peer that does not know our request gets it again when it 
 		double ready_at = 1e9;
 		network.run(1.0, [&] { ready_at = network.is_streaming(1, 2) ? std::min(ready_at, network.now) : ready_at; });
 		CAPTURE(later);
-		CHECK(ready_at - joined <= 1.5 * ROUND_TRIP + TICKS);
+		CHECK(ready_at - joined <= 2.5 * ROUND_TRIP + TICKS);
 		network.run(3.0);
-		CHECK(network.packets(1, 2, PacketKind::OPEN, joined).size() <= 6);
-		CHECK(network.packets(2, 1, PacketKind::OPEN, joined).size() <= 6);
+		CHECK(network.packets(1, 2, PacketKind::OPEN, joined).size() <= 8);
+		CHECK(network.packets(2, 1, PacketKind::OPEN, joined).size() <= 8);
 		CHECK(network.total(1).rejected + network.total(2).rejected == 0);
 	}
 }
@@ -289,13 +289,42 @@ TEST_CASE("session: a peer cannot make the owner start a stream more often than 
 			if (closes) {
 				network.inject(2, 1, make_packet(PacketKind::CLOSE, link, { uint8_t(CloseRole::RECEIVER) }));
 			}
-			network.inject(2, 1, make_packet(PacketKind::OPEN, ++link));
+			network.request(2, 1, link, 0);
 		});
 		CAPTURE(closes);
 		CHECK(stream_count(network, 1, 2) <= 15);
-		CHECK(stream_count(network, 1, 2) >= 10);
+		CHECK(stream_count(network, 1, 2) >= 3); // the requests of the peer's own session come between
 		CHECK(network.total(1).rejected == 0);
 	}
+}
+
+TEST_CASE("session: a peer that does not prove that it receives replies gets at most 4 bytes for each that it sends") {
+	SessionNetwork network;
+	network.join(1);
+	network.join(2);
+	network.close_session(2); // connected, but without a session
+	for (uint32_t body = 0; body < 2000; ++body) {
+		network.paths[body] = smooth_path(body);
+		network.set_owner(1, body, 1);
+	}
+	network.run(10.0); // until requests of our own are rare
+	const double from = network.now;
+	size_t received = 0;
+	uint8_t link = 100;
+	network.run(3.0, [&] {
+		// Each is a new request, or repeats one, or guesses the token.
+		const std::vector<uint8_t> packet = link % 3 == 0 ? make_packet(PacketKind::OPEN, link, { OPEN_TOKEN, link, link }) : make_packet(PacketKind::OPEN, link % 3 == 1 ? link : 7);
+		++link;
+		received += packet.size();
+		network.inject(2, 1, packet);
+	});
+	size_t sent = 0;
+	for (const SessionNetwork::SentPacket &packet : network.sent) {
+		sent += packet.from == 1 && packet.time > from ? packet.bytes.size() : 0;
+	}
+	CHECK(sent > 0);
+	CHECK(sent <= 4 * received);
+	CHECK(network.packets(1, 2, PacketKind::MOTION).empty());
 }
 
 TEST_CASE("session: set_peers() returns the peers that have left and frees their state") {
