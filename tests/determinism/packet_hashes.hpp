@@ -5,6 +5,7 @@
 #include "net/pose_codec.hpp"
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 // Hashes of all packets that fixed motion leads to. They are the same on all machines, with all compilers and options. The motion
@@ -157,6 +158,30 @@ inline uint64_t codec_hash() {
 	return hash.value();
 }
 
+/// The bits of the functions that replace those of the C library.
+inline uint64_t function_hash() {
+	Hash hash;
+	Noise noise(3);
+	const auto add = [&hash](const double *values, size_t count) {
+		for (size_t i = 0; i < count; ++i) {
+			uint8_t bytes[sizeof(double)];
+			std::memcpy(bytes, values + i, sizeof(bytes));
+			hash.add(bytes, sizeof(bytes));
+		}
+	};
+	for (int i = 0; i < 20000; ++i) {
+		const cga::Quaternion<double> rotation = net::exp_rotation(noise.next_vector() * 3.0);
+		const cga::Vector3<double> vector = net::log_rotation(rotation);
+		double jacobian[9];
+		net::right_jacobian(noise.next_vector() * 3.0, jacobian);
+		const double scale = net::portable_exp2(noise.next() * 16.0);
+		const double numbers[] = { vector.x, vector.y, vector.z, scale, net::portable_log2(scale * (1.0 + 0.1 * noise.next())) };
+		add(numbers, 5);
+		add(jacobian, 9);
+	}
+	return hash.value();
+}
+
 struct Result {
 	const char *name;
 	uint64_t expected;
@@ -174,6 +199,7 @@ inline std::vector<Result> results() {
 		{ "screw", 0, sender_hash(Mode::SCREW, false, 0.005, 1.0 / 60.0) },
 		{ "linear", 0, sender_hash(Mode::LINEAR, false, 0.005, 1.0 / 30.0) },
 		{ "codec", 0, codec_hash() },
+		{ "functions", 0, function_hash() },
 	};
 }
 
