@@ -82,14 +82,14 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	return {};
 }
 
-void Receiver::count_loss(uint8_t number, bool is_copy, double now) {
+void Receiver::count_loss(uint16_t number, bool is_copy, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
-	const bool is_late = is_copy || int8_t(number - _newest_chunk) < 0;
+	const bool is_late = is_copy || int16_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
 	if (is_late && (is_copy || now - _newest_chunk_time > MAX_REORDERING)) {
 		_clock.observe_loss(_statistics.loss, now);
 	}
-	if (int8_t(number - _newest_chunk) >= 0) {
+	if (int16_t(number - _newest_chunk) >= 0) {
 		_newest_chunk = number;
 		_newest_chunk_time = now;
 	}
@@ -121,6 +121,7 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 	if (!_fragments.belongs(fragment)) {
 		_snapshot_done = false;
 		_fragments.start(fragment);
+		_chunks.expect(fragment.next_chunk);
 	}
 	if (_fragments.add(fragment)) {
 		_progress_time = _fragment_time = now;
@@ -164,8 +165,8 @@ PacketResult Receiver::finish_snapshot(double now) {
 	set_limits();
 	_clock.observe(known_time(), known_time(), now);
 	_chunks.restart(_fragments.next_chunk());
-	if (!continues || int8_t(_newest_chunk - _fragments.next_chunk()) < 0) {
-		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
+	if (!continues || int16_t(_newest_chunk - _fragments.next_chunk()) < 0) {
+		_newest_chunk = uint16_t(_fragments.next_chunk() - 1);
 	}
 	show_snapshot(continues);
 	return {};
@@ -241,7 +242,7 @@ void Receiver::decode_windows(double now) {
 			break;
 		}
 		if (_record) {
-			_record->push_window(_window, _decoder->check(), _record_size);
+			_record->push_window(_window, _decoder->check(), *ticks * tick(), _record_size, _record_needed);
 		}
 		_progress_time = now;
 		const double begin = _window_end;

@@ -117,8 +117,10 @@ public:
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
 	/// Keeps the last windows from now on, as chunks for packets of `max_packet_size` bytes, so that a ForwardedStream can send them.
-	void record(size_t max_packet_size) {
+	/// Chunks before `oldest_needed` may be dropped.
+	void record(size_t max_packet_size, uint32_t oldest_needed = 0xffffffff) {
 		_record_size = max_packet_size;
+		_record_needed = oldest_needed;
 		if (!_record) {
 			_record.emplace();
 		}
@@ -151,7 +153,7 @@ private:
 	};
 
 	/// `is_copy`: a newer window arrived in the same packet.
-	void count_loss(uint8_t number, bool is_copy, double now);
+	void count_loss(uint16_t number, bool is_copy, double now);
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
@@ -175,6 +177,7 @@ private:
 	SnapshotHeader _header;
 	std::optional<ChunkRing> _record;
 	size_t _record_size = 0; // maximum packet size
+	uint32_t _record_needed = 0; // the oldest chunk needed
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
@@ -195,7 +198,7 @@ private:
 	double _progress_time = 0.0; // when a window was last decoded or a new fragment arrived; initially the first packet
 	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
-	uint8_t _newest_chunk = 0;
+	uint16_t _newest_chunk = 0;
 	double _newest_chunk_time = -1e9; // when it arrived
 	double _min_margin = 0.0;
 	double _max_margin = -1.0; // negative: max_latency

@@ -126,7 +126,7 @@ void Sender::start_encoder(int64_t last_flush) {
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
-		peer.second.delivery = Delivery(_now);
+		peer.second.delivery.restart(_now);
 	}
 	_changed_since = -1;
 	_is_starting = true;
@@ -149,7 +149,9 @@ double Sender::max_window() const {
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
 	}
-	const double longest = std::max(_settings.max_latency - network, _settings.max_latency * MIN_WINDOW);
+	// While the chunks of a window are sent, the next window begins.
+	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
+	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
 	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
 }
 
@@ -174,13 +176,22 @@ bool Sender::is_window_due(int64_t now) const {
 	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
 }
 
+uint32_t Sender::oldest_needed() const {
+	uint32_t oldest = _ring.next();
+	for (const auto &peer : _peers) {
+		const Delivery &delivery = peer.second.delivery;
+		oldest = delivery.is_silent(_now) || delivery.needs_snapshot() ? oldest : std::min(oldest, delivery.first_missing());
+	}
+	return oldest;
+}
+
 void Sender::close_window(int64_t end) {
 	while (_window_begin < end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
 		const uint32_t first_chunk = _ring.next();
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
+		_ring.push_window(_window, _encoder->check(), length * _settings.tick, _settings.max_packet_size, oldest_needed());
 		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
 		_window_begin += length;
 	}
@@ -206,7 +217,7 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 	auto snapshot = std::make_shared<Snapshot>();
 	snapshot->number = ++_snapshot_number;
 	snapshot->next_chunk = _ring.next();
-	snapshot->fragment_size = _settings.max_packet_size - FRAGMENT_HEADER;
+	snapshot->fragment_size = Snapshot::fragment_size_for(_settings.max_packet_size);
 	SnapshotHeader header;
 	header.settings = _settings;
 	header.tick = uint64_t(_window_begin);
@@ -222,6 +233,7 @@ void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
 		peer.delivery.set_max_wait(max_wait);
+		peer.delivery.set_snapshot_size(Snapshot::estimate(body_count()));
 		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;

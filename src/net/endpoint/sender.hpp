@@ -117,6 +117,8 @@ private:
 	[[nodiscard]] double max_window() const;
 	void take_alignment(const AlignItem &request, double now);
 	[[nodiscard]] bool is_window_due(int64_t now) const;
+	/// The first chunk that a receiver may still need.
+	[[nodiscard]] uint32_t oldest_needed() const;
 	void close_window(int64_t end);
 	void start_snapshots();
 	[[nodiscard]] std::shared_ptr<Snapshot> make_snapshot();

@@ -145,7 +145,7 @@ public:
 		}
 		LinkSettings reliable = _link;
 		reliable.loss = reliable.duplication = 0.0;
-		const uint64_t seed = uint64_t(from) * 100 + uint64_t(to);
+		const uint64_t seed = link_seed + uint64_t(from) * 100 + uint64_t(to);
 		return _links.emplace(std::pair(from, to), Link{ SimulatedLink(_link, seed), SimulatedLink(reliable, ~seed) }).first->second;
 	}
 
@@ -169,6 +169,7 @@ public:
 	std::map<PeerId, double> clock_jumps; // sum of the jumps of a peer's clock
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
+	uint64_t link_seed = 0;
 	bool is_star = false; // clients are connected to peer 1 only
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
