@@ -136,7 +136,7 @@ func test_invalid_packets_and_arguments_are_rejected() -> void:
 	)
 	expect_error("MotorSender.teleport: body 5 does not exist.")
 	_sender.teleport(5)
-	expect_error("MotorSender.flush: the time is not finite.")
+	expect_error("MotorSender.flush: the time is nan, but must be -1e12 to 1e12 seconds.")
 	_sender.flush(NAN)
 	expect_error("MotorSender.get_statistics: receiver 8 does not exist.")
 	_sender.get_statistics(8)

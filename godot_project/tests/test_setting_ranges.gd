@@ -12,7 +12,7 @@ const WRONG: Dictionary[String, float] = {
 	"0": 0.0,
 	"-1": -1.0,
 	"1e-09": 1e-9,
-	"4.94065646e-324": 5e-324,
+	"1e-300": 1e-300,
 	"20000000": 2e7,
 	"1e+300": 1e300,
 	"-1e+300": -1e300,
@@ -41,7 +41,8 @@ func test_receivers_accept_the_ends_of_the_ranges() -> void:
 			var sender := MotorSender.new()
 			sender.max_latency = 0.02
 			sender.set(property, limit.to_float())
-			expect_near(sender.get(property), limit.to_float(), 1e-9 * limit.to_float(), property)
+			var value: float = sender.get(property)
+			expect_near(value / limit.to_float(), 1.0, 1e-9, property)
 			sender.add_body(1, Transform3D.IDENTITY)
 			sender.add_receiver(1, 0.0)
 			var receiver := MotorReceiver.new()
