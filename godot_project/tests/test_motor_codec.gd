@@ -82,14 +82,15 @@ func test_decoded_array_is_typed() -> void:
 
 
 func test_invalid_tolerances_change_nothing() -> void:
-	expect_error(
-		"MotorCodec: position_tolerance is %f, but must be a positive number of meters." % 0.0
-	)
+	expect_error("MotorCodec: position_tolerance is 0, but must be 1e-06 to 1000000 meters.")
 	_codec.position_tolerance = 0.0
+	for text: String in ["1e+300", "1e-09", "-1e+300", "1e+39", "inf", "nan"]:
+		expect_error(
+			"MotorCodec: position_tolerance is %s, but must be 1e-06 to 1000000 meters." % text
+		)
+		_codec.position_tolerance = {"inf": INF, "nan": NAN}.get(text, text.to_float())
 	expect_near(_codec.position_tolerance, 0.002, 1e-9)
-	expect_error(
-		"MotorCodec: rotation_tolerance is %f, but must be at least %f degrees." % [-1.0, 1.7e-5]
-	)
+	expect_error("MotorCodec: rotation_tolerance is -1, but must be 1.7e-05 to 180 degrees.")
 	_codec.rotation_tolerance = -1.0
 	expect_near(_codec.rotation_tolerance, 0.25, 1e-9)
 

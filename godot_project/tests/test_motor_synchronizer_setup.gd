@@ -26,41 +26,26 @@ func test_defaults() -> void:
 func test_invalid_values_change_nothing() -> void:
 	var node := MotorSynchronizer.new()
 	add_node(node)
-	expect_error(
-		(
-			"MotorSynchronizer: position_tolerance is %f, but must be a positive number of meters."
-			% 0.0
-		)
-	)
+	expect_error("MotorSynchronizer: position_tolerance is 0, but must be 1e-06 to 1000000 meters.")
 	node.position_tolerance = 0.0
-	expect_error(
-		(
-			"MotorSynchronizer: rotation_tolerance is %f, but must be a positive number of degrees."
-			% -1.0
-		)
-	)
+	expect_error("MotorSynchronizer: rotation_tolerance is -1, but must be 0.01 to 30 degrees.")
 	node.rotation_tolerance = -1.0
-	expect_error("MotorSynchronizer: max_latency is inf, but must be a positive number of seconds.")
+	expect_error("MotorSynchronizer: max_latency is inf, but must be 0.001 to 10 seconds.")
 	node.max_latency = INF
-	expect_error(
-		"MotorSynchronizer: send_rate is nan, but must be a positive number of packets per second."
-	)
+	expect_error("MotorSynchronizer: send_rate is nan, but must be 0.01 to 10000 Hz.")
 	node.send_rate = NAN
 	expect_error("MotorSynchronizer: mode is 3, but must be LINEAR (0), SCREW (1) or SEPARATE (2).")
 	node.set(&"mode", 3)
 	expect_error("MotorSynchronizer: channel is 256, but must be 0 to 255.")
 	node.channel = 256
-	expect_error("MotorSynchronizer: min_delay is %f, but must be at least 0 seconds." % -0.5)
+	expect_error("MotorSynchronizer: min_delay is -0.5, but must be 0 to 10 seconds.")
 	node.min_delay = -0.5
-	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be at least 0 seconds.")
+	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be 0 to 10 seconds.")
 	node.jitter_allowance = NAN
-	expect_error("MotorSynchronizer: blend_time is inf, but must be at least 0 seconds.")
+	expect_error("MotorSynchronizer: blend_time is inf, but must be 0 to 10 seconds.")
 	node.blend_time = INF
 	expect_error(
-		(
-			"MotorSynchronizer: position_tolerance_2d is %f, but must be a positive number of pixels."
-			% -0.5
-		)
+		"MotorSynchronizer: position_tolerance_2d is -0.5, but must be 1e-06 to 1000000 pixels."
 	)
 	node.position_tolerance_2d = -0.5
 	for size: int in [255, 65001]:

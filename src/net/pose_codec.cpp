@@ -1,6 +1,7 @@
 #include "net/pose_codec.hpp"
 
 #include "net/coding/bit_stream.hpp"
+#include "net/stream/setting_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,8 +190,8 @@ const char *describe(CodecFault fault) {
 		"the position is too far from the origin for this position_tolerance",
 		"the rotation is not a unit quaternion",
 		"the scale is not between 1/65000 and 65000",
-		"position_tolerance is not positive and finite",
-		"rotation_tolerance is not finite and at least 0.000017 degrees",
+		"position_tolerance is not 1e-06 to 1000000 meters",
+		"rotation_tolerance is not 1.7e-05 to 180 degrees",
 		"the packet is of another format version",
 		"the packet's header has positions out of range",
 		"the packet is truncated in its header",
@@ -204,16 +205,17 @@ const char *describe(CodecFault fault) {
 		"the body has a scale out of range",
 		"the packet has bytes after its last body",
 	};
+	static_assert(POSITION_TOLERANCE_RANGE.min == 1e-6 && POSITION_TOLERANCE_RANGE.max == 1e6 && CODEC_ROTATION_TOLERANCE_RANGE.min == 1.7e-5 && CODEC_ROTATION_TOLERANCE_RANGE.max == 180.0);
 	static_assert(std::size(DESCRIPTIONS) == size_t(CodecFault::TRAILING_BYTES) + 1);
 	return DESCRIPTIONS[size_t(fault)];
 }
 
 CodecResult encode(const BodyPose *bodies, size_t count, const Tolerance &tolerance, std::vector<uint8_t> &packet) {
 	packet.clear();
-	if (!(tolerance.position > 0) || !std::isfinite(tolerance.position)) {
+	if (!POSITION_TOLERANCE_RANGE.contains(tolerance.position)) {
 		return CodecError{ CodecFault::POSITION_TOLERANCE_OUT_OF_RANGE, 0 };
 	}
-	if (!(tolerance.rotation >= MIN_ROTATION_TOLERANCE) || !std::isfinite(tolerance.rotation)) {
+	if (!CODEC_ROTATION_TOLERANCE_RANGE.contains(tolerance.rotation)) {
 		return CodecError{ CodecFault::ROTATION_TOLERANCE_OUT_OF_RANGE, 0 };
 	}
 	const float step = position_step(tolerance.position);

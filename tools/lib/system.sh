@@ -66,6 +66,10 @@ missing_for() {
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev
             ;;
+        arm64)
+            command -v aarch64-linux-gnu-g++ >/dev/null || echo g++-aarch64-linux-gnu
+            command -v qemu-aarch64 >/dev/null || command -v qemu-aarch64-static >/dev/null || echo qemu-user-static
+            ;;
         package)
             command -v cmake >/dev/null || echo cmake
             ;;

@@ -2,7 +2,8 @@
 
 // The only file with attributes and pragmas of particular compilers and with their macros for processors.
 
-#if defined(__x86_64__) || defined(_M_X64)
+// CGA_BASELINE_ONLY, for tests: no code beyond the processor's baseline.
+#if (defined(__x86_64__) || defined(_M_X64)) && !defined(CGA_BASELINE_ONLY)
 #define CGA_X86_64 1
 #elif defined(__aarch64__) || defined(_M_ARM64)
 #define CGA_ARM64 1

@@ -2,13 +2,12 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "godot/bind_property.hpp"
+#include "godot/net/range_message.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/variant.hpp>
-
-#include <cmath>
 
 namespace ga_godot {
 
@@ -20,12 +19,12 @@ using godot::TypedArray;
 using godot::vformat;
 
 void MotorCodec::set_position_tolerance(double meters) {
-	ERR_FAIL_COND_MSG(!std::isfinite(meters) || !(meters > 0.0), vformat("MotorCodec: position_tolerance is %f, but must be a positive number of meters.", meters));
+	ERR_FAIL_COND_MSG(!net::POSITION_TOLERANCE_RANGE.contains(meters), range_message("MotorCodec", "position_tolerance", meters, net::POSITION_TOLERANCE_RANGE, "meters"));
 	_tolerance.position = float(meters);
 }
 
 void MotorCodec::set_rotation_tolerance(double degrees) {
-	ERR_FAIL_COND_MSG(!std::isfinite(degrees) || !(float(degrees) >= net::MIN_ROTATION_TOLERANCE), vformat("MotorCodec: rotation_tolerance is %f, but must be at least %f degrees.", degrees, net::MIN_ROTATION_TOLERANCE));
+	ERR_FAIL_COND_MSG(!net::CODEC_ROTATION_TOLERANCE_RANGE.contains(degrees), range_message("MotorCodec", "rotation_tolerance", degrees, net::CODEC_ROTATION_TOLERANCE_RANGE, "degrees"));
 	_tolerance.rotation = float(degrees);
 }
 

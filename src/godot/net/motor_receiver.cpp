@@ -7,8 +7,6 @@
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-#include <cmath>
-
 namespace ga_godot {
 
 using godot::Dictionary;
@@ -28,26 +26,26 @@ void MotorReceiver::clear() {
 }
 
 void MotorReceiver::set_max_bodies(int64_t count) {
-	ERR_FAIL_COND_MSG(count < 1, vformat("MotorReceiver: max_bodies is %d, but must be at least 1.", count));
+	ERR_FAIL_COND_MSG(!net::MAX_BODIES_RANGE.contains(double(count)), range_message("MotorReceiver", "max_bodies", double(count), net::MAX_BODIES_RANGE, "bodies"));
 	ERR_FAIL_COND_MSG(_receiver.statistics().packets_received > 0, "MotorReceiver: set max_bodies before the first packet, or call clear() first.");
 	_max_bodies = count;
 	clear();
 }
 
 String MotorReceiver::accept(const PackedByteArray &packet, double now) {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(now), "the time is not finite", "MotorReceiver.accept: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!net::is_valid_time(now), "the time is out of range", time_message("MotorReceiver.accept", now));
 	const net::PacketResult result = _receiver.accept(packet.ptr(), size_t(packet.size()), now);
 	return result ? String() : String(net::describe(result.error()));
 }
 
 PackedByteArray MotorReceiver::take_ack(double now) {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(now), PackedByteArray(), "MotorReceiver.take_ack: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!net::is_valid_time(now), PackedByteArray(), time_message("MotorReceiver.take_ack", now));
 	_receiver.take_ack(_ack, now);
 	return to_packed(_ack.data(), _ack.size());
 }
 
 void MotorReceiver::advance(double now) {
-	ERR_FAIL_COND_MSG(!std::isfinite(now), "MotorReceiver.advance: the time is not finite.");
+	ERR_FAIL_COND_MSG(!net::is_valid_time(now), time_message("MotorReceiver.advance", now));
 	_receiver.advance(now);
 	_receiver.take_events(_events);
 	for (const net::BodyEvent &event : _events) {

@@ -22,9 +22,8 @@ static bool is_receiver(int64_t receiver) {
 }
 
 void MotorSender::set_ticks_per_second(double hertz) {
-	ERR_FAIL_COND_MSG(!is_positive(hertz), vformat("MotorSender: ticks_per_second is %f, but must be positive.", hertz));
-	_settings.tick = 1.0 / hertz;
-	settings_changed();
+	ERR_FAIL_COND_MSG(!net::TICK_RATE_RANGE.contains(hertz), range_message("MotorSender", "ticks_per_second", hertz, net::TICK_RATE_RANGE, "Hz"));
+	set_number(&net::StreamSettings::tick, 1.0 / hertz, net::TICK_RANGE, "the length of a tick", "seconds");
 }
 
 bool MotorSender::add_body(int64_t id, const Transform3D &transform) {
@@ -46,7 +45,7 @@ bool MotorSender::has_body(int64_t id) const {
 
 bool MotorSender::observe(int64_t id, double time, const Transform3D &transform) {
 	ERR_FAIL_COND_V_MSG(!has_body(id), false, vformat("MotorSender.observe: body %d does not exist; call add_body() first.", id));
-	ERR_FAIL_COND_V_MSG(!std::isfinite(time), false, "MotorSender.observe: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!net::is_valid_time(time), false, time_message("MotorSender.observe", time));
 	const PoseResult pose = pose_from_transform(transform);
 	ERR_FAIL_COND_V_MSG(!pose, false, vformat("MotorSender.observe: the transform of body %d %s.", id, cga::describe(pose.error())));
 	ERR_FAIL_COND_V_MSG(!_sender.observe(uint32_t(id), time, *pose), false, vformat("MotorSender.observe: the transform of body %d at %f s is out of range: too far from the origin, or its scale is too small or too large.", id, time));
@@ -60,7 +59,7 @@ bool MotorSender::teleport(int64_t id) {
 
 void MotorSender::add_receiver(int64_t receiver, double time) {
 	ERR_FAIL_COND_MSG(!is_receiver(receiver), vformat("MotorSender.add_receiver: the receiver is %d, but must be 0 to 4294967295.", receiver));
-	ERR_FAIL_COND_MSG(!std::isfinite(time), "MotorSender.add_receiver: the time is not finite.");
+	ERR_FAIL_COND_MSG(!net::is_valid_time(time), time_message("MotorSender.add_receiver", time));
 	_sender.add_receiver(uint32_t(receiver), time);
 }
 
@@ -76,7 +75,7 @@ bool MotorSender::has_receiver(int64_t receiver) const {
 
 TypedArray<Dictionary> MotorSender::flush(double time) {
 	TypedArray<Dictionary> packets;
-	ERR_FAIL_COND_V_MSG(!std::isfinite(time), packets, "MotorSender.flush: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!net::is_valid_time(time), packets, time_message("MotorSender.flush", time));
 	_sender.flush(time);
 	for (const net::OutgoingPacket &outgoing : _sender.packets()) {
 		Dictionary packet;
@@ -88,7 +87,7 @@ TypedArray<Dictionary> MotorSender::flush(double time) {
 }
 
 String MotorSender::accept(int64_t receiver, const PackedByteArray &packet, double time) {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(time), "the time is not finite", "MotorSender.accept: the time is not finite.");
+	ERR_FAIL_COND_V_MSG(!net::is_valid_time(time), "the time is out of range", time_message("MotorSender.accept", time));
 	if (!has_receiver(receiver)) {
 		return net::describe(net::PacketError::UNKNOWN_RECEIVER);
 	}

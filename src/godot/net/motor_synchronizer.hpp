@@ -43,7 +43,7 @@ public:
 	godot::StringName get_target_group() const { return _selection.group(); }
 	void set_latency_preset(LatencyPreset preset);
 	LatencyPreset get_latency_preset() const;
-	void set_position_tolerance_2d(double pixels) { set_positive(_settings.position_tolerance_2d, pixels, "position_tolerance_2d", "pixels"); }
+	void set_position_tolerance_2d(double pixels) { set_number(&net::StreamSettings::position_tolerance_2d, pixels, net::POSITION_TOLERANCE_2D_RANGE, "position_tolerance_2d", "pixels"); }
 	double get_position_tolerance_2d() const { return _settings.position_tolerance_2d; }
 	void set_relay(bool relays) { change(_relay, relays); }
 	bool is_relay() const { return _relay; }

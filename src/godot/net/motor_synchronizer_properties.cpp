@@ -70,7 +70,7 @@ void MotorSynchronizer::set_channel(int64_t channel) {
 }
 
 void MotorSynchronizer::set_blend_time(double seconds) {
-	ERR_FAIL_COND_MSG(!std::isfinite(seconds) || seconds < 0.0, vformat("MotorSynchronizer: blend_time is %f, but must be at least 0 seconds.", seconds));
+	ERR_FAIL_COND_MSG(!net::DELAY_RANGE.contains(seconds), range_message("MotorSynchronizer", "blend_time", seconds, net::DELAY_RANGE, "seconds"));
 	_blend_time = seconds;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "godot/bind_property.hpp"
+#include "godot/net/range_message.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
-
-#include <cmath>
 
 namespace ga_godot {
 
@@ -30,7 +29,7 @@ protected:
 
 private:
 	void set_duration(double &limit, double seconds, const char *name) {
-		ERR_FAIL_COND_MSG(!std::isfinite(seconds) || seconds < 0.0, godot::vformat("%s: %s is %f, but must be at least 0 seconds.", Self::get_class_static(), name, seconds));
+		ERR_FAIL_COND_MSG(!net::DELAY_RANGE.contains(seconds), range_message(Self::get_class_static(), name, seconds, net::DELAY_RANGE, "seconds"));
 		limit = seconds;
 		static_cast<Self *>(this)->limits_changed();
 	}

@@ -139,6 +139,10 @@ void Replicator::update_settings() {
 	if (!fault.is_empty()) {
 		_warnings.warn("send rate", fault);
 	}
+	const String tick_fault = tick_rate_fault(settings.max_latency);
+	if (!tick_fault.is_empty()) {
+		_warnings.warn("tick rate", tick_fault);
+	}
 	_settings = settings;
 	_session.set_settings(settings);
 	_session.set_relay(relay);

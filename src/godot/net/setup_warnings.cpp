@@ -1,6 +1,7 @@
 #include "godot/net/setup_warnings.hpp"
 
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/range_message.hpp"
 #include "godot/net/spatial_node.hpp"
 #include "godot/net/target.hpp"
 
@@ -136,6 +137,15 @@ String send_rate_fault(double send_rate) {
 	return vformat("send_rate is %s Hz, but there are only %d physics ticks per second, and motion is sent at most once per tick. Reduce send_rate or raise Engine.physics_ticks_per_second.", String::num(send_rate, 3), ticks);
 }
 
+String tick_rate_fault(double max_latency) {
+	const int64_t ticks = Engine::get_singleton()->get_physics_ticks_per_second();
+	if (!net::TICK_RATE_RANGE.contains(double(ticks))) {
+		return vformat("Engine.physics_ticks_per_second is %d, but motion is replicated with at most %s ticks per second.", ticks, short_number(net::TICK_RATE_RANGE.max));
+	}
+	const double limit = net::MAX_LATENCY_TICKS / double(ticks);
+	return max_latency <= limit ? String() : vformat("max_latency is %s, but at %d physics ticks per second must be at most %s seconds, which is used.", short_number(max_latency), ticks, short_number(limit));
+}
+
 static void add_fault(PackedStringArray &faults, const String &fault) {
 	if (!fault.is_empty()) {
 		faults.push_back(fault);
@@ -180,6 +190,7 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 	}
 	add_fault(faults, thread_fault(synchronizer));
 	add_fault(faults, send_rate_fault(synchronizer.get_send_rate()));
+	add_fault(faults, tick_rate_fault(synchronizer.get_max_latency()));
 	const Node *root = find_root(synchronizer);
 	std::vector<const Node *> nodes;
 	const TypedArray<NodePath> &paths = selection.paths();

@@ -21,6 +21,8 @@ inline constexpr const char *SYNCHRONIZER_GROUP = "_ga_godot_motor_synchronizers
 [[nodiscard]] godot::String automatic_name_fault(const godot::Node &node);
 /// Empty if the send rate, in hertz, is not above the rate of physics ticks.
 [[nodiscard]] godot::String send_rate_fault(double send_rate);
+/// Describes why the engine's tick rate does not fit a max_latency, or returns an empty string.
+[[nodiscard]] godot::String tick_rate_fault(double max_latency);
 /// Empty if the main thread processes the node.
 [[nodiscard]] godot::String thread_fault(const godot::Node &node);
 /// Empty if the node and its parent are not one a Node2D and the other a Node3D.

@@ -3,12 +3,11 @@
 #include "godot/algebra/conversions.hpp"
 #include "godot/bind_property.hpp"
 #include "godot/motion/multivector_lerp.hpp"
+#include "godot/net/range_message.hpp"
 #include "net/stream/stream_settings.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
-
-#include <cmath>
 
 namespace ga_godot {
 
@@ -17,13 +16,13 @@ namespace ga_godot {
 template <class Self>
 class StreamProperties {
 public:
-	void set_position_tolerance(double meters) { set_positive(_settings.position_tolerance, meters, "position_tolerance", "meters"); }
+	void set_position_tolerance(double meters) { set_number(&net::StreamSettings::position_tolerance, meters, net::POSITION_TOLERANCE_RANGE, "position_tolerance", "meters"); }
 	double get_position_tolerance() const { return _settings.position_tolerance; }
-	void set_rotation_tolerance(double degrees) { set_positive(_settings.rotation_tolerance, degrees, "rotation_tolerance", "degrees"); }
+	void set_rotation_tolerance(double degrees) { set_number(&net::StreamSettings::rotation_tolerance, degrees, net::ROTATION_TOLERANCE_RANGE, "rotation_tolerance", "degrees"); }
 	double get_rotation_tolerance() const { return _settings.rotation_tolerance; }
-	void set_max_latency(double seconds) { set_positive(_settings.max_latency, seconds, "max_latency", "seconds"); }
+	void set_max_latency(double seconds) { set_number(&net::StreamSettings::max_latency, seconds, net::MAX_LATENCY_RANGE, "max_latency", "seconds"); }
 	double get_max_latency() const { return _settings.max_latency; }
-	void set_send_rate(double hertz) { set_positive(_settings.send_rate, hertz, "send_rate", "packets per second"); }
+	void set_send_rate(double hertz) { set_number(&net::StreamSettings::send_rate, hertz, net::SEND_RATE_RANGE, "send_rate", "Hz"); }
 	double get_send_rate() const { return _settings.send_rate; }
 
 	void set_mode(MultivectorLerp::Mode mode) {
@@ -33,17 +32,13 @@ public:
 	MultivectorLerp::Mode get_mode() const { return MultivectorLerp::Mode(_settings.mode); }
 
 	void set_max_packet_size(int64_t bytes) {
-		ERR_FAIL_COND_MSG(bytes < MIN_PACKET_SIZE || bytes > MAX_PACKET_SIZE, godot::vformat("%s: max_packet_size is %d, but must be %d to %d bytes.", Self::get_class_static(), bytes, MIN_PACKET_SIZE, MAX_PACKET_SIZE));
+		ERR_FAIL_COND_MSG(!net::PACKET_SIZE_RANGE.contains(double(bytes)), range_message(Self::get_class_static(), "max_packet_size", double(bytes), net::PACKET_SIZE_RANGE, "bytes"));
 		change(_settings.max_packet_size, size_t(bytes));
 	}
 	int64_t get_max_packet_size() const { return int64_t(_settings.max_packet_size); }
 
 protected:
-	static constexpr int64_t MIN_PACKET_SIZE = 256;
-	static constexpr int64_t MAX_PACKET_SIZE = 65000;
-
 	StreamProperties() { _settings.max_latency = 0.1; }
-	static bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 	static void bind_stream_properties() {
 		using godot::PROPERTY_HINT_ENUM;
@@ -68,9 +63,12 @@ protected:
 		}
 	}
 
-	void set_positive(double &setting, double value, const char *name, const char *units) {
-		ERR_FAIL_COND_MSG(!is_positive(value), godot::vformat("%s: %s is %f, but must be a positive number of %s.", Self::get_class_static(), name, value, units));
-		change(setting, value);
+	void set_number(double net::StreamSettings::*setting, double value, const net::SettingRange &range, const char *name, const char *unit) {
+		ERR_FAIL_COND_MSG(!range.contains(value), range_message(Self::get_class_static(), name, value, range, unit));
+		net::StreamSettings next = _settings;
+		next.*setting = value;
+		ERR_FAIL_COND_MSG(!next.is_valid(), godot::vformat("%s: max_latency would be %s seconds, or %s ticks, but must be at most %s ticks.", Self::get_class_static(), short_number(next.max_latency), short_number(next.max_latency / next.tick), short_number(net::MAX_LATENCY_TICKS)));
+		change(_settings.*setting, value);
 	}
 };
 

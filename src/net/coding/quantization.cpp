@@ -58,7 +58,7 @@ std::optional<int32_t> quantize_scale(float scale) {
 	if (!(scale > 0) || !std::isfinite(scale)) {
 		return std::nullopt;
 	}
-	const double level = std::round(std::log2(double(scale)) * SCALE_LEVELS_PER_OCTAVE);
+	const double level = std::round(portable_log2(double(scale)) * SCALE_LEVELS_PER_OCTAVE);
 	if (std::abs(level) > MAX_SCALE_LEVEL) {
 		return std::nullopt;
 	}

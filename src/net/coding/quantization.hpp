@@ -1,5 +1,7 @@
 #pragma once
 
+#include "net/coding/portable_math.hpp"
+
 #include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
@@ -32,15 +34,16 @@ struct SmallestThree {
 
 inline constexpr int MIN_ROTOR_BITS = 4;
 inline constexpr int MAX_ROTOR_BITS = 24;
-/// 2 sqrt(6) / (2^24 - 2) radians. Below it, float32 is too coarse.
-inline constexpr float MIN_ROTATION_TOLERANCE = 1.7e-5f; ///< degrees
 
-/// Bits per component for a tolerance of at least MIN_ROTATION_TOLERANCE.
+/// Bits per component for a tolerance in CODEC_ROTATION_TOLERANCE_RANGE.
 [[nodiscard]] inline int rotor_bits(float tolerance_degrees) {
 	const double radians = double(tolerance_degrees) * 3.14159265358979323846 / 180.0;
 	const double levels = 2.0 * std::sqrt(6.0) / radians + 2.0;
-	const int bits = int(std::ceil(std::log2(levels)));
-	return bits < MIN_ROTOR_BITS ? MIN_ROTOR_BITS : bits;
+	int bits = MIN_ROTOR_BITS;
+	while (std::ldexp(1.0, bits) < levels) {
+		++bits;
+	}
+	return bits;
 }
 
 /// `q` must have unit length.
@@ -56,7 +59,7 @@ inline constexpr int32_t MAX_SCALE_LEVEL = (1 << (SCALE_BITS - 1)) - 1;
 /// Returns std::nullopt if the scale is not positive or out of range.
 [[nodiscard]] std::optional<int32_t> quantize_scale(float scale);
 [[nodiscard]] inline float dequantize_scale(int32_t level) {
-	return float(std::exp2(level / SCALE_LEVELS_PER_OCTAVE));
+	return float(portable_exp2(level / SCALE_LEVELS_PER_OCTAVE));
 }
 
 } // namespace net

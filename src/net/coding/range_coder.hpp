@@ -1,5 +1,7 @@
 #pragma once
 
+#include "net/coding/portable_math.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -215,7 +217,7 @@ private:
 		static const std::array<uint16_t, 257> COSTS = [] {
 			std::array<uint16_t, 257> values{};
 			for (size_t i = 1; i <= 256; ++i) {
-				values[i] = uint16_t(std::lround(-256.0 * std::log2(double(i) / 256.0)));
+				values[i] = uint16_t(std::lround(-256.0 * portable_log2(double(i) / 256.0)));
 			}
 			values[0] = values[1];
 			return values;

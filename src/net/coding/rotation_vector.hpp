@@ -23,17 +23,25 @@ namespace net {
 	return cga::Quaternion<double>(w, quarter.x * scale, quarter.y * scale, quarter.z * scale);
 }
 
-/// Logarithm map of a unit quaternion: its shortest rotation vector.
+/// Logarithm map of a unit quaternion: its shortest rotation vector. All machines compute the same bits.
 [[nodiscard]] inline cga::Vector3<double> log_rotation(const cga::Quaternion<double> &q) {
-	const double x = q.x * q.x + q.y * q.y + q.z * q.z;
-	double factor = 0.0;
-	if (x < 0.01) {
-		// The series of asin(s) / s in x = s^2: the next term is below 2e-16.
-		factor = 2.0 + x * (1.0 / 3.0 + x * (3.0 / 20.0 + x * (5.0 / 56.0 + x * (35.0 / 576.0 + x * (63.0 / 1408.0 + x * (231.0 / 6656.0 + x * (143.0 / 5120.0)))))));
-	} else {
-		const double sine = std::sqrt(x);
-		factor = 2.0 * std::atan2(sine, std::fabs(q.w)) / sine;
+	double x = q.x * q.x + q.y * q.y + q.z * q.z;
+	double multiple = 1.0;
+	if (x >= 0.01) {
+		// Halve the angle until the series converges.
+		const double whole = std::sqrt(x);
+		double sine = whole;
+		double cosine = std::fabs(q.w);
+		while (x >= 0.01) {
+			cosine = std::sqrt(0.5 + 0.5 * cosine);
+			sine = 0.5 * sine / cosine;
+			x = sine * sine;
+			multiple *= 2.0;
+		}
+		multiple *= sine / whole;
 	}
+	// The series of asin(s) / s in x = s^2: the next term is below 2e-16.
+	double factor = multiple * (2.0 + x * (1.0 / 3.0 + x * (3.0 / 20.0 + x * (5.0 / 56.0 + x * (35.0 / 576.0 + x * (63.0 / 1408.0 + x * (231.0 / 6656.0 + x * (143.0 / 5120.0))))))));
 	if (q.w < 0.0) {
 		factor = -factor;
 	}
@@ -41,16 +49,19 @@ namespace net {
 }
 
 /// The rows of the right Jacobian of the exponential map at a rotation vector: I - a [v]x + b [v]x^2 with
-/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). Machines may
-/// differ in the last bits.
+/// a = (1 - cos t) / t^2, b = (t - sin t) / t^3 (Sola, Deray, Atchuthan, "A micro Lie theory", 2018, eq. 143). All machines
+/// compute the same bits.
 inline void right_jacobian(const cga::Vector3<double> &v, double m[9]) {
 	const double t2 = glm::dot(v, v);
 	double a = 0.5 - t2 / 24.0 + t2 * t2 / 720.0;
 	double b = 1.0 / 6.0 - t2 / 120.0 + t2 * t2 / 5040.0;
 	if (t2 > 0.25) {
+		// 1 - cos t = 2 s^2 and sin t = 2 s c, with the sine s and the cosine c of half the angle.
+		const cga::Quaternion<double> half = exp_rotation(v);
 		const double t = std::sqrt(t2);
-		a = (1.0 - std::cos(t)) / t2;
-		b = (t - std::sin(t)) / (t2 * t);
+		const double sine = (half.x * v.x + half.y * v.y + half.z * v.z) / t;
+		a = 2.0 * sine * sine / t2;
+		b = (t - 2.0 * sine * half.w) / (t2 * t);
 	}
 	m[0] = 1.0 + b * (v.x * v.x - t2);
 	m[4] = 1.0 + b * (v.y * v.y - t2);

@@ -1,5 +1,6 @@
 #include "net/delivery/delivery.hpp"
 
+#include "net/coding/portable_math.hpp"
 #include "net/delivery/chunk_buffer.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ constexpr double PAIR_INTERVAL = 0.01;
 /// At a loss p, copies are COPY_INTERVAL * -ln p apart, so that all copies of some time are lost with the same probability
 /// at any p. Just above the loss at which copies begin, they are farther apart.
 constexpr double COPY_INTERVAL = 0.05;
+constexpr double LN_2 = 0.69314718055994530942;
 /// For this many seconds after a loss, others are expected.
 constexpr double LOSS_MEMORY = 30.0;
 /// A packet that is sent anyway takes copies that are due after this fraction of their interval.
@@ -122,7 +124,7 @@ void Delivery::note_timeout(Sent &sent, double time) {
 double Delivery::copy_interval() const {
 	const double bound = _is_urgent ? LOW_LOSS : HIGH_LOSS;
 	const double p = _is_urgent ? _meter.loss() : loss();
-	return p > bound ? COPY_INTERVAL * -std::log(std::min(p, 0.9)) / std::min(p / bound - 1.0, 1.0) : std::numeric_limits<double>::infinity();
+	return p > bound ? COPY_INTERVAL * -LN_2 * portable_log2(std::min(p, 0.9)) / std::min(p / bound - 1.0, 1.0) : std::numeric_limits<double>::infinity();
 }
 
 bool Delivery::is_pair_due(const Sent &sent, double time) {

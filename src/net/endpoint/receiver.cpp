@@ -376,8 +376,8 @@ std::vector<uint32_t> Receiver::bodies() const {
 }
 
 void Receiver::set_margin_limits(double min, double max) {
-	_min_margin = std::max(min, 0.0);
-	_max_margin = std::max(max, _min_margin);
+	_min_margin = std::fmin(std::fmax(min, DELAY_RANGE.min), DELAY_RANGE.max);
+	_max_margin = std::fmin(std::fmax(max, _min_margin), DELAY_RANGE.max);
 	set_limits();
 }
 

@@ -1,5 +1,6 @@
 #include "net/motion/body_state.hpp"
 
+#include "net/coding/portable_math.hpp"
 #include "net/coding/rotation_vector.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr int64_t MAX_RUNNING_ERROR = 4000;
 constexpr double MAX_ANGLE = 16.0; // of a segment, in radians, as the sum of three components
 
 double scale_of(int32_t level) {
-	return level == 0 ? 1.0 : std::exp2(double(level) / BodyState::SCALE_LEVELS);
+	return level == 0 ? 1.0 : portable_exp2(double(level) / BodyState::SCALE_LEVELS);
 }
 
 } // namespace
@@ -40,7 +41,7 @@ bool BodyState::set_pose(const cga::Pose<double> &pose, const StreamGrid &grid) 
 		_position[i] = int64_t(std::floor(pose.translation[i] / grid.position_step + 0.5));
 	}
 	_rotation = LatticeRotation::nearest(glm::normalize(pose.rotation));
-	_scale = pose.scale == 1.0 ? 0 : int32_t(std::round(std::log2(pose.scale) * SCALE_LEVELS));
+	_scale = pose.scale == 1.0 ? 0 : int32_t(std::round(portable_log2(pose.scale) * SCALE_LEVELS));
 	return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/pose.hpp"
+#include "net/coding/rotation_vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,12 @@ struct MotionSample {
 		max_squared = std::max(max_squared, glm::dot(point, point));
 	}
 	return std::sqrt(max_squared) + lever_arm * std::fabs(a.scale - b.scale);
+}
+
+/// The pose at `weight` from `a` (0) to `b` (1) in mode SEPARATE. All machines compute the same bits.
+[[nodiscard]] inline cga::Pose<double> blended(const cga::Pose<double> &a, const cga::Pose<double> &b, double weight) {
+	const cga::Quaternion<double> turn = exp_rotation(log_rotation(glm::conjugate(a.rotation) * b.rotation) * weight);
+	return { a.translation + (b.translation - a.translation) * weight, a.rotation * turn, a.scale + (b.scale - a.scale) * weight };
 }
 
 } // namespace net

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "net/coding/portable_math.hpp"
 #include "net/coding/rotation_vector.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ struct MotionSegment {
 		const double w = u * (1.0 - u);
 		cga::Pose<double> pose = start;
 		if (scale_ratio != 1.0) {
-			pose.scale *= std::exp(u * std::log(scale_ratio));
+			pose.scale *= portable_exp2(u * portable_log2(scale_ratio));
 		}
 		if (mode == cga::Mode::SEPARATE) {
 			pose.translation += displacement * u + translation_curvature * w;

@@ -1,5 +1,6 @@
 #include "net/motion/segment_fit.hpp"
 
+#include "net/coding/portable_math.hpp"
 #include "net/coding/rotation_vector.hpp"
 
 #include <algorithm>
@@ -113,14 +114,14 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 	_count = int(std::min(count, _loaded));
 	_padded = (_count + 7) / 8 * 8;
 	const double ratio = _samples[_count - 1].pose.scale / _start.scale;
-	const double level = ratio == 1.0 ? 0.0 : std::log2(ratio) * BodyState::SCALE_LEVELS;
+	const double level = ratio == 1.0 ? 0.0 : portable_log2(ratio) * BodyState::SCALE_LEVELS;
 	_scale_change = std::fabs(level) < 1.0 ? 0 : int32_t(std::round(std::clamp(level, -1e6, 1e6)));
 	double scale_error = 0.0;
 	for (size_t k = 0; k < size_t(_count); ++k) {
 		const double u = (_samples[k].time - _begin) / ticks;
 		_u[k] = float(u);
 		_w[k] = float(u * (1.0 - u));
-		const double scale = _start.scale * (_scale_change == 0 ? 1.0 : std::exp2(u * _scale_change / BodyState::SCALE_LEVELS));
+		const double scale = _start.scale * (_scale_change == 0 ? 1.0 : portable_exp2(u * _scale_change / BodyState::SCALE_LEVELS));
 		scale_error = std::max(scale_error, std::fabs(scale - _samples[k].pose.scale));
 	}
 	std::fill(_u + _count, _u + _padded, 0.0f);

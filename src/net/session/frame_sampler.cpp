@@ -1,6 +1,6 @@
 #include "net/session/frame_sampler.hpp"
 
-#include "cga/motor/interpolate.hpp"
+#include "net/motion/motion_sample.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ cga::Pose<double> FrameSampler::at(double time) const {
 	}
 	const Sample &before = _samples[next - 1];
 	const Sample &after = _samples[next];
-	return cga::interpolate(before.pose, after.pose, (time - before.time) / (after.time - before.time), cga::Mode::SEPARATE);
+	return blended(before.pose, after.pose, (time - before.time) / (after.time - before.time));
 }
 
 bool FrameSampler::rests_at(double time) const {

@@ -27,6 +27,12 @@ uint8_t next_link(double now) {
 	return ++last_link;
 }
 
+/// The game does not choose the tick length together with max_latency.
+StreamSettings limited_latency(StreamSettings settings) {
+	settings.max_latency = std::min(settings.max_latency, MAX_LATENCY_TICKS * settings.tick);
+	return settings;
+}
+
 } // namespace
 
 double Session::set_now(double now) {
@@ -87,7 +93,7 @@ void Session::close(double now) {
 
 bool Session::set_settings(StreamSettings settings) {
 	settings.tick = _settings.tick;
-	if (!settings.is_valid()) {
+	if (!limited_latency(settings).is_valid()) {
 		return false;
 	}
 	_settings = settings;
@@ -98,7 +104,7 @@ bool Session::set_settings(StreamSettings settings) {
 }
 
 StreamSettings Session::sender_settings() const {
-	StreamSettings settings = _settings;
+	StreamSettings settings = limited_latency(_settings);
 	const size_t size = std::clamp(std::min(settings.max_packet_size, _size_limit), StreamSettings::MIN_PACKET_SIZE, StreamSettings::MAX_PACKET_SIZE);
 	settings.max_packet_size = size - ENVELOPE_BYTES - ENGINE_HEADER - (_relay ? Section::HEADER : 0);
 	return settings;
@@ -152,7 +158,8 @@ void Session::remove_body(uint32_t body, bool freed) {
 
 void Session::begin_tick(double now, double length) {
 	set_now(now);
-	if (length != _settings.tick && TICK_RANGE.contains(length)) {
+	length = length > 0.0 ? std::clamp(length, TICK_RANGE.min, TICK_RANGE.max) : _settings.tick;
+	if (length != _settings.tick) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
 		_tick = 0;

@@ -52,6 +52,7 @@ public:
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
 	/// includes ENGINE_HEADER bytes, which the engine puts before each packet. Returns false and changes nothing if they are not valid.
+	/// max_latency is limited to MAX_LATENCY_TICKS.
 	bool set_settings(StreamSettings settings);
 	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
 	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
@@ -72,7 +73,7 @@ public:
 	/// Removes a body whose object is freed: peers see it up to its last pose, then Receiver::end reports BodyEnd::FREED.
 	void free_body(uint32_t body) { remove_body(body, true); }
 
-	/// Begins a tick and advances media time by `length` seconds, or by the last length if this one is not in TICK_RANGE.
+	/// Begins a tick and advances media time by `length` seconds, limited to TICK_RANGE. Ignores a length that is not positive.
 	void begin_tick(double now, double length);
 	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }

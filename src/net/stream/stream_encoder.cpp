@@ -1,7 +1,5 @@
 #include "net/stream/stream_encoder.hpp"
 
-#include "cga/motor/interpolate.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +54,7 @@ void StreamEncoder::start_at(double tick) {
 			from = *after;
 		}
 		if (after != body.samples.end()) {
-			(void)body.state.set_pose(cga::interpolate(from.pose, after->pose, std::max(tick - from.time, 0.0) / (after->time - from.time), cga::Mode::SEPARATE), _grid);
+			(void)body.state.set_pose(blended(from.pose, after->pose, std::max(tick - from.time, 0.0) / (after->time - from.time)), _grid);
 		} else if (after != body.samples.begin()) {
 			(void)body.state.set_pose(from.pose, _grid);
 		}
