@@ -23,6 +23,17 @@ struct WindowCheck {
 	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
 }
 
+/// The hash of a body of a stream. The sum of all is that of the stream's state.
+[[nodiscard]] inline uint32_t body_hash(uint32_t id, const BodyState &state) {
+	const uint64_t mixed = (uint64_t(state.hash()) << 32 | id) * 0xff51afd7ed558ccdu;
+	return uint32_t((mixed ^ mixed >> 29) * 0xc4ceb9fe1a85ec53u >> 32);
+}
+
+/// The checksum after a window, from the one before it and the sum of the hashes of all bodies.
+[[nodiscard]] inline uint32_t next_check(uint32_t check, uint32_t sum) {
+	return (check ^ sum) * 0x01000193u;
+}
+
 /// An event of a body in a window, besides its motion.
 enum class WindowEvent : uint8_t {
 	ADDED,
