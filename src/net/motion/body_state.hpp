@@ -53,7 +53,6 @@ struct MotionModels {
 	AdaptiveBit rest_correction{ 50000 };
 	AdaptiveBit same_length{ 10000 };
 	AdaptiveBit has_events{ 60000 };
-	AdaptiveBit moving_block[2] = { AdaptiveBit(64000), AdaptiveBit(50000) }; // a block of bodies at rest contains motion
 
 	template <class Visit>
 	void visit(Visit &&visit) {
@@ -74,9 +73,6 @@ struct MotionModels {
 		visit(rest_correction);
 		visit(same_length);
 		visit(has_events);
-		for (AdaptiveBit &bit : moving_block) {
-			visit(bit);
-		}
 	}
 };
 

@@ -18,7 +18,10 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	const uint32_t check = coder.read_bits(32);
 	MotionModels models;
 	code_models(coder, models);
-	const uint32_t count = coder.read_bits(INDEX_BITS);
+	BodyBlocks blocks;
+	uint32_t count = 0;
+	AdaptiveBit block_model = blocks.model();
+	code_body_count(coder, count, block_model);
 	_work = SNAPSHOT_WORK + size / BYTES_PER_WORK;
 	// A short snapshot cannot make the decoder allocate many bodies.
 	if (ticks > MAX_TICKS || count > size / MIN_BODY_BYTES) {
@@ -29,9 +32,9 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 		return PacketError::TOO_MANY_BODIES;
 	}
 	std::vector<Body> bodies;
-	BodyBlocks blocks;
 	bodies.reserve(count);
 	blocks.resize(count);
+	blocks.set_model(block_model);
 	uint32_t hash_sum = 0;
 	for (uint32_t i = 0; i < count; ++i) {
 		Body body{ coder.read_bits(31) };
@@ -42,9 +45,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 		}
 		body.hash = body_hash(body.id, body.state);
 		hash_sum += body.hash;
-		if (body.state.active) {
-			blocks.add_active(i);
-		}
+		blocks.change_active(i, false, body.state.active);
 		bodies.push_back(body);
 	}
 	_models = models;
@@ -62,7 +63,9 @@ void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	coder.bits(uint32_t(_last_ticks), 7);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
-	coder.bits(uint32_t(_bodies.size()), INDEX_BITS);
+	auto count = uint32_t(_bodies.size());
+	AdaptiveBit block_model = _blocks.model();
+	code_body_count(coder, count, block_model);
 	for (Body &body : _bodies) {
 		coder.bits(body.id, 31);
 		body.state.visit(state_coder);
@@ -75,6 +78,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	_events.clear();
 	_saved.clear();
 	_saved_models = _models;
+	_saved_block_model = _blocks.model();
 	_work = WINDOW_WORK + size / BYTES_PER_WORK;
 	const size_t count = _bodies.size();
 	RangeDecoder coder(bytes, size);
@@ -100,12 +104,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 void StreamDecoder::undo(size_t body_count) {
 	_models = _saved_models;
 	for (auto saved = _saved.rbegin(); saved != _saved.rend(); ++saved) {
-		const bool is_active = _bodies[saved->index].state.active;
-		if (is_active && !saved->body.state.active) {
-			_blocks.remove_active(saved->index);
-		} else if (!is_active && saved->body.state.active) {
-			_blocks.add_active(saved->index);
-		}
+		_blocks.change_active(saved->index, _bodies[saved->index].state.active, saved->body.state.active);
 		_bodies[saved->index] = saved->body;
 	}
 	for (const BodyEvents &events : _events) {
@@ -113,6 +112,7 @@ void StreamDecoder::undo(size_t body_count) {
 	}
 	_bodies.resize(body_count);
 	_blocks.resize(body_count);
+	_blocks.set_model(_saved_block_model);
 }
 
 /// The last body takes the place of each removed one, from the end of the list on.
@@ -123,18 +123,11 @@ void StreamDecoder::remove_bodies() {
 	_events.erase(std::remove_if(_events.begin(), _events.end(), [](const BodyEvents &events) { return events.removal_tick == NEVER; }), _events.end());
 	std::sort(_events.begin(), _events.end(), [](const BodyEvents &a, const BodyEvents &b) { return a.index > b.index; });
 	for (const BodyEvents &events : _events) {
-		Body &body = _bodies[events.index];
-		_hash_sum -= body.hash;
-		if (body.state.active) {
-			_blocks.remove_active(events.index);
-		}
-		if (events.index + 1 < _bodies.size()) {
-			if (_bodies.back().state.active) {
-				_blocks.remove_active(_bodies.size() - 1);
-				_blocks.add_active(events.index);
-			}
-			body = _bodies.back();
-		}
+		const size_t last = _bodies.size() - 1;
+		_hash_sum -= _bodies[events.index].hash;
+		_blocks.change_active(events.index, _bodies[events.index].state.active, _bodies[last].state.active);
+		_blocks.change_active(last, _bodies[last].state.active, false);
+		_bodies[events.index] = _bodies[last];
 		_bodies.pop_back();
 	}
 	_blocks.resize(_bodies.size());
@@ -209,12 +202,14 @@ bool StreamDecoder::decode_bodies(RangeDecoder &coder, double begin, int ticks, 
 	for (const BodyEvents &events : _events) {
 		_has_events[BodyBlocks::block_of(events.index)] = true;
 	}
-	bool was_coded = false;
 	_previous_active = false;
 	for (size_t from = 0; from < count; from += BodyBlocks::SIZE) {
 		const size_t block = BodyBlocks::block_of(from);
-		was_coded = code_block(coder, _models, count <= BodyBlocks::SIZE || _blocks.is_active(block) || _has_events[block], was_coded, false);
-		if (!was_coded) {
+		bool is_coded = !_blocks.has_flags() || _blocks.is_active(block) || _has_events[block];
+		if (!is_coded) {
+			_blocks.code_flag(coder, is_coded);
+		}
+		if (!is_coded) {
 			_previous_active = false;
 			continue;
 		}
@@ -225,11 +220,7 @@ bool StreamDecoder::decode_bodies(RangeDecoder &coder, double begin, int ticks, 
 			const bool was_active = body.state.active;
 			_saved.push_back({ i, body });
 			const bool is_valid = decode_motion(coder, body, begin, ticks, mode, motions);
-			if (body.state.active && !was_active) {
-				_blocks.add_active(i);
-			} else if (was_active && !body.state.active) {
-				_blocks.remove_active(i);
-			}
+			_blocks.change_active(i, was_active, body.state.active);
 			if (!is_valid) {
 				return false;
 			}

@@ -33,6 +33,7 @@ public:
 	/// Eight-bit checksum of the state after the last window.
 	[[nodiscard]] uint8_t check() const { return check_bits(_check); }
 
+	void set_max_bodies(size_t max_bodies) { _max_bodies = max_bodies; }
 	/// The bodies at the end of the last window.
 	[[nodiscard]] size_t body_count() const { return _bodies.size(); }
 	[[nodiscard]] uint32_t id(size_t index) const { return _bodies[index].id; }
@@ -94,6 +95,7 @@ private:
 	std::vector<bool> _has_events; // by block
 	std::vector<Saved> _saved;
 	MotionModels _saved_models;
+	AdaptiveBit _saved_block_model;
 };
 
 } // namespace net

@@ -74,16 +74,10 @@ void StreamEncoder::move_body(size_t from, size_t to) {
 
 void StreamEncoder::erase(size_t index) {
 	if (index < _known) {
-		const Body &body = _bodies[index];
-		_hash_sum -= body.hash;
-		if (body.state.active) {
-			_blocks.remove_active(index);
-		}
-		--_known;
-		if (_bodies[_known].state.active && index != _known) {
-			_blocks.remove_active(_known);
-			_blocks.add_active(index);
-		}
+		_hash_sum -= _bodies[index].hash;
+		const bool is_last_active = _bodies[--_known].state.active;
+		_blocks.change_active(index, _bodies[index].state.active, is_last_active);
+		_blocks.change_active(_known, is_last_active, false);
 		move_body(_known, index);
 		index = _known;
 		_blocks.resize(_known);
@@ -288,15 +282,17 @@ void StreamEncoder::encode_events(RangeEncoder &coder, size_t first_added, doubl
 
 void StreamEncoder::encode_bodies(RangeEncoder &coder, double begin, int ticks) {
 	const double end = begin + ticks + SAME_TIME;
-	bool was_coded = false;
 	_previous_active = false;
 	_moving = 0;
 	for (size_t from = 0; from < _known; from += BodyBlocks::SIZE) {
 		const size_t to = std::min(from + BodyBlocks::SIZE, _known);
 		const auto any = [this, from, to](const auto &condition) { return std::any_of(_bodies.begin() + ptrdiff_t(from), _bodies.begin() + ptrdiff_t(to), condition); };
-		const bool is_coded = _known <= BodyBlocks::SIZE || _blocks.is_active(BodyBlocks::block_of(from)) || any([end](const Body &body) { return body.has_event_by(end); });
-		was_coded = code_block(coder, _models, is_coded, was_coded, !is_coded && any([this, end](const Body &body) { return must_encode(body, end); }));
-		if (!was_coded) {
+		bool is_coded = !_blocks.has_flags() || _blocks.is_active(BodyBlocks::block_of(from)) || any([end](const Body &body) { return body.has_event_by(end); });
+		if (!is_coded) {
+			is_coded = any([this, end](const Body &body) { return must_encode(body, end); });
+			_blocks.code_flag(coder, is_coded);
+		}
+		if (!is_coded) {
 			std::for_each(_bodies.begin() + ptrdiff_t(from), _bodies.begin() + ptrdiff_t(to), [&](Body &body) { skip_motion(body, begin, ticks); });
 			_previous_active = false;
 			continue;
@@ -305,11 +301,7 @@ void StreamEncoder::encode_bodies(RangeEncoder &coder, double begin, int ticks) 
 			Body &body = _bodies[i];
 			const bool was_active = body.state.active;
 			encode_motion(coder, body, begin, ticks);
-			if (body.state.active && !was_active) {
-				_blocks.add_active(i);
-			} else if (was_active && !body.state.active) {
-				_blocks.remove_active(i);
-			}
+			_blocks.change_active(i, was_active, body.state.active);
 			_moving += body.state.active ? 1 : 0;
 			_hash_sum -= body.hash;
 			body.hash = body_hash(body.id, body.state);
@@ -389,7 +381,9 @@ void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	coder.bits(uint32_t(_last_ticks), 7);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
-	coder.bits(uint32_t(_known), INDEX_BITS);
+	auto count = uint32_t(_known);
+	AdaptiveBit block_model = _blocks.model();
+	code_body_count(coder, count, block_model);
 	for (size_t i = 0; i < _known; ++i) {
 		coder.bits(_bodies[i].id, 31);
 		_bodies[i].state.visit(state_coder);

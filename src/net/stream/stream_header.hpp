@@ -3,6 +3,7 @@
 #include "net/coding/bit_stream.hpp"
 #include "net/coding/body_id.hpp"
 #include "net/motion/body_state.hpp"
+#include "net/stream/body_blocks.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -86,6 +87,17 @@ void code_models(Coder &coder, MotionModels &models) {
 			bit.set_state(state);
 		}
 	});
+}
+
+/// Codes the number of bodies in a snapshot and the model of their blocks.
+template <class Coder>
+void code_body_count(Coder &coder, uint32_t &count, AdaptiveBit &block_model) {
+	coder.bits(count, INDEX_BITS);
+	if (count > BodyBlocks::SIZE) {
+		uint32_t state = block_model.state();
+		coder.bits(state, 32);
+		block_model.set_state(state);
+	}
 }
 
 } // namespace net

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+
+namespace net {
+
+/// A token bucket: real time refills it at `rate` per second up to `capacity`. What is spent may exceed what is left; nothing more
+/// should be done until time has made up for it.
+class WorkBudget {
+public:
+	WorkBudget(double rate, double capacity) :
+			_rate(rate), _capacity(capacity), _left(capacity) {}
+
+	void set_rate(double rate, double capacity) {
+		_rate = rate;
+		_capacity = capacity;
+	}
+	/// If `now` is before the last call, another clock begins.
+	void refill(double now) {
+		_left = std::min(_left + std::max(now - _time, 0.0) * _rate, _capacity);
+		_time = now;
+	}
+	void spend(double amount) { _left -= amount; }
+	[[nodiscard]] bool is_spent() const { return _left <= 0.0; }
+
+private:
+	double _rate;
+	double _capacity;
+	double _left;
+	double _time = 0.0;
+};
+
+} // namespace net
