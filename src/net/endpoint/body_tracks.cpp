@@ -9,7 +9,7 @@ namespace {
 
 /// Maximum number of ends of lives that are kept.
 constexpr size_t MAX_ENDS = 32768;
-/// Fraction of their memory after which ends are checked again.
+/// Fraction of the time for which ends are known after which old ones are dropped again.
 constexpr double END_CHECK_INTERVAL = 0.125;
 
 uint64_t next_life() {
@@ -117,7 +117,8 @@ void BodyTracks::restart(double tick) {
 	_ends_checked = tick;
 }
 
-void BodyTracks::advance(double tick, double memory) {
+void BodyTracks::advance(double tick, double end_memory) {
+	_end_memory = end_memory;
 	size_t kept = 0;
 	for (Tracks::value_type *entry : _busy) {
 		MotionTrack &track = entry->second.motions;
@@ -133,10 +134,10 @@ void BodyTracks::advance(double tick, double memory) {
 		}
 	}
 	_busy.resize(kept);
-	if (tick - _ends_checked > END_CHECK_INTERVAL * memory) {
+	if (tick - _ends_checked > END_CHECK_INTERVAL * end_memory) {
 		_ends_checked = tick;
 		for (auto end = _ends.begin(); end != _ends.end();) {
-			end = tick - end->second.tick > memory ? _ends.erase(end) : std::next(end);
+			end = tick - end->second.tick > end_memory ? _ends.erase(end) : std::next(end);
 		}
 	}
 }
@@ -148,7 +149,8 @@ const MotionTrack *BodyTracks::find(uint32_t id) const {
 
 BodyEnd BodyTracks::end(uint32_t id, uint64_t life, double tick) const {
 	const auto found = _ends.find(life);
-	return found != _ends.end() && found->second.id == id && found->second.tick <= tick ? found->second.kind : BodyEnd::NONE;
+	const bool is_recent = found != _ends.end() && found->second.id == id && found->second.tick <= tick && tick - found->second.tick <= _end_memory;
+	return is_recent ? found->second.kind : BodyEnd::NONE;
 }
 
 std::optional<cga::Pose<double>> BodyTracks::last_pose(uint32_t id, uint64_t life) const {

@@ -46,12 +46,13 @@ public:
 	void show_snapshot(const StreamDecoder &decoder, double tick, bool continues);
 	/// Drops all motion: playback continues at `tick` of another time line.
 	void restart(double tick);
-	/// Playback has reached `tick`: drops the bodies that have ended and, `memory` ticks after them, their ends.
-	void advance(double tick, double memory);
+	/// Playback has reached `tick`: drops the bodies that have ended and, some time later, their ends. Ends are known for `end_memory`
+	/// ticks.
+	void advance(double tick, double end_memory);
 
 	/// The track of a body; null if it is not known.
 	[[nodiscard]] const MotionTrack *find(uint32_t id) const;
-	/// How a life ended, if it did until `tick`.
+	/// How a life ended, if it did before `tick` and not longer ago than the last `end_memory`.
 	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life, double tick) const;
 	/// The last pose of a life that ends.
 	[[nodiscard]] std::optional<cga::Pose<double>> last_pose(uint32_t id, uint64_t life) const;
@@ -100,7 +101,8 @@ private:
 	std::vector<Tracks::value_type *> _busy; // those that time changes
 	uint32_t _snapshot = 0; // number of snapshots
 	std::map<uint64_t, Ending> _ends; // by life: recent ones and those that playback has not reached
-	double _ends_checked = 0.0;
+	double _end_memory = 0.0;
+	double _ends_checked = 0.0; // when ends were last dropped
 	std::vector<BodyEvent> _events;
 };
 

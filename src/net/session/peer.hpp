@@ -46,7 +46,7 @@ struct Peer {
 	uint8_t link = 0; ///< of the stream that we request
 	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
-	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(0.0, 0.0); ///< of all its streams
+	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::MIN_WORK * ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };
 	bool is_refused = false; ///< the last stream was refused
 	size_t refused_size = 0; ///< number of its bodies

@@ -95,8 +95,12 @@ void code_body_count(Coder &coder, uint32_t &count, AdaptiveBit &block_model) {
 	coder.bits(count, INDEX_BITS);
 	if (count > BodyBlocks::SIZE) {
 		uint32_t state = block_model.state();
-		coder.bits(state, 32);
-		block_model.set_state(state);
+		uint32_t is_changed = state != BodyBlocks().model().state() ? 1 : 0;
+		coder.bits(is_changed, 1);
+		if (is_changed != 0) {
+			coder.bits(state, 32);
+			block_model.set_state(state);
+		}
 	}
 }
 
