@@ -73,6 +73,9 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 		_snapshot_ack_due = true;
 		take_fragment(fragment, now);
 	}
+	if (_budget.is_exceeded()) {
+		return refuse(now);
+	}
 	return decode(now);
 }
 
@@ -168,9 +171,10 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 }
 
 PacketResult Receiver::finish_snapshot(double now) {
-	_fragments.finish(_window);
-	_budget.spend_work(SNAPSHOT_WORK + _window.size() / BYTES_PER_WORK);
-	const auto next = read_snapshot_header(_window.data(), _window.size());
+	std::vector<uint8_t> bytes;
+	_fragments.finish(bytes);
+	_budget.spend_work(SNAPSHOT_WORK + bytes.size() / BYTES_PER_WORK);
+	const auto next = read_snapshot_header(bytes.data(), bytes.size());
 	if (!next) {
 		return next.error();
 	}
@@ -179,7 +183,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 		return {};
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
-	const PacketResult result = decoder.read_snapshot(_window.data() + next->bytes(), _window.size() - next->bytes());
+	const PacketResult result = decoder.read_snapshot(bytes.data() + next->bytes(), bytes.size() - next->bytes());
 	_budget.spend_work(decoder.work());
 	if (!result) {
 		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;

@@ -40,11 +40,9 @@ void ReceiverBudget::spend_work(size_t work) {
 }
 
 bool ReceiverBudget::begin_snapshot() {
-	if (_snapshots.is_spent()) {
-		return false;
-	}
+	const bool is_allowed = !_snapshots.is_spent();
 	_snapshots.spend(1.0);
-	return true;
+	return is_allowed;
 }
 
 void ReceiverBudget::note_waiting(bool is_waiting, double now) {
@@ -64,6 +62,9 @@ void ReceiverBudget::refuse(double now) {
 	_is_refused = true;
 	_is_waiting = false;
 	_waited = 0.0;
+	for (WorkBudget *budget : { &_items, &_snapshots, &_work }) {
+		budget->forgive();
+	}
 }
 
 } // namespace net

@@ -36,13 +36,13 @@ public:
 	void refill(double now, size_t bodies);
 	void spend_items(size_t count) { _items.spend(double(count)); }
 	void spend_work(size_t work);
-	/// False if too many snapshots have begun.
+	/// Counts a snapshot that begins. Returns false if it must be ignored, as too many have begun.
 	[[nodiscard]] bool begin_snapshot();
 	[[nodiscard]] bool must_wait() const { return _work.is_spent() || (_shared != nullptr && _shared->is_spent()); }
 	/// Records whether something waits to be decoded since the last call.
 	void note_waiting(bool is_waiting, double now);
 	[[nodiscard]] bool is_waiting() const { return _is_waiting; }
-	[[nodiscard]] bool is_exceeded() const { return _items.is_spent() || _waited > MAX_WAIT; }
+	[[nodiscard]] bool is_exceeded() const { return _items.is_spent() || _snapshots.is_overdrawn(MAX_IGNORED_SNAPSHOTS) || _waited > MAX_WAIT; }
 
 	/// Refuses the stream for a pause from `now` on.
 	void refuse(double now);
@@ -51,8 +51,10 @@ public:
 	[[nodiscard]] double total_work() const { return _total; }
 
 private:
+	static constexpr double MAX_IGNORED_SNAPSHOTS = 64.0;
+
 	WorkBudget _items{ 32768.0, 131072.0 };
-	WorkBudget _snapshots{ 4.0, 8.0 };
+	WorkBudget _snapshots{ 8.0, 16.0 };
 	WorkBudget _work{ MIN_WORK, MIN_WORK * BURST };
 	std::shared_ptr<WorkBudget> _shared;
 	double _total = 0.0;

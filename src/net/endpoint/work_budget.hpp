@@ -22,6 +22,10 @@ public:
 	}
 	void spend(double amount) { _left -= amount; }
 	[[nodiscard]] bool is_spent() const { return _left <= 0.0; }
+	/// True if more than `amount` has been spent beyond what was left.
+	[[nodiscard]] bool is_overdrawn(double amount) const { return _left < -amount; }
+	/// Forgets what was spent beyond what was left.
+	void forgive() { _left = std::max(_left, 0.0); }
 
 private:
 	double _rate;

@@ -75,7 +75,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 }
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link) {
+	if (peer.link != link || !peer.is_open_sent) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {

@@ -75,7 +75,9 @@ TEST_CASE("hostile stream: whole snapshots of new bodies, one tick apart, cost b
 		CHECK(max_bytes - before < 3000 * COUNT + 2000000); // including the stream's own
 		const double snapshot_work = SNAPSHOT_WORK + COUNT * (NEW_BODY_WORK + 40.0);
 		CHECK(victim.receiver.budget().total_work() <= allowed_work(COUNT, 5.0) + snapshot_work);
-		CHECK(victim.receiver.snapshot_count() <= 8 + 4 * 5 + 1);
+		CHECK(victim.receiver.snapshot_count() <= 16 + 8 * 5);
+		CHECK(victim.refusals >= 1);
+		CHECK(victim.refusals <= 5); // with growing pauses
 		CHECK(victim.receiver.is_ready());
 	}
 }
@@ -90,9 +92,10 @@ TEST_CASE("hostile stream: snapshots that alternate between two lists of bodies"
 		stream.replace_bodies(COUNT);
 		stream.tick += 1.0;
 		victim.take(stream.snapshot());
-		victim.now += 0.05;
+		victim.now += 0.15;
 		victim.check_memory();
 	}
+	CHECK(victim.receiver.snapshot_count() == 200); // slow enough to be decoded
 	CHECK(victim.receiver.tracks().count() <= 2 * COUNT);
 	victim.receiver.advance(victim.now + 1.0);
 	victim.receiver.take_events(events);
@@ -147,6 +150,7 @@ TEST_CASE("hostile stream: a snapshot that is begun anew with each fragment") {
 	const uint8_t bytes[10] = {};
 	uint8_t number = 0;
 	uint64_t allocations = 0;
+	int rejected = 0;
 	for (int i = 0; i < 300; ++i) {
 		Bytes packet;
 		for (int k = 0; k < 50; ++k) {
@@ -154,23 +158,13 @@ TEST_CASE("hostile stream: a snapshot that is begun anew with each fragment") {
 		}
 		victim.now += 0.0001;
 		const uint64_t before = harness::allocation_count();
-		CHECK(victim.receiver.accept(packet.data(), packet.size(), victim.now));
+		rejected += victim.receiver.accept(packet.data(), packet.size(), victim.now) ? 0 : 1;
 		allocations += harness::allocation_count() - before;
 	}
-	CHECK(allocations < 40); // those of a few snapshots
-	CHECK(victim.receiver.budget().total_work() < 1.0);
-	// More of it than any sender sends.
-	CHECK(victim.refusals == 0);
-	for (int i = 0; i < 3000; ++i) {
-		Bytes packet;
-		for (int k = 0; k < 50; ++k) {
-			put_fragment(packet, { ++number, 0, uint16_t(k % 7), 9, bytes, sizeof(bytes) });
-		}
-		victim.now += 0.0001;
-		victim.take({ packet });
-	}
-	CHECK(victim.refusals == 1);
+	CHECK(allocations < 80); // those of a few snapshots
+	CHECK(rejected == 1);
 	CHECK(victim.receiver.is_refused());
+	CHECK(victim.receiver.budget().total_work() < 1.0);
 }
 
 TEST_CASE("hostile stream: many segments of all bodies, which playback does not show") {
