@@ -28,6 +28,9 @@ constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
 /// Bytes of a usual body in a snapshot.
 constexpr size_t USUAL_BODY_BYTES = 32;
+/// Numbers of items in a packet and of bytes in a window of few bodies that are usual.
+constexpr size_t USUAL_ITEMS = 1024;
+constexpr size_t USUAL_WINDOW_BYTES = 32768;
 /// Known motion may be so many seconds further ahead of playback than its maximum delay.
 constexpr double MAX_AHEAD = 10.0;
 
@@ -39,6 +42,7 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 		++_statistics.packets_rejected;
 		return {}; // `refuse` has reported it
 	}
+	free_unusual_memory();
 	PacketResult result = read_packet(packet, size, _content);
 	_budget.spend_items(1 + _content.chunks.size() + _content.fragments.size() + _content.acks.size() + _content.snapshot_acks.size());
 	if (_budget.is_exceeded()) {
@@ -95,6 +99,19 @@ PacketResult Receiver::decode(double now) {
 		_progress_time = now;
 	}
 	return {};
+}
+
+/// Frees what an unusual packet or window has made buffers allocate.
+void Receiver::free_unusual_memory() {
+	if (std::max(_content.chunks.capacity(), std::max(_content.acks.capacity(), _content.fragments.capacity())) > USUAL_ITEMS) {
+		_content = PacketContent();
+	}
+	if (_motions.capacity() > USUAL_ITEMS + 4 * body_count()) {
+		_motions = {};
+	}
+	if (_window.capacity() > USUAL_WINDOW_BYTES + 64 * body_count()) {
+		_window = {};
+	}
 }
 
 PacketResult Receiver::refuse(double now) {

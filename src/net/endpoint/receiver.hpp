@@ -40,11 +40,11 @@ struct ShownBody {
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
 /// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock.
 ///
-/// No sender is trusted. The memory is at most that of the packets of the receive window (ChunkBuffer), 96 bytes of snapshot fragments
-/// for each of max_bodies, and, on 64-bit machines, for each of max_bodies 0.2 kB to decode, 2 tracks of 0.1 kB and 12 segments of
-/// 0.2 kB: 3 kB a body, 200 MB for 65,536 bodies, 40 MB if they rest. The work is bounded by budgets that real time refills, so that
-/// many bodies can be decoded as often as any scene needs. Windows and snapshots wait for the budget; a stream that has waited
-/// for ReceiverBudget::MAX_WAIT seconds is refused, see is_refused().
+/// No sender is trusted. Memory, on 64-bit machines: the packets of the receive window (ChunkBuffer), and for each of max_bodies bodies
+/// at most 1.2 kB to decode them, 2 tracks of 0.1 kB and 12 segments of 0.2 kB (see BodyTracks), and 0.1 kB for a snapshot that is
+/// arriving. That is 4 kB a body, 270 MB for 65,536 bodies, of which bodies at rest take 35 MB. While a window is decoded, its
+/// segments take up to 13 MB, and 3.3 kB for each body, at most 120 MB. Work is bounded by budgets that real time refills
+/// (ReceiverBudget): windows and snapshots wait for them, and a stream that has waited for ReceiverBudget::MAX_WAIT seconds is refused.
 class Receiver {
 public:
 	/// Rejects streams with more than `max_bodies` bodies. `budget` limits the work of all receivers that share it.
@@ -139,6 +139,7 @@ public:
 private:
 	/// `is_copy`: a newer window arrived in the same packet.
 	void count_loss(uint8_t number, bool is_copy, double now);
+	void free_unusual_memory();
 	/// Refuses a stream that exceeds the budget.
 	PacketResult refuse(double now);
 	/// Decodes what has arrived, as far as the budget allows.

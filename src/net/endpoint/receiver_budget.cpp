@@ -18,8 +18,7 @@ double ReceiverBudget::work_rate(size_t bodies) {
 }
 
 void ReceiverBudget::refill(double now, size_t bodies) {
-	const double rate = work_rate(bodies);
-	_work.set_rate(rate, rate * BURST);
+	_work.set_rate(work_rate(bodies));
 	_work.refill(now);
 	_items.refill(now);
 	_snapshots.refill(now);

@@ -53,9 +53,9 @@ public:
 private:
 	static constexpr double MAX_IGNORED_SNAPSHOTS = 64.0;
 
-	WorkBudget _items{ 32768.0, 131072.0 };
-	WorkBudget _snapshots{ 8.0, 16.0 };
-	WorkBudget _work{ MIN_WORK, MIN_WORK * BURST };
+	WorkBudget _items{ 32768.0, 4.0 };
+	WorkBudget _snapshots{ 8.0, 2.0 };
+	WorkBudget _work{ MIN_WORK, BURST };
 	std::shared_ptr<WorkBudget> _shared;
 	double _total = 0.0;
 	bool _is_waiting = false;

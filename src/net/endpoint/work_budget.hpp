@@ -4,20 +4,17 @@
 
 namespace net {
 
-/// A token bucket: real time refills it at `rate` per second up to `capacity`. What is spent may exceed what is left; nothing more
-/// should be done until time has made up for it.
+/// A token bucket: real time refills it at `rate` per second, up to the amount of `burst` seconds. What is spent may exceed what is
+/// left; nothing more should be done until time has made up for it.
 class WorkBudget {
 public:
-	WorkBudget(double rate, double capacity) :
-			_rate(rate), _capacity(capacity), _left(capacity) {}
+	WorkBudget(double rate, double burst) :
+			_rate(rate), _burst(burst), _left(rate * burst) {}
 
-	void set_rate(double rate, double capacity) {
-		_rate = rate;
-		_capacity = capacity;
-	}
+	void set_rate(double rate) { _rate = rate; }
 	/// If `now` is before the last call, another clock begins.
 	void refill(double now) {
-		_left = std::min(_left + std::max(now - _time, 0.0) * _rate, _capacity);
+		_left = std::min(_left + std::max(now - _time, 0.0) * _rate, _rate * _burst);
 		_time = now;
 	}
 	void spend(double amount) { _left -= amount; }
@@ -29,7 +26,7 @@ public:
 
 private:
 	double _rate;
-	double _capacity;
+	double _burst;
 	double _left;
 	double _time = 0.0;
 };

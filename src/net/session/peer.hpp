@@ -46,7 +46,7 @@ struct Peer {
 	uint8_t link = 0; ///< of the stream that we request
 	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
-	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::MIN_WORK * ReceiverBudget::BURST); ///< of all its streams
+	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };
 	bool is_refused = false; ///< the last stream was refused
 	size_t refused_size = 0; ///< number of its bodies
@@ -55,10 +55,7 @@ struct Peer {
 	uint64_t unauthorized_bodies = 0;
 
 	/// Limits the work of decoding the peer's streams to that of `bodies` bodies.
-	void limit_work(size_t bodies) {
-		const double rate = ReceiverBudget::work_rate(bodies);
-		work->set_rate(rate, rate * ReceiverBudget::BURST);
-	}
+	void limit_work(size_t bodies) { work->set_rate(ReceiverBudget::work_rate(bodies)); }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 

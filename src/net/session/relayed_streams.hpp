@@ -90,7 +90,7 @@ private:
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
 	size_t _held_bodies = 0; // over all streams, see Receiver::held_bodies()
-	std::shared_ptr<WorkBudget> _work = std::make_shared<WorkBudget>(ReceiverBudget::MAX_WORK, ReceiverBudget::MAX_WORK * ReceiverBudget::BURST); // of all streams
+	std::shared_ptr<WorkBudget> _work = std::make_shared<WorkBudget>(ReceiverBudget::MAX_WORK, ReceiverBudget::BURST); // of all streams
 	uint64_t _late = 0;
 	std::vector<Section> _sections;
 	std::vector<uint8_t> _bytes;

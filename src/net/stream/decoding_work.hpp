@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 // Work of decoding, in units of about 16 ns.
@@ -19,9 +20,10 @@ inline constexpr size_t SNAPSHOT_WORK = 1024;
 /// Number of bytes that cost a unit.
 inline constexpr size_t BYTES_PER_WORK = 16;
 
-/// The maximum work of a window that adds to `bodies`: several times that of any scene.
+/// The maximum work of a window after which there are `bodies` bodies: several times that of any scene. It bounds the memory for
+/// its segments, too.
 [[nodiscard]] inline size_t max_window_work(size_t bodies) {
-	return (size_t(1) << 20) + 256 * bodies;
+	return (size_t(1) << 20) + std::min(256 * bodies, size_t(1) << 23);
 }
 
 } // namespace net

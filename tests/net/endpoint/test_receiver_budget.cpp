@@ -8,7 +8,7 @@ using namespace net;
 using namespace net_test;
 
 TEST_CASE("work budget: time refills it up to its capacity, also after it was overdrawn") {
-	WorkBudget budget(10.0, 30.0);
+	WorkBudget budget(10.0, 3.0);
 	budget.refill(100.0);
 	CHECK_FALSE(budget.is_spent());
 	budget.spend(50.0);
