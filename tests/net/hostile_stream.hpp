@@ -37,7 +37,7 @@ public:
 	std::vector<Bytes> snapshot() {
 		net::SnapshotHeader header;
 		header.settings = settings;
-		header.tick = uint32_t(tick);
+		header.tick = uint64_t(tick);
 		header.window = 0.1f;
 		net::Snapshot snapshot;
 		net::put_snapshot_header(snapshot.bytes, header);
@@ -67,6 +67,7 @@ public:
 			}
 			net::ChunkItem chunk;
 			chunk.number = _next_chunk++;
+			chunk.is_wide = true;
 			chunk.first = at == 0;
 			chunk.last = is_last;
 			chunk.check = is_last ? _encoder->check() : 0;

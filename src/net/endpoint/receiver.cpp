@@ -1,7 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace net {
 
@@ -31,12 +31,14 @@ constexpr size_t USUAL_BODY_BYTES = 32;
 /// Numbers of items in a packet and of bytes in a window of few bodies that are usual.
 constexpr size_t USUAL_ITEMS = 1024;
 constexpr size_t USUAL_WINDOW_BYTES = 32768;
+constexpr double MAX_TICK = double(uint64_t(1) << (8 * SnapshotHeader::TICK_BYTES));
 /// Known motion may be so many seconds further ahead of playback than its maximum delay.
 constexpr double MAX_AHEAD = 10.0;
 
 } // namespace
 
 PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	now = _local_clock.advance(now);
 	_budget.refill(now, body_count());
 	if (_budget.is_refused()) {
 		++_statistics.packets_rejected;
@@ -139,14 +141,14 @@ size_t Receiver::held_bodies() const {
 	return body_count() + _fragments.size() / USUAL_BODY_BYTES;
 }
 
-void Receiver::count_loss(uint8_t number, bool is_copy, double now) {
+void Receiver::count_loss(uint16_t number, bool is_copy, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
-	const bool is_late = is_copy || int8_t(number - _newest_chunk) < 0;
+	const bool is_late = is_copy || int16_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
 	if (is_late && (is_copy || now - _newest_chunk_time > MAX_REORDERING)) {
 		_clock.observe_loss(_statistics.loss, now);
 	}
-	if (int8_t(number - _newest_chunk) >= 0) {
+	if (int16_t(number - _newest_chunk) >= 0) {
 		_newest_chunk = number;
 		_newest_chunk_time = now;
 	}
@@ -181,6 +183,7 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 		}
 		_snapshot_done = false;
 		_fragments.start(fragment);
+		_chunks.expect(fragment.next_chunk);
 	}
 	if (_fragments.add(fragment)) {
 		_progress_time = _fragment_time = now;
@@ -223,8 +226,8 @@ PacketResult Receiver::finish_snapshot(double now) {
 	set_limits();
 	_clock.observe(known_time(), known_time(), now);
 	_chunks.restart(_fragments.next_chunk());
-	if (!continues || int8_t(_newest_chunk - _fragments.next_chunk()) < 0) {
-		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
+	if (!continues || int16_t(_newest_chunk - _fragments.next_chunk()) < 0) {
+		_newest_chunk = uint16_t(_fragments.next_chunk() - 1);
 	}
 	_bodies.show_snapshot(*_decoder, _window_end, continues);
 	return {};
@@ -250,13 +253,13 @@ bool Receiver::decode_windows(double now) {
 		}
 		const auto ticks = _decoder->decode_window(_window.data(), _window.size(), *check, _window_end, _header.settings.mode, _motions);
 		_budget.spend_work(_decoder->work());
-		// A snapshot contains the tick as a 32-bit number.
-		if (!ticks || _window_end > double(std::numeric_limits<uint32_t>::max() - MAX_TICKS)) {
+		// A snapshot could not name a later tick.
+		if (!ticks || _window_end > MAX_TICK - MAX_TICKS) {
 			_broken = true;
 			break;
 		}
 		if (_record) {
-			_record->push_window(_window, _decoder->check(), _record_size);
+			_record->push_window(_window, _decoder->check(), *ticks * tick(), _record_size, _record_needed);
 		}
 		_progress_time = now;
 		const double begin = _window_end;
@@ -282,7 +285,7 @@ bool Receiver::decode_windows(double now) {
 
 void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
 	SnapshotHeader header = _header;
-	header.tick = uint32_t(_window_end);
+	header.tick = uint64_t(_window_end);
 	put_snapshot_header(bytes, header);
 	_decoder->encode_snapshot(bytes);
 }
@@ -307,6 +310,7 @@ bool Receiver::needs_snapshot(double now) const {
 }
 
 void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
+	now = _local_clock.advance(now);
 	packet.clear();
 	if (needs_snapshot(now) && now - _request_time > REQUEST_INTERVAL) {
 		_request_time = now;
@@ -325,6 +329,7 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 }
 
 void Receiver::advance(double now) {
+	now = _local_clock.advance(now);
 	if (!is_ready()) {
 		return;
 	}
@@ -340,7 +345,7 @@ void Receiver::advance(double now) {
 
 std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
 	const MotionTrack *track = _bodies.find(id);
-	return track != nullptr ? track->pose_at(media_time / tick()) : std::nullopt;
+	return track != nullptr && !std::isnan(media_time) ? track->pose_at(media_time / tick()) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::shown(uint32_t id) const {

@@ -7,6 +7,7 @@
 #include "net/endpoint/body_tracks.hpp"
 #include "net/endpoint/receiver_budget.hpp"
 #include "net/stream/snapshot_header.hpp"
+#include "net/stream/steady_clock.hpp"
 #include "net/stream/stream_decoder.hpp"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ struct ShownBody {
 };
 
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
-/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock.
+/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock, which may
+/// jump (see SteadyClock); an invalid time counts as that of the previous call.
 ///
 /// No sender is trusted. Memory, on 64-bit machines: the packets of the receive window (ChunkBuffer), and for each of max_bodies bodies
 /// at most 1.2 kB to decode them, 2 tracks of 0.1 kB and 12 segments of 0.2 kB (see BodyTracks), and 0.1 kB for a snapshot that is
@@ -64,7 +66,7 @@ public:
 	/// The media time shown: seconds on the sender's clock since its stream began.
 	[[nodiscard]] double media_time() const { return _clock.media_time(); }
 	/// The media time that playback will show at `now`, without advancing it.
-	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(now); }
+	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(_local_clock.at(now)); }
 	/// The media time up to which all motion has arrived.
 	[[nodiscard]] double known_time() const { return _window_end * tick(); }
 
@@ -111,8 +113,10 @@ public:
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
 	/// Keeps the last windows from now on, as chunks for packets of `max_packet_size` bytes, so that a ForwardedStream can send them.
-	void record(size_t max_packet_size) {
+	/// Chunks before `oldest_needed` may be dropped.
+	void record(size_t max_packet_size, uint32_t oldest_needed = 0xffffffff) {
 		_record_size = max_packet_size;
+		_record_needed = oldest_needed;
 		if (!_record) {
 			_record.emplace();
 		}
@@ -138,7 +142,7 @@ public:
 
 private:
 	/// `is_copy`: a newer window arrived in the same packet.
-	void count_loss(uint8_t number, bool is_copy, double now);
+	void count_loss(uint16_t number, bool is_copy, double now);
 	void free_unusual_memory();
 	/// Refuses a stream that exceeds the budget.
 	PacketResult refuse(double now);
@@ -168,10 +172,12 @@ private:
 	SnapshotHeader _header;
 	std::optional<ChunkRing> _record;
 	size_t _record_size = 0; // maximum packet size
+	uint32_t _record_needed = 0; // the oldest chunk needed
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
 	BodyTracks _bodies;
+	SteadyClock _local_clock; // of `now`
 	std::vector<BodyMotion> _motions;
 	std::vector<uint8_t> _window;
 
@@ -185,7 +191,7 @@ private:
 	double _progress_time = 0.0; // when a window was last decoded or a new fragment arrived; initially the first packet
 	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
-	uint8_t _newest_chunk = 0;
+	uint16_t _newest_chunk = 0;
 	double _newest_chunk_time = -1e9; // when it arrived
 	ReceiverBudget _budget;
 	double _min_margin = 0.0;

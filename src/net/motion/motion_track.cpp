@@ -6,6 +6,8 @@ namespace net {
 
 namespace {
 
+/// Usual capacity for a body that moves: two windows of a few segments each.
+constexpr size_t MOVING_CAPACITY = 8;
 /// Tracks of so many segments are common: their memory is kept for the next ones.
 constexpr size_t USUAL_CAPACITY = 16;
 
@@ -24,6 +26,8 @@ void MotionTrack::add(const BodyMotion &motion, size_t max_capacity) {
 		}
 		if (2 * _first >= _motions.size()) {
 			drop_forgotten();
+		} else if (_motions.capacity() < MOVING_CAPACITY && MOVING_CAPACITY <= max_capacity) {
+			_motions.reserve(MOVING_CAPACITY);
 		}
 	}
 	_motions.push_back(motion);

@@ -42,6 +42,10 @@ public:
 		}
 	}
 
+	/// Lets errors exceed the tolerances, see MotionPlanner.
+	void set_relaxation(double relaxation) { _planner.set_relaxation(relaxation); }
+	[[nodiscard]] double relaxation() const { return _planner.relaxation(); }
+
 	/// True if, since the last window, a body moved or was added, removed or jumped.
 	[[nodiscard]] bool has_changes() const { return _changed; }
 	/// Number of bodies that moved in the last window.

@@ -4,7 +4,7 @@
 
 #include "../../harness/allocation_counter.hpp"
 #include "../../net/hostile_stream.hpp"
-#include "../network/program/cpu_clock.hpp"
+#include "../cpu_clock.hpp"
 
 #include "net/session/session.hpp"
 
@@ -168,7 +168,7 @@ Attack small_chunks() {
 			for (int k = 0; k < 210; ++k) {
 				net::ChunkItem chunk;
 				chunk.number = decltype(chunk.number)(number++ * 7);
-				chunk.first = chunk.last = true;
+				chunk.first = chunk.last = chunk.is_wide = true;
 				net::put_chunk(packets.back(), chunk, false);
 			}
 		}
