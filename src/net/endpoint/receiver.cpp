@@ -109,10 +109,10 @@ void Receiver::free_unusual_memory() {
 		_content = PacketContent();
 	}
 	if (_motions.capacity() > USUAL_ITEMS + 4 * body_count()) {
-		_motions = {};
+		std::vector<BodyMotion>().swap(_motions);
 	}
 	if (_window.capacity() > USUAL_WINDOW_BYTES + 64 * body_count()) {
-		_window = {};
+		std::vector<uint8_t>().swap(_window);
 	}
 }
 
@@ -158,7 +158,8 @@ PacketResult Receiver::check_fragments() {
 	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
 	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
-		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
+		const size_t min_size = fragment.index + 1 < fragment.count ? MIN_FRAGMENT_BYTES : 1;
+		if (fragment.index >= fragment.count || fragment.size < min_size) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
