@@ -41,7 +41,6 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	now = _local_clock.advance(now);
 	_budget.refill(now, body_count());
 	if (_budget.is_refused()) {
-		++_statistics.packets_rejected;
 		return {}; // `refuse` has reported it
 	}
 	free_unusual_memory();
@@ -158,12 +157,14 @@ PacketResult Receiver::check_fragments() {
 	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
 	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
-		const size_t min_size = fragment.index + 1 < fragment.count ? MIN_FRAGMENT_BYTES : 1;
-		if (fragment.index >= fragment.count || fragment.size < min_size) {
+		if (fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
 			return PacketError::TOO_MANY_BODIES;
+		}
+		if (fragment.index + 1 < fragment.count && fragment.size < MIN_FRAGMENT_BYTES) {
+			return PacketError::BAD_FRAGMENT;
 		}
 		if (_fragments.belongs(fragment) && _fragments.size() + fragment.size > max_bytes) {
 			_refused_size = _max_bodies + 1;

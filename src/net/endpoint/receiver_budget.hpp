@@ -54,7 +54,7 @@ private:
 	static constexpr double MAX_IGNORED_SNAPSHOTS = 32.0;
 
 	WorkBudget _items{ 16384.0, 2.0 };
-	WorkBudget _snapshots{ 4.0, 2.0 };
+	WorkBudget _snapshots{ 4.0, 1.0 };
 	WorkBudget _work{ MIN_WORK, BURST };
 	std::shared_ptr<WorkBudget> _shared;
 	double _total = 0.0;

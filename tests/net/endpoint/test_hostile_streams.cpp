@@ -74,7 +74,7 @@ TEST_CASE("hostile stream: whole snapshots of new bodies, one tick apart, cost b
 		CHECK(max_bytes - before < 3000 * COUNT + 2000000); // including the stream's own
 		const double snapshot_work = SNAPSHOT_WORK + COUNT * (NEW_BODY_WORK + 40.0);
 		CHECK(victim.receiver.budget().total_work() <= allowed_work(COUNT, 5.0) + snapshot_work);
-		CHECK(victim.receiver.snapshot_count() <= 8 + 4 * 5);
+		CHECK(victim.receiver.snapshot_count() <= 4 + 4 * 5);
 		CHECK(victim.refusals >= 1);
 		CHECK(victim.refusals <= 5); // with growing pauses
 		CHECK(victim.receiver.is_ready());
@@ -301,7 +301,7 @@ TEST_CASE("hostile stream: a refused stream is ignored for growing pauses, then 
 		victim.now = refused + 0.99 * pause;
 		victim.take({ acks });
 		CHECK(victim.receiver.is_refused());
-		CHECK(victim.receiver.statistics().packets_rejected == rejected + 1);
+		CHECK(victim.receiver.statistics().packets_rejected == rejected);
 		Bytes packet;
 		victim.receiver.take_ack(packet, victim.now);
 		CHECK(packet.empty());
