@@ -23,6 +23,7 @@ enum class PacketError : uint8_t {
 	OTHER_STREAM_VERSION,
 	UNKNOWN_MODE,
 	SETTINGS_OUT_OF_RANGE,
+	TOO_MUCH_WORK,
 	// Detected by senders.
 	UNKNOWN_RECEIVER,
 	// Detected by sessions.
@@ -45,13 +46,14 @@ enum class PacketError : uint8_t {
 		"the packet is truncated",
 		"the packet contains an item of unknown type",
 		"the packet's acknowledgement is malformed",
-		"a snapshot fragment is empty or its index is out of range",
+		"a snapshot fragment is too small or its index is out of range",
 		"the snapshot is larger than the maximum number of bodies allows",
 		"the snapshot is truncated",
 		"the snapshot cannot be decoded",
 		"the stream format is of another version of the addon; use the same version on all peers",
 		"the snapshot's interpolation mode is unknown",
 		"the snapshot's settings are out of range",
+		"decoding the stream takes more work than its number of bodies allows; it is ignored and requested again later",
 		"the acknowledgement comes from a peer that is not a receiver",
 		"the packet is of another version of the addon; use the same version on all peers",
 		"the close packet is malformed",
