@@ -97,7 +97,7 @@ func test_a_text_that_is_not_a_scene_changes_nothing() -> void:
 	var before := _scene.to_json()
 	expect_error(
 		(
-			"GAScene.load_json: the text is not a document; the scene is unchanged:\n"
+			"GAScene.load_json: the text was not loaded; the scene is unchanged:\n"
 			+ "column 1: expected '{' before a document or '[' before 32 coefficients, found 'h'."
 		)
 	)

@@ -154,7 +154,13 @@ Error GAScene::load(const String &text, const char *member) {
 	playground::LoadedDocument loaded = playground::read_document(to_utf8(text));
 	_load_errors = std::move(loaded.errors);
 	if (loaded.is_document) {
-		finish(_document.restore(loaded.state), member);
+		const playground::ChangeResult change = _document.restore(std::move(loaded.state));
+		if (change) {
+			finish(change, member);
+		} else {
+			_load_errors = { change.error().message };
+			loaded.is_document = false;
+		}
 	}
 	if (_load_errors.empty()) {
 		return godot::OK;
@@ -163,7 +169,7 @@ Error GAScene::load(const String &text, const char *member) {
 	for (const std::string &error : _load_errors) {
 		places += "\n" + error + ".";
 	}
-	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text is not a document; the scene is unchanged";
+	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text was not loaded; the scene is unchanged";
 	ERR_FAIL_V_MSG(loaded.is_document ? godot::ERR_FILE_CORRUPT : godot::ERR_PARSE_ERROR, vformat("GAScene.%s: %s:%s", member, outcome, to_godot(places)));
 }
 

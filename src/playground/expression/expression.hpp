@@ -56,6 +56,8 @@ public:
 	[[nodiscard]] const std::vector<uint32_t> &argument_offsets() const { return _argument_offsets; }
 	// The largest number of values on the evaluation stack.
 	[[nodiscard]] int stack_size() const { return _stack_size; }
+	// What evaluating it costs, in products: operators.hpp weighs the nodes.
+	[[nodiscard]] size_t operations() const { return _operations; }
 
 	[[nodiscard]] bool refers_to(std::string_view variable) const;
 
@@ -68,6 +70,7 @@ private:
 	std::vector<cga::Multivector> _constants;
 	std::vector<uint32_t> _argument_offsets;
 	int _stack_size = 0;
+	size_t _operations = 0;
 };
 
 // The text with each occurrence of variable `from` renamed; everything else stays as typed. In a text that does not parse,

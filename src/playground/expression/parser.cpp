@@ -24,7 +24,7 @@ public:
 	cga::TextResult<Expression> parse() {
 		const std::string_view text = _expression._text;
 		if (text.size() > MAX_TEXT_LENGTH) {
-			return cga::text_error(text, MAX_TEXT_LENGTH, "the expression is too long; at most " + std::to_string(MAX_TEXT_LENGTH) + " bytes are accepted");
+			return cga::text_error(text, MAX_TEXT_LENGTH, "the expression is too long: it has " + std::to_string(text.size()) + " bytes, and at most " + std::to_string(MAX_TEXT_LENGTH) + " are accepted");
 		}
 		advance();
 		while (!_error && !_is_complete) {
@@ -39,7 +39,7 @@ public:
 		if (_error) {
 			return *_error;
 		}
-		measure_stack();
+		measure();
 		return std::move(_expression);
 	}
 
@@ -292,11 +292,12 @@ private:
 		advance();
 	}
 
-	void measure_stack() {
+	void measure() {
 		int size = 0;
 		for (const Node &node : _expression._nodes) {
 			size += 1 - operand_count(node);
 			_expression._stack_size = std::max(_expression._stack_size, size);
+			_expression._operations += operation_count(node.kind, node.kind == NodeKind::CALL && functions()[node.index].is_costly());
 		}
 	}
 
