@@ -310,6 +310,9 @@ ChangeResult Document::restore(DocumentState state) {
 		}
 		size += size_of(saved.name, saved.text, expression ? *expression : old->expression);
 		size += size_of_attributes(saved.attributes);
+		if (const cga::Result<void, Error> checked = check_size(size); !checked) {
+			return checked.error();
+		}
 		accepted.emplace_back(&saved, std::move(expression));
 	}
 	if (const cga::Result<void, Error> checked = check_size(size); !checked) {

@@ -60,10 +60,10 @@ Error too_many_entries() {
 
 cga::Result<void, Error> check_size(const DocumentSize &size) {
 	if (size.bytes > MAX_DOCUMENT_LENGTH) {
-		return Error("the document would be too long: as JSON it would have " + std::to_string(size.bytes) + " bytes, and at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " are accepted");
+		return Error("the document would be too long: as JSON it would have at least " + std::to_string(size.bytes) + " bytes, and at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " are accepted");
 	}
 	if (size.operations > MAX_OPERATIONS) {
-		return Error("the expressions of the document would take " + std::to_string(size.operations) + " operations (a product is one, a call 12 or more), and at most " + std::to_string(MAX_OPERATIONS) + " are accepted");
+		return Error("the expressions of the document would take at least " + std::to_string(size.operations) + " operations (a product is one, a call 12 or more), and at most " + std::to_string(MAX_OPERATIONS) + " are accepted");
 	}
 	return {};
 }

@@ -50,7 +50,7 @@ public:
 	[[nodiscard]] const std::vector<std::string> &variables() const { return _variables; }
 	// The offset of the first occurrence of variables()[variable], in bytes.
 	[[nodiscard]] size_t first_use(size_t variable) const;
-	// The constants that it uses, one for each occurrence.
+	// The constants that it uses, each spelling once.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
 	// The offsets of all arguments of calls, in bytes; those of one call are adjacent.
 	[[nodiscard]] const std::vector<uint32_t> &argument_offsets() const { return _argument_offsets; }
