@@ -38,7 +38,7 @@ static String error_of(const playground::Entry &entry) {
 
 const playground::Entry *GAScene::find(const String &name, const char *method) const {
 	const playground::Entry *entry = _document.find(to_utf8(name));
-	ERR_FAIL_NULL_V_MSG(entry, nullptr, vformat("GAScene.%s: there is no entry \"%s\"; get_names() lists the entries.", method, name));
+	ERR_FAIL_NULL_V_MSG(entry, nullptr, vformat("GAScene.%s: there is no entry \"%s\"; get_names() lists the entries.", method, to_godot(cga::shortened(to_utf8(name)))));
 	return entry;
 }
 
@@ -151,7 +151,13 @@ String GAScene::to_json() const {
 }
 
 Error GAScene::load(const String &text, const char *member) {
-	playground::LoadedDocument loaded = playground::read_document(to_utf8(text));
+	playground::LoadedDocument loaded;
+	if (text.length() > int64_t(playground::MAX_DOCUMENT_LENGTH)) {
+		// Before the conversion to UTF-8, which would take time.
+		loaded.errors = { "the document is too long: it has " + std::to_string(text.length()) + " characters, and at most " + std::to_string(playground::MAX_DOCUMENT_LENGTH) + " bytes are accepted" };
+	} else {
+		loaded = playground::read_document(to_utf8(text));
+	}
 	_load_errors = std::move(loaded.errors);
 	if (loaded.is_document) {
 		const playground::ChangeResult change = _document.restore(std::move(loaded.state));

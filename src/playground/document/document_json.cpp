@@ -53,6 +53,11 @@ public:
 			_reader.fail_expected("'{' before a document or '[' before 32 coefficients");
 			report_error();
 		}
+		if (_attribute_count > MAX_ATTRIBUTES) {
+			_loaded = {};
+			_unlisted_errors = 0;
+			_errors = { { "the document has too many attributes: at least " + std::to_string(_attribute_count) + ", and at most " + std::to_string(MAX_ATTRIBUTES) + " are accepted", 0 } };
+		}
 		_loaded.errors = cga::describe_errors(_text, _errors);
 		if (_unlisted_errors > 0) {
 			_loaded.errors.push_back("and " + std::to_string(_unlisted_errors) + (_unlisted_errors == 1 ? " more error" : " more errors"));
@@ -169,7 +174,7 @@ private:
 			} else {
 				set_attribute(attributes, key, *std::move(value));
 			}
-			return true;
+			return ++_attribute_count <= MAX_ATTRIBUTES || _reader.fail(offset, "too many attributes");
 		});
 	}
 
@@ -187,7 +192,7 @@ private:
 			if (_reader.error()) {
 				const size_t error_offset = _reader.error()->offset;
 				report_error();
-				if (!find_entry(error_offset)) {
+				if (_attribute_count > MAX_ATTRIBUTES || !find_entry(error_offset)) {
 					return false;
 				}
 				is_first = true;
@@ -299,6 +304,7 @@ private:
 	LoadedDocument _loaded;
 	std::vector<cga::OffsetError> _errors;
 	size_t _unlisted_errors = 0;
+	size_t _attribute_count = 0;
 	std::set<std::string> _names;
 	bool _has_format = false;
 	bool _has_entries = false;
