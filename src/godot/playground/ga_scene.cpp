@@ -2,7 +2,6 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "playground/document/describe_entry.hpp"
-#include "playground/document/document_json.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -13,6 +12,7 @@ namespace ga_godot {
 
 using godot::Dictionary;
 using godot::Error;
+using godot::PackedByteArray;
 using godot::PackedStringArray;
 using godot::Ref;
 using godot::String;
@@ -158,6 +158,10 @@ Error GAScene::load(const String &text, const char *member) {
 	} else {
 		loaded = playground::read_document(to_utf8(text));
 	}
+	return load(std::move(loaded), member);
+}
+
+Error GAScene::load(playground::LoadedDocument loaded, const char *member) {
 	_load_errors = std::move(loaded.errors);
 	if (loaded.is_document) {
 		const playground::ChangeResult change = _document.restore(std::move(loaded.state));
@@ -181,6 +185,15 @@ Error GAScene::load(const String &text, const char *member) {
 
 Error GAScene::load_json(const String &text) {
 	return load(text, "load_json");
+}
+
+Error GAScene::load_json_utf8(const PackedByteArray &bytes) {
+	constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
+	std::string_view text(reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size()));
+	if (text.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK) {
+		text.remove_prefix(BYTE_ORDER_MARK.size());
+	}
+	return load(playground::read_document(text), "load_json_utf8");
 }
 
 PackedStringArray GAScene::get_load_errors() const {
@@ -241,6 +254,7 @@ void GAScene::_bind_methods() {
 
 	ClassDB::bind_method(D_METHOD("to_json"), &GAScene::to_json);
 	ClassDB::bind_method(D_METHOD("load_json", "text"), &GAScene::load_json);
+	ClassDB::bind_method(D_METHOD("load_json_utf8", "bytes"), &GAScene::load_json_utf8);
 	ClassDB::bind_method(D_METHOD("get_load_errors"), &GAScene::get_load_errors);
 
 	ClassDB::bind_method(D_METHOD("set_document", "text"), &GAScene::set_document);
