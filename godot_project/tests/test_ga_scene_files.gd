@@ -117,7 +117,7 @@ func test_the_bytes_of_a_file() -> void:
 	invalid.resize(1000000)
 	invalid.fill(0xff)
 	var damaged := text.to_utf8_buffer() + invalid
-	var place := "column 77: entry 'b' skipped: expected a character or '\"', found the byte 0xff"
+	var place := "column 78: entry 'b' skipped: expected a character or '\"', found the byte 0xff"
 	expect_error(
 		(
 			"GAScene.load_json_utf8: parts of the text could not be read; the rest was loaded:\n%s."
@@ -141,7 +141,7 @@ func test_a_document_beyond_the_limits_changes_nothing() -> void:
 		# As UTF-8 it is longer than in characters.
 		'{"attributes": {"note": "%s"}, "entries": []}' % "ä".repeat(9000000):
 		(
-			"column 1: the document is too long: it has 18000042 bytes, and at most 16777216 are"
+			"column 1: the document is too long: it has 18000043 bytes, and at most 16777216 are"
 			+ " accepted"
 		),
 		'{"entries": [%s]}' % ",".join(_products(525)):

@@ -181,7 +181,7 @@ func test_a_damaged_file_is_not_overwritten() -> void:
 	var file := FileAccess.open(SAVED, FileAccess.WRITE)
 	file.store_string(text)
 	file.close()
-	var place := "column 47: entry 'b' skipped: it has no expression"
+	var place := "column 48: entry 'b' skipped: it has no expression"
 	expect_error(
 		(
 			"GAScene.load_json_utf8: parts of the text could not be read; the rest was loaded:\n%s."

@@ -16,7 +16,7 @@ func _init() -> void:
 
 
 func test_a_full_disk_loses_nothing_that_was_saved() -> void:
-	var names: Array[String] = ["json", "short", "config", "scene.tres", "picture.png", "motion"]
+	var names: Array[String] = ["config", "json", "motion", "picture.png", "scene.tres", "short"]
 	for name in names:
 		_put(name, SAVED)
 	var outcomes := _save_with_full_disk()
@@ -93,7 +93,7 @@ func test_a_file_that_was_cut_short_keeps_its_complete_entries() -> void:
 		file.close()
 		var place := (
 			"line %d, column %d: expected ',' or ']', found the end"
-			% [4 + count, size - text.rfind("\n", size)]
+			% [4 + count, size - text.rfind("\n", size - 1)]
 		)
 		expect_error(
 			(
@@ -130,12 +130,17 @@ func test_a_file_that_is_too_large_is_not_read() -> void:
 
 func _save_with_full_disk() -> Dictionary:
 	# A process that ignores the signal of a file that became too large gets an error instead.
-	var engine := 'trap \'\' XFSZ; ulimit -f %d; exec "$0" "$@"' % BLOCKS
-	var arguments := PackedStringArray(["-c", engine, OS.get_executable_path(), "--headless"])
-	arguments.append_array(["--path", ProjectSettings.globalize_path("res://"), "--script"])
-	arguments.append((FullDisk as Script).resource_path)
+	var command := (
+		"trap '' XFSZ; ulimit -f %d; exec '%s' --headless --path '%s' --script %s"
+		% [
+			BLOCKS,
+			OS.get_executable_path(),
+			ProjectSettings.globalize_path("res://"),
+			(FullDisk as Script).resource_path
+		]
+	)
 	var output := []
-	OS.execute("sh", arguments, output, true)
+	OS.execute("sh", ["-c", command], output, true)
 	for line: String in (output[0] as String).split("\n"):
 		if line.begins_with(FullDisk.MARK):
 			return JSON.parse_string(line.trim_prefix(FullDisk.MARK))
