@@ -8,7 +8,7 @@ tools/bench network   recorded motion over a simulated link: bytes, errors and d
                       with fixed-rate poses and the GA-Unity paper's scheme; the load of a server
 tools/bench playground
                       a drag in a document of 200 objects, compared with a full evaluation;
-                      1,000 drawn objects, compared with the engine's primitives
+                      opening documents of 16 MiB of every kind; 1,000 drawn objects, compared with the engine's primitives
 tools/bench all       all suites
 
 A row is the result of one subject. Compare only rows of the same run.
