@@ -21,7 +21,7 @@ struct TextError {
 	[[nodiscard]] std::string describe() const;
 };
 
-// An error of which only the offset is known: line and column take a pass over the text, which whoever reports it makes.
+// An error whose line and column are not known: finding them takes a pass over the text.
 struct OffsetError {
 	std::string message;
 	size_t offset = 0; // in bytes

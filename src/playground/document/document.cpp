@@ -211,8 +211,9 @@ ChangeResult Document::remove(std::string_view name) {
 		return no_entry(name);
 	}
 	const std::string old_name = entry->name;
-	std::vector<Entry *> stale;
 	_index.disconnect(*entry);
+	std::vector<Entry *> stale;
+	stale.reserve(entry->references.size());
 	for (const Reference &reference : entry->references) {
 		stale.push_back(reference.from);
 	}
