@@ -22,7 +22,7 @@ TextError text_error(std::string_view text, size_t offset, std::string message) 
 std::vector<std::string> describe_errors(std::string_view text, const std::vector<OffsetError> &errors) {
 	std::vector<size_t> order(errors.size());
 	std::iota(order.begin(), order.end(), size_t(0));
-	std::stable_sort(order.begin(), order.end(), [&errors](size_t left, size_t right) { return errors[left].offset < errors[right].offset; });
+	std::sort(order.begin(), order.end(), [&errors](size_t left, size_t right) { return errors[left].offset < errors[right].offset; });
 	std::vector<std::string> descriptions(errors.size());
 	TextError place;
 	for (const size_t index : order) {

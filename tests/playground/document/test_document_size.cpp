@@ -128,8 +128,8 @@ TEST_CASE("the expressions of a document have a limited number of operations") {
 }
 
 TEST_CASE("multivectors beyond the number of entries are reported") {
-	const std::string one = "[" + repeated("0,", 31) + "0]";
-	const LoadedDocument loaded = read_document(list(MAX_ENTRIES + 2, [&one](size_t) { return one; }, "[", "]"));
+	std::string one = "[" + repeated("0,", 31) + "0]";
+	const LoadedDocument loaded = read_document(list(MAX_ENTRIES + 2, [&one](size_t) -> std::string { return one; }, "[", "]"));
 	CHECK(loaded.state.entries.size() == MAX_ENTRIES);
 	REQUIRE(loaded.errors.size() == 2);
 	CHECK(loaded.errors[0] == "line 65537, column 1: multivector skipped: a document has at most 65536 entries");
