@@ -97,12 +97,73 @@ func test_a_text_that_is_not_a_scene_changes_nothing() -> void:
 	var before := _scene.to_json()
 	expect_error(
 		(
-			"GAScene.load_json: the text is not a document; the scene is unchanged:\n"
+			"GAScene.load_json: the text was not loaded; the scene is unchanged:\n"
 			+ "column 1: expected '{' before a document or '[' before 32 coefficients, found 'h'."
 		)
 	)
 	expect_equal(_scene.load_json("hello"), ERR_PARSE_ERROR, "loading")
 	expect_equal(_scene.to_json(), before, "text")
+
+
+func test_the_bytes_of_a_file() -> void:
+	var text := '{"entries": [{"name": "a", "expression": "1"}, {"name": "b", "expression": "2'
+	var bytes := (text + '"}]}').to_utf8_buffer()
+	expect_equal(_scene.load_json_utf8(bytes), OK, "loading")
+	expect_equal(_scene.get_names(), PackedStringArray(["a", "b"]), "names")
+	var marked := PackedByteArray([0xef, 0xbb, 0xbf]) + bytes
+	expect_equal(GAScene.new().load_json_utf8(marked), OK, "loading with a byte order mark")
+	# The engine's own conversion would print one error for each invalid byte.
+	var invalid := PackedByteArray()
+	invalid.resize(1000000)
+	invalid.fill(0xff)
+	var damaged := text.to_utf8_buffer() + invalid
+	var place := "column 78: entry 'b' skipped: expected a character or '\"', found the byte 0xff"
+	expect_error(
+		(
+			"GAScene.load_json_utf8: parts of the text could not be read; the rest was loaded:\n%s."
+			% place
+		)
+	)
+	expect_equal(_scene.load_json_utf8(damaged), ERR_FILE_CORRUPT, "loading with invalid UTF-8")
+	expect_equal(_scene.get_names(), PackedStringArray(["a"]), "names")
+	expect_equal(_scene.get_load_errors(), PackedStringArray([place]), "errors")
+
+
+func test_a_document_beyond_the_limits_changes_nothing() -> void:
+	var before := _scene.to_json()
+	var note := '{"attributes": {"note": "%s"}, "entries": []}' % "x".repeat(16777216)
+	var reasons: Dictionary[String, String] = {
+		note:
+		(
+			"the document is too long: it has %d characters, and at most 16777216 bytes are accepted"
+			% note.length()
+		),
+		# As UTF-8 it is longer than in characters.
+		'{"attributes": {"note": "%s"}, "entries": []}' % "ä".repeat(9000000):
+		(
+			"column 1: the document is too long: it has 18000043 bytes, and at most 16777216 are"
+			+ " accepted"
+		),
+		'{"entries": [%s]}' % ",".join(_products(525)):
+		(
+			(
+				"the expressions of the document would take at least %d operations (a product is one,"
+				+ " a call 12 or more), and at most 4194304 are accepted"
+			)
+			% (525 * 8000)
+		),
+	}
+	for text in reasons:
+		expect_error(
+			(
+				"GAScene.load_json: the text was not loaded; the scene is unchanged:\n%s."
+				% reasons[text]
+			)
+		)
+		expect_equal(_scene.load_json(text), ERR_PARSE_ERROR, "loading")
+		expect_equal(_scene.get_load_errors(), PackedStringArray([reasons[text]]), "errors")
+		expect_equal(_scene.to_json(), before, "text")
+		expect_equal(_changes, [], "changes")
 
 
 func test_multivectors_of_ganja_are_pasted() -> void:
@@ -171,3 +232,11 @@ func _expect_same(other: GAScene) -> void:
 
 func _on_entries_changed(names: PackedStringArray) -> void:
 	_changes.append(names)
+
+
+# Entries of 8000 products each.
+func _products(count: int) -> PackedStringArray:
+	var entries := PackedStringArray()
+	for index in count:
+		entries.append('{"name": "p%d", "expression": "%s1"}' % [index, "2*".repeat(8000)])
+	return entries

@@ -60,6 +60,26 @@ func test_recording_plays_within_the_tolerance() -> void:
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(PATH))
 
 
+func test_a_recording_that_was_cut_short_plays_up_to_there() -> void:
+	var recorder := MotionRecorder.new()
+	recorder.open(PATH, Recording.get_poses(0.0))
+	for tick in RATE:
+		recorder.record(float(tick) / RATE, Recording.get_poses(float(tick) / RATE))
+	var size := recorder.close()
+	var bytes := FileAccess.get_file_as_bytes(PATH)
+	expect_equal(bytes.size(), size, "bytes")
+	for cut: int in [size - 1, size / 2, MotionRecorder.MAGIC.length() + 3]:
+		var file := FileAccess.open(PATH, FileAccess.WRITE)
+		file.store_buffer(bytes.slice(0, cut))
+		file.close()
+		var player := MotionPlayer.new()
+		expect_equal(player.open(PATH), OK, "opening %d of %d bytes" % [cut, size])
+		player.play(2.0)
+		expect_true(player.is_over(), "the recording is over")
+		expect_equal(player.receiver.get_statistics().packets_rejected, 0, "rejected packets")
+	DirAccess.remove_absolute(ProjectSettings.globalize_path(PATH))
+
+
 func test_other_files_are_rejected() -> void:
 	var file := FileAccess.open(PATH, FileAccess.WRITE)
 	file.store_string("GAPOSES1 something else")

@@ -175,6 +175,44 @@ func test_an_invalid_range_of_a_slider_is_replaced_by_the_default() -> void:
 	expect_equal([slider.min_value, slider.max_value, slider.step], [-5.0, 5.0, 0.01], "the slider")
 
 
+func test_a_damaged_file_is_not_overwritten() -> void:
+	await _open_empty()
+	var text := '{"entries": [{"name": "a", "expression": "1"}, {"name": "b"}]}'
+	var file := FileAccess.open(SAVED, FileAccess.WRITE)
+	file.store_string(text)
+	file.close()
+	var place := "column 48: entry 'b' skipped: it has no expression"
+	expect_error(
+		(
+			"GAScene.load_json_utf8: parts of the text could not be read; the rest was loaded:\n%s."
+			% place
+		)
+	)
+	_demo.panel.file_menu.open(SAVED)
+	expect_equal(_names(), ["a"], "entries")
+	expect_equal(_demo.panel.document.path, "", "the path of the scene")
+	expect_equal(
+		_demo.get_notice(),
+		(
+			"%s was only partly read and is shown as a new scene. The file is unchanged:\n%s"
+			% [SAVED, place]
+		),
+		"notice"
+	)
+	_demo.panel.file_menu.save("user://no/folder.json")
+	expect_equal(
+		_demo.get_notice(),
+		(
+			"user://no/folder.json cannot be saved: File not found. What was saved before is"
+			+ " unchanged. Check the free space on the disk, or choose another location with"
+			+ " Save As."
+		),
+		"notice"
+	)
+	expect_equal(FileAccess.get_file_as_string(SAVED), text, "the file")
+	DirAccess.remove_absolute(SAVED)
+
+
 func test_json_is_copied_saved_opened_and_pasted() -> void:
 	await _open_with({"a": "point(1, 2, 3)", "b": "a ^ einf"})
 	var text := _scene().to_json()

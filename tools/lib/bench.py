@@ -10,7 +10,7 @@ tools/bench load      up to 40,000 bodies or 64 receivers over long, lossy and n
                       bytes, bursts, errors, stalls, delay, processor time, memory
 tools/bench playground
                       a drag in a document of 200 objects, compared with a full evaluation;
-                      1,000 drawn objects, compared with the engine's primitives
+                      opening documents of 16 MiB of every kind; 1,000 drawn objects, compared with the engine's primitives
 tools/bench all       all suites
 
 A row is the result of one subject. Compare only rows of the same run.

@@ -6,6 +6,8 @@ const PlaygroundDocument := preload(
 	"res://addons/ga_godot/playground/document/playground_document.gd"
 )
 
+const SafeFile := preload("res://addons/ga_godot/playground/document/safe_file.gd")
+
 const SECTION := "playground"
 
 ## The file; empty to persist nothing.
@@ -32,7 +34,9 @@ func save(document: PlaygroundDocument, settings: Dictionary[String, Variant]) -
 	_file.set_value(SECTION, "document", document.scene.document)
 	for key in settings:
 		_file.set_value(SECTION, key, settings[key])
-	_file.save(path)
+	var outcome := SafeFile.save_config(path, _file)
+	if outcome != OK:
+		push_warning("%s cannot be saved: %s." % [path, error_string(outcome)])
 
 
 func has_document() -> bool:

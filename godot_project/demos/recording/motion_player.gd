@@ -3,6 +3,9 @@ extends RefCounted
 
 const MotionRecorder := preload("motion_recorder.gd")
 
+## Bytes before each packet: its time and its length.
+const HEADER_SIZE := 6
+
 var receiver := MotorReceiver.new()
 
 var _file: FileAccess
@@ -38,6 +41,11 @@ func is_over() -> bool:
 
 func _read_packet() -> void:
 	_packet = PackedByteArray()
-	if _file.get_length() - _file.get_position() >= 6:
-		_time = _file.get_float()
-		_packet = _file.get_buffer(_file.get_16())
+	# The last packet of a file that was cut short is left out.
+	var left := _file.get_length() - _file.get_position() - HEADER_SIZE
+	if left < 0:
+		return
+	_time = _file.get_float()
+	var size := _file.get_16()
+	if size <= left:
+		_packet = _file.get_buffer(size)

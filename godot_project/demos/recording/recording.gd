@@ -28,6 +28,10 @@ func _ready() -> void:
 	for tick in int(SECONDS * rate):
 		recorder.record(float(tick) / rate, get_poses(float(tick) / rate))
 	var size := recorder.close()
+	if recorder.error != OK:
+		_label.text = "Cannot write %s: %s." % [PATH, error_string(recorder.error)]
+		set_process(false)
+		return
 	_label.text = (
 		"%d cubes, %.0f s: %.1f kB, %.0f times smaller than float32 poses at %d Hz"
 		% [COUNT, SECONDS, size / 1000.0, COUNT * SECONDS * rate * 28.0 / size, rate]

@@ -98,7 +98,7 @@ TextResult<Multivector> from_json(std::string_view text) {
 	} else if ((is_array ? read_array(reader, x) : read_object(reader, x)) && !reader.is_at_end()) {
 		reader.fail_expected("the end");
 	}
-	return reader.error() ? TextResult<Multivector>(*reader.error()) : x;
+	return reader.error() ? TextResult<Multivector>(text_error(text, reader.error()->offset, reader.error()->message)) : x;
 }
 
 } // namespace cga

@@ -46,7 +46,7 @@ bool JsonReader::is_at_end() {
 
 bool JsonReader::fail(size_t offset, std::string message) {
 	if (!_error) {
-		_error = text_error(_text, offset, std::move(message));
+		_error = OffsetError{ std::move(message), offset };
 	}
 	return false;
 }

@@ -20,7 +20,7 @@ public:
 
 	// In bytes from the start of the text.
 	[[nodiscard]] size_t position() const { return _position; }
-	[[nodiscard]] const std::optional<TextError> &error() const { return _error; }
+	[[nodiscard]] const std::optional<OffsetError> &error() const { return _error; }
 	// Clears the error and continues at `position`.
 	void restart_at(size_t position);
 
@@ -55,7 +55,7 @@ private:
 
 	std::string_view _text;
 	size_t _position = 0;
-	std::optional<TextError> _error;
+	std::optional<OffsetError> _error;
 };
 
 // Appends `text` as a JSON string: quoted and escaped. Each invalid byte of UTF-8 becomes U+FFFD.

@@ -2,7 +2,6 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "playground/document/describe_entry.hpp"
-#include "playground/document/document_json.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -13,6 +12,7 @@ namespace ga_godot {
 
 using godot::Dictionary;
 using godot::Error;
+using godot::PackedByteArray;
 using godot::PackedStringArray;
 using godot::Ref;
 using godot::String;
@@ -38,7 +38,7 @@ static String error_of(const playground::Entry &entry) {
 
 const playground::Entry *GAScene::find(const String &name, const char *method) const {
 	const playground::Entry *entry = _document.find(to_utf8(name));
-	ERR_FAIL_NULL_V_MSG(entry, nullptr, vformat("GAScene.%s: there is no entry \"%s\"; get_names() lists the entries.", method, name));
+	ERR_FAIL_NULL_V_MSG(entry, nullptr, vformat("GAScene.%s: there is no entry \"%s\"; get_names() lists the entries.", method, to_godot(cga::shortened(to_utf8(name)))));
 	return entry;
 }
 
@@ -151,10 +151,26 @@ String GAScene::to_json() const {
 }
 
 Error GAScene::load(const String &text, const char *member) {
-	playground::LoadedDocument loaded = playground::read_document(to_utf8(text));
+	playground::LoadedDocument loaded;
+	if (text.length() > int64_t(playground::MAX_DOCUMENT_LENGTH)) {
+		// Before the conversion to UTF-8, which would take time.
+		loaded.errors = { "the document is too long: it has " + std::to_string(text.length()) + " characters, and at most " + std::to_string(playground::MAX_DOCUMENT_LENGTH) + " bytes are accepted" };
+	} else {
+		loaded = playground::read_document(to_utf8(text));
+	}
+	return load(std::move(loaded), member);
+}
+
+Error GAScene::load(playground::LoadedDocument loaded, const char *member) {
 	_load_errors = std::move(loaded.errors);
 	if (loaded.is_document) {
-		finish(_document.restore(loaded.state), member);
+		const playground::ChangeResult change = _document.restore(std::move(loaded.state));
+		if (change) {
+			finish(change, member);
+		} else {
+			_load_errors = { change.error().message };
+			loaded.is_document = false;
+		}
 	}
 	if (_load_errors.empty()) {
 		return godot::OK;
@@ -163,12 +179,21 @@ Error GAScene::load(const String &text, const char *member) {
 	for (const std::string &error : _load_errors) {
 		places += "\n" + error + ".";
 	}
-	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text is not a document; the scene is unchanged";
+	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text was not loaded; the scene is unchanged";
 	ERR_FAIL_V_MSG(loaded.is_document ? godot::ERR_FILE_CORRUPT : godot::ERR_PARSE_ERROR, vformat("GAScene.%s: %s:%s", member, outcome, to_godot(places)));
 }
 
 Error GAScene::load_json(const String &text) {
 	return load(text, "load_json");
+}
+
+Error GAScene::load_json_utf8(const PackedByteArray &bytes) {
+	constexpr std::string_view BYTE_ORDER_MARK = "\xef\xbb\xbf";
+	std::string_view text(reinterpret_cast<const char *>(bytes.ptr()), size_t(bytes.size()));
+	if (text.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK) {
+		text.remove_prefix(BYTE_ORDER_MARK.size());
+	}
+	return load(playground::read_document(text), "load_json_utf8");
 }
 
 PackedStringArray GAScene::get_load_errors() const {
@@ -229,6 +254,7 @@ void GAScene::_bind_methods() {
 
 	ClassDB::bind_method(D_METHOD("to_json"), &GAScene::to_json);
 	ClassDB::bind_method(D_METHOD("load_json", "text"), &GAScene::load_json);
+	ClassDB::bind_method(D_METHOD("load_json_utf8", "bytes"), &GAScene::load_json_utf8);
 	ClassDB::bind_method(D_METHOD("get_load_errors"), &GAScene::get_load_errors);
 
 	ClassDB::bind_method(D_METHOD("set_document", "text"), &GAScene::set_document);

@@ -2,11 +2,13 @@
 
 #include "godot/algebra/multivector.hpp"
 #include "playground/document/document.hpp"
+#include "playground/document/document_json.hpp"
 
 #include <godot_cpp/classes/global_constants.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/string_name.hpp>
@@ -60,6 +62,7 @@ public:
 
 	godot::String to_json() const;
 	godot::Error load_json(const godot::String &text);
+	godot::Error load_json_utf8(const godot::PackedByteArray &bytes);
 	godot::PackedStringArray get_load_errors() const;
 
 	/// For C++: null, without an error message, if there is no such entry.
@@ -78,6 +81,7 @@ private:
 	// Emits the signals of an accepted change, or reports why it was refused.
 	godot::Error finish(const playground::ChangeResult &change, const char *method);
 	godot::Error load(const godot::String &text, const char *member);
+	godot::Error load(playground::LoadedDocument loaded, const char *member);
 
 	playground::Document _document;
 	std::vector<std::string> _load_errors;

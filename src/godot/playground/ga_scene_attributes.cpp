@@ -82,7 +82,7 @@ static Dictionary to_dictionary(const playground::Attributes &attributes) {
 
 Error GAScene::set_entry_attribute(const String &name, const String &key, const Variant &value) {
 	const std::optional<AttributeValue> attribute = to_attribute(value);
-	ERR_FAIL_COND_V_MSG(!attribute, godot::ERR_INVALID_PARAMETER, vformat(WRONG_ATTRIBUTE_TYPE, "set_entry_attribute", key, Variant::get_type_name(value.get_type())));
+	ERR_FAIL_COND_V_MSG(!attribute, godot::ERR_INVALID_PARAMETER, vformat(WRONG_ATTRIBUTE_TYPE, "set_entry_attribute", to_godot(cga::shortened(to_utf8(key))), Variant::get_type_name(value.get_type())));
 	return finish(_document.set_attribute(to_utf8(name), to_utf8(key), *attribute), "set_entry_attribute");
 }
 
@@ -98,7 +98,7 @@ Dictionary GAScene::get_entry_attributes(const String &name) const {
 
 Error GAScene::set_scene_attribute(const String &key, const Variant &value) {
 	const std::optional<AttributeValue> attribute = to_attribute(value);
-	ERR_FAIL_COND_V_MSG(!attribute, godot::ERR_INVALID_PARAMETER, vformat(WRONG_ATTRIBUTE_TYPE, "set_scene_attribute", key, Variant::get_type_name(value.get_type())));
+	ERR_FAIL_COND_V_MSG(!attribute, godot::ERR_INVALID_PARAMETER, vformat(WRONG_ATTRIBUTE_TYPE, "set_scene_attribute", to_godot(cga::shortened(to_utf8(key))), Variant::get_type_name(value.get_type())));
 	return finish(_document.set_document_attribute(to_utf8(key), *attribute), "set_scene_attribute");
 }
 

@@ -134,7 +134,7 @@ Dictionary GAScene::get_parameters(const String &name) const {
 
 Error GAScene::set_parameter(const String &name, const String &key, const Variant &value) {
 	const std::optional<LiteralValue> literal = to_literal(value);
-	ERR_FAIL_COND_V_MSG(!literal, godot::ERR_INVALID_PARAMETER, vformat("GAScene.set_parameter: the parameter \"%s\" must be a number, a Vector3, a Quaternion, a Multivector or a PackedFloat64Array of 32 coefficients, not %s.", key, Variant::get_type_name(value.get_type())));
+	ERR_FAIL_COND_V_MSG(!literal, godot::ERR_INVALID_PARAMETER, vformat("GAScene.set_parameter: the parameter \"%s\" must be a number, a Vector3, a Quaternion, a Multivector or a PackedFloat64Array of 32 coefficients, not %s.", to_godot(cga::shortened(to_utf8(key))), Variant::get_type_name(value.get_type())));
 	return finish(_document.set_parameter(to_utf8(name), to_utf8(key), *literal), "set_parameter");
 }
 

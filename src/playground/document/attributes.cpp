@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace playground {
 
@@ -58,15 +59,27 @@ AttributeValue get_attribute(const Attributes &attributes, std::string_view key)
 	return found == attributes.end() ? default_attribute(key) : found->second;
 }
 
-bool set_attribute(Attributes &attributes, std::string_view key, const AttributeValue &value) {
-	if (get_attribute(attributes, key) == (value.index() == 0 ? default_attribute(key) : value)) {
+bool is_default(std::string_view key, const AttributeValue &value) {
+	return value.index() == 0 || value == default_attribute(key);
+}
+
+bool set_attribute(Attributes &attributes, std::string_view key, AttributeValue value) {
+	const auto place = attributes.lower_bound(key);
+	const bool is_stored = place != attributes.end() && place->first == key;
+	if (is_default(key, value)) {
+		if (is_stored) {
+			attributes.erase(place);
+		}
+		return is_stored;
+	}
+	if (!is_stored) {
+		attributes.emplace_hint(place, key, std::move(value));
+		return true;
+	}
+	if (place->second == value) {
 		return false;
 	}
-	if (value.index() == 0 || value == default_attribute(key)) {
-		attributes.erase(attributes.find(key));
-	} else {
-		attributes.insert_or_assign(std::string(key), value);
-	}
+	place->second = std::move(value);
 	return true;
 }
 

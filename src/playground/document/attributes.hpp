@@ -34,8 +34,10 @@ cga::Result<void, Error> check_attribute(std::string_view key, const AttributeVa
 
 // The value, or the default.
 [[nodiscard]] AttributeValue get_attribute(const Attributes &attributes, std::string_view key);
+// Whether the value is absent or that of default_attribute().
+[[nodiscard]] bool is_default(std::string_view key, const AttributeValue &value);
 // Precondition: check_attribute(key, value). Returns whether the value changed.
-bool set_attribute(Attributes &attributes, std::string_view key, const AttributeValue &value);
+bool set_attribute(Attributes &attributes, std::string_view key, AttributeValue value);
 
 // Whether an attribute is the bool true.
 [[nodiscard]] bool is_set(const Attributes &attributes, std::string_view key);

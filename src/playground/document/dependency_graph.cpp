@@ -12,36 +12,7 @@ namespace {
 // Numbers each traversal, so that marks of earlier traversals need not be cleared.
 std::atomic<uint64_t> last_visit = 0;
 
-bool contains(const std::vector<Entry *> &entries, const Entry *entry) {
-	return std::find(entries.begin(), entries.end(), entry) != entries.end();
-}
-
 } // namespace
-
-void disconnect(Entry &entry) {
-	for (Entry *dependency : entry.dependencies) {
-		if (dependency) {
-			std::vector<Entry *> &dependents = dependency->dependents;
-			dependents.erase(std::remove(dependents.begin(), dependents.end(), &entry), dependents.end());
-		}
-	}
-	entry.dependencies.clear();
-}
-
-void connect(Entry &entry, const EntryIndex &index) {
-	disconnect(entry);
-	if (!entry.expression) {
-		return;
-	}
-	for (const std::string &name : entry.expression->variables()) {
-		const auto found = index.find(name);
-		Entry *dependency = found == index.end() ? nullptr : found->second;
-		entry.dependencies.push_back(dependency);
-		if (dependency) {
-			dependency->dependents.push_back(&entry);
-		}
-	}
-}
 
 std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries) {
 	const uint64_t visit = ++last_visit;
@@ -54,8 +25,9 @@ std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries) {
 	};
 	std::for_each(entries.begin(), entries.end(), add);
 	for (size_t index = 0; index < found.size(); ++index) {
-		const Entry &entry = *found[index];
-		std::for_each(entry.dependents.begin(), entry.dependents.end(), add);
+		for (const Reference &reference : found[index]->references) {
+			add(reference.from);
+		}
 	}
 	return found;
 }
@@ -108,10 +80,12 @@ std::vector<Component> components_in_evaluation_order(const std::vector<Entry *>
 			if (done.lowest == done.entry->mark) {
 				Component component;
 				component.members.assign(open.begin() + done.lowest, open.end());
-				component.is_cycle = component.members.size() > 1 || contains(done.entry->dependencies, done.entry);
+				const std::vector<Entry *> &dependencies = done.entry->dependencies;
+				component.is_cycle = component.members.size() > 1 || std::find(dependencies.begin(), dependencies.end(), done.entry) != dependencies.end();
 				open.resize(size_t(done.lowest));
 				for (Entry *member : component.members) {
 					member->mark = DONE;
+					member->component = components.size();
 				}
 				components.push_back(std::move(component));
 			}
@@ -120,7 +94,11 @@ std::vector<Component> components_in_evaluation_order(const std::vector<Entry *>
 	return components;
 }
 
-std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component) {
+bool is_in_same_component(const Entry &entry, const Entry *other) {
+	return other && other->visit == entry.visit && other->component == entry.component;
+}
+
+std::vector<const Entry *> shortest_cycle(const Entry &entry) {
 	// Breadth-first search; `origin` maps each entry to its predecessor.
 	std::map<const Entry *, const Entry *> origin;
 	std::vector<const Entry *> reached = { &entry };
@@ -134,7 +112,7 @@ std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &c
 				std::reverse(cycle.begin(), cycle.end());
 				return cycle;
 			}
-			if (dependency && contains(component.members, dependency) && origin.emplace(dependency, reached[index]).second) {
+			if (is_in_same_component(entry, dependency) && origin.emplace(dependency, reached[index]).second) {
 				reached.push_back(dependency);
 			}
 		}

@@ -8,11 +8,6 @@
 
 namespace playground {
 
-// Replaces the dependencies of the entry by the entries its expression refers to, and registers it as their dependent.
-void connect(Entry &entry, const EntryIndex &index);
-// Clears the dependencies of the entry and removes it from their dependents.
-void disconnect(Entry &entry);
-
 // `entries` and all entries that depend on them, each once.
 [[nodiscard]] std::vector<Entry *> with_dependents(const std::vector<Entry *> &entries);
 
@@ -22,11 +17,16 @@ struct Component {
 	bool is_cycle = false;
 };
 
-// The components in topological order: each after those it depends on. Dependencies outside `entries` are ignored.
+// The components in topological order: each after those it depends on. Dependencies outside `entries` are ignored. Numbers
+// the entries with the indices of their components.
 // (Tarjan, Depth-first search and linear graph algorithms, 1972.)
 [[nodiscard]] std::vector<Component> components_in_evaluation_order(const std::vector<Entry *> &entries);
 
-// The shortest path from an entry of a cycle back to itself: a, b, c for a -> b -> c -> a.
-[[nodiscard]] std::vector<const Entry *> shortest_cycle(const Entry &entry, const Component &component);
+// Whether the last call of components_in_evaluation_order() put both into the same component. False for null.
+[[nodiscard]] bool is_in_same_component(const Entry &entry, const Entry *other);
+
+// The shortest path from an entry of a cycle back to itself: a, b, c for a -> b -> c -> a. To be called after
+// components_in_evaluation_order().
+[[nodiscard]] std::vector<const Entry *> shortest_cycle(const Entry &entry);
 
 } // namespace playground

@@ -5,11 +5,15 @@
 #include "playground/document/pasted_text.hpp"
 #include "playground/document/reevaluate.hpp"
 #include "playground/expression/evaluate.hpp"
+#include "playground/expression/functions.hpp"
 #include "playground/expression/names.hpp"
 #include "playground/expression/parser.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace playground {
@@ -17,18 +21,25 @@ namespace playground {
 namespace {
 
 Error no_entry(std::string_view name) {
-	return "there is no entry '" + std::string(name) + "'";
+	return "there is no entry '" + cga::shortened(name) + "'";
+}
+
+DocumentSize size_of(std::string_view name, std::string_view text, const cga::TextResult<Expression> &expression) {
+	return size_of_entry(name, text, expression ? expression->operations() : 0);
+}
+
+DocumentSize size_of(const Entry &entry) {
+	return size_of(entry.name, entry.text, entry.expression);
 }
 
 } // namespace
 
 const Entry *Document::find(std::string_view name) const {
-	const auto found = _index.find(name);
-	return found == _index.end() ? nullptr : found->second;
+	return _index.find(name);
 }
 
 Entry *Document::find_mutable(std::string_view name) {
-	return const_cast<Entry *>(find(name));
+	return _index.find(name);
 }
 
 size_t Document::index_of(std::string_view name) const {
@@ -38,16 +49,16 @@ size_t Document::index_of(std::string_view name) const {
 
 std::vector<std::string> Document::dependents_of(std::string_view name) const {
 	std::vector<std::string> names;
-	const auto found = _index.find(name);
-	if (found == _index.end()) {
+	Entry *entry = _index.find(name);
+	if (!entry) {
 		return names;
 	}
-	std::vector<Entry *> dependents = with_dependents({ found->second });
+	std::vector<Entry *> dependents = with_dependents({ entry });
 	dependents.erase(dependents.begin());
 	std::sort(dependents.begin(), dependents.end());
-	for (const std::unique_ptr<Entry> &entry : _entries) {
-		if (std::binary_search(dependents.begin(), dependents.end(), entry.get())) {
-			names.push_back(entry->name);
+	for (const std::unique_ptr<Entry> &candidate : _entries) {
+		if (std::binary_search(dependents.begin(), dependents.end(), candidate.get())) {
+			names.push_back(candidate->name);
 		}
 	}
 	return names;
@@ -60,20 +71,35 @@ cga::Result<void, Error> Document::check_new_name(std::string_view name) const {
 	return check_name(name);
 }
 
-void Document::set_text(Entry &entry, std::string_view text) {
-	entry.text = text;
-	entry.expression = parse(text);
-	connect(entry, _index);
+void Document::set_expression(Entry &entry, std::string text, cga::TextResult<Expression> expression) {
+	_index.disconnect(entry);
+	entry.text = std::move(text);
+	entry.expression = std::move(expression);
+	_index.connect(entry);
 }
 
-std::vector<Entry *> Document::entries_with_missing_dependency() const {
+std::vector<Entry *> Document::entries_with_suggestion() const {
 	std::vector<Entry *> found;
+	if (_index.size() > MAX_CANDIDATES + 1) {
+		return found;
+	}
 	for (const std::unique_ptr<Entry> &entry : _entries) {
 		if (std::count(entry->dependencies.begin(), entry->dependencies.end(), nullptr) > 0) {
 			found.push_back(entry.get());
 		}
 	}
 	return found;
+}
+
+cga::Result<void, Error> Document::replace_size(const DocumentSize &before, const DocumentSize &after) {
+	DocumentSize size = _size;
+	size -= before;
+	size += after;
+	const cga::Result<void, Error> checked = check_size(size);
+	if (checked) {
+		_size = size;
+	}
+	return checked;
 }
 
 ChangeResult Document::change(const std::vector<Entry *> &stale, std::vector<std::string> names) {
@@ -91,19 +117,23 @@ ChangeResult Document::add(std::string_view name, std::string_view text, size_t 
 		return checked.error();
 	}
 	if (_entries.size() >= MAX_ENTRIES) {
-		return Error("a document has at most " + std::to_string(MAX_ENTRIES) + " entries");
+		return too_many_entries();
 	}
 	auto added = std::make_unique<Entry>();
 	Entry &entry = *added;
 	entry.name = name;
-	_entries.insert(_entries.begin() + ptrdiff_t(std::min(index, _entries.size())), std::move(added));
-	_index.emplace(entry.name, &entry);
-	// Entries that referred to the name, and those whose error may now suggest it.
-	std::vector<Entry *> stale = entries_with_missing_dependency();
-	for (Entry *dependent : stale) {
-		connect(*dependent, _index);
+	entry.text = pasted_expression(text);
+	entry.expression = parse(entry.text);
+	if (const cga::Result<void, Error> checked = replace_size({}, size_of(entry)); !checked) {
+		return checked.error();
 	}
-	set_text(entry, pasted_expression(text));
+	_entries.insert(_entries.begin() + ptrdiff_t(std::min(index, _entries.size())), std::move(added));
+	_index.add(entry);
+	std::vector<Entry *> stale = entries_with_suggestion();
+	for (const Reference &reference : entry.references) {
+		stale.push_back(reference.from);
+	}
+	_index.connect(entry);
 	stale.push_back(&entry);
 	return change(stale, { entry.name });
 }
@@ -113,11 +143,15 @@ ChangeResult Document::set_expression(std::string_view name, std::string_view te
 	if (!entry) {
 		return no_entry(name);
 	}
-	const std::string expression = pasted_expression(text);
-	if (entry->text == expression) {
+	std::string new_text = pasted_expression(text);
+	if (entry->text == new_text) {
 		return std::vector<std::string>();
 	}
-	set_text(*entry, expression);
+	cga::TextResult<Expression> expression = parse(new_text);
+	if (const cga::Result<void, Error> checked = replace_size(size_of(*entry), size_of(name, new_text, expression)); !checked) {
+		return checked.error();
+	}
+	set_expression(*entry, std::move(new_text), std::move(expression));
 	return change({ entry });
 }
 
@@ -132,27 +166,40 @@ ChangeResult Document::rename(std::string_view from, std::string_view to) {
 	if (const cga::Result<void, Error> checked = check_new_name(to); !checked) {
 		return checked.error();
 	}
-	std::vector<std::pair<Entry *, std::string>> rewritten;
+	struct Rewritten {
+		Entry *entry;
+		std::string text;
+		cga::TextResult<Expression> expression;
+	};
+	std::vector<Rewritten> all_rewritten;
+	DocumentSize before = size_of_entry(from, {}, 0);
+	DocumentSize after = size_of_entry(to, {}, 0);
 	for (const std::unique_ptr<Entry> &candidate : _entries) {
 		std::string text = with_variable_renamed(candidate->text, from, to);
 		if (text.size() > MAX_TEXT_LENGTH && candidate->text.size() <= MAX_TEXT_LENGTH) {
 			return Error("the expression of '" + candidate->name + "' would become longer than " + std::to_string(MAX_TEXT_LENGTH) + " bytes; choose a shorter name");
 		}
 		if (text != candidate->text) {
-			rewritten.emplace_back(candidate.get(), std::move(text));
+			cga::TextResult<Expression> expression = parse(text);
+			before += size_of(*candidate);
+			after += size_of(candidate->name, text, expression);
+			all_rewritten.push_back({ candidate.get(), std::move(text), std::move(expression) });
 		}
 	}
-	const std::string old_name = entry->name;
-	_index.erase(old_name);
-	entry->name = to;
-	_index.emplace(entry->name, entry);
-	std::vector<Entry *> stale = entries_with_missing_dependency();
-	for (Entry *dependent : stale) {
-		connect(*dependent, _index);
+	if (const cga::Result<void, Error> checked = replace_size(before, after); !checked) {
+		return checked.error();
 	}
-	for (const auto &[dependent, text] : rewritten) {
-		set_text(*dependent, text);
-		stale.push_back(dependent);
+	const std::string old_name = entry->name;
+	_index.remove(*entry);
+	entry->name = to;
+	_index.add(*entry);
+	std::vector<Entry *> stale = entries_with_suggestion();
+	for (const Reference &reference : entry->references) {
+		stale.push_back(reference.from);
+	}
+	for (Rewritten &rewritten : all_rewritten) {
+		set_expression(*rewritten.entry, std::move(rewritten.text), std::move(rewritten.expression));
+		stale.push_back(rewritten.entry);
 	}
 	stale.push_back(entry);
 	return change(stale, { old_name, entry->name });
@@ -164,13 +211,20 @@ ChangeResult Document::remove(std::string_view name) {
 		return no_entry(name);
 	}
 	const std::string old_name = entry->name;
-	disconnect(*entry);
-	for (Entry *dependent : entry->dependents) {
-		std::replace(dependent->dependencies.begin(), dependent->dependencies.end(), entry, static_cast<Entry *>(nullptr));
+	_index.disconnect(*entry);
+	std::vector<Entry *> stale;
+	stale.reserve(entry->references.size());
+	for (const Reference &reference : entry->references) {
+		stale.push_back(reference.from);
 	}
-	_entries.erase(_entries.begin() + ptrdiff_t(index_of(old_name)));
-	_index.erase(old_name);
-	return change(entries_with_missing_dependency(), { old_name });
+	_size -= size_of(*entry);
+	_size -= size_of_attributes(entry->attributes);
+	const auto place = _entries.begin() + ptrdiff_t(index_of(old_name));
+	_index.remove(*entry);
+	_entries.erase(place);
+	const std::vector<Entry *> suggesting = entries_with_suggestion();
+	stale.insert(stale.end(), suggesting.begin(), suggesting.end());
+	return change(stale, { old_name });
 }
 
 ChangeResult Document::move(std::string_view name, size_t index) {
@@ -210,18 +264,24 @@ ChangeResult Document::set_attribute(std::string_view name, std::string_view key
 	if (!entry) {
 		return no_entry(name);
 	}
-	if (const cga::Result<void, Error> checked = check_attribute(key, value); !checked) {
-		return checked.error();
-	}
-	playground::set_attribute(entry->attributes, key, value);
-	return std::vector<std::string>();
+	return change_attribute(entry->attributes, key, value);
 }
 
 ChangeResult Document::set_document_attribute(std::string_view key, const AttributeValue &value) {
+	return change_attribute(_attributes, key, value);
+}
+
+ChangeResult Document::change_attribute(Attributes &attributes, std::string_view key, const AttributeValue &value) {
 	if (const cga::Result<void, Error> checked = check_attribute(key, value); !checked) {
 		return checked.error();
 	}
-	playground::set_attribute(_attributes, key, value);
+	const auto found = attributes.find(key);
+	const DocumentSize before = found == attributes.end() ? DocumentSize() : size_of_attribute(key, found->second);
+	const DocumentSize after = is_default(key, value) ? DocumentSize() : size_of_attribute(key, value);
+	if (const cga::Result<void, Error> checked = replace_size(before, after); !checked) {
+		return checked.error();
+	}
+	playground::set_attribute(attributes, key, value);
 	return std::vector<std::string>();
 }
 
@@ -234,46 +294,69 @@ DocumentState Document::state() const {
 	return state;
 }
 
-ChangeResult Document::restore(const DocumentState &state) {
+ChangeResult Document::restore(DocumentState state) {
+	// First what can be refused. An entry whose text stays keeps its expression.
+	std::vector<std::pair<EntryState *, std::optional<cga::TextResult<Expression>>>> accepted;
+	std::unordered_set<std::string_view> seen;
+	DocumentSize size = size_of_empty_document();
+	size += size_of_attributes(state.attributes);
+	for (EntryState &saved : state.entries) {
+		if (!check_name(saved.name) || accepted.size() >= MAX_ENTRIES || !seen.insert(saved.name).second) {
+			continue;
+		}
+		const Entry *old = find(saved.name);
+		std::optional<cga::TextResult<Expression>> expression;
+		if (!old || old->text != saved.text) {
+			expression = parse(saved.text);
+		}
+		size += size_of(saved.name, saved.text, expression ? *expression : old->expression);
+		size += size_of_attributes(saved.attributes);
+		if (const cga::Result<void, Error> checked = check_size(size); !checked) {
+			return checked.error();
+		}
+		accepted.emplace_back(&saved, std::move(expression));
+	}
+	if (const cga::Result<void, Error> checked = check_size(size); !checked) {
+		return checked.error();
+	}
 	std::map<std::string, std::unique_ptr<Entry>, std::less<>> old;
 	for (std::unique_ptr<Entry> &entry : _entries) {
 		entry->dependencies.clear();
-		entry->dependents.clear();
+		entry->slots.clear();
+		entry->references.clear();
 		std::string name = entry->name;
 		old.emplace(std::move(name), std::move(entry));
 	}
 	_entries.clear();
-	_index.clear();
-	_attributes = state.attributes;
+	_index = EntryIndex();
+	_attributes = std::move(state.attributes);
+	_size = size;
 	std::vector<std::string> names;
 	std::vector<Entry *> all;
-	for (const EntryState &saved : state.entries) {
-		if (!check_new_name(saved.name) || size() >= MAX_ENTRIES) {
-			continue;
-		}
-		const auto found = old.find(saved.name);
-		const bool is_new = found == old.end();
-		_entries.push_back(is_new ? std::make_unique<Entry>() : std::move(found->second));
-		Entry &entry = *_entries.back();
-		if (is_new) {
-			names.push_back(saved.name);
-			entry.name = saved.name;
+	for (auto &[saved, expression] : accepted) {
+		const auto found = old.find(saved->name);
+		if (found == old.end()) {
+			names.push_back(saved->name);
+			_entries.push_back(std::make_unique<Entry>());
+			_entries.back()->name = std::move(saved->name);
 		} else {
+			_entries.push_back(std::move(found->second));
 			old.erase(found);
 		}
-		entry.attributes = saved.attributes;
-		_index.emplace(entry.name, &entry);
-		all.push_back(&entry);
-		if (is_new || entry.text != saved.text) {
-			entry.text = saved.text;
-			entry.expression = parse(saved.text);
+		Entry &entry = *_entries.back();
+		entry.attributes = std::move(saved->attributes);
+		if (expression) {
+			entry.text = std::move(saved->text);
+			entry.expression = *std::move(expression);
 		}
+		_index.add(entry);
+		all.push_back(&entry);
 	}
 	for (const auto &removed : old) {
 		names.push_back(removed.first);
 	}
 	for (Entry *entry : all) {
-		connect(*entry, _index);
+		_index.connect(*entry);
 	}
 	return change(all, std::move(names));
 }

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "cga/text/text_error.hpp"
+#include "playground/document/document_size.hpp"
 #include "playground/document/document_state.hpp"
-#include "playground/document/entry.hpp"
+#include "playground/document/entry_index.hpp"
 #include "playground/document/literal.hpp"
 
 #include <memory>
@@ -19,13 +20,13 @@ using ChangeResult = cga::Result<std::vector<std::string>, Error>;
 // Named expressions in user-defined order. An expression may refer to any entry, including later ones, so moving
 // an entry changes no value. Each change immediately recomputes the entries that depend on it, and no others.
 //
-// An entry with an invalid expression is kept, with an error. Invalid or duplicate names, and changes of entries that do
-// not exist, are refused.
+// An entry with an invalid expression is kept, with an error. Invalid or duplicate names, changes of entries that do not
+// exist, and changes beyond the limits of document_size.hpp are refused.
 //
 // To undo a change, restore() the state() from before it, or apply the inverse operation.
 class Document {
 public:
-	static constexpr size_t MAX_ENTRIES = 65536;
+	static constexpr size_t MAX_ENTRIES = playground::MAX_ENTRIES;
 
 	Document() = default;
 	Document(Document &&) = default;
@@ -56,12 +57,13 @@ public:
 	ChangeResult set_parameter(std::string_view name, std::string_view parameter, const LiteralValue &value);
 	ChangeResult set_attribute(std::string_view name, std::string_view key, const AttributeValue &value);
 
+	[[nodiscard]] const DocumentSize &document_size() const { return _size; }
 	[[nodiscard]] const Attributes &attributes() const { return _attributes; }
 	ChangeResult set_document_attribute(std::string_view key, const AttributeValue &value);
 
 	[[nodiscard]] DocumentState state() const;
 	// Replaces everything. Entries with invalid or duplicate names are left out.
-	ChangeResult restore(const DocumentState &state);
+	ChangeResult restore(DocumentState state);
 
 	// The value of an expression that may refer to entries without becoming one. Referring to an entry with an error is an
 	// error.
@@ -72,13 +74,18 @@ public:
 
 private:
 	Entry *find_mutable(std::string_view name);
-	void set_text(Entry &entry, std::string_view text);
-	[[nodiscard]] std::vector<Entry *> entries_with_missing_dependency() const;
+	void set_expression(Entry &entry, std::string text, cga::TextResult<Expression> expression);
+	// The entries whose error may suggest another name, now that an entry was added or removed.
+	[[nodiscard]] std::vector<Entry *> entries_with_suggestion() const;
+	// Refused if the document would become too large.
+	cga::Result<void, Error> replace_size(const DocumentSize &before, const DocumentSize &after);
+	ChangeResult change_attribute(Attributes &attributes, std::string_view key, const AttributeValue &value);
 	ChangeResult change(const std::vector<Entry *> &stale, std::vector<std::string> names = {});
 
 	std::vector<std::unique_ptr<Entry>> _entries;
 	EntryIndex _index;
 	Attributes _attributes;
+	DocumentSize _size = size_of_empty_document();
 };
 
 } // namespace playground

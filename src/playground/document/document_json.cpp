@@ -3,7 +3,6 @@
 #include "cga/text/json.hpp"
 #include "cga/text/json_reader.hpp"
 #include "cga/text/number_text.hpp"
-#include "playground/document/document.hpp"
 #include "playground/expression/names.hpp"
 
 #include <cmath>
@@ -25,15 +24,7 @@ void append_attributes(std::string &json, const Attributes &attributes) {
 		separator = ", ";
 		cga::append_json_string(json, key);
 		json += ": ";
-		if (const bool *boolean = std::get_if<bool>(&value)) {
-			json += *boolean ? "true" : "false";
-		} else if (const double *number = std::get_if<double>(&value)) {
-			cga::append_number(json, *number);
-		} else if (const std::string *text = std::get_if<std::string>(&value)) {
-			cga::append_json_string(json, *text);
-		} else {
-			json += "null";
-		}
+		append_attribute_value(json, value);
 	}
 	json += '}';
 }
@@ -45,7 +36,7 @@ public:
 
 	LoadedDocument read() {
 		if (_text.size() > MAX_DOCUMENT_LENGTH) {
-			add_error(cga::text_error(_text, 0, "the document is too long; at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " bytes are accepted").describe());
+			report_at(0, "the document is too long: it has " + std::to_string(_text.size()) + " bytes, and at most " + std::to_string(MAX_DOCUMENT_LENGTH) + " are accepted");
 		} else if (_reader.next_is('[')) {
 			read_multivectors();
 		} else if (_reader.next_is('{')) {
@@ -55,33 +46,38 @@ public:
 			}
 			report_error();
 			_loaded.is_document = _has_format || _has_entries;
-			if (!_loaded.is_document && _loaded.errors.empty()) {
-				add_error("column 1: expected the key \"entries\" in the document");
+			if (!_loaded.is_document && _errors.empty()) {
+				report_at(0, "expected the key \"entries\" in the document");
 			}
 		} else {
 			_reader.fail_expected("'{' before a document or '[' before 32 coefficients");
 			report_error();
 		}
+		if (_attribute_count > MAX_ATTRIBUTES) {
+			_loaded = {};
+			_unlisted_errors = 0;
+			_errors = { { "the document has too many attributes: at least " + std::to_string(_attribute_count) + ", and at most " + std::to_string(MAX_ATTRIBUTES) + " are accepted", 0 } };
+		}
+		_loaded.errors = cga::describe_errors(_text, _errors);
+		if (_unlisted_errors > 0) {
+			_loaded.errors.push_back("and " + std::to_string(_unlisted_errors) + (_unlisted_errors == 1 ? " more error" : " more errors"));
+		}
 		return std::move(_loaded);
 	}
 
 private:
-	void add_error(std::string error) {
-		if (_loaded.errors.size() < MAX_ERRORS) {
-			_loaded.errors.push_back(std::move(error));
-		} else if (_loaded.errors.size() == MAX_ERRORS) {
-			_loaded.errors.push_back("further errors are not listed");
-		}
-	}
-
 	void report_error() {
 		if (_reader.error()) {
-			add_error(_reader.error()->describe());
+			report_at(_reader.error()->offset, _reader.error()->message);
 		}
 	}
 
 	void report_at(size_t offset, std::string message) {
-		add_error(cga::text_error(_text, offset, std::move(message)).describe());
+		if (_errors.size() < MAX_ERRORS) {
+			_errors.push_back({ std::move(message), offset });
+		} else {
+			++_unlisted_errors;
+		}
 	}
 
 	// Calls `read_member` with each key. Stops at the first error and returns false.
@@ -169,16 +165,16 @@ private:
 		return read_object([this, &attributes, &owner](const std::string &key) {
 			_reader.next_character();
 			const size_t offset = _reader.position();
-			const std::optional<AttributeValue> value = read_attribute();
+			std::optional<AttributeValue> value = read_attribute();
 			if (!value) {
 				return false;
 			}
 			if (const cga::Result<void, Error> checked = check_attribute(key, *value); !checked) {
 				report_at(offset, "attribute of " + owner + " skipped: " + checked.error().message);
 			} else {
-				set_attribute(attributes, key, *value);
+				set_attribute(attributes, key, *std::move(value));
 			}
-			return true;
+			return ++_attribute_count <= MAX_ATTRIBUTES || _reader.fail(offset, "too many attributes");
 		});
 	}
 
@@ -196,7 +192,7 @@ private:
 			if (_reader.error()) {
 				const size_t error_offset = _reader.error()->offset;
 				report_error();
-				if (!find_entry(error_offset)) {
+				if (_attribute_count > MAX_ATTRIBUTES || !find_entry(error_offset)) {
 					return false;
 				}
 				is_first = true;
@@ -240,7 +236,7 @@ private:
 		});
 		const std::string what = check_name(entry.name) ? "entry '" + entry.name + "'" : "entry";
 		if (!is_read) {
-			const cga::TextError error = *_reader.error();
+			const cga::OffsetError error = *_reader.error();
 			_reader.restart_at(error.offset);
 			_reader.fail(error.offset, what + " skipped: " + error.message);
 		} else if (const cga::Result<void, Error> checked = check_entry(entry.name, text.has_value()); !checked) {
@@ -262,8 +258,8 @@ private:
 		if (_names.count(name) > 0) {
 			return Error("an earlier entry has the same name");
 		}
-		if (_names.size() >= Document::MAX_ENTRIES) {
-			return Error("a document has at most " + std::to_string(Document::MAX_ENTRIES) + " entries");
+		if (_names.size() >= MAX_ENTRIES) {
+			return too_many_entries();
 		}
 		return {};
 	}
@@ -295,6 +291,10 @@ private:
 			report_at(start + value.error().offset, "multivector skipped: " + value.error().message);
 			return;
 		}
+		if (_loaded.state.entries.size() >= MAX_ENTRIES) {
+			report_at(start, "multivector skipped: " + too_many_entries().message);
+			return;
+		}
 		_loaded.is_document = true;
 		_loaded.state.entries.push_back({ "x" + std::to_string(_loaded.state.entries.size() + 1), cga::to_json(*value), {} });
 	}
@@ -302,12 +302,27 @@ private:
 	std::string_view _text;
 	cga::JsonReader _reader;
 	LoadedDocument _loaded;
+	std::vector<cga::OffsetError> _errors;
+	size_t _unlisted_errors = 0;
+	size_t _attribute_count = 0;
 	std::set<std::string> _names;
 	bool _has_format = false;
 	bool _has_entries = false;
 };
 
 } // namespace
+
+void append_attribute_value(std::string &json, const AttributeValue &value) {
+	if (const bool *boolean = std::get_if<bool>(&value)) {
+		json += *boolean ? "true" : "false";
+	} else if (const double *number = std::get_if<double>(&value)) {
+		cga::append_number(json, *number);
+	} else if (const std::string *text = std::get_if<std::string>(&value)) {
+		cga::append_json_string(json, *text);
+	} else {
+		json += "null";
+	}
+}
 
 std::string to_json(const DocumentState &state) {
 	std::string json = "{\n\t\"format\": ";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "playground/document/document_size.hpp"
 #include "playground/document/document_state.hpp"
 
 #include <string>
@@ -23,7 +24,8 @@
 namespace playground {
 
 inline constexpr int DOCUMENT_VERSION = 1;
-inline constexpr size_t MAX_DOCUMENT_LENGTH = 16 << 20; // bytes
+
+void append_attribute_value(std::string &json, const AttributeValue &value);
 
 // Writes one entry per line, so that a changed entry is a changed line in version control.
 [[nodiscard]] std::string to_json(const DocumentState &state);

@@ -6,8 +6,6 @@
 #include "playground/expression/expression.hpp"
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +23,15 @@ using EntryValue = cga::Result<cga::Multivector, EntryError>;
 // Compares coefficients bit for bit, so that incremental and full evaluation give the same results.
 [[nodiscard]] bool is_same(const EntryValue &left, const EntryValue &right);
 
-// A named expression of a document and its value.
+struct Entry;
+
+// That the expression of one entry refers to another.
+struct Reference {
+	Entry *from;
+	size_t variable; // index into from->expression->variables() and from->dependencies
+};
+
+// A named expression of a document and its value. EntryIndex keeps dependencies, slots and references.
 struct Entry {
 	std::string name;
 	std::string text; // of the expression, as typed
@@ -36,14 +42,15 @@ struct Entry {
 
 	// The entries that expression->variables() refer to, in that order; null where no such entry exists.
 	std::vector<Entry *> dependencies;
-	// The entries that depend directly on this one, each once.
-	std::vector<Entry *> dependents;
+	// For each dependency the index of the reference to it, in its `references` or among those that wait for its name.
+	std::vector<size_t> slots;
+	// From the entries that depend directly on this one, each once.
+	std::vector<Reference> references;
 
-	// The number of the last graph traversal that visited this entry, and its mark.
+	// The number of the last graph traversal that visited this entry, its mark, and the index of its component.
 	uint64_t visit = 0;
 	int mark = 0;
+	size_t component = 0;
 };
-
-using EntryIndex = std::map<std::string, Entry *, std::less<>>;
 
 } // namespace playground

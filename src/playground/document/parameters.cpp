@@ -230,7 +230,7 @@ cga::Result<std::string, Error> with_parameter(std::string_view text, std::strin
 		for (const Parameter &known : parameters) {
 			names += (names.empty() ? "; it has " : ", ") + known.name;
 		}
-		return Error("the expression has no parameter '" + std::string(name) + "'" + (names.empty() ? "; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)" : names));
+		return Error("the expression has no parameter '" + cga::shortened(name) + "'" + (names.empty() ? "; only literals of constructors can be set: write a number or a call such as point(1, 2, 3)" : names));
 	}
 	if (parameter->literal.value.index() != value.index()) {
 		return Error("the parameter '" + parameter->name + "' must be " + TYPES[parameter->literal.value.index()] + ", not " + TYPES[value.index()]);

@@ -14,8 +14,6 @@ namespace {
 
 // The error message for a longer cycle does not list the entries.
 constexpr size_t MAX_CYCLE_DESCRIBED = 16;
-// Larger documents get no suggestions for missing entries: the search takes time proportional to the number of entries.
-constexpr size_t MAX_CANDIDATES = 100;
 
 std::string quoted(const std::string &name) {
 	return "'" + name + "'";
@@ -58,14 +56,12 @@ EntryError cycle_error(const Entry &entry, const Component &component) {
 		found.is_cycle = true;
 		return found;
 	};
-	const auto is_member = [&component](const Entry *candidate) {
-		return candidate && std::find(component.members.begin(), component.members.end(), candidate) != component.members.end();
-	};
+	const auto is_member = [&entry](const Entry *candidate) { return is_in_same_component(entry, candidate); };
 	if (component.members.size() > MAX_CYCLE_DESCRIBED) {
 		const size_t variable = size_t(std::find_if(entry.dependencies.begin(), entry.dependencies.end(), is_member) - entry.dependencies.begin());
 		return error(variable, "circular dependency of " + std::to_string(component.members.size()) + " entries through " + quoted(entry.dependencies[variable]->name));
 	}
-	const std::vector<const Entry *> cycle = shortest_cycle(entry, component);
+	const std::vector<const Entry *> cycle = shortest_cycle(entry);
 	const Entry *next = cycle.size() > 1 ? cycle[1] : &entry;
 	const size_t variable = size_t(std::find(entry.dependencies.begin(), entry.dependencies.end(), next) - entry.dependencies.begin());
 	if (next == &entry) {
@@ -88,12 +84,7 @@ bool is_same(const EntryValue &left, const EntryValue &right) {
 }
 
 std::string missing_entry(const std::string &name, const EntryIndex &index) {
-	std::vector<std::string_view> names;
-	if (index.size() <= MAX_CANDIDATES) {
-		for (const auto &known : index) {
-			names.push_back(known.first);
-		}
-	}
+	const std::vector<std::string_view> names = index.size() <= MAX_CANDIDATES ? index.names() : std::vector<std::string_view>();
 	return "there is no entry '" + name + "'" + correction(name, names);
 }
 

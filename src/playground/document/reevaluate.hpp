@@ -1,6 +1,6 @@
 #pragma once
 
-#include "playground/document/entry.hpp"
+#include "playground/document/entry_index.hpp"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,8 @@ namespace playground {
 // An error in one entry does not stop the evaluation of the others; the errors of its dependents name it.
 std::vector<Entry *> reevaluate(const std::vector<Entry *> &entries, const EntryIndex &index);
 
-// The error message for a reference to a name that has no entry, with a suggestion if a similar name exists.
+// The error message for a reference to a name that has no entry, with a suggestion if a similar name exists among
+// at most MAX_CANDIDATES.
 [[nodiscard]] std::string missing_entry(const std::string &name, const EntryIndex &index);
 
 } // namespace playground

@@ -13,19 +13,20 @@ namespace {
 
 // Connects `trial` to copies of the entries that it depends on, as if it replaced the entry with its name.
 void connect_to_copies(Entry &trial, const std::vector<const Entry *> &reached, std::deque<Entry> &copies) {
-	EntryIndex index = { { trial.name, &trial } };
+	EntryIndex index;
+	index.add(trial);
 	for (const Entry *entry : reached) {
 		if (entry->name != trial.name) {
 			Entry &copy = copies.emplace_back();
 			copy.name = entry->name;
 			copy.text = entry->text;
 			copy.expression = entry->expression;
-			index.emplace(copy.name, &copy);
+			index.add(copy);
 		}
 	}
-	connect(trial, index);
+	index.connect(trial);
 	for (Entry &copy : copies) {
-		connect(copy, index);
+		index.connect(copy);
 	}
 }
 
@@ -41,8 +42,7 @@ Entry Document::trial_entry(std::string_view name, std::string_view text) const 
 	trial.expression = parse(trial.text);
 	if (trial.expression) {
 		for (const std::string &variable : trial.expression->variables()) {
-			const auto found = _index.find(variable);
-			trial.dependencies.push_back(found == _index.end() ? nullptr : found->second);
+			trial.dependencies.push_back(_index.find(variable));
 		}
 	}
 	std::vector<const Entry *> reached = { &trial };
@@ -64,7 +64,8 @@ Entry Document::trial_entry(std::string_view name, std::string_view text) const 
 	}
 	reevaluate({ &trial }, _index);
 	trial.dependencies.clear();
-	trial.dependents.clear();
+	trial.slots.clear();
+	trial.references.clear();
 	return trial;
 }
 

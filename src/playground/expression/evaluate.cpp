@@ -87,7 +87,7 @@ public:
 	}
 
 private:
-	std::string text_of(const Node &node) const { return _expression.text().substr(node.offset, node.length); }
+	std::string text_of(const Node &node) const { return cga::shortened(std::string_view(_expression.text()).substr(node.offset, node.length)); }
 
 	bool fail_at(size_t offset, std::string message) {
 		_error = cga::text_error(_expression.text(), offset, std::move(message));

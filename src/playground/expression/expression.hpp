@@ -50,12 +50,14 @@ public:
 	[[nodiscard]] const std::vector<std::string> &variables() const { return _variables; }
 	// The offset of the first occurrence of variables()[variable], in bytes.
 	[[nodiscard]] size_t first_use(size_t variable) const;
-	// The constants that it uses, one for each occurrence.
+	// The constants that it uses, each spelling once.
 	[[nodiscard]] const std::vector<cga::Multivector> &constants() const { return _constants; }
 	// The offsets of all arguments of calls, in bytes; those of one call are adjacent.
 	[[nodiscard]] const std::vector<uint32_t> &argument_offsets() const { return _argument_offsets; }
 	// The largest number of values on the evaluation stack.
 	[[nodiscard]] int stack_size() const { return _stack_size; }
+	// What evaluating it costs, in products: operators.hpp weighs the nodes.
+	[[nodiscard]] size_t operations() const { return _operations; }
 
 	[[nodiscard]] bool refers_to(std::string_view variable) const;
 
@@ -68,6 +70,7 @@ private:
 	std::vector<cga::Multivector> _constants;
 	std::vector<uint32_t> _argument_offsets;
 	int _stack_size = 0;
+	size_t _operations = 0;
 };
 
 // The text with each occurrence of variable `from` renamed; everything else stays as typed. In a text that does not parse,

@@ -107,6 +107,11 @@ std::string Overload::signature() const {
 	return std::string(name) + "(" + std::string(parameters) + ")";
 }
 
+bool Function::is_costly() const {
+	constexpr std::string_view COSTLY[] = { "meet", "join", "project_onto", "reject_from", "reflect_in" };
+	return std::find(std::begin(COSTLY), std::end(COSTLY), name) != std::end(COSTLY);
+}
+
 bool Function::takes(size_t count) const {
 	return std::any_of(overloads.begin(), overloads.end(), [count](const Overload *overload) { return overload->count == count; });
 }
@@ -145,7 +150,9 @@ std::string correction(const std::string &variable, const std::vector<std::strin
 		return "; to call the function write '" + variable + "('";
 	}
 	std::vector<std::string_view> candidates = { "eo", "einf", "pi", "tau" };
-	candidates.insert(candidates.end(), variables.begin(), variables.end());
+	if (variables.size() <= MAX_CANDIDATES) {
+		candidates.insert(candidates.end(), variables.begin(), variables.end());
+	}
 	return suggestion(variable, candidates);
 }
 

@@ -68,6 +68,8 @@ struct Function {
 	std::string_view name;
 	std::vector<const Overload *> overloads; // the first whose kinds match is called
 
+	// Whether a call takes ten times as long as most.
+	[[nodiscard]] bool is_costly() const;
 	[[nodiscard]] bool takes(size_t count) const;
 	[[nodiscard]] size_t max_arguments() const;
 	// "2, 3 or 4 arguments"
@@ -80,7 +82,8 @@ struct Function {
 [[nodiscard]] std::optional<size_t> find_function(std::string_view name);
 
 // How to correct a variable that does not exist, as the end of an error message: to call the function of that name, or to
-// use a similar constant or one of `variables`. Empty without a suggestion.
+// use a similar constant or one of `variables`, if they are at most MAX_CANDIDATES. Empty without a suggestion.
+inline constexpr size_t MAX_CANDIDATES = 100;
 [[nodiscard]] std::string correction(const std::string &variable, const std::vector<std::string_view> &variables);
 
 // Whether `value` is of the kind, within rounding errors.

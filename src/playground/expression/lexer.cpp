@@ -103,7 +103,7 @@ Token Lexer::read_number() {
 			end = mark + 1 + (has_sign ? 1 : 0) + digits;
 		}
 		if (digits > 0 && !has_sign && cga::parse_blade(_text.substr(mark, end - mark))) {
-			const std::string mantissa(_text.substr(_position, mark - _position));
+			const std::string mantissa = cga::shortened(_text.substr(_position, mark - _position));
 			const std::string exponent(_text.substr(mark + 1, digits));
 			return fail(_position, "'" + mantissa + "e" + exponent + "' is ambiguous: write '" + mantissa + "e+" + exponent + "' for the number or '" + mantissa + " e" + exponent + "' for the blade");
 		}

@@ -1,5 +1,6 @@
 #include "playground/expression/names.hpp"
 
+#include "cga/text/text_error.hpp"
 #include "cga/text/utf8.hpp"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ std::optional<cga::Multivector> constant(std::string_view name) {
 }
 
 cga::Result<void, Error> check_name(std::string_view name) {
-	const std::string quoted = "'" + std::string(name) + "'";
+	const std::string quoted = "'" + cga::shortened(name) + "'";
 	if (name.empty()) {
 		return Error("a name must have at least one character");
 	}

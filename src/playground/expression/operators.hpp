@@ -74,4 +74,23 @@ inline constexpr int IMPLICIT_PRODUCT_LEVEL = 6;
 	}
 }
 
+// What a node costs, in products; sums, signs and operands are not counted. `is_costly` as of the called function.
+[[nodiscard]] constexpr size_t operation_count(NodeKind kind, bool is_costly) {
+	switch (kind) {
+		case NodeKind::NUMBER:
+		case NodeKind::CONSTANT:
+		case NodeKind::VARIABLE:
+		case NodeKind::NEGATE:
+		case NodeKind::ADD:
+		case NodeKind::SUBTRACT:
+			return 0;
+		case NodeKind::DIVIDE:
+			return 8;
+		case NodeKind::CALL:
+			return is_costly ? 80 : 12;
+		default:
+			return 1;
+	}
+}
+
 } // namespace playground

@@ -24,7 +24,7 @@ public:
 	cga::TextResult<Expression> parse() {
 		const std::string_view text = _expression._text;
 		if (text.size() > MAX_TEXT_LENGTH) {
-			return cga::text_error(text, MAX_TEXT_LENGTH, "the expression is too long; at most " + std::to_string(MAX_TEXT_LENGTH) + " bytes are accepted");
+			return cga::text_error(text, MAX_TEXT_LENGTH, "the expression is too long: it has " + std::to_string(text.size()) + " bytes, and at most " + std::to_string(MAX_TEXT_LENGTH) + " are accepted");
 		}
 		advance();
 		while (!_error && !_is_complete) {
@@ -39,7 +39,7 @@ public:
 		if (_error) {
 			return *_error;
 		}
-		measure_stack();
+		measure();
 		return std::move(_expression);
 	}
 
@@ -59,6 +59,9 @@ private:
 
 	void advance() { _token = _lexer.next(); }
 
+	// For messages.
+	std::string quoted(const Token &token) const { return "'" + cga::shortened(text_of(token)) + "'"; }
+
 	std::string text_of(const Token &token) const { return _expression._text.substr(token.offset, token.length); }
 
 	void fail(const Token &token, std::string message) {
@@ -69,7 +72,7 @@ private:
 
 	// "expected X, found Y"
 	void fail_expected(const std::string &what) {
-		const std::string found = _token.kind == TokenKind::END ? "the end" : (_token.kind == TokenKind::LIST ? "'['" : "'" + text_of(_token) + "'");
+		const std::string found = _token.kind == TokenKind::END ? "the end" : (_token.kind == TokenKind::LIST ? "'['" : quoted(_token));
 		std::string message = "expected " + what + ", found " + found;
 		if (!_expects_operand && (_token.kind == TokenKind::NAME || _token.kind == TokenKind::NUMBER || _token.kind == TokenKind::OPEN || _token.kind == TokenKind::LIST)) {
 			message += "; write '*' to multiply";
@@ -136,7 +139,7 @@ private:
 		// An implicit product. After a division it is refused: "1/2 e12" would mean 1/(2 e12), which is rarely intended.
 		const auto before = std::find_if(_pending.rbegin(), _pending.rend(), [](const Pending &pending) { return pending.level != PREFIX_LEVEL; });
 		if (before != _pending.rend() && before->kind == Pending::OPERATOR && before->node.kind == NodeKind::DIVIDE) {
-			const std::string divisor = text_of(token);
+			const std::string divisor = cga::shortened(text_of(token));
 			fail(_token, "expected an operator; '/ " + divisor + " ...' is ambiguous: write '/ " + divisor + " * ...' or '/ (" + divisor + " ...)'");
 			return;
 		}
@@ -160,8 +163,12 @@ private:
 
 	void add_constant(const Token &token, const cga::Multivector &value) {
 		Node node = node_at(NodeKind::CONSTANT, token);
-		node.index = uint16_t(_expression._constants.size());
-		_expression._constants.push_back(value);
+		std::vector<cga::Multivector> &constants = _expression._constants;
+		const auto [found, is_new] = _constant_indices.emplace(text_of(token), uint16_t(constants.size()));
+		if (is_new) {
+			constants.push_back(value);
+		}
+		node.index = found->second;
 		_expression._nodes.push_back(node);
 	}
 
@@ -210,14 +217,14 @@ private:
 	void fail_unknown_function(const Token &name) {
 		const std::string text = text_of(name);
 		if (constant(text)) {
-			fail(name, "'" + text + "' is not a function; write '*' to multiply");
+			fail(name, quoted(name) + " is not a function; write '*' to multiply");
 			return;
 		}
 		std::vector<std::string_view> names;
 		for (const Function &function : functions()) {
 			names.push_back(function.name);
 		}
-		fail(name, "unknown function '" + text + "'" + suggestion(text, names));
+		fail(name, "unknown function " + quoted(name) + suggestion(text, names));
 	}
 
 	void fail_count(const Pending &call, size_t count) {
@@ -292,11 +299,12 @@ private:
 		advance();
 	}
 
-	void measure_stack() {
+	void measure() {
 		int size = 0;
 		for (const Node &node : _expression._nodes) {
 			size += 1 - operand_count(node);
 			_expression._stack_size = std::max(_expression._stack_size, size);
+			_expression._operations += operation_count(node.kind, node.kind == NodeKind::CALL && functions()[node.index].is_costly());
 		}
 	}
 
@@ -306,6 +314,7 @@ private:
 	std::vector<Pending> _pending;
 	std::optional<cga::TextError> _error;
 	std::map<std::string, uint16_t> _variable_indices;
+	std::map<std::string, uint16_t> _constant_indices;
 	bool _expects_operand = true;
 	bool _is_complete = false;
 };

@@ -6,16 +6,20 @@ using namespace cga;
 
 namespace {
 
+std::string described(std::string_view json, const JsonReader &reader) {
+	return text_error(json, reader.error()->offset, reader.error()->message).describe();
+}
+
 std::string string_of(std::string_view json) {
 	JsonReader reader(json);
 	const std::optional<std::string> value = reader.read_string();
-	return value ? *value : "error: " + reader.error()->describe();
+	return value ? *value : "error: " + described(json, reader);
 }
 
 std::string skipped(std::string_view json) {
 	JsonReader reader(json);
 	if (!reader.skip_value()) {
-		return reader.error()->describe();
+		return described(json, reader);
 	}
 	return reader.is_at_end() ? "all" : "up to " + std::to_string(reader.position());
 }
@@ -78,7 +82,8 @@ TEST_CASE("the first error is kept until restart_at()") {
 	CHECK(reader.take('[', "'['"));
 	CHECK(!reader.read_number());
 	CHECK(!reader.take('x', "'x'"));
-	CHECK(reader.error()->describe() == "column 2: expected a number, found 'x'");
+	CHECK(reader.error()->message == "expected a number, found 'x'");
+	CHECK(reader.error()->offset == 1);
 	reader.restart_at(4);
 	CHECK(reader.read_number() == 5.0);
 	CHECK(!reader.error());

@@ -48,3 +48,24 @@ TEST_CASE("describe_character() is always printable") {
 	CHECK(describe_character(std::string_view("\0", 1), 0) == "the control character 0x00");
 	CHECK(describe_character("\x1b", 0) == "the control character 0x1b");
 }
+
+TEST_CASE("describe_errors() describes errors in any order as text_error() does") {
+	const std::string text = "one\nzwö x\n\n∧∧ y\n";
+	std::vector<OffsetError> errors;
+	for (const size_t offset : { 9, 0, 17, 4, 10, 100, 9, 3, 11 }) {
+		errors.push_back({ "error " + std::to_string(errors.size()), offset });
+	}
+	const std::vector<std::string> descriptions = describe_errors(text, errors);
+	REQUIRE(descriptions.size() == errors.size());
+	for (size_t index = 0; index < errors.size(); ++index) {
+		CHECK(descriptions[index] == text_error(text, errors[index].offset, errors[index].message).describe());
+	}
+	CHECK(describe_errors(text, {}).empty());
+}
+
+TEST_CASE("shortened() keeps short texts, and cuts long ones between characters") {
+	CHECK(shortened("") == "");
+	CHECK(shortened(std::string(MAX_QUOTED_LENGTH, 'x')) == std::string(MAX_QUOTED_LENGTH, 'x'));
+	CHECK(shortened(std::string(MAX_QUOTED_LENGTH + 1, 'x')) == std::string(MAX_QUOTED_LENGTH, 'x') + "...");
+	CHECK(shortened(std::string(MAX_QUOTED_LENGTH - 1, 'x') + "∧") == std::string(MAX_QUOTED_LENGTH - 1, 'x') + "...");
+}

@@ -61,9 +61,9 @@ TEST_CASE("cycles are found, and the shortest path around each") {
 	const std::vector<Component> components = components_in_evaluation_order(graph.all());
 	CHECK(names_of(components) == "abdc* e* f");
 	std::string path;
-	for (const Entry *entry : shortest_cycle(*graph["a"], components[0])) {
+	for (const Entry *entry : shortest_cycle(*graph["a"])) {
 		path += entry->name;
 	}
 	CHECK(path == "ac");
-	CHECK(shortest_cycle(*graph["e"], components[1]).size() == 1);
+	CHECK(shortest_cycle(*graph["e"]).size() == 1);
 }

@@ -123,7 +123,7 @@ TEST_CASE("texts that are not documents, and documents of other versions") {
 	CHECK(joined(errors("{\"entries\": [{\"name\": \"a\", \"expression\": \"1\", \"attributes\": {\"visible\": 3, \"x\": [1], \"y\": true}}]}")) == "column 73: attribute of 'a' skipped: the attribute 'visible' must be a bool, not a number\ncolumn 81: expected a string, a number, true, false or null as attribute");
 	const std::string deep(100000, '[');
 	CHECK(joined(errors(("{\"x\": " + deep).c_str())) == "column 263: the value is nested too deeply; at most 256 levels are accepted");
-	CHECK(joined(read_document(std::string(MAX_DOCUMENT_LENGTH + 1, ' ')).errors) == "column 1: the document is too long; at most 16777216 bytes are accepted");
+	CHECK(joined(read_document(std::string(MAX_DOCUMENT_LENGTH + 1, ' ')).errors) == "column 1: the document is too long: it has 16777217 bytes, and at most 16777216 are accepted");
 }
 
 TEST_CASE("multivectors in the format of ganja.js are a document") {

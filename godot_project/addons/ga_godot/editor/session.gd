@@ -4,6 +4,8 @@ extends RefCounted
 ## editor, and restores it when the editor starts.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
+const SafeFile := preload("../playground/document/safe_file.gd")
+const SceneFile := preload("../playground/document/scene_file.gd")
 
 const FILE := "ga_playground.cfg"
 const SECTION := "session"
@@ -17,7 +19,9 @@ static func save(document: PlaygroundDocument) -> void:
 	file.set_value(SECTION, "path", document.path)
 	if document.path.is_empty() or document.is_unsaved():
 		file.set_value(SECTION, "document", document.scene.document)
-	file.save(_get_path())
+	var outcome := SafeFile.save_config(_get_path(), file)
+	if outcome != OK:
+		push_warning("GA-Godot: %s cannot be saved: %s." % [_get_path(), error_string(outcome)])
 
 
 static func restore(document: PlaygroundDocument) -> void:
@@ -27,13 +31,20 @@ static func restore(document: PlaygroundDocument) -> void:
 	var path: String = file.get_value(SECTION, "path", "")
 	var scene := GAScene.new()
 	if path.get_extension() == "json" and FileAccess.file_exists(path):
-		scene.load_json(FileAccess.get_file_as_string(path))
+		var failure := SceneFile.load_json(path, scene)
+		if not failure.is_empty():
+			push_warning("GA-Godot: " + failure)
+			path = ""
 	elif ResourceLoader.exists(path):
 		scene = ResourceLoader.load(path) as GAScene
 	else:
 		path = ""
 	if scene == null:
-		return
+		scene = GAScene.new()
+		path = ""
+	# Saving must not overwrite what could not be read.
+	if not scene.get_load_errors().is_empty():
+		path = ""
 	document.show_scene(scene, path)
 	if file.has_section_key(SECTION, "document"):
 		scene.document = file.get_value(SECTION, "document")

@@ -33,9 +33,15 @@ func is_open() -> bool:
 func write(wall: float, tick: float, rows: PackedFloat32Array) -> void:
 	if _file == null or rows.size() != _body_count * 12:
 		return
-	_file.store_double(wall)
-	_file.store_double(tick)
-	_file.store_buffer(rows.to_byte_array())
+	var times := PackedFloat64Array([wall, tick]).to_byte_array()
+	if not _file.store_buffer(times + rows.to_byte_array()):
+		printerr(
+			(
+				"Cannot write the recording %s further: %s. Check the free space on the disk."
+				% [_file.get_path(), error_string(_file.get_error())]
+			)
+		)
+		close()
 
 
 func close() -> void:

@@ -10,6 +10,8 @@ enum Item { NEW, OPEN, SAVE, SAVE_AS, COPY_JSON, PASTE, PICTURE }
 const PlaygroundDocument := preload("../document/playground_document.gd")
 const EntryEdits := preload("../document/entry_edits.gd")
 const PlaygroundHost := preload("../playground_host.gd")
+const SafeFile := preload("../document/safe_file.gd")
+const SceneFile := preload("../document/scene_file.gd")
 
 ## A scene or a ganja.js element, which is an array of 32 numbers or an object with keys 0 to 31.
 const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
@@ -61,7 +63,7 @@ func open(path: String) -> void:
 		return
 	var resource := ResourceLoader.load(path) if ResourceLoader.exists(path) else null
 	if resource is GAScene:
-		_document.show_scene(resource, path)
+		_show(resource as GAScene, path)
 	elif resource != null:
 		_warn(
 			(
@@ -73,41 +75,45 @@ func open(path: String) -> void:
 		_warn("%s cannot be read. See the Output panel for the reason." % path)
 
 
-# A partly read scene gets no path, so that saving it does not overwrite the file.
 func _open_json(path: String) -> void:
-	var text := FileAccess.get_file_as_string(path)
-	if FileAccess.get_open_error() != OK:
-		_warn("%s cannot be read: %s." % [path, error_string(FileAccess.get_open_error())])
-		return
 	var scene := GAScene.new()
-	var outcome := scene.load_json(text)
-	var errors := "\n".join(scene.get_load_errors())
-	if outcome == ERR_PARSE_ERROR:
-		_warn("%s is not a playground scene:\n%s" % [path, errors])
+	var failure := SceneFile.load_json(path, scene)
+	if failure.is_empty():
+		_show(scene, path)
+	else:
+		_warn(failure)
+
+
+# A partly read scene gets no path, so that saving it does not overwrite the file.
+func _show(scene: GAScene, path: String) -> void:
+	var errors := scene.get_load_errors()
+	if errors.is_empty():
+		_document.show_scene(scene, path)
 		return
-	_document.show_scene(scene, path if outcome == OK else "")
-	if outcome != OK:
-		_warn(
-			(
-				"%s was only partly read and is shown as a new scene. The file is unchanged:\n%s"
-				% [path, errors]
-			)
+	var copy := GAScene.new()
+	copy.document = scene.document
+	_document.show_scene(copy, "")
+	_warn(
+		(
+			"%s was only partly read and is shown as a new scene. The file is unchanged:\n%s"
+			% [path, "\n".join(errors)]
 		)
+	)
 
 
 func save(path: String) -> void:
 	var outcome := OK
 	if path.get_extension() == "json":
-		var file := FileAccess.open(path, FileAccess.WRITE)
-		outcome = FileAccess.get_open_error() if file == null else OK
-		if file != null:
-			file.store_string(_document.scene.to_json())
+		outcome = SafeFile.write(path, _document.scene.to_json().to_utf8_buffer())
 	else:
-		outcome = ResourceSaver.save(_document.scene, path, ResourceSaver.FLAG_CHANGE_PATH)
+		outcome = SafeFile.save_resource(path, _document.scene)
 	if outcome != OK:
 		_warn(
 			(
-				"%s cannot be saved: %s. Choose another location with Save As."
+				(
+					"%s cannot be saved: %s. What was saved before is unchanged."
+					+ " Check the free space on the disk, or choose another location with Save As."
+				)
 				% [path, error_string(outcome)]
 			)
 		)
@@ -128,6 +134,14 @@ func save_or_ask() -> void:
 ## Adds a ganja.js element as an entry. Replaces the current scene if the text is a scene; the user
 ## can undo this.
 func paste(text: String) -> void:
+	if text.length() > SceneFile.MAX_LENGTH:
+		_warn(
+			(
+				"The clipboard has %d characters, and at most %d can be pasted."
+				% [text.length(), SceneFile.MAX_LENGTH]
+			)
+		)
+		return
 	var parsed := JSON.new()
 	if parsed.parse(text) != OK or not typeof(parsed.data) in PASTED_TYPES:
 		_warn(
@@ -139,6 +153,9 @@ func paste(text: String) -> void:
 		return
 	if parsed.data is Dictionary and (parsed.data as Dictionary).has("entries"):
 		_document.change("Paste JSON", func(scene: GAScene) -> void: scene.load_json(text))
+		var errors := _document.scene.get_load_errors()
+		if not errors.is_empty():
+			_warn("The clipboard was not read completely:\n%s" % "\n".join(errors))
 	else:
 		_edits.add("", text.strip_edges())
 

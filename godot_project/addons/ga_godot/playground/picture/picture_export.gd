@@ -4,6 +4,7 @@ extends RefCounted
 
 const SceneDrawing := preload("../view/scene_drawing.gd")
 const ViewPoint := preload("view_point.gd")
+const SafeFile := preload("../document/safe_file.gd")
 
 const MAX_SIZE := 8192
 ## The height in pixels of a picture in which lines and labels have their normal size.
@@ -70,16 +71,16 @@ static func save(image: Image, path: String) -> String:
 		return "Enter a file name that ends with .png."
 	if path.get_extension().to_lower() != "png":
 		return "%s is not a PNG file name. Enter a file name that ends with .png." % path
-	var file := FileAccess.open(path, FileAccess.WRITE)
-	if file == null:
-		return (
-			"%s cannot be written: %s. Check that the folder exists and is writable."
-			% [path, error_string(FileAccess.get_open_error()).to_lower()]
-		)
+	var outcome := SafeFile.write(path, image.save_png_to_buffer())
+	if outcome == ERR_FILE_CANT_WRITE:
+		return "%s cannot be written completely. Check the free space on the disk." % path
 	return (
 		""
-		if file.store_buffer(image.save_png_to_buffer())
-		else "%s cannot be written completely. Check the free space on the disk." % path
+		if outcome == OK
+		else (
+			"%s cannot be written: %s. Check that the folder exists and is writable."
+			% [path, error_string(outcome).to_lower()]
+		)
 	)
 
 
