@@ -42,6 +42,7 @@ public:
 	void tick();
 	void frame();
 	void before_scripts();
+	void peer_left(int32_t peer);
 	void packet_received(int32_t peer, const godot::PackedByteArray &packet);
 	void target_exiting(uint64_t node);
 	void node_renamed(const godot::Node *node);
@@ -76,6 +77,7 @@ private:
 	void set_lead(MotorSynchronizer *lead);
 	void update_connection();
 	void update_peers();
+	void set_peers(const std::vector<int32_t> &peers);
 	void update_root();
 	void disconnect_session();
 	void close_session();

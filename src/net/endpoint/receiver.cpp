@@ -129,6 +129,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	_fragments.finish(_window);
 	const auto next = read_snapshot_header(_window.data(), _window.size());
 	if (!next) {
+		_other_version = _window.empty() ? 0 : _window[0];
 		return next.error();
 	}
 	if (is_behind(*next)) {

@@ -108,6 +108,9 @@ public:
 	/// True if the last snapshot was rejected because it has more than max_bodies bodies.
 	[[nodiscard]] bool is_refused() const { return _refused_size > 0; }
 
+	/// The version of the last snapshot that was rejected because of its version.
+	[[nodiscard]] uint8_t other_version() const { return _other_version; }
+
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
 	void set_margin_limits(double min, double max);
@@ -166,6 +169,7 @@ private:
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
+	uint8_t _other_version = 0;
 	size_t _refused_size = 0; // bodies in the last snapshot, if there were too many
 	PacketContent _content;
 	ChunkBuffer _chunks;

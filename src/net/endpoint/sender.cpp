@@ -255,7 +255,7 @@ void Sender::flush(double time, double now) {
 	send_all();
 }
 
-PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now, bool can_align) {
 	const auto found = _peers.find(receiver);
 	if (found == _peers.end()) {
 		return PacketError::UNKNOWN_RECEIVER;
@@ -264,7 +264,7 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 		return result;
 	}
 	found->second.delivery.accept(_content, _ring, now);
-	if (_content.alignment) {
+	if (_content.alignment && can_align) {
 		take_alignment(*_content.alignment, now);
 	}
 	return {};

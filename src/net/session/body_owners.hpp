@@ -23,6 +23,7 @@ public:
 	void remove(uint32_t body) { _owners.erase(body); }
 	void clear() { _owners.clear(); }
 
+	[[nodiscard]] bool exists(uint32_t body) const { return _owners.count(body) != 0; }
 	/// True if the body belongs to another peer. False if the body does not exist here.
 	[[nodiscard]] bool is_unauthorized(PeerId sender, uint32_t body) const { return find(body).value_or(sender) != sender; }
 	/// Takes the events of a stream and returns the number of new bodies that its sender does not own. They are not shown. This is

@@ -10,13 +10,14 @@
 namespace net {
 
 enum class PacketKind : uint8_t {
-	OPEN, ///< a receiver requests the peer's stream; content: nothing or OPEN_RELAY
+	OPEN, ///< a receiver requests the peer's stream; content: OPEN_PLAIN or OPEN_RELAY, then STREAM_VERSION
 	CLOSE, ///< a stream has ended; content: a CloseRole; if a server ends a relayed stream, its channel as well
 	MOTION, ///< content: a packet of net::Sender; if relayed, sections
 	ACK, ///< content: a packet of net::Receiver; if relayed, sections
 };
 
-/// Content of an OPEN that requests a relayed stream, and of one from a server that relays; other OPEN packets have none.
+/// First byte of an OPEN. OPEN_RELAY: it requests a relayed stream, or comes from a server that relays.
+inline constexpr uint8_t OPEN_PLAIN = 0;
 inline constexpr uint8_t OPEN_RELAY = 1;
 
 /// The endpoint that closes a stream.

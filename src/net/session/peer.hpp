@@ -37,6 +37,7 @@ struct Peer {
 	std::optional<uint8_t> relay_link; ///< link of the client to which we, the server, relay
 	double relayed_at = -1e9; ///< when that began
 	double acked_at = -1e9; ///< when its stream was last acknowledged
+	uint8_t stream_version = 0; ///< of the peer's last packet with another one than ours
 	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
 
 	// The peer's stream to us.
@@ -45,9 +46,11 @@ struct Peer {
 	std::optional<Receiver> stream; ///< from its first packet on
 	Repetition open{ MAX_OPEN_INTERVAL };
 	size_t refused_size = 0; ///< bodies in the last stream, if it was refused because it has too many
-	double refusal_pause = Repetition::FIRST; ///< seconds from the next such refusal to the next OPEN
+	double refusal_pause = Repetition::FIRST; ///< seconds from the next refusal to the next OPEN
 	uint64_t unauthorized_bodies = 0;
 
+	/// True if its last stream was refused: we request another one only after a pause.
+	[[nodiscard]] bool is_refused() const { return refusal_pause > Repetition::FIRST; }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 

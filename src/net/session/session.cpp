@@ -304,7 +304,8 @@ void Session::advance(double now) {
 		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
 			peer.is_open_sent = true;
-			send(id, peer, PacketKind::OPEN, peer.link, &OPEN_RELAY, is_relaying() || is_relayed(id) ? 1 : 0);
+			const uint8_t content[] = { is_relaying() || is_relayed(id) ? OPEN_RELAY : OPEN_PLAIN, STREAM_VERSION };
+			send(id, peer, PacketKind::OPEN, peer.link, content, sizeof(content));
 		}
 	}
 	if (is_relaying() && _running_time - _relayed_at > MAX_TICKS_MISSED * _settings.tick) {

@@ -43,7 +43,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (envelope->version != ENVELOPE_VERSION) {
 		result = PacketError::OTHER_SESSION_VERSION;
 	} else if (envelope->kind == PacketKind::OPEN) {
-		result = accept_open(id, peer, envelope->link, bytes, size, now);
+		result = accept_open(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
@@ -52,12 +52,25 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
 	if (!result) {
-		peer.rejections.add(result.error());
-		_rejected++;
+		const bool is_session = result.error() == PacketError::OTHER_SESSION_VERSION;
+		reject(peer, result.error(), is_session ? envelope->version : peer.stream_version);
 	}
 }
 
-PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+void Session::reject(Peer &peer, PacketError error, uint8_t version) {
+	peer.rejections.add(error, version);
+	++_rejected;
+}
+
+
+PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
+	if (size > 0 && bytes[0] > OPEN_RELAY) {
+		return PacketError::MALFORMED_OPEN;
+	}
+	if (size > 1 && bytes[1] != STREAM_VERSION) {
+		peer.stream_version = bytes[1];
+		return PacketError::OTHER_STREAM_VERSION;
+	}
 	const bool is_for_relay = size > 0 && bytes[0] == OPEN_RELAY;
 	const PacketResult result = note_relay(id, peer, is_for_relay);
 	if (is_for_relay && id != RelayedStreams::SERVER && !is_relaying()) {
@@ -65,9 +78,9 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 	}
 	if (peer.requested != link) {
 		peer.requested = link;
-		if (stream(id) == nullptr && peer.refused_size == 0) {
+		if (stream(id) == nullptr && !peer.is_refused()) {
 			// The peer's session may be newer than our last request.
-			peer.open.restart(now);
+			peer.open.hasten(_now);
 		}
 	}
 	start_requested();
@@ -75,7 +88,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 }
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link) {
+	if (peer.link != link || !peer.is_open_sent) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {
@@ -87,7 +100,10 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	}
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, _running_time);
-	if (peer.stream->is_refused()) {
+	if (!result && result.error() == PacketError::OTHER_STREAM_VERSION) {
+		peer.stream_version = peer.stream->other_version();
+		refuse_stream(id, peer);
+	} else if (peer.stream->is_refused()) {
 		refuse_stream(id, peer);
 	} else if (result) {
 		peer.open.restart(now + SILENCE);
@@ -99,7 +115,7 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	return result;
 }
 
-/// Closes a stream with too many bodies and requests it again later.
+/// Closes a stream with too many bodies or of another version and requests it again later.
 void Session::refuse_stream(PeerId id, Peer &peer) {
 	const size_t size = peer.stream->stream_size();
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
@@ -112,7 +128,7 @@ void Session::refuse_stream(PeerId id, Peer &peer) {
 
 PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	const auto accept_own = [&](const uint8_t *own, size_t own_size) {
-		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time) : PacketResult();
+		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time, _relay && id == RelayedStreams::SERVER) : PacketResult();
 	};
 	if (peer.relay_link == link) {
 		return _relayer.accept(id, bytes, size, _running_time, accept_own);
@@ -133,10 +149,11 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 		if (peer.link == link && is_relayed(id)) {
 			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
 		}
-	} else if (role == CloseRole::SENDER && peer.link == link) {
+	} else if (role == CloseRole::SENDER && peer.link == link && peer.is_open_sent) {
 		// The sender may return.
 		end_stream(id, peer);
 		request_stream(peer);
+		peer.open.hasten(_now);
 	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
 		peer.requested.reset();
 		unsubscribe(id, peer);

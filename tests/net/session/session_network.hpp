@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -169,6 +170,7 @@ public:
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
 	bool is_star = false; // clients are connected to peer 1 only
+	std::function<void(PeerId from, PeerId to, std::vector<uint8_t> &bytes)> rewrite; // changes packets on their way
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
@@ -233,8 +235,12 @@ private:
 				return;
 			}
 			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
+			std::vector<uint8_t> content = sent.back().bytes;
+			if (rewrite) {
+				rewrite(id, packet.peer, content);
+			}
 			Link &to = link(id, packet.peer);
-			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);
+			(packet.reliable ? to.reliable : to.unreliable).send(now, content.data(), content.size());
 		});
 	}
 
