@@ -77,6 +77,17 @@ uint8_t link_of(const SessionNetwork &network, PeerId from, PeerId to, PacketKin
 	return packets.empty() ? uint8_t(0) : packets.back().envelope.link;
 }
 
+/// The first packet of a stream: the snapshot of one body.
+Bytes first_packet() {
+	Sender sender(StreamSettings{});
+	sender.add_receiver(1, 0.0, 0.0);
+	sender.add_body(4, smooth_path(4)(0.0), false, 0.0);
+	sender.flush(0.1, 0.1);
+	REQUIRE(!sender.packets().empty());
+	const auto &packet = sender.packets().front();
+	return { sender.bytes() + packet.begin, sender.bytes() + packet.begin + packet.size };
+}
+
 /// Attacks on the authority of others. Each is repeated in every tick, at all honest peers.
 struct Attack {
 	std::string name;
@@ -137,7 +148,7 @@ const std::vector<Attack> &attacks() {
 		{ "requests to align windows", [](SessionNetwork &network, PeerId at) {
 			 static uint8_t number = 0;
 			 Bytes content;
-			 put_alignment(content, { ++number, 0.06, 0.031 });
+			 put_alignment(content, { ++number, 0.1, 0.05 });
 			 network.inject(HOSTILE, at, make_packet(PacketKind::ACK, link_of(network, at, HOSTILE, PacketKind::MOTION), content));
 		 } },
 		{ "OPEN and CLOSE", [](SessionNetwork &network, PeerId at) {
@@ -150,7 +161,7 @@ const std::vector<Attack> &attacks() {
 		{ "streams that begin and end", [](SessionNetwork &network, PeerId at) {
 			 uint8_t link = link_of(network, at, HOSTILE, PacketKind::OPEN);
 			 for (int i = 0; i < 20; ++i) { // all peers of a process number their links in one sequence
-				 network.inject(HOSTILE, at, make_packet(PacketKind::MOTION, link, { 0xe1, 9, 0 }));
+				 network.inject(HOSTILE, at, make_packet(PacketKind::MOTION, link, first_packet()));
 				 network.inject(HOSTILE, at, make_packet(PacketKind::CLOSE, link++, { 1 }));
 			 }
 		 } },
