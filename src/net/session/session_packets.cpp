@@ -62,7 +62,6 @@ void Session::reject(Peer &peer, PacketError error, uint8_t version) {
 	++_rejected;
 }
 
-
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
 	if (size > 0 && bytes[0] > OPEN_RELAY) {
 		return PacketError::MALFORMED_OPEN;
