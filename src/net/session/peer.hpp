@@ -42,7 +42,7 @@ struct Peer {
 
 	// The peer's stream to us.
 	uint8_t link = 0; ///< of the stream that we request
-	bool is_open_sent = false; ///< with this link
+	int opens_sent = 0; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
 	Repetition open{ MAX_OPEN_INTERVAL };
 	size_t refused_size = 0; ///< bodies in the last stream, if it was refused because it has too many
@@ -51,6 +51,7 @@ struct Peer {
 
 	/// True if its last stream was refused: we request another one only after a pause.
 	[[nodiscard]] bool is_refused() const { return refusal_pause > Repetition::FIRST; }
+	[[nodiscard]] bool is_open_sent() const { return opens_sent > 0; }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 

@@ -78,7 +78,7 @@ void Session::close(double now) {
 		if (peer.subscribed || peer.relay_link) {
 			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 		}
-		if (peer.is_open_sent) {
+		if (peer.is_open_sent()) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 	}
@@ -220,7 +220,7 @@ void Session::close_unneeded() {
 
 void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
-	peer.is_open_sent = false;
+	peer.opens_sent = 0;
 	peer.open.restart(_now);
 }
 
@@ -303,7 +303,7 @@ void Session::advance(double now) {
 		const bool is_wanted = !_is_link_relayed || is_relayed(id);
 		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
-			peer.is_open_sent = true;
+			++peer.opens_sent;
 			const uint8_t content[] = { is_relaying() || is_relayed(id) ? OPEN_RELAY : OPEN_PLAIN, STREAM_VERSION };
 			send(id, peer, PacketKind::OPEN, peer.link, content, sizeof(content));
 		}

@@ -11,11 +11,15 @@ namespace {
 
 /// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
+/// A peer that owns no bodies is sent OPEN packets forever. If they were all reliable, those of an outage would accumulate, and
+/// reliable packets of the game would wait for them.
+constexpr int MAX_RELIABLE_OPENS = 8;
 
 } // namespace
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	uint8_t *packet = _outbox.add(id, kind == PacketKind::OPEN || kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
+	const bool is_reliable = kind == PacketKind::CLOSE || (kind == PacketKind::OPEN && !peer.stream && peer.opens_sent <= MAX_RELIABLE_OPENS);
+	uint8_t *packet = _outbox.add(id, is_reliable, ENVELOPE_BYTES + size);
 	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
 	if (size > 0) {
 		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
@@ -87,7 +91,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 }
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link || !peer.is_open_sent) {
+	if (peer.link != link || !peer.is_open_sent()) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {
@@ -148,7 +152,7 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 		if (peer.link == link && is_relayed(id)) {
 			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
 		}
-	} else if (role == CloseRole::SENDER && peer.link == link && peer.is_open_sent) {
+	} else if (role == CloseRole::SENDER && peer.link == link && peer.is_open_sent()) {
 		// The sender may return.
 		end_stream(id, peer);
 		request_stream(peer);

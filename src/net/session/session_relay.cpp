@@ -30,7 +30,7 @@ void Session::update_relay() {
 		return;
 	}
 	for (auto &[id, peer] : _peers) {
-		if (peer.is_open_sent) {
+		if (peer.is_open_sent()) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 		end_stream(id, peer);

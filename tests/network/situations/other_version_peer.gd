@@ -1,6 +1,6 @@
 extends "limited_peer.gd"
-## The transport of a peer of another version: changes the version in the packets of MotorSynchronizer,
-## in both directions, so that each side sees another version than its own.
+## The transport of a peer of another version: changes the version in the packets of
+## MotorSynchronizer, in both directions, so that each side sees another version than its own.
 
 ## What precedes a packet in SceneMultiplayer.send_bytes, in bytes.
 const COMMAND := 1
