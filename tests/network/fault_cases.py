@@ -11,7 +11,7 @@ SETTLING = 1.5
 # Seconds after a fault from which motion is smooth and the delay is at most that of a bad network.
 SMOOTH_AFTER = 1.5
 # Seconds after a fault from which the delay is as before. Receivers adapt to the lateness of a short cut for 7 s, like to jitter.
-NORMAL_AFTER, NORMAL_AFTER_SHORT_CUT = 2.0, 9.5
+NORMAL_AFTER, NORMAL_AFTER_SHORT_CUT = 2.0, 12.0
 WATCHED = 1.5
 SHORT_CUT = 1.5
 MAX_DELAY = 0.3

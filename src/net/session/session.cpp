@@ -229,7 +229,7 @@ void Session::end_stream(PeerId id, Peer &peer) {
 	if (peer.stream) {
 		_late += peer.stream->statistics().late_windows;
 		peer.stream.reset();
-		peer.ended_at = _now;
+		peer.note_end(peer.link, _now);
 	}
 }
 
@@ -237,6 +237,9 @@ void Session::end_stream(PeerId id, Peer &peer) {
 void Session::start_requested() {
 	for (auto &[id, peer] : _peers) {
 		if (is_relaying() && peer.relay == true && peer.requested && peer.relay_link != peer.requested && _now - peer.relayed_at >= SUBSCRIPTION_INTERVAL) {
+			if (peer.relay_link) {
+				peer.note_end(*peer.relay_link, _now);
+			}
 			peer.relay_link = peer.requested;
 			peer.relayed_at = _now;
 			_relayer.add_client(id, _running_time);
@@ -254,7 +257,7 @@ void Session::start_stream(PeerId id, Peer &peer) {
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
-		peer.ended_at = _now;
+		peer.note_end(peer.subscription, _now);
 	}
 	peer.subscribed = true;
 	peer.subscription = *peer.requested;
@@ -264,15 +267,15 @@ void Session::start_stream(PeerId id, Peer &peer) {
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
 	if (peer.relay_link) {
+		peer.note_end(*peer.relay_link, _now);
 		peer.relay_link.reset();
-		peer.ended_at = _now;
 		_relayer.remove_client(id);
 	}
 	if (!peer.subscribed) {
 		return;
 	}
 	peer.subscribed = false;
-	peer.ended_at = _now;
+	peer.note_end(peer.subscription, _now);
 	_sender->remove_receiver(uint32_t(id));
 	if (std::none_of(_peers.begin(), _peers.end(), [](const auto &entry) { return entry.second.subscribed; })) {
 		_sender.reset();

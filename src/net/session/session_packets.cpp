@@ -92,7 +92,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	if (peer.link != link || !peer.is_open_sent()) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
+		return peer.ended_recently(link, now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {
 		peer.stream.emplace(MAX_BODIES);
@@ -137,7 +137,7 @@ PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint
 		return _relayer.accept(id, bytes, size, _running_time, accept_own);
 	}
 	if (!peer.is_subscribed(link)) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
+		return peer.ended_recently(link, now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
 	return accept_own(bytes, size);
 }

@@ -296,3 +296,21 @@ TEST_CASE("authority: a peer id that is given to another peer starts anew") {
 		CHECK(network.total(2).rejected <= 1);
 	}
 }
+
+TEST_CASE("authority: packets of streams that never were are counted, however often the peer opens and closes its own") {
+	for (const bool relay : { false, true }) {
+		SessionNetwork network = network_of_four(relay);
+		uint64_t forged = 0;
+		uint8_t link = 0;
+		network.run(4.0, [&] {
+			network.inject(HOSTILE, SERVER, make_packet(PacketKind::OPEN, uint8_t(++link % 32), { relay ? OPEN_RELAY : OPEN_PLAIN, STREAM_VERSION }));
+			for (int other = 100; other < 120; ++other) {
+				const bool is_own = other == link_of(network, SERVER, HOSTILE, PacketKind::OPEN) || other == link_of(network, HOSTILE, SERVER, PacketKind::OPEN);
+				network.inject(HOSTILE, SERVER, make_packet(PacketKind::ACK, uint8_t(other), { 0xc2 }));
+				forged += is_own ? 0 : 1;
+			}
+		});
+		CAPTURE(relay);
+		CHECK(network.statistics(HOSTILE, SERVER).rejected >= forged);
+	}
+}
