@@ -24,6 +24,8 @@ const OVERSIZED_INTERVAL := 2000
 const OVERSIZED_SIZE := 20000
 ## One packet of so many is well-formed.
 const WELL_FORMED_INTERVAL := 16
+## Seconds in which it sends only the stream of the cubes, which other packets would damage.
+const IMPOSTOR_SECONDS := 1.0
 ## Item in an acknowledgement that requests other ends of windows (docs/wire-format.md).
 const ALIGN := 0xc4
 
@@ -38,6 +40,7 @@ var _forger := MotorSender.new()
 var _impostor := MotorSender.new()
 var _listener := MotorReceiver.new()
 var _link := 0
+var _seconds_attacked := 0.0
 var _due := 0.0
 var _sent := 0
 
@@ -62,6 +65,10 @@ func _process(delta: float) -> bool:
 		_api.peer_packet.connect(_on_peer_packet)
 	# Starts when it has captured packets to imitate.
 	if _captured.size() < 20 or not _api.get_peers().has(1):
+		return false
+	_send_as_authority()
+	_seconds_attacked += delta
+	if _seconds_attacked < IMPOSTOR_SECONDS:
 		return false
 	_due = minf(_due + delta * _rate, MAX_PER_FRAME)
 	while _due >= 1.0:
@@ -136,21 +143,23 @@ func _listen(packet: PackedByteArray) -> void:
 
 
 func _make_well_formed() -> PackedByteArray:
-	match _random.randi() % 3:
-		0:
-			return _with_envelope(OPEN, PackedByteArray([_random.randi() & 1]))
-		1:
-			var request := PackedByteArray([ALIGN, _random.randi() & 255])
-			request.resize(8)
-			request.encode_u32(2, 100000)
-			request.encode_s16(6, _random.randi_range(-900, 900))
-			return _with_envelope(ACK, request)
-		_:
-			if _impostor.has_receiver(1):
-				for packet: Dictionary in _impostor.flush(_seconds()):
-					var bytes: PackedByteArray = packet["bytes"]
-					return _with_envelope(MOTION, bytes, _link)
-			return _with_envelope(OPEN, PackedByteArray())
+	if _random.randi() & 1:
+		return _with_envelope(OPEN, PackedByteArray([_random.randi() & 1]))
+	var request := PackedByteArray([ALIGN, _random.randi() & 255])
+	request.resize(8)
+	request.encode_u32(2, 100000)
+	request.encode_s16(6, _random.randi_range(-900, 900))
+	return _with_envelope(ACK, request)
+
+
+func _send_as_authority() -> void:
+	if not _impostor.has_receiver(1):
+		return
+	for packet: Dictionary in _impostor.flush(_seconds()):
+		var bytes: PackedByteArray = packet["bytes"]
+		_api.send_bytes(
+			_with_envelope(MOTION, bytes, _link), 1, MultiplayerPeer.TRANSFER_MODE_UNRELIABLE
+		)
 
 
 func _seconds() -> float:

@@ -109,10 +109,14 @@ TEST_CASE("versions: a stream whose snapshot has another version is closed, and 
 	const double begin = network.now;
 	network.run(30.0, [&] {
 		const auto opens = network.packets(1, 2, PacketKind::OPEN);
-		std::vector<uint8_t> snapshot{ 0xe0, 9, 0, 0, 0, 1, 0, 40, 0 };
-		snapshot.resize(snapshot.size() + 40);
-		snapshot[9] = STREAM_VERSION + 3;
-		network.inject(2, 1, make_packet(PacketKind::MOTION, opens.back().envelope.link, snapshot));
+		const std::vector<uint8_t> snapshot(40, STREAM_VERSION + 3); // the first byte is the version
+		FragmentItem fragment;
+		fragment.count = 1;
+		fragment.bytes = snapshot.data();
+		fragment.size = snapshot.size();
+		std::vector<uint8_t> content;
+		put_fragment(content, fragment);
+		network.inject(2, 1, make_packet(PacketKind::MOTION, opens.back().envelope.link, content));
 	});
 	int reports = 0;
 	for (const auto &[from, report] : network.peers[1].reports) {
