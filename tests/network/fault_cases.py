@@ -94,9 +94,10 @@ def peers_of_other_versions_are_refused_with_one_message(run):
     """A client of an older or newer version, among others; each side names both versions, once."""
     # (layer, version of client 1, versions that it and the server name)
     rows = [("session", 0, 3), ("session", 2, 3), ("stream", 0, 150), ("stream", 200, 150)]
-    sessions = [Session(f"{layer} version {version}", "versions", clients=2, seconds=8.0, layer=layer, version=version)
+    sessions = [Session(f"{layer} version {version}", "versions", clients=2, seconds=5.0, layer=layer, version=version)
                 for layer, version, _ in rows]
-    run_together(run, sessions)
+    run_together(run, sessions[:2])
+    run_together(run, sessions[2:])
     findings = Findings(sessions)
     for session, (layer, version, seen) in zip(sessions, rows):
         other, client = session.clients
