@@ -152,6 +152,25 @@ func test_another_stream_version_is_reported() -> void:
 	await expect_motion(0.3, [branches[1]])
 
 
+## A transport may give the id of a peer that has left to another one within one frame.
+func test_a_peer_that_leaves_and_returns_in_one_frame_starts_anew() -> void:
+	await connect_peers(1, 1)
+	var links := PackedInt32Array()
+	branches[1].api.peer_packet.connect(
+		func(_peer: int, packet: PackedByteArray) -> void:
+			if packet[0] == OPEN:
+				links.append(packet[3])
+	)
+	await expect_motion(0.2, [branches[1]])
+	var before := links.duplicate()
+	branches[0].api.peer_disconnected.emit(branches[1].api.get_unique_id())
+	await wait_until(func() -> bool: return links.size() > before.size(), "a new request")
+	expect_true(not before.has(links[-1]), "the server requests another stream")
+	# The client has not left here, and requests the server's stream after a second of silence.
+	await move(branches[0], 1.5)
+	await expect_motion(0.2, [branches[1]])
+
+
 func test_packets_of_others_are_ignored() -> void:
 	await connect_peers(1, 1)
 	var messages := PackedStringArray()
