@@ -243,24 +243,15 @@ void Replicator::disconnect_session() {
 	_transport = 0;
 }
 
-void Replicator::update_peers() {
+/// Without the peer `left`.
+void Replicator::update_peers(int32_t left) {
 	if (!_session.is_connected()) {
 		return;
 	}
 	const PackedInt32Array ids = _api->get_peers();
 	std::vector<int32_t> peers(ids.ptr(), ids.ptr() + ids.size());
+	peers.erase(std::remove(peers.begin(), peers.end(), left), peers.end());
 	std::sort(peers.begin(), peers.end());
-	set_peers(peers);
-}
-
-/// A transport may give the id of a peer that has left to another one before the next tick.
-void Replicator::peer_left(int32_t peer) {
-	std::vector<int32_t> peers = _session.peers();
-	peers.erase(std::remove(peers.begin(), peers.end(), peer), peers.end());
-	set_peers(peers);
-}
-
-void Replicator::set_peers(const std::vector<int32_t> &peers) {
 	for (const int32_t peer : _session.set_peers(peers, clock_seconds())) {
 		for (Target &target : _targets) {
 			if (target.authority == peer) {

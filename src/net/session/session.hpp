@@ -127,7 +127,6 @@ private:
 	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
 	void refuse_stream(PeerId id, Peer &peer);
-	void reject(Peer &peer, PacketError error, uint8_t version = 0);
 	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);

@@ -57,13 +57,9 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	}
 	if (!result) {
 		const bool is_session = result.error() == PacketError::OTHER_SESSION_VERSION;
-		reject(peer, result.error(), is_session ? envelope->version : peer.stream_version);
+		peer.rejections.add(result.error(), is_session ? envelope->version : peer.stream_version);
+		++_rejected;
 	}
-}
-
-void Session::reject(Peer &peer, PacketError error, uint8_t version) {
-	peer.rejections.add(error, version);
-	++_rejected;
 }
 
 PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
