@@ -7,6 +7,13 @@ const ACK := 0x47
 const OPEN := 0x44
 const CLOSE := 0x45
 
+## Offset of the version of the stream format in an OPEN.
+const OPEN_VERSION := 5
+const VERSION_FAULT := (
+	"it has version %d of the %s format, but this peer uses version %d; install the same version of "
+	+ "the GA-Godot addon on all peers"
+)
+
 ## Packets from the server, captured by a client.
 var _captured: Array[PackedByteArray] = []
 
@@ -103,24 +110,65 @@ func test_another_version_is_reported() -> void:
 	await connect_peers(1, 1)
 	await move(branches[0], 0.3)
 	var packet := _envelope(MOTION)
+	var own := packet[0] >> 2 & 3
 	packet[0] = packet[0] ^ 0x08
+	var client := branches[1].api.get_unique_id()
+	var fault := VERSION_FAULT % [own ^ 2, "session", own]
+	var warning := "a packet of peer %d was rejected: %s." % [client, fault]
+	expect_warning("MotorSynchronizer: " + warning)
 	branches[1].api.send_bytes(packet, 1)
 	await wait_until(func() -> bool: return not branches[0].rejections.is_empty(), "a report")
 	expect_equal(
 		branches[0].rejections,
-		(
-			[
-				[
-					branches[1].api.get_unique_id(),
-					(
-						"Packet rejected: the packet is of another version of the addon; use the "
-						+ "same version on all peers (1 since the last report)."
-					)
-				]
-			]
-			as Array[Array]
-		)
+		[[client, "Packet rejected: %s (1 since the last report)." % fault]] as Array[Array]
 	)
+	# It is printed once, however often the peer repeats it.
+	for i in 3:
+		branches[1].api.send_bytes(packet, 1)
+		await wait_until(func() -> bool: return branches[0].rejections.size() > i + 1, "a report")
+	expect_equal(branches[0].synchronizer.get_setup_warnings(), PackedStringArray([warning]))
+
+
+func test_another_stream_version_is_reported() -> void:
+	await connect_peers(1, 1)
+	var opens: Array[PackedByteArray] = []
+	branches[1].api.peer_packet.connect(
+		func(_peer: int, packet: PackedByteArray) -> void:
+			if packet[0] == OPEN:
+				opens.append(packet)
+	)
+	await wait_until(func() -> bool: return not opens.is_empty(), "the server's OPEN")
+	var own := opens[0][OPEN_VERSION]
+	var client := branches[1].api.get_unique_id()
+	var warning := (
+		"MotorSynchronizer: a packet of peer %d was rejected: %s."
+		% [client, VERSION_FAULT % [200, "stream", own]]
+	)
+	expect_warning(warning)
+	var packet := opens[0].duplicate()
+	packet[OPEN_VERSION] = 200
+	branches[1].api.send_bytes(packet, 1)
+	await wait_until(func() -> bool: return not branches[0].rejections.is_empty(), "a report")
+	await expect_motion(0.3, [branches[1]])
+
+
+## A transport may give the id of a peer that has left to another one within one frame.
+func test_a_peer_that_leaves_and_returns_in_one_frame_starts_anew() -> void:
+	await connect_peers(1, 1)
+	var links := PackedInt32Array()
+	branches[1].api.peer_packet.connect(
+		func(_peer: int, packet: PackedByteArray) -> void:
+			if packet[0] == OPEN:
+				links.append(packet[3])
+	)
+	await expect_motion(0.2, [branches[1]])
+	var before := links.duplicate()
+	branches[0].api.peer_disconnected.emit(branches[1].api.get_unique_id())
+	await wait_until(func() -> bool: return links.size() > before.size(), "a new request")
+	expect_true(not before.has(links[-1]), "the server requests another stream")
+	# The client has not left here, and requests the server's stream after a second of silence.
+	await move(branches[0], 1.5)
+	await expect_motion(0.2, [branches[1]])
 
 
 func test_packets_of_others_are_ignored() -> void:

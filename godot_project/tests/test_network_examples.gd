@@ -5,6 +5,8 @@ const MotionPlayer := preload("res://demos/recording/motion_player.gd")
 const MotionRecorder := preload("res://demos/recording/motion_recorder.gd")
 const RawUdp := preload("res://demos/raw_udp/raw_udp.gd")
 const Recording := preload("res://demos/recording/recording.gd")
+const CookieHandshake := preload("res://demos/raw_udp/cookie_handshake.gd")
+const StreamServer := preload("res://demos/raw_udp/stream_server.gd")
 
 const PATH := "user://test.gamotion"
 const RATE := 60
@@ -29,6 +31,66 @@ func test_motion_arrives_over_a_socket() -> void:
 	var rejected: int = example.receiver.get_statistics().packets_rejected
 	expect_equal(rejected, 0, "rejected packets")
 	example.free()
+
+
+## An attacker sends all kinds of packets from an address at which it does not receive: the server
+## replies only with cookies, which are shorter than the packets.
+func test_a_forged_address_gets_no_stream() -> void:
+	var server := StreamServer.new()
+	server.listen(RawUdp.ADDRESS)
+	for body in 200:
+		server.sender.add_body(body, Transform3D.IDENTITY.translated(Vector3(body, 0.0, 0.0)))
+	var victim := PacketPeerUDP.new()
+	victim.bind(0, RawUdp.ADDRESS)
+	victim.set_dest_address(RawUdp.ADDRESS, server.get_port())
+	var random := RandomNumberGenerator.new()
+	random.seed = 3
+	var join := PackedByteArray([CookieHandshake.Kind.JOIN])
+	join.resize(1 + CookieHandshake.COOKIE_SIZE)
+	var packets: Array[PackedByteArray] = [CookieHandshake.make_hello(), join]
+	for size: int in [1, 2, 17, 40, 64, 65, 300]:
+		for kind: int in [0, 1, 2, 3, 255]:
+			var packet := PackedByteArray()
+			for i: int in size:
+				packet.append(random.randi() & 255)
+			packet[0] = kind
+			packets.append(packet)
+	var sent := 0
+	for packet in packets:
+		victim.put_packet(packet)
+		sent += packet.size()
+	var received := await _bytes_received(server, victim, packets.size())
+	expect_equal(server.get_client_count(), 0, "clients")
+	expect_true(received > 0, "the server replies to a hello")
+	expect_true(received <= sent, "%d bytes for %d sent are not more" % [received, sent])
+	for packet in packets:
+		victim.put_packet(packet)
+		received = await _bytes_received(server, victim, 1)
+		expect_true(
+			received <= packet.size(), "%d bytes for %d are not more" % [received, packet.size()]
+		)
+
+
+func test_a_cookie_is_valid_for_its_address_and_time() -> void:
+	var handshake := CookieHandshake.new()
+	var hello := CookieHandshake.make_hello()
+	var cookie := handshake.make_cookie(hello, "10.0.0.1", 4000, 100.0)
+	expect_equal(cookie.size(), 1 + CookieHandshake.COOKIE_SIZE, "size of the cookie")
+	var join := CookieHandshake.make_join(cookie)
+	for age: float in [0.0, 5.0, 9.9]:
+		expect_true(handshake.is_join(join, "10.0.0.1", 4000, 100.0 + age), "age %.1f s" % age)
+	for age: float in [-20.0, 20.0, 1e6]:
+		expect_true(not handshake.is_join(join, "10.0.0.1", 4000, 100.0 + age), "age %.1f s" % age)
+	expect_true(not handshake.is_join(join, "10.0.0.2", 4000, 100.0), "another address")
+	expect_true(not handshake.is_join(join, "10.0.0.1", 4001, 100.0), "another port")
+	expect_true(not CookieHandshake.new().is_join(join, "10.0.0.1", 4000, 100.0), "another server")
+	for i in join.size():
+		var damaged := join.duplicate()
+		damaged[i] ^= 1
+		expect_true(not handshake.is_join(damaged, "10.0.0.1", 4000, 100.0), "bit of byte %d" % i)
+	expect_true(
+		handshake.make_cookie(hello.slice(0, 20), "10.0.0.1", 4000, 100.0).is_empty(), "short hello"
+	)
 
 
 func test_recording_plays_within_the_tolerance() -> void:
@@ -96,3 +158,14 @@ func test_the_recording_scene_plays() -> void:
 	var text: String = (example.get_node(^"Label") as Label).text
 	expect_true(text.begins_with("64 cubes, 4 s: "), text)
 	example.free()
+
+
+## Updates the server until it has had time for [param count] packets; returns what came back.
+func _bytes_received(server: StreamServer, victim: PacketPeerUDP, count: int) -> int:
+	var received := 0
+	for tick in 3 + count / 10:
+		server.update(tick / 60.0, 100.0)
+		await tree.physics_frame
+		while victim.get_available_packet_count() > 0:
+			received += victim.get_packet().size()
+	return received

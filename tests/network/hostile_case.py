@@ -22,6 +22,8 @@ def hostile_client_affects_no_other_peer(run):
     expect(sent > 0.7 * BAD_PACKETS * (SECONDS - 2), f"only {sent} bad packets in {SECONDS} s")
     rejected = run.server.report()["rejected"]
     expect(rejected > 0.5 * sent, f"only {rejected} of {sent} bad packets were rejected")
+    unauthorized = run.server.report()["unauthorized"]
+    expect(unauthorized >= CUBES, f"only {unauthorized} cubes of the hostile client's stream are counted as unauthorized")
     for client in run.clients[:2]:
         expect_errors_within(run, client, CUBES, share=0.9, maximum=1.0)
         expect(client.report()["rejected"] == 0, f"{client.name} rejected {client.report()['rejected']} packets")

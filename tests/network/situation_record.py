@@ -51,6 +51,17 @@ class Record:
         for label, (x, y, z, is_visible, is_owned) in bodies.items():
             into.setdefault(label, []).append(Sample(wall, media, delay, (x, y, z), is_visible, is_owned))
 
+    def remove_steps(self, step, reference):
+        """Removes steps of the wall clock by multiples of `step` seconds; `reference`: a time of the session without them."""
+        def corrected(wall):
+            return wall - step * round((wall - reference) / step)
+
+        for samples in (*self.frames.values(), *self.ticks.values()):
+            for sample in samples:
+                sample.wall = corrected(sample.wall)
+        self.events = {name: corrected(wall) for name, wall in self.events.items()}
+        self.frame_walls = [corrected(wall) for wall in self.frame_walls]
+
     @property
     def begin(self):
         return self.events["begin"]

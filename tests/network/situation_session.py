@@ -24,23 +24,33 @@ class Session:
         self._situation = situation
         self._count = clients
         self._config = {**config, "clients": clients, "seconds": seconds}
+        # (seconds after the begin, function without arguments), for run_together().
+        self.actions = []
 
     def start(self, engine, folder):
-        folder = os.path.join(folder, self.name)
-        os.makedirs(folder)
-        self._go = os.path.join(folder, "go")
-        port = free_port()
+        self._engine = engine
+        self._folder = os.path.join(folder, self.name)
+        os.makedirs(self._folder)
+        self._go = os.path.join(self._folder, "go")
+        self.port = free_port()
+        self.server = self.start_process("server", "server", 0)
+        self.clients = [self.start_process(f"client{index}", "client", index) for index in range(1, self._count + 1)]
 
-        def start(name, role, index):
-            arguments = {"role": role, "index": index, "situation": self._situation, "port": port, "go": self._go,
-                         "record": os.path.join(folder, name + ".jsonl"), "config": json.dumps(self._config)}
-            process = DemoProcess(engine, name, folder, [f"--{key}={value}" for key, value in arguments.items()],
-                                  script=MAIN)
-            process.record_path = arguments["record"]
-            return process
+    def start_process(self, name, role, index):
+        arguments = {"role": role, "index": index, "situation": self._situation, "port": self.port_of(role), "go": self._go,
+                     "record": os.path.join(self._folder, name + ".jsonl"), "config": json.dumps(self._config)}
+        process = DemoProcess(self._engine, name, self._folder, [f"--{key}={value}" for key, value in arguments.items()],
+                              script=MAIN, environment=self.environment_of(name))
+        process.record_path = arguments["record"]
+        return process
 
-        self.server = start("server", "server", 0)
-        self.clients = [start(f"client{index}", "client", index) for index in range(1, self._count + 1)]
+    def port_of(self, _role):
+        """The port to which a process binds or connects."""
+        return self.port
+
+    def environment_of(self, _name):
+        """Additional environment variables of a process."""
+        return {}
 
     def wait_until_ready(self):
         self.server.wait_for_line("READY", START_SECONDS)
@@ -78,6 +88,11 @@ def run_together(run, sessions):
             session.wait_until_ready()
         for session in sessions:
             session.begin()
+        begin = time.monotonic()
+        actions = [action for session in sessions for action in session.actions]
+        for at, action in sorted(actions, key=lambda item: item[0]):
+            time.sleep(max(0.0, begin + at - time.monotonic()))
+            action()
         for session in sessions:
             session.wait()
     finally:

@@ -34,8 +34,10 @@ def free_port():
 class DemoProcess:
     """One engine process, with its output in a file."""
 
-    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None):
-        """`window`: its number, which determines its position, or None for headless; `script` replaces the demo's scene."""
+    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None,
+                 environment=None):
+        """`window`: its number, which determines its position, or None for headless; `script` replaces the demo's scene;
+        `environment`: additional variables."""
         self.name = name
         self.log_path = os.path.join(folder, name + ".log")
         self.record_path = os.path.join(folder, name + ".poses")
@@ -47,7 +49,8 @@ class DemoProcess:
         command = [*engine, *screen, "--path", project, *program, "--", *arguments]
         with open(self.log_path, "w", encoding="utf-8") as log:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log,
-                                            stderr=subprocess.STDOUT, start_new_session=True)
+                                            stderr=subprocess.STDOUT, start_new_session=True,
+                                            env={**os.environ, **(environment or {})})
 
     def is_running(self):
         return self.process.poll() is None

@@ -154,6 +154,7 @@ func _finish(sent_tick: float) -> void:
 	_last_tick = _tick
 	_last_sent_tick = sent_tick
 	_recorder.close()
+	var counts := _links["motors"].get_counts()
 	print(
 		"REPORT ",
 		(
@@ -164,7 +165,8 @@ func _finish(sent_tick: float) -> void:
 					"seconds": _simulation.seconds,
 					"total_packets":
 					_peer.host.pop_statistic(ENetConnection.HOST_TOTAL_SENT_PACKETS),
-					"rejected": _links["motors"].get_counts()["rejected"],
+					"rejected": counts["rejected"],
+					"unauthorized": counts["unauthorized"],
 				}
 			)
 		)

@@ -1,6 +1,7 @@
 #include "godot/net/motor_receiver.hpp"
 
 #include "godot/algebra/conversions.hpp"
+#include "godot/net/packet_reason.hpp"
 #include "net/pose_codec.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -35,7 +36,7 @@ void MotorReceiver::set_max_bodies(int64_t count) {
 String MotorReceiver::accept(const PackedByteArray &packet, double now) {
 	ERR_FAIL_COND_V_MSG(!net::is_valid_time(now), "the time is out of range", time_message("MotorReceiver.accept", now));
 	const net::PacketResult result = _receiver.accept(packet.ptr(), size_t(packet.size()), now);
-	return result ? String() : String(net::describe(result.error()));
+	return result ? String() : packet_reason(result.error(), _receiver.other_version());
 }
 
 PackedByteArray MotorReceiver::take_ack(double now) {

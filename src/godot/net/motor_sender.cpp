@@ -91,7 +91,7 @@ String MotorSender::accept(int64_t receiver, const PackedByteArray &packet, doub
 	if (!has_receiver(receiver)) {
 		return net::describe(net::PacketError::UNKNOWN_RECEIVER);
 	}
-	const net::PacketResult result = _sender.accept(uint32_t(receiver), packet.ptr(), size_t(packet.size()), time);
+	const net::PacketResult result = _sender.accept(uint32_t(receiver), packet.ptr(), size_t(packet.size()), time, false);
 	return result ? String() : String(net::describe(result.error()));
 }
 

@@ -175,6 +175,12 @@ void MotorSynchronizer::_on_peer_packet(int64_t peer, const PackedByteArray &pac
 	_replicator->packet_received(int32_t(peer), packet);
 }
 
+void MotorSynchronizer::_on_peer_disconnected(int64_t peer) {
+	if (_replicator != nullptr) {
+		_replicator->peer_left(int32_t(peer));
+	}
+}
+
 void MotorSynchronizer::_on_physics_frame() {
 	_replicator->before_scripts();
 }

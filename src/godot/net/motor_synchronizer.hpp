@@ -87,6 +87,7 @@ private:
 	Target *find_own_target(godot::Node *node, const char *method);
 
 	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);
+	void _on_peer_disconnected(int64_t peer);
 	void _on_physics_frame();
 	void _on_target_exiting(int64_t id);
 	void _on_node_renamed(const godot::Variant &node);

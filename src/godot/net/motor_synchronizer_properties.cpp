@@ -115,6 +115,7 @@ void MotorSynchronizer::_bind_methods() {
 
 	// Callbacks of the engine's signals and monitors.
 	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
+	ClassDB::bind_method(D_METHOD("_on_peer_disconnected", "peer"), &MotorSynchronizer::_on_peer_disconnected);
 	ClassDB::bind_method(D_METHOD("_on_physics_frame"), &MotorSynchronizer::_on_physics_frame);
 	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
 	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);

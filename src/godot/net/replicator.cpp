@@ -2,6 +2,7 @@
 
 #include "godot/algebra/conversions.hpp"
 #include "godot/net/motor_synchronizer.hpp"
+#include "godot/net/packet_reason.hpp"
 #include "godot/net/setup_warnings.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -96,13 +97,16 @@ void Replicator::set_lead(MotorSynchronizer *next) {
 	const Callable packets(node, "_on_peer_packet");
 	const Callable renames(node, "_on_node_renamed");
 	const Callable ticks(node, "_on_physics_frame");
+	const Callable leaving(node, "_on_peer_disconnected");
 	if (next != nullptr) {
 		_api->connect("peer_packet", packets);
+		_api->connect("peer_disconnected", leaving);
 		tree->connect("node_renamed", renames);
 		tree->connect("physics_frame", ticks);
 		_monitors.add(node);
 	} else {
 		_api->disconnect("peer_packet", packets);
+		_api->disconnect("peer_disconnected", leaving);
 		tree->disconnect("node_renamed", renames);
 		tree->disconnect("physics_frame", ticks);
 		_monitors.remove();
@@ -195,7 +199,12 @@ void Replicator::frame() {
 	send_packets();
 	check_streams(now);
 	_session.report_rejections([this](int32_t peer, const net::Rejections::Report &report) {
-		const String reason = vformat("Packet rejected: %s (%d since the last report).", net::describe(report.error), int64_t(report.count));
+		const String clause = packet_reason(report.error, report.version);
+		const String reason = vformat("Packet rejected: %s (%d since the last report).", clause, int64_t(report.count));
+		if (report.error == net::PacketError::OTHER_SESSION_VERSION || report.error == net::PacketError::OTHER_STREAM_VERSION) {
+			// In the texts of all peers with this version.
+			_warnings.warn(clause.utf8().get_data(), vformat("a packet of peer %d was rejected: %s.", peer, clause));
+		}
 		for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
 			if (has(synchronizer)) {
 				synchronizer->emit_signal("packet_rejected", peer, reason);
@@ -238,12 +247,14 @@ void Replicator::disconnect_session() {
 	_transport = 0;
 }
 
-void Replicator::update_peers() {
+/// Without the peer `left`.
+void Replicator::update_peers(int32_t left) {
 	if (!_session.is_connected()) {
 		return;
 	}
 	const PackedInt32Array ids = _api->get_peers();
 	std::vector<int32_t> peers(ids.ptr(), ids.ptr() + ids.size());
+	peers.erase(std::remove(peers.begin(), peers.end(), left), peers.end());
 	std::sort(peers.begin(), peers.end());
 	for (const int32_t peer : _session.set_peers(peers, clock_seconds())) {
 		for (Target &target : _targets) {

@@ -42,6 +42,8 @@ public:
 	void tick();
 	void frame();
 	void before_scripts();
+	/// A transport may give the id of a peer that has left to another one before the next tick.
+	void peer_left(int32_t peer) { update_peers(peer); }
 	void packet_received(int32_t peer, const godot::PackedByteArray &packet);
 	void target_exiting(uint64_t node);
 	void node_renamed(const godot::Node *node);
@@ -75,7 +77,7 @@ private:
 	// Connection
 	void set_lead(MotorSynchronizer *lead);
 	void update_connection();
-	void update_peers();
+	void update_peers(int32_t left = 0);
 	void update_root();
 	void disconnect_session();
 	void close_session();

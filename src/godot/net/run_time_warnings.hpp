@@ -7,14 +7,17 @@
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
+#include <cstddef>
 #include <string>
 #include <unordered_set>
 
 namespace ga_godot {
 
-/// Faults that show only while a game runs. Each is printed once.
+/// Faults that show only while a game runs. Each is printed once, and no more than MAX_WARNINGS, as other peers cause some.
 class RunTimeWarnings {
 public:
+	static constexpr size_t MAX_WARNINGS = 100;
+
 	/// Prints a warning, and keeps it for get_setup_warnings().
 	void warn(const std::string &key, const godot::String &text) {
 		if (is_first(key)) {
@@ -22,8 +25,8 @@ public:
 			WARN_PRINT(godot::vformat("MotorSynchronizer: %s", text));
 		}
 	}
-	/// True for the first call with a key.
-	bool is_first(const std::string &key) { return _keys.insert(key).second; }
+	/// True for the first call with a key, and false once there are MAX_WARNINGS.
+	bool is_first(const std::string &key) { return _keys.size() < MAX_WARNINGS && _keys.insert(key).second; }
 	[[nodiscard]] const godot::PackedStringArray &texts() const { return _texts; }
 
 private:

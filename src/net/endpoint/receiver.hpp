@@ -106,6 +106,9 @@ public:
 	/// Number of bodies for which the receiver holds memory: those of the stream, and an estimate for a snapshot that is arriving.
 	[[nodiscard]] size_t held_bodies() const;
 
+	/// The version of the last snapshot that was rejected because of its version.
+	[[nodiscard]] uint8_t other_version() const { return _other_version; }
+
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
 	void set_margin_limits(double min, double max);
@@ -165,6 +168,7 @@ private:
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
 
 	size_t _max_bodies;
+	uint8_t _other_version = 0;
 	size_t _refused_size = 0; // bodies in the last snapshot, if there were too many
 	PacketContent _content;
 	ChunkBuffer _chunks;

@@ -264,7 +264,7 @@ void Sender::flush(double time, double now) {
 	}
 }
 
-PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
+PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now, bool can_align) {
 	OutgoingStream *stream = stream_of(receiver);
 	if (stream == nullptr) {
 		return PacketError::UNKNOWN_RECEIVER;
@@ -274,7 +274,7 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 	}
 	const double steady = _network_clock.advance(now);
 	stream->accept(stream->peers().at(receiver), _content, steady);
-	if (_content.alignment) {
+	if (_content.alignment && can_align) {
 		take_alignment(*_content.alignment, steady);
 	}
 	return {};

@@ -74,8 +74,8 @@ public:
 
 	/// Makes windows end at `time` and at all multiples of `period` seconds before and after, as far as max_latency allows.
 	void align(double time, double period) { _grid = WindowGrid{ ticks(_clock.at(time)), period / _settings.tick }; }
-	/// Processes a packet from a receiver.
-	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
+	/// Processes a packet from a receiver. Requests to align windows, which apply to all receivers, are ignored unless `can_align`.
+	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now, bool can_align = true);
 
 	/// Sends the receiver a snapshot instead of anything that is in flight.
 	void resend_all(uint32_t receiver);

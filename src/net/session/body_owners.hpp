@@ -41,6 +41,7 @@ public:
 		return found != _counts.end() ? found->second : 0;
 	}
 
+	[[nodiscard]] bool exists(uint32_t body) const { return _owners.count(body) != 0; }
 	/// True if the body belongs to another peer. False if the body does not exist here.
 	[[nodiscard]] bool is_unauthorized(PeerId sender, uint32_t body) const { return find(body).value_or(sender) != sender; }
 	/// Takes the events of a stream and returns the number of new bodies that its sender does not own. They are not shown. This is

@@ -10,17 +10,19 @@
 namespace net {
 
 enum class PacketKind : uint8_t {
-	OPEN, ///< a receiver requests the peer's stream; content: flags, see OPEN_RELAY
+	OPEN, ///< a receiver requests the peer's stream; content: flags, see OPEN_RELAY, then STREAM_VERSION, and the token if there is one (u16)
 	CLOSE, ///< a stream has ended; content: a CloseRole; if a server ends a relayed stream, its channel as well
 	MOTION, ///< content: a packet of net::Sender; if relayed, sections
 	ACK, ///< content: a packet of net::Receiver; if relayed, sections
 };
 
-/// Flags in the first byte of an OPEN packet's content; without content, none is set.
+/// Flags in the first byte of an OPEN packet's content.
 inline constexpr uint8_t OPEN_RELAY = 1; ///< it requests a relayed stream, or comes from a server that relays
-inline constexpr uint8_t OPEN_CHALLENGE = 2; ///< a token follows (u16): it asks the peer to repeat its OPEN of this link with that
-inline constexpr uint8_t OPEN_TOKEN = 4; ///< the token follows (u16)
-inline constexpr size_t OPEN_BYTES = 3; ///< of a content with a token
+inline constexpr uint8_t OPEN_CHALLENGE = 2; ///< it asks the peer to repeat its OPEN of this link with the token
+inline constexpr uint8_t OPEN_TOKEN = 4; ///< it repeats the token
+inline constexpr uint8_t OPEN_FLAGS = OPEN_RELAY | OPEN_CHALLENGE | OPEN_TOKEN;
+inline constexpr size_t OPEN_BYTES = 2; ///< of the content without a token
+inline constexpr size_t TOKEN_BYTES = 2;
 
 /// The endpoint that closes a stream.
 enum class CloseRole : uint8_t {

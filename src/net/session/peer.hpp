@@ -8,6 +8,7 @@
 #include "net/session/traffic_meter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,11 +25,16 @@ struct Peer {
 	static constexpr double REFUSAL_MEMORY = 120.0;
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double LATE_PACKET_TIME = 2.0;
+	struct EndedStream {
+		uint8_t link = 0;
+		double time = -1e9;
+	};
 
 	TrafficMeter sent;
 	TrafficMeter received;
 	Rejections rejections;
-	double ended_at = -1e9; ///< when a stream in either direction last ended
+	std::array<EndedStream, 16> ended; ///< the last streams that have ended, in either direction; at most 5 a second do
+	size_t next_ended = 0;
 
 	// Our stream to the peer.
 	std::optional<uint8_t> requested; ///< link of the stream that the peer has requested last
@@ -42,11 +48,12 @@ struct Peer {
 	std::optional<uint8_t> relay_link; ///< link of the client to which we, the server, relay
 	double relayed_at = -1e9; ///< when that began
 	double acked_at = -1e9; ///< when its stream was last acknowledged
+	uint8_t stream_version = 0; ///< of the peer's last packet with another one than ours
 	std::optional<bool> relay; ///< whether the peer relays, as its last OPEN says
 
 	// The peer's stream to us.
 	uint8_t link = 0; ///< of the stream that we request
-	bool is_open_sent = false; ///< with this link
+	int opens_sent = 0; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
 	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };
@@ -58,8 +65,13 @@ struct Peer {
 
 	/// Limits the work of decoding the peer's streams to that of `bodies` bodies.
 	void limit_work(size_t bodies) { work->set_rate(ReceiverBudget::work_rate(bodies)); }
+
+	[[nodiscard]] bool is_open_sent() const { return opens_sent > 0; }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
-	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
+	void note_end(uint8_t of_link, double now) { ended[next_ended++ % ended.size()] = { of_link, now }; }
+	[[nodiscard]] bool ended_recently(uint8_t of_link, double now) const {
+		return std::any_of(ended.begin(), ended.end(), [&](const EndedStream &stream) { return stream.link == of_link && now - stream.time < LATE_PACKET_TIME; });
+	}
 
 	/// Statistics of this peer. `sent_to` are those of our stream to it.
 	[[nodiscard]] SessionStatistics statistics(double now, const ReceiverStatistics &sent_to) {

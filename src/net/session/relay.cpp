@@ -14,7 +14,7 @@ void Relay::add_stream(PeerId owner, Receiver &source, double now) {
 	source.record(StreamSettings().max_packet_size);
 	const uint32_t channel = free_channel();
 	_channels[channel] = owner;
-	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), now, {}, {}, 0, 0.0 }).first->second;
+	Stream &stream = _streams.emplace(owner, Stream{ channel, &source, ForwardedStream(source), GRACE, {}, {}, 0, 0.0 }).first->second;
 	for (const auto &entry : _clients) {
 		if (entry.first != owner) {
 			stream.forwarded.add_receiver(uint32_t(entry.first), now);
@@ -28,9 +28,10 @@ std::optional<uint32_t> Relay::remove_stream(PeerId owner) {
 		return std::nullopt;
 	}
 	const uint32_t channel = found->second.channel;
+	const bool is_known = found->second.source->is_ready();
 	_channels.erase(channel);
 	_streams.erase(found);
-	return channel;
+	return is_known ? std::optional(channel) : std::nullopt;
 }
 
 void Relay::add_client(PeerId client, double now) {

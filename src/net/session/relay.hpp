@@ -1,9 +1,11 @@
 #pragma once
 
 #include "net/endpoint/forwarded_stream.hpp"
+#include "net/session/body_owners.hpp"
 #include "net/session/forwarding_schedule.hpp"
 #include "net/session/section.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -20,10 +22,12 @@ class Relay {
 public:
 	/// A stream may contain bodies of other owners for this many seconds: peers learn of a change of owner at different times.
 	static constexpr double GRACE = 1.0;
+	/// Maximum number of bodies of a stream that do not exist at the server. They are spawned or freed there at another time.
+	static constexpr size_t MAX_ABSENT = 64;
 
 	/// Forwards an owner's stream from now on. `source` must exist until remove_stream.
 	void add_stream(PeerId owner, Receiver &source, double now);
-	/// Returns the channel of the stream, so that it can be reported to the clients; std::nullopt if it is not forwarded.
+	/// Returns the channel of the stream, so that it can be reported to the clients; std::nullopt if nothing of it was forwarded.
 	std::optional<uint32_t> remove_stream(PeerId owner);
 
 	void add_client(PeerId client, double now);
@@ -66,20 +70,21 @@ public:
 		});
 	}
 
-	/// Holds each stream that has contained bodies for which is_unauthorized(owner, body) is true for longer than GRACE, and
-	/// releases it when it no longer does. Calls on_held(owner) when a stream is held.
-	template <class IsUnauthorized, class OnHeld>
-	void check_owners(double now, IsUnauthorized &&is_unauthorized, OnHeld &&on_held) {
-		if (now - _checked_at < CHECK_INTERVAL) {
+	/// Holds each stream that has contained bodies of other owners, or more than MAX_ABSENT bodies that do not exist here, for longer
+	/// than GRACE, and releases it when it no longer does. Calls on_held(owner, error) when a stream is held.
+	template <class OnHeld>
+	void check_owners(double now, const BodyOwners &owners, OnHeld &&on_held) {
+		const double elapsed = std::min(now - _checked_at, 2.0 * CHECK_INTERVAL);
+		if (elapsed < CHECK_INTERVAL) {
 			return;
 		}
 		_checked_at = now;
 		for (auto &[id, stream] : _streams) {
-			const bool is_clean = !stream.source->has_body_if([&, owner = id](uint32_t body) { return is_unauthorized(owner, body); });
-			stream.clean_at = is_clean ? now : stream.clean_at;
-			const bool holds = now - stream.clean_at > GRACE;
+			const std::optional<PacketError> fault = find_fault(id, *stream.source, owners);
+			stream.grace = fault ? stream.grace - elapsed : std::min(stream.grace + GRACE_RECOVERY * elapsed, GRACE);
+			const bool holds = fault && stream.grace < 0.0;
 			if (holds && !stream.forwarded.is_held()) {
-				on_held(id);
+				on_held(id, *fault);
 			}
 			stream.forwarded.set_held(holds, now);
 		}
@@ -87,12 +92,14 @@ public:
 
 private:
 	static constexpr double CHECK_INTERVAL = 0.2; // seconds
+	/// Seconds of grace that a stream without a fault regains each second.
+	static constexpr double GRACE_RECOVERY = 0.2;
 
 	struct Stream {
 		uint32_t channel;
 		Receiver *source;
 		ForwardedStream forwarded;
-		double clean_at; // when it last contained only bodies of its owner
+		double grace = GRACE; // seconds for which it may still contain other bodies than its owner's
 		std::set<PeerId> known_by; // clients that know the owner of the channel
 		WindowAligner aligner;
 		uint32_t chunks = 0; // received until the last arrival
@@ -103,6 +110,17 @@ private:
 		std::vector<uint8_t> bytes; // of the sections
 	};
 
+	/// Why a stream must not be forwarded.
+	[[nodiscard]] static std::optional<PacketError> find_fault(PeerId owner, const Receiver &stream, const BodyOwners &owners) {
+		size_t absent = 0;
+		if (stream.has_body_if([&](uint32_t body) {
+				absent += owners.exists(body) ? 0 : 1;
+				return owners.is_unauthorized(owner, body);
+			})) {
+			return PacketError::UNAUTHORIZED_BODIES;
+		}
+		return absent > MAX_ABSENT ? std::optional(PacketError::ABSENT_BODIES) : std::nullopt;
+	}
 	[[nodiscard]] uint32_t free_channel();
 	void update(double now, size_t max_size);
 	void collect(PeerId id, Client &client, double now, size_t max_size);

@@ -85,7 +85,7 @@ void Session::close(double now) {
 		if (peer.subscribed || peer.relay_link) {
 			send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 		}
-		if (peer.is_open_sent) {
+		if (peer.is_open_sent()) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 	}
@@ -231,7 +231,7 @@ void Session::close_unneeded() {
 
 void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
-	peer.is_open_sent = false;
+	peer.opens_sent = 0;
 	peer.open.restart(_now);
 }
 
@@ -240,7 +240,7 @@ void Session::end_stream(PeerId id, Peer &peer) {
 	if (peer.stream) {
 		_late += peer.stream->statistics().late_windows;
 		peer.stream.reset();
-		peer.ended_at = _now;
+		peer.note_end(peer.link, _now);
 	}
 }
 
@@ -248,6 +248,9 @@ void Session::end_stream(PeerId id, Peer &peer) {
 void Session::start_requested() {
 	for (auto &[id, peer] : _peers) {
 		if (is_relaying() && peer.relay == true && peer.requested && peer.relay_link != peer.requested && _now - peer.relayed_at >= SUBSCRIPTION_INTERVAL) {
+			if (peer.relay_link) {
+				peer.note_end(*peer.relay_link, _now);
+			}
 			peer.relay_link = peer.requested;
 			peer.relayed_at = _now;
 			_relayer.add_client(id, _running_time);
@@ -265,7 +268,7 @@ void Session::start_stream(PeerId id, Peer &peer) {
 	}
 	if (peer.subscribed) {
 		_sender->remove_receiver(uint32_t(id));
-		peer.ended_at = _now;
+		peer.note_end(peer.subscription, _now);
 	}
 	peer.subscribed = true;
 	peer.subscription = *peer.requested;
@@ -275,15 +278,15 @@ void Session::start_stream(PeerId id, Peer &peer) {
 
 void Session::unsubscribe(PeerId id, Peer &peer) {
 	if (peer.relay_link) {
+		peer.note_end(*peer.relay_link, _now);
 		peer.relay_link.reset();
-		peer.ended_at = _now;
 		_relayer.remove_client(id);
 	}
 	if (!peer.subscribed) {
 		return;
 	}
 	peer.subscribed = false;
-	peer.ended_at = _now;
+	peer.note_end(peer.subscription, _now);
 	_sender->remove_receiver(uint32_t(id));
 	if (std::none_of(_peers.begin(), _peers.end(), [](const auto &entry) { return entry.second.subscribed; })) {
 		_sender.reset();
@@ -314,7 +317,7 @@ void Session::advance(double now) {
 		const bool is_wanted = !_is_link_relayed || is_relayed(id);
 		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
-			peer.is_open_sent = true;
+			++peer.opens_sent;
 			send_open(id, peer, peer.link, 0, 0);
 		}
 	}

@@ -128,7 +128,7 @@ private:
 	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
 	void refuse_stream(PeerId id, Peer &peer);
-	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now);
+	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
 	void close_unneeded();

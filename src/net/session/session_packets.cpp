@@ -14,6 +14,9 @@ namespace {
 constexpr double SILENCE = 1.0;
 /// Minimum pause before a stream is requested again that took too much work, in seconds.
 constexpr double MIN_OVERLOAD_PAUSE = 1.0;
+/// A peer that owns no bodies is sent OPEN packets forever. If they were all reliable, those of an outage would accumulate, and
+/// reliable packets of the game would wait for them.
+constexpr int MAX_RELIABLE_OPENS = 8;
 
 uint16_t random_token() {
 	thread_local std::mt19937 generator{ std::random_device{}() };
@@ -23,7 +26,8 @@ uint16_t random_token() {
 } // namespace
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	uint8_t *packet = _outbox.add(id, kind == PacketKind::OPEN || kind == PacketKind::CLOSE, ENVELOPE_BYTES + size);
+	const bool is_reliable = kind == PacketKind::CLOSE || (kind == PacketKind::OPEN && !peer.stream && peer.opens_sent <= MAX_RELIABLE_OPENS);
+	uint8_t *packet = _outbox.add(id, is_reliable, ENVELOPE_BYTES + size);
 	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
 	if (size > 0) {
 		std::memcpy(packet + ENVELOPE_BYTES, bytes, size);
@@ -32,8 +36,9 @@ void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const u
 }
 
 void Session::send_open(PeerId id, Peer &peer, uint8_t link, uint8_t flags, uint16_t token) {
-	const uint8_t content[OPEN_BYTES] = { uint8_t(flags | (is_relaying() || is_relayed(id) ? OPEN_RELAY : 0)), uint8_t(token), uint8_t(token >> 8) };
-	send(id, peer, PacketKind::OPEN, link, content, flags != 0 ? OPEN_BYTES : (content[0] != 0 ? 1 : 0));
+	const uint8_t relay = is_relaying() || is_relayed(id) ? OPEN_RELAY : 0;
+	const uint8_t content[OPEN_BYTES + TOKEN_BYTES] = { uint8_t(flags | relay), STREAM_VERSION, uint8_t(token), uint8_t(token >> 8) };
+	send(id, peer, PacketKind::OPEN, link, content, flags != 0 ? sizeof(content) : OPEN_BYTES);
 }
 
 void Session::send_close(PeerId id, Peer &peer, uint8_t link, CloseRole role) {
@@ -56,7 +61,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (envelope->version != ENVELOPE_VERSION) {
 		result = PacketError::OTHER_SESSION_VERSION;
 	} else if (envelope->kind == PacketKind::OPEN) {
-		result = accept_open(id, peer, envelope->link, bytes, size, now);
+		result = accept_open(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::CLOSE) {
 		result = accept_close(id, peer, envelope->link, bytes, size);
 	} else if (envelope->kind == PacketKind::MOTION) {
@@ -65,16 +70,25 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 		result = accept_ack(id, peer, envelope->link, bytes, size, now);
 	}
 	if (!result) {
-		peer.rejections.add(result.error());
-		_rejected++;
+		const bool is_session = result.error() == PacketError::OTHER_SESSION_VERSION;
+		peer.rejections.add(result.error(), is_session ? envelope->version : peer.stream_version);
+		++_rejected;
 	}
 }
 
-PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
+PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size) {
 	const uint8_t flags = size > 0 ? bytes[0] : 0;
-	const uint16_t token = size >= OPEN_BYTES ? uint16_t(bytes[1] | bytes[2] << 8) : 0;
+	const bool has_token = (flags & (OPEN_CHALLENGE | OPEN_TOKEN)) != 0;
+	if ((flags & ~OPEN_FLAGS) != 0 || (has_token && size < OPEN_BYTES + TOKEN_BYTES)) {
+		return PacketError::MALFORMED_OPEN;
+	}
+	if (size > 1 && bytes[1] != STREAM_VERSION) {
+		peer.stream_version = bytes[1];
+		return PacketError::OTHER_STREAM_VERSION;
+	}
+	const uint16_t token = has_token ? uint16_t(bytes[OPEN_BYTES] | bytes[OPEN_BYTES + 1] << 8) : 0;
 	if ((flags & OPEN_CHALLENGE) != 0) {
-		if (peer.is_open_sent && peer.link == link) {
+		if (peer.is_open_sent() && peer.link == link) {
 			send_open(id, peer, link, OPEN_TOKEN, token);
 		}
 		return {};
@@ -92,7 +106,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 				peer.challenged = link;
 				if (stream(id) == nullptr && !peer.is_refused) {
 					// The peer's session may be newer than our last request.
-					peer.open.restart(now);
+					peer.open.hasten(_now);
 				}
 			}
 			send_open(id, peer, link, OPEN_CHALLENGE, *peer.token);
@@ -106,8 +120,8 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 }
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link || !peer.is_open_sent) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
+	if (peer.link != link || !peer.is_open_sent()) {
+		return peer.ended_recently(link, now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {
 		peer.stream.emplace(MAX_BODIES, peer.work);
@@ -120,7 +134,10 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	peer.limit_work(id == RelayedStreams::SERVER ? MAX_BODIES : _owners.count(id));
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, _running_time);
-	if (peer.stream->is_refused()) {
+	if (!result && result.error() == PacketError::OTHER_STREAM_VERSION) {
+		peer.stream_version = peer.stream->other_version();
+		refuse_stream(id, peer);
+	} else if (peer.stream->is_refused()) {
 		refuse_stream(id, peer);
 	} else if (result) {
 		peer.open.restart(now + SILENCE);
@@ -133,7 +150,7 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	return result;
 }
 
-/// Closes a stream with too many bodies, or one that takes too much work, and requests it again later.
+/// Closes a stream with too many bodies or of another version, or one that takes too much work, and requests it again later.
 void Session::refuse_stream(PeerId id, Peer &peer) {
 	const size_t size = peer.stream->stream_size();
 	const double min_pause = peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
@@ -150,13 +167,13 @@ void Session::refuse_stream(PeerId id, Peer &peer) {
 
 PacketResult Session::accept_ack(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
 	const auto accept_own = [&](const uint8_t *own, size_t own_size) {
-		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time) : PacketResult();
+		return peer.is_subscribed(link) ? _sender->accept(uint32_t(id), own, own_size, _running_time, _relay && id == RelayedStreams::SERVER) : PacketResult();
 	};
 	if (peer.relay_link == link) {
 		return _relayer.accept(id, bytes, size, _running_time, accept_own);
 	}
 	if (!peer.is_subscribed(link)) {
-		return peer.ended_recently(now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
+		return peer.ended_recently(link, now) ? PacketResult() : PacketError::NOT_SUBSCRIBED;
 	}
 	return accept_own(bytes, size);
 }
@@ -171,10 +188,11 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 		if (peer.link == link && is_relayed(id)) {
 			_relayed.end(uint32_t(bytes[1] | bytes[2] << 8), _now);
 		}
-	} else if (role == CloseRole::SENDER && peer.link == link) {
+	} else if (role == CloseRole::SENDER && peer.link == link && peer.is_open_sent()) {
 		// The sender may return.
 		end_stream(id, peer);
 		request_stream(peer);
+		peer.open.hasten(_now);
 	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
 		peer.requested.reset();
 		unsubscribe(id, peer);

@@ -30,7 +30,7 @@ void Session::update_relay() {
 		return;
 	}
 	for (auto &[id, peer] : _peers) {
-		if (peer.is_open_sent) {
+		if (peer.is_open_sent()) {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 		end_stream(id, peer);
@@ -66,7 +66,10 @@ void Session::end_relayed(PeerId id) {
 
 void Session::send_relayed() {
 	_relayed_at = _running_time;
-	_relayer.check_owners(_running_time, [this](PeerId owner, uint32_t body) { return _owners.is_unauthorized(owner, body); }, [this](PeerId owner) { _peers.at(owner).rejections.add(PacketError::UNAUTHORIZED_BODIES); });
+	_relayer.check_owners(_running_time, _owners, [this](PeerId owner, PacketError error) {
+		_peers.at(owner).rejections.add(error);
+		++_rejected;
+	});
 	_relayer.flush(_running_time, sender_settings().max_packet_size + Section::HEADER, [this](PeerId client, const uint8_t *bytes, size_t size) {
 		Peer &to = _peers.at(client);
 		send(client, to, PacketKind::MOTION, *to.relay_link, bytes, size);

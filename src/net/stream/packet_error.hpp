@@ -35,6 +35,8 @@ enum class PacketError : uint8_t {
 	TOO_MANY_STREAMS,
 	UNAUTHORIZED_BODIES,
 	RELAY_DIFFERS,
+	MALFORMED_OPEN,
+	ABSENT_BODIES,
 };
 
 /// Describes the reason as a clause without a period.
@@ -63,8 +65,10 @@ enum class PacketError : uint8_t {
 		"the server relays the streams of too many owners",
 		"its stream contains bodies of other owners, so it is not relayed until it no longer does",
 		"`relay` is on at one of the two peers and off at the other; set it to the same value on all peers",
+		"the open packet is malformed",
+		"its stream contains more than 64 bodies that do not exist at the server, so it is not relayed until it no longer does",
 	};
-	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::RELAY_DIFFERS) + 1);
+	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::ABSENT_BODIES) + 1);
 	return DESCRIPTIONS[size_t(error)];
 }
 

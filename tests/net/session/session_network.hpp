@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -136,11 +137,11 @@ public:
 		for (const SentPacket &packet : packets(to, from, net::PacketKind::OPEN)) {
 			if (packet.envelope.link == link && packet.is_challenge() && _answered != link) {
 				_answered = link;
-				inject(from, to, make_packet(net::PacketKind::OPEN, link, { uint8_t(flags | net::OPEN_TOKEN), packet.bytes[net::ENVELOPE_BYTES + 1], packet.bytes[net::ENVELOPE_BYTES + 2] }));
+				inject(from, to, make_packet(net::PacketKind::OPEN, link, { uint8_t(flags | net::OPEN_TOKEN), net::STREAM_VERSION, packet.bytes[net::ENVELOPE_BYTES + 2], packet.bytes[net::ENVELOPE_BYTES + 3] }));
 				return;
 			}
 		}
-		inject(from, to, make_packet(net::PacketKind::OPEN, ++link, { flags }));
+		inject(from, to, make_packet(net::PacketKind::OPEN, ++link, { flags, net::STREAM_VERSION }));
 	}
 	/// The link of the stream that a peer has requested last.
 	[[nodiscard]] uint8_t requested_link(PeerId from, PeerId to) const {
@@ -202,6 +203,7 @@ public:
 	uint64_t link_seed = 0;
 	int _answered = -1; // link of the last challenge that `request` has answered
 	bool is_star = false; // clients are connected to peer 1 only
+	std::function<void(PeerId from, PeerId to, std::vector<uint8_t> &bytes)> rewrite; // changes packets on their way
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 
 private:
@@ -266,8 +268,12 @@ private:
 				return;
 			}
 			sent.push_back({ id, packet.peer, *envelope, packet.reliable, now, { bytes, bytes + packet.size } });
+			std::vector<uint8_t> content = sent.back().bytes;
+			if (rewrite) {
+				rewrite(id, packet.peer, content);
+			}
 			Link &to = link(id, packet.peer);
-			(packet.reliable ? to.reliable : to.unreliable).send(now, bytes, packet.size);
+			(packet.reliable ? to.reliable : to.unreliable).send(now, content.data(), content.size());
 		});
 	}
 

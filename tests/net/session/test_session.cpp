@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace net;
@@ -234,4 +235,22 @@ TEST_CASE("session: media_time() is 0 if there is no stream") {
 	CHECK(network.session(2).media_time(1) < network.session(1).media_time(1));
 	CHECK(network.session(2).media_time(1) > network.session(1).media_time(1) - 0.4);
 	CHECK(network.session(2).media_time(2) == 0.0);
+}
+
+TEST_CASE("session: during an outage, no reliable packets accumulate") {
+	SessionNetwork network = network_of_two();
+	network.run(20.0);
+	const double begin = network.now;
+	bool is_cut = true;
+	network.rewrite = [&](PeerId, PeerId, std::vector<uint8_t> &bytes) {
+		if (is_cut) {
+			bytes.clear();
+		}
+	};
+	network.run(30.0);
+	CHECK(network.packets(2, 1, PacketKind::OPEN, begin).size() >= 5);
+	CHECK(std::none_of(network.sent.begin(), network.sent.end(), [&](const SessionNetwork::SentPacket &packet) { return packet.time > begin && packet.reliable; }));
+	is_cut = false;
+	network.run(2.0);
+	CHECK(network.error(5, 2) <= 1.3);
 }

@@ -313,7 +313,7 @@ TEST_CASE("session: a peer that does not prove that it receives replies gets at 
 	uint8_t link = 100;
 	network.run(3.0, [&] {
 		// Each is a new request, or repeats one, or guesses the token.
-		const std::vector<uint8_t> packet = link % 3 == 0 ? make_packet(PacketKind::OPEN, link, { OPEN_TOKEN, link, link }) : make_packet(PacketKind::OPEN, link % 3 == 1 ? link : 7);
+		const std::vector<uint8_t> packet = link % 3 == 0 ? make_packet(PacketKind::OPEN, link, { OPEN_TOKEN, STREAM_VERSION, link, link }) : make_packet(PacketKind::OPEN, link % 3 == 1 ? link : 7);
 		++link;
 		received += packet.size();
 		network.inject(2, 1, packet);

@@ -144,8 +144,9 @@ func flag(key: String, default: bool = false) -> bool:
 	return config.get(key, default)
 
 
+## The monotonic clock of this process, in seconds.
 func now() -> float:
-	return Time.get_unix_time_from_system()
+	return Time.get_ticks_usec() * 1e-6
 
 
 func new_synchronizer() -> MotorSynchronizer:

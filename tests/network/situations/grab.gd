@@ -19,7 +19,7 @@ func _tick(_delta: float) -> void:
 		return
 	if time > (GRAB_AT if is_server else THROW_AT):
 		_has_given = true
-		_hand_over.rpc(1 if is_server else 0, _ball.position.x, now())
+		_hand_over.rpc(1 if is_server else 0, _ball.position.x, _wall())
 
 
 @rpc("any_peer", "call_local", "reliable")
@@ -27,4 +27,9 @@ func _hand_over(taker: int, x: float, at: float) -> void:
 	recorder.mark("grab" if taker == 1 else "throw")
 	_ball.set_multiplayer_authority(ids[taker])
 	if taker == index and flag("agreed"):
-		_ball.position.x = x + SPEED * (now() - at)
+		_ball.position.x = x + SPEED * (_wall() - at)
+
+
+## A clock that all processes share, in seconds.
+func _wall() -> float:
+	return Time.get_unix_time_from_system()

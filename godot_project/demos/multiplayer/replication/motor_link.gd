@@ -78,4 +78,8 @@ func get_delay() -> float:
 
 func get_counts() -> Dictionary[String, int]:
 	var statistics := _synchronizer.get_statistics()
-	return {"late": statistics["late"], "rejected": statistics["rejected"]}
+	return {
+		"late": statistics["late"],
+		"rejected": statistics["rejected"],
+		"unauthorized": statistics["unauthorized"]
+	}
