@@ -6,7 +6,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
@@ -51,14 +51,14 @@ static bool replace_resource(Ref<T> &resource, const Ref<T> &next, const Callabl
 }
 
 void GANode3D::set_multivector(const Ref<Multivector> &multivector) {
-	if (replace_resource(_multivector, multivector, Callable(this, "_value_changed"))) {
+	if (replace_resource(_multivector, multivector, callable_mp(this, &GANode3D::queue_update))) {
 		queue_update();
 		update_configuration_warnings();
 	}
 }
 
 void GANode3D::set_scene(const Ref<GAScene> &scene) {
-	if (replace_resource(_scene, scene, Callable(this, "_scene_changed"))) {
+	if (replace_resource(_scene, scene, callable_mp(this, &GANode3D::scene_changed))) {
 		queue_update();
 		update_configuration_warnings();
 	}
@@ -206,8 +206,6 @@ void GANode3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("describe"), &GANode3D::describe);
 	ClassDB::bind_method(D_METHOD("get_screen_distance", "camera", "point"), &GANode3D::get_screen_distance);
 	ClassDB::bind_method(D_METHOD("update_drawing"), &GANode3D::update_drawing);
-	ClassDB::bind_method(D_METHOD("_value_changed"), &GANode3D::queue_update);
-	ClassDB::bind_method(D_METHOD("_scene_changed"), &GANode3D::scene_changed);
 
 	using godot::PROPERTY_HINT_RANGE;
 	using godot::PROPERTY_HINT_RESOURCE_TYPE;

@@ -11,7 +11,6 @@ namespace ga_godot {
 using godot::Dictionary;
 using godot::MultiplayerAPI;
 using godot::Node;
-using godot::Object;
 using godot::PackedByteArray;
 using godot::PackedStringArray;
 using godot::Ref;
@@ -172,11 +171,15 @@ void MotorSynchronizer::free_target(Node *node) {
 }
 
 void MotorSynchronizer::_on_peer_packet(int64_t peer, const PackedByteArray &packet) {
-	_replicator->packet_received(int32_t(peer), packet);
+	if (_replicator != nullptr) {
+		_replicator->packet_received(int32_t(peer), packet);
+	}
 }
 
 void MotorSynchronizer::_on_physics_frame() {
-	_replicator->before_scripts();
+	if (_replicator != nullptr) {
+		_replicator->before_scripts();
+	}
 }
 
 void MotorSynchronizer::_on_target_exiting(int64_t id) {
@@ -185,8 +188,10 @@ void MotorSynchronizer::_on_target_exiting(int64_t id) {
 	}
 }
 
-void MotorSynchronizer::_on_node_renamed(const godot::Variant &node) {
-	_replicator->node_renamed(Object::cast_to<Node>(node.get_validated_object()));
+void MotorSynchronizer::_on_node_renamed(Node *node) {
+	if (_replicator != nullptr && node != nullptr) {
+		_replicator->node_renamed(node);
+	}
 }
 
 double MotorSynchronizer::get_media_time(int64_t peer) const {

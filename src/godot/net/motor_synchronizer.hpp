@@ -67,6 +67,13 @@ public:
 	[[nodiscard]] TargetSelection &selection() { return _selection; }
 	[[nodiscard]] bool selects(const godot::Node *node) const { return _selection.selects(*this, node); }
 
+	// Called by the engine's signals and monitors, not by scripts. A script can still emit these signals at any time.
+	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);
+	void _on_physics_frame();
+	void _on_target_exiting(int64_t id);
+	void _on_node_renamed(godot::Node *node);
+	godot::Variant _get_monitor(const godot::StringName &key);
+
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
 protected:
@@ -86,11 +93,6 @@ private:
 	/// The own target `node` of a call of `method`. Prints an error and returns null if the call is invalid.
 	Target *find_own_target(godot::Node *node, const char *method);
 
-	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);
-	void _on_physics_frame();
-	void _on_target_exiting(int64_t id);
-	void _on_node_renamed(const godot::Variant &node);
-	godot::Variant _get_monitor(const godot::StringName &key);
 	// Called by the inspector.
 	godot::PackedStringArray _get_linked_undo_properties(const godot::String &property, const godot::Variant &value) const;
 

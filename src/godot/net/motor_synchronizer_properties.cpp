@@ -113,12 +113,6 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
 	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
 
-	// Callbacks of the engine's signals and monitors.
-	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
-	ClassDB::bind_method(D_METHOD("_on_physics_frame"), &MotorSynchronizer::_on_physics_frame);
-	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
-	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);
-	ClassDB::bind_method(D_METHOD("_get_monitor", "key"), &MotorSynchronizer::_get_monitor);
 	ClassDB::bind_method(D_METHOD("_get_linked_undo_properties", "property", "value"), &MotorSynchronizer::_get_linked_undo_properties);
 
 	const PropertyInfo node(Variant::OBJECT, "node", godot::PROPERTY_HINT_NODE_TYPE, "Node", godot::PROPERTY_USAGE_DEFAULT, "Node");
