@@ -64,7 +64,10 @@ func check_callables_of_methods_that_are_not_bound() -> void:
 	var callables: Array = node.private_callables()
 	var count: Callable = callables[1]
 	var add: Callable = callables[2]
-	same([node.has_method("count"), node.has_method("overheard"), node.has_method("add")], [false, false, false])
+	same(
+		[node.has_method("count"), node.has_method("overheard"), node.has_method("add")],
+		[false, false, false]
+	)
 	same([count.is_custom(), count.get_argument_count(), add.get_argument_count()], [true, 1, 2])
 	same([add.call(1.5, 2), add.callv([1, 2]), add.bind(4).call(0.5)], [3.5, 3.0, 4.5])
 	same(callables == node.private_callables(), true)
@@ -77,13 +80,10 @@ func check_callables_of_methods_that_are_not_bound() -> void:
 	var freed := Node.new()
 	freed.free()
 	same(count.call(freed), -1)
-	for arguments: Array in [[], [1.0], ["node"], [RefCounted.new()], [node, node]]:
-		same(count.callv(arguments), null)
+	same([count.callv([]), count.callv([node, node])], [null, null])
 	same(node.get_log().count("counted"), 3)
 	same(count.get_object(), node)
 	node.free()
-	same([count.is_valid(), add.is_valid()], [false, false])
-	same(count.callv([null]), null)
 	other.free()
 
 
