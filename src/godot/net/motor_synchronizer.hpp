@@ -4,6 +4,7 @@
 #include "godot/net/replicator.hpp"
 #include "godot/net/stream_properties.hpp"
 #include "godot/net/target_selection.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -22,7 +23,7 @@ namespace ga_godot {
 /// Replicates the poses of nodes between peers; doc_classes/MotorSynchronizer.xml documents it.
 ///
 /// The node selects its targets. The Replicator, which all synchronizers of a MultiplayerAPI share, does the rest.
-class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer> {
+class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer>, public MainThread<MotorSynchronizer> {
 	GDCLASS(MotorSynchronizer, godot::Node)
 	friend class StreamProperties<MotorSynchronizer>;
 	friend class PlaybackProperties<MotorSynchronizer>;
