@@ -1,6 +1,7 @@
 #pragma once
 
 #include <godot_cpp/classes/global_constants.hpp>
+#include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
@@ -23,6 +24,8 @@ namespace ga_godot {
 /// Call in the main thread, before is_main_thread().
 void remember_main_thread();
 [[nodiscard]] bool is_main_thread();
+/// The node itself or the parent whose process group runs `node` in a sub-thread; null if the main thread runs it.
+[[nodiscard]] const godot::Node *find_sub_thread_group(const godot::Node *node);
 
 /// The common part of the guards. A Guard's Entry is constructed from the Self that is called; it reports a call that it refuses.
 template <class Self, class Guard>
@@ -71,7 +74,8 @@ private:
 	}
 };
 
-/// For classes whose objects one thread at a time may use. Calls from callbacks within a call are allowed.
+/// For classes whose objects one thread at a time may use. Calls from callbacks within a call are allowed. To be cheap, the check
+/// is no exchange: it may miss calls that begin within the same few nanoseconds.
 template <class Self>
 class OneThread : public GuardedCalls<Self, OneThread<Self>> {
 public:
@@ -79,16 +83,20 @@ public:
 	public:
 		explicit Entry(const OneThread &object) :
 				_user(object._user) {
-			const void *user = nullptr;
-			_is_first = _user.compare_exchange_strong(user, current_thread(), std::memory_order_acquire, std::memory_order_relaxed);
-			_is_allowed = _is_first || user == current_thread();
+			const void *const user = _user.load(std::memory_order_relaxed);
+			const void *const self = current_thread();
+			_is_first = user == nullptr;
+			_is_allowed = _is_first || user == self;
+			if (_is_first) {
+				_user.store(self, std::memory_order_relaxed);
+			}
 			if (unlikely(!_is_allowed)) {
 				ERR_PRINT(godot::vformat("%s: two threads call methods of one object at the same time. This call did nothing. Use one object for each thread, or a Mutex.", Self::get_class_static()));
 			}
 		}
 		~Entry() {
 			if (_is_first) {
-				_user.store(nullptr, std::memory_order_release);
+				_user.store(nullptr, std::memory_order_relaxed);
 			}
 		}
 		Entry(const Entry &) = delete;
@@ -106,14 +114,15 @@ private:
 	mutable std::atomic<const void *> _user = nullptr; // the thread that is in a call
 };
 
-/// For nodes that only the main thread may use while they are in the tree.
-template <class Self>
-class MainThread : public GuardedCalls<Self, MainThread<Self>> {
+/// For nodes that only the main thread may use while they are in the tree; with a process group, also the sub-thread that
+/// runs the node.
+template <class Self, bool HAS_PROCESS_GROUP = false>
+class MainThread : public GuardedCalls<Self, MainThread<Self, HAS_PROCESS_GROUP>> {
 public:
 	class Entry {
 	public:
 		explicit Entry(const Self &node) :
-				_is_allowed(is_main_thread() || !node.is_inside_tree()) {
+				_is_allowed(is_main_thread() || !node.is_inside_tree() || (HAS_PROCESS_GROUP && find_sub_thread_group(&node) != nullptr)) {
 			if (unlikely(!_is_allowed)) {
 				ERR_PRINT(godot::vformat("%s: a thread other than the main thread calls a method of a node in the tree. This call did nothing. Use call_deferred().", Self::get_class_static()));
 			}

@@ -3,7 +3,6 @@
 #include "godot/net/setup_warnings.hpp"
 #include "godot/net/spatial_node.hpp"
 
-#include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/core/object.hpp>
 
 namespace ga_godot {
@@ -82,8 +81,7 @@ void MotorSynchronizer::stop() {
 
 /// Reports once that another thread processes the node. Nothing is replicated then.
 bool MotorSynchronizer::is_in_main_thread() {
-	const godot::OS *os = godot::OS::get_singleton();
-	if (os->get_thread_caller_id() == os->get_main_thread_id()) {
+	if (is_main_thread()) {
 		return true;
 	}
 	if (!_is_thread_reported) {
