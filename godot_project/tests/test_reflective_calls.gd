@@ -10,13 +10,27 @@ const SEED := 20261130
 const CALLS_PER_FRAME := 400
 ## After so many frames, the two objects are replaced by new ones.
 const FRAMES_PER_OBJECT := 10
-## Notifications that the classes handle, and that the engine allows scripts to send at any time.
-const NOTIFICATIONS: Array[int] = [
+## Notifications that the engine allows scripts to send to a node in the tree.
+const SAFE_NOTIFICATIONS: Array[int] = [
 	Node.NOTIFICATION_READY,
 	Node.NOTIFICATION_PROCESS,
 	Node.NOTIFICATION_PHYSICS_PROCESS,
 	Node.NOTIFICATION_INTERNAL_PROCESS,
 	Node.NOTIFICATION_INTERNAL_PHYSICS_PROCESS,
+	Node3D.NOTIFICATION_VISIBILITY_CHANGED,
+	Node3D.NOTIFICATION_TRANSFORM_CHANGED,
+]
+const ALL_NOTIFICATIONS: Array[int] = [
+	Node.NOTIFICATION_ENTER_TREE,
+	Node.NOTIFICATION_EXIT_TREE,
+	Node.NOTIFICATION_READY,
+	Node.NOTIFICATION_PAUSED,
+	Node.NOTIFICATION_PROCESS,
+	Node.NOTIFICATION_PHYSICS_PROCESS,
+	Node.NOTIFICATION_INTERNAL_PROCESS,
+	Node.NOTIFICATION_INTERNAL_PHYSICS_PROCESS,
+	Node3D.NOTIFICATION_ENTER_WORLD,
+	Node3D.NOTIFICATION_EXIT_WORLD,
 	Node3D.NOTIFICATION_VISIBILITY_CHANGED,
 	Node3D.NOTIFICATION_TRANSFORM_CHANGED,
 ]
@@ -42,6 +56,21 @@ func test_no_callback_is_bound() -> void:
 				var title: String = method["name"]
 				var is_public := not title.begins_with("_") or title == INSPECTOR_METHOD
 				expect_true(is_public, "%s.%s is public" % [type, title])
+
+
+## A script can send any notification to a node that has not entered the tree.
+func test_notifications_outside_the_tree() -> void:
+	Engine.print_error_messages = false
+	for type: StringName in [&"GANode3D", &"MultivectorLerp", &"MotorSynchronizer"]:
+		for first in ALL_NOTIFICATIONS:
+			for second in ALL_NOTIFICATIONS:
+				var node: Node = ClassDB.instantiate(type)
+				if node is GANode3D:
+					node.set(&"multivector", Multivector.point(Vector3.ONE))
+				node.notification(first)
+				node.notification(second)
+				expect_true(not node.is_inside_tree(), "%s is outside of the tree" % type)
+				node.free()
 
 
 func test_calls_of_multivector() -> void:
@@ -256,7 +285,7 @@ func _call_anything(given: Array[Object]) -> void:
 		var emitted: Dictionary = _pick(_signals)
 		_call(object, &"emit_signal", [emitted["name"]] + _garbage.arguments_of(emitted))
 	elif object is Node and object not in given:
-		_call(object, &"notification", [_pick(NOTIFICATIONS)])
+		_call(object, &"notification", [_pick(SAFE_NOTIFICATIONS)])
 	else:
 		_call_connections(object)
 

@@ -25,6 +25,9 @@ GANode3D::~GANode3D() = default;
 void GANode3D::_notification(int what) {
 	switch (what) {
 		case NOTIFICATION_ENTER_WORLD:
+			if (!is_inside_tree()) {
+				break; // a script can send any notification
+			}
 			_in_world = true;
 			_meshes = FormMeshes::shared();
 			_stale = true;
