@@ -86,7 +86,7 @@ func test_a_receiver_in_two_threads() -> void:
 	)
 	expect_error(BUSY % "MotorReceiver")
 	_stream(receiver, 0)
-	expect_equal(results, ["another thread is using the receiver", true], "results")
+	expect_equal(results, ["another thread is using this object", true], "results")
 
 
 ## Each thread has its own sender, receiver, codec, pool and scene, and all compute the same.

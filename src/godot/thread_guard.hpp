@@ -27,6 +27,9 @@ void remember_main_thread();
 /// The node itself or the parent whose process group runs `node` in a sub-thread; null if the main thread runs it.
 [[nodiscard]] const godot::Node *find_sub_thread_group(const godot::Node *node);
 
+/// The reason for which `accept` refuses a packet while another thread is in a call.
+inline constexpr char IN_USE[] = "another thread is using this object";
+
 /// The common part of the guards. A Guard's Entry is constructed from the Self that is called; it reports a call that it refuses.
 template <class Self, class Guard>
 class GuardedCalls {

@@ -35,11 +35,6 @@ void MotorReceiver::set_max_bodies(int64_t count) {
 }
 
 String MotorReceiver::accept(const PackedByteArray &packet, double now) {
-	// Not bound as guarded: an empty text would mean that the packet was accepted.
-	const Entry entry(*this);
-	if (!entry.is_allowed()) {
-		return "another thread is using the receiver";
-	}
 	ERR_FAIL_COND_V_MSG(!std::isfinite(now), "the time is not finite", "MotorReceiver.accept: the time is not finite.");
 	const net::PacketResult result = _receiver.accept(packet.ptr(), size_t(packet.size()), now);
 	return result ? String() : String(net::describe(result.error()));
@@ -107,7 +102,7 @@ void MotorReceiver::_bind_methods() {
 
 	bind_property("count", guarded<&MotorReceiver::set_max_bodies>(), guarded<&MotorReceiver::get_max_bodies>(), PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"));
 	bind_playback_properties();
-	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
+	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), guarded<&MotorReceiver::accept, IN_USE>());
 	ClassDB::bind_method(D_METHOD("take_ack", "now"), guarded<&MotorReceiver::take_ack>());
 	ClassDB::bind_method(D_METHOD("is_ready"), guarded<&MotorReceiver::is_ready>());
 	ClassDB::bind_method(D_METHOD("advance", "now"), guarded<&MotorReceiver::advance>());

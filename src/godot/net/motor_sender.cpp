@@ -88,11 +88,6 @@ TypedArray<Dictionary> MotorSender::flush(double time) {
 }
 
 String MotorSender::accept(int64_t receiver, const PackedByteArray &packet, double time) {
-	// Not bound as guarded: an empty text would mean that the packet was accepted.
-	const Entry entry(*this);
-	if (!entry.is_allowed()) {
-		return "another thread is using the sender";
-	}
 	ERR_FAIL_COND_V_MSG(!std::isfinite(time), "the time is not finite", "MotorSender.accept: the time is not finite.");
 	if (!has_receiver(receiver)) {
 		return net::describe(net::PacketError::UNKNOWN_RECEIVER);
@@ -129,7 +124,7 @@ void MotorSender::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), guarded<&MotorSender::remove_receiver>());
 	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), guarded<&MotorSender::has_receiver>());
 	ClassDB::bind_method(D_METHOD("flush", "time"), guarded<&MotorSender::flush>());
-	ClassDB::bind_method(D_METHOD("accept", "receiver", "packet", "time"), &MotorSender::accept);
+	ClassDB::bind_method(D_METHOD("accept", "receiver", "packet", "time"), guarded<&MotorSender::accept, IN_USE>());
 	ClassDB::bind_method(D_METHOD("get_statistics", "receiver"), guarded<&MotorSender::get_statistics>());
 	ClassDB::bind_method(D_METHOD("get_moving_count"), guarded<&MotorSender::get_moving_count>());
 }
