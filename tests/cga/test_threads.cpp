@@ -67,7 +67,7 @@ TEST_CASE("threads: parts of one array of blocks") {
 	std::vector<float> rows(THREADS * BODIES * ROW_FLOATS);
 	harness::run_in_threads(THREADS, [&](size_t part) {
 		interpolate_blocks(blocks.data() + part * BODIES / PoseBlock::LANES, BODIES, nullptr, 0.3f, Mode::SCREW, rows.data() + part * BODIES * ROW_FLOATS);
-		return true;
+		return part;
 	});
 	std::vector<float> expected(rows.size());
 	interpolate_blocks(blocks.data(), THREADS * BODIES, nullptr, 0.3f, Mode::SCREW, expected.data());

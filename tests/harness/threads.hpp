@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace harness {
@@ -12,6 +13,7 @@ namespace harness {
 template <class Work>
 auto run_in_threads(size_t count, const Work &work) {
 	using Result = decltype(work(size_t(0)));
+	static_assert(!std::is_same_v<Result, bool>, "Threads cannot write elements of a std::vector<bool>.");
 	std::vector<Result> results(count);
 	std::atomic<size_t> ready = 0;
 	std::vector<std::thread> threads;
