@@ -155,7 +155,7 @@ func _check_motor_codec(codec: MotorCodec) -> void:
 	expect_vector_near(shown.origin, Vector3(1, 2, 3), 0.001, "pose")
 
 
-func skip_calls_of_motor_sender() -> void:
+func test_calls_of_motor_sender() -> void:
 	await _sweep(&"MotorSender", _check_motor_sender)
 
 
