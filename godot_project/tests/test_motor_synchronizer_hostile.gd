@@ -216,7 +216,7 @@ func test_rejecting_is_cheap() -> void:
 	var count := 10000
 	var started := Time.get_ticks_usec()
 	for i in count:
-		branches[0].synchronizer.call(&"_on_peer_packet", branches[1].api.get_unique_id(), packet)
+		branches[0].api.emit_signal(&"peer_packet", branches[1].api.get_unique_id(), packet)
 	var seconds := (Time.get_ticks_usec() - started) * 1e-6
 	expect_equal(branches[0].synchronizer.get_statistics()["rejected"], count, "rejected")
 	expect_true(

@@ -7,6 +7,7 @@
 #include "godot/net/motor_sender.hpp"
 #include "godot/net/motor_synchronizer.hpp"
 #include "godot/playground/ga_scene.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/godot.hpp>
@@ -18,6 +19,7 @@ extern const char *const EDITOR_HELP[];
 
 static void initialize(godot::ModuleInitializationLevel level) {
 	if (level == godot::MODULE_INITIALIZATION_LEVEL_SCENE) {
+		remember_main_thread();
 		GDREGISTER_CLASS(Multivector);
 		GDREGISTER_CLASS(GAScene);
 		GDREGISTER_CLASS(GANode3D);

@@ -25,6 +25,9 @@ GANode3D::~GANode3D() = default;
 void GANode3D::_notification(int what) {
 	switch (what) {
 		case NOTIFICATION_ENTER_WORLD:
+			if (!is_inside_tree()) {
+				break; // a script can send any notification
+			}
 			_in_world = true;
 			_meshes = FormMeshes::shared();
 			_stale = true;
@@ -54,9 +57,13 @@ void GANode3D::queue_update() {
 	}
 }
 
-// The scene reports each change to all nodes, and most changes concern other entries. Comparing values is faster than
+// A scene reports each change to all nodes, and most changes concern other entries. Comparing values is faster than
 // searching the names of the changed entries: a thousand nodes listen while a drag changes hundreds of entries.
-void GANode3D::scene_changed() {
+void GANode3D::value_changed() {
+	if (!is_main_thread()) {
+		ERR_PRINT(godot::vformat("GANode3D %s: another thread changed its scene or multivector, which is not drawn. Change what a node draws in the main thread, for example by call_deferred().", get_name()));
+		return;
+	}
 	if (!_stale && !is_up_to_date()) {
 		queue_update();
 	}

@@ -4,6 +4,7 @@
 #include "godot/drawing/drawn_part.hpp"
 #include "godot/drawing/form_meshes.hpp"
 #include "godot/playground/ga_scene.hpp"
+#include "godot/thread_guard.hpp"
 #include "playground/drawing/figure.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -27,7 +28,7 @@ namespace ga_godot {
 ///
 /// It draws shared meshes (FormMeshes) through the rendering server, whose shaders fit unbounded objects to each view. A new
 /// value of the same kind costs as much as a new transform, and a moving camera costs nothing.
-class GANode3D : public godot::Node3D {
+class GANode3D : public godot::Node3D, public MainThread<GANode3D> {
 	GDCLASS(GANode3D, godot::Node3D)
 
 public:
@@ -82,7 +83,7 @@ private:
 	const cga::Multivector *find_value() const;
 	Appearance get_appearance() const;
 	bool is_up_to_date() const;
-	void scene_changed();
+	void value_changed();
 	void queue_update();
 	void show_parts();
 	void draw_parts();

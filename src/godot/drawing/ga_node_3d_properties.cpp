@@ -6,7 +6,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cmath>
@@ -51,14 +51,14 @@ static bool replace_resource(Ref<T> &resource, const Ref<T> &next, const Callabl
 }
 
 void GANode3D::set_multivector(const Ref<Multivector> &multivector) {
-	if (replace_resource(_multivector, multivector, Callable(this, "_value_changed"))) {
+	if (replace_resource(_multivector, multivector, callable_mp(this, &GANode3D::value_changed))) {
 		queue_update();
 		update_configuration_warnings();
 	}
 }
 
 void GANode3D::set_scene(const Ref<GAScene> &scene) {
-	if (replace_resource(_scene, scene, Callable(this, "_scene_changed"))) {
+	if (replace_resource(_scene, scene, callable_mp(this, &GANode3D::value_changed))) {
 		queue_update();
 		update_configuration_warnings();
 	}
@@ -185,29 +185,27 @@ void GANode3D::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	ClassDB::bind_method(D_METHOD("set_multivector", "multivector"), &GANode3D::set_multivector);
-	ClassDB::bind_method(D_METHOD("get_multivector"), &GANode3D::get_multivector);
-	ClassDB::bind_method(D_METHOD("set_scene", "scene"), &GANode3D::set_scene);
-	ClassDB::bind_method(D_METHOD("get_scene"), &GANode3D::get_scene);
-	ClassDB::bind_method(D_METHOD("set_entry", "entry"), &GANode3D::set_entry);
-	ClassDB::bind_method(D_METHOD("get_entry"), &GANode3D::get_entry);
-	ClassDB::bind_method(D_METHOD("set_ipns", "ipns"), &GANode3D::set_ipns);
-	ClassDB::bind_method(D_METHOD("is_ipns"), &GANode3D::is_ipns);
-	ClassDB::bind_method(D_METHOD("set_color", "color"), &GANode3D::set_color);
-	ClassDB::bind_method(D_METHOD("get_color"), &GANode3D::get_color);
-	ClassDB::bind_method(D_METHOD("set_line_width", "pixels"), &GANode3D::set_line_width);
-	ClassDB::bind_method(D_METHOD("get_line_width"), &GANode3D::get_line_width);
-	ClassDB::bind_method(D_METHOD("set_show_label", "show"), &GANode3D::set_show_label);
-	ClassDB::bind_method(D_METHOD("is_showing_label"), &GANode3D::is_showing_label);
-	ClassDB::bind_method(D_METHOD("set_label", "label"), &GANode3D::set_label);
-	ClassDB::bind_method(D_METHOD("get_label"), &GANode3D::get_label);
+	ClassDB::bind_method(D_METHOD("set_multivector", "multivector"), guarded<&GANode3D::set_multivector>());
+	ClassDB::bind_method(D_METHOD("get_multivector"), guarded<&GANode3D::get_multivector>());
+	ClassDB::bind_method(D_METHOD("set_scene", "scene"), guarded<&GANode3D::set_scene>());
+	ClassDB::bind_method(D_METHOD("get_scene"), guarded<&GANode3D::get_scene>());
+	ClassDB::bind_method(D_METHOD("set_entry", "entry"), guarded<&GANode3D::set_entry>());
+	ClassDB::bind_method(D_METHOD("get_entry"), guarded<&GANode3D::get_entry>());
+	ClassDB::bind_method(D_METHOD("set_ipns", "ipns"), guarded<&GANode3D::set_ipns>());
+	ClassDB::bind_method(D_METHOD("is_ipns"), guarded<&GANode3D::is_ipns>());
+	ClassDB::bind_method(D_METHOD("set_color", "color"), guarded<&GANode3D::set_color>());
+	ClassDB::bind_method(D_METHOD("get_color"), guarded<&GANode3D::get_color>());
+	ClassDB::bind_method(D_METHOD("set_line_width", "pixels"), guarded<&GANode3D::set_line_width>());
+	ClassDB::bind_method(D_METHOD("get_line_width"), guarded<&GANode3D::get_line_width>());
+	ClassDB::bind_method(D_METHOD("set_show_label", "show"), guarded<&GANode3D::set_show_label>());
+	ClassDB::bind_method(D_METHOD("is_showing_label"), guarded<&GANode3D::is_showing_label>());
+	ClassDB::bind_method(D_METHOD("set_label", "label"), guarded<&GANode3D::set_label>());
+	ClassDB::bind_method(D_METHOD("get_label"), guarded<&GANode3D::get_label>());
 
-	ClassDB::bind_method(D_METHOD("get_value"), &GANode3D::get_value);
-	ClassDB::bind_method(D_METHOD("describe"), &GANode3D::describe);
-	ClassDB::bind_method(D_METHOD("get_screen_distance", "camera", "point"), &GANode3D::get_screen_distance);
-	ClassDB::bind_method(D_METHOD("update_drawing"), &GANode3D::update_drawing);
-	ClassDB::bind_method(D_METHOD("_value_changed"), &GANode3D::queue_update);
-	ClassDB::bind_method(D_METHOD("_scene_changed"), &GANode3D::scene_changed);
+	ClassDB::bind_method(D_METHOD("get_value"), guarded<&GANode3D::get_value>());
+	ClassDB::bind_method(D_METHOD("describe"), guarded<&GANode3D::describe>());
+	ClassDB::bind_method(D_METHOD("get_screen_distance", "camera", "point"), guarded<&GANode3D::get_screen_distance>());
+	ClassDB::bind_method(D_METHOD("update_drawing"), guarded<&GANode3D::update_drawing>());
 
 	using godot::PROPERTY_HINT_RANGE;
 	using godot::PROPERTY_HINT_RESOURCE_TYPE;

@@ -160,25 +160,25 @@ void MotorPool::_bind_methods() {
 	using godot::ClassDB;
 	using godot::D_METHOD;
 
-	ClassDB::bind_method(D_METHOD("acquire"), &MotorPool::acquire);
-	ClassDB::bind_method(D_METHOD("release", "index"), &MotorPool::release);
-	ClassDB::bind_method(D_METHOD("reserve", "count"), &MotorPool::reserve);
-	ClassDB::bind_method(D_METHOD("get_count"), &MotorPool::get_count);
-	ClassDB::bind_method(D_METHOD("clear"), &MotorPool::clear);
-	ClassDB::bind_method(D_METHOD("set_from", "index", "transform"), &MotorPool::set_from);
-	ClassDB::bind_method(D_METHOD("set_to", "index", "transform"), &MotorPool::set_to);
-	ClassDB::bind_method(D_METHOD("set_from_all", "transforms"), &MotorPool::set_from_all);
-	ClassDB::bind_method(D_METHOD("set_to_all", "transforms"), &MotorPool::set_to_all);
-	ClassDB::bind_method(D_METHOD("set_from_buffer", "buffer"), &MotorPool::set_from_buffer);
-	ClassDB::bind_method(D_METHOD("set_to_buffer", "buffer"), &MotorPool::set_to_buffer);
-	ClassDB::bind_method(D_METHOD("advance"), &MotorPool::advance);
-	ClassDB::bind_method(D_METHOD("interpolate", "weight", "mode"), &MotorPool::interpolate);
-	ClassDB::bind_method(D_METHOD("interpolate_each", "weights", "mode"), &MotorPool::interpolate_each);
-	ClassDB::bind_method(D_METHOD("get_transform", "index"), &MotorPool::get_transform);
-	ClassDB::bind_method(D_METHOD("get_motor", "index"), &MotorPool::get_motor);
-	ClassDB::bind_method(D_METHOD("get_buffer"), &MotorPool::get_buffer);
-	ClassDB::bind_method(D_METHOD("apply_to_nodes", "nodes"), &MotorPool::apply_to_nodes);
-	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh", "instance_data"), &MotorPool::apply_to_multimesh, DEFVAL(PackedFloat32Array()));
+	ClassDB::bind_method(D_METHOD("acquire"), guarded<&MotorPool::acquire, -1>());
+	ClassDB::bind_method(D_METHOD("release", "index"), guarded<&MotorPool::release>());
+	ClassDB::bind_method(D_METHOD("reserve", "count"), guarded<&MotorPool::reserve>());
+	ClassDB::bind_method(D_METHOD("get_count"), guarded<&MotorPool::get_count>());
+	ClassDB::bind_method(D_METHOD("clear"), guarded<&MotorPool::clear>());
+	ClassDB::bind_method(D_METHOD("set_from", "index", "transform"), guarded<&MotorPool::set_from>());
+	ClassDB::bind_method(D_METHOD("set_to", "index", "transform"), guarded<&MotorPool::set_to>());
+	ClassDB::bind_method(D_METHOD("set_from_all", "transforms"), guarded<&MotorPool::set_from_all>());
+	ClassDB::bind_method(D_METHOD("set_to_all", "transforms"), guarded<&MotorPool::set_to_all>());
+	ClassDB::bind_method(D_METHOD("set_from_buffer", "buffer"), guarded<&MotorPool::set_from_buffer>());
+	ClassDB::bind_method(D_METHOD("set_to_buffer", "buffer"), guarded<&MotorPool::set_to_buffer>());
+	ClassDB::bind_method(D_METHOD("advance"), guarded<&MotorPool::advance>());
+	ClassDB::bind_method(D_METHOD("interpolate", "weight", "mode"), guarded<&MotorPool::interpolate>());
+	ClassDB::bind_method(D_METHOD("interpolate_each", "weights", "mode"), guarded<&MotorPool::interpolate_each>());
+	ClassDB::bind_method(D_METHOD("get_transform", "index"), guarded<&MotorPool::get_transform>());
+	ClassDB::bind_method(D_METHOD("get_motor", "index"), guarded<&MotorPool::get_motor>());
+	ClassDB::bind_method(D_METHOD("get_buffer"), guarded<&MotorPool::get_buffer>());
+	ClassDB::bind_method(D_METHOD("apply_to_nodes", "nodes"), guarded<&MotorPool::apply_to_nodes>());
+	ClassDB::bind_method(D_METHOD("apply_to_multimesh", "multimesh", "instance_data"), guarded<&MotorPool::apply_to_multimesh>(), DEFVAL(PackedFloat32Array()));
 }
 
 } // namespace ga_godot

@@ -3,6 +3,7 @@
 #include "cga/batch/pose_block.hpp"
 #include "godot/algebra/multivector.hpp"
 #include "godot/motion/multivector_lerp.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/classes/multi_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -21,7 +22,7 @@ namespace ga_godot {
 /// The index that acquire() returns consists of a slot (low 32 bits) and the slot's generation. A slot stores the body's row.
 /// Rows are dense and in the order of acquire(): row r is lane r % 8 of block r / 8 and floats 12 r .. 12 r + 11 of the
 /// buffer. release() only marks the row as a gap; the next call that uses the order of rows closes all gaps.
-class MotorPool : public godot::RefCounted {
+class MotorPool : public godot::RefCounted, public OneThread<MotorPool> {
 	GDCLASS(MotorPool, godot::RefCounted)
 
 public:

@@ -269,24 +269,24 @@ void MultivectorLerp::_bind_methods() {
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("interpolate_transform", "from", "to", "weight", "mode"), &MultivectorLerp::interpolate_transform);
 	ClassDB::bind_static_method("MultivectorLerp", D_METHOD("measure_deviation", "from", "to", "first", "second", "lever_arm"), &MultivectorLerp::measure_deviation, DEFVAL(1.0));
 
-	ClassDB::bind_method(D_METHOD("play"), &MultivectorLerp::play);
-	ClassDB::bind_method(D_METHOD("stop"), &MultivectorLerp::stop);
-	ClassDB::bind_method(D_METHOD("is_playing"), &MultivectorLerp::is_playing);
+	ClassDB::bind_method(D_METHOD("play"), guarded<&MultivectorLerp::play>());
+	ClassDB::bind_method(D_METHOD("stop"), guarded<&MultivectorLerp::stop>());
+	ClassDB::bind_method(D_METHOD("is_playing"), guarded<&MultivectorLerp::is_playing>());
 
 	using godot::PROPERTY_HINT_ENUM;
 	using godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES;
 	using godot::PROPERTY_HINT_RANGE;
 	using godot::PROPERTY_HINT_RESOURCE_TYPE;
-	bind_property("path", &MultivectorLerp::set_start, &MultivectorLerp::get_start, PropertyInfo(Variant::NODE_PATH, "start", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
-	bind_property("path", &MultivectorLerp::set_end, &MultivectorLerp::get_end, PropertyInfo(Variant::NODE_PATH, "end", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
-	bind_property("path", &MultivectorLerp::set_target, &MultivectorLerp::get_target, PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
-	bind_property("motor", &MultivectorLerp::set_start_motor, &MultivectorLerp::get_start_motor, PropertyInfo(Variant::OBJECT, "start_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
-	bind_property("motor", &MultivectorLerp::set_end_motor, &MultivectorLerp::get_end_motor, PropertyInfo(Variant::OBJECT, "end_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
-	bind_property("factor", &MultivectorLerp::set_factor, &MultivectorLerp::get_factor, PropertyInfo(Variant::FLOAT, "factor", PROPERTY_HINT_RANGE, "0,1,0.001"));
-	bind_property("mode", &MultivectorLerp::set_mode, &MultivectorLerp::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
-	bind_property("local", &MultivectorLerp::set_local, &MultivectorLerp::is_local, PropertyInfo(Variant::BOOL, "local"));
-	bind_property("auto_play", &MultivectorLerp::set_auto_play, &MultivectorLerp::is_auto_play, PropertyInfo(Variant::BOOL, "auto_play"));
-	bind_property("seconds", &MultivectorLerp::set_duration, &MultivectorLerp::get_duration, PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,60,0.01,or_greater,suffix:s"));
+	bind_property("path", guarded<&MultivectorLerp::set_start>(), guarded<&MultivectorLerp::get_start>(), PropertyInfo(Variant::NODE_PATH, "start", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("path", guarded<&MultivectorLerp::set_end>(), guarded<&MultivectorLerp::get_end>(), PropertyInfo(Variant::NODE_PATH, "end", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("path", guarded<&MultivectorLerp::set_target>(), guarded<&MultivectorLerp::get_target>(), PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"));
+	bind_property("motor", guarded<&MultivectorLerp::set_start_motor>(), guarded<&MultivectorLerp::get_start_motor>(), PropertyInfo(Variant::OBJECT, "start_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
+	bind_property("motor", guarded<&MultivectorLerp::set_end_motor>(), guarded<&MultivectorLerp::get_end_motor>(), PropertyInfo(Variant::OBJECT, "end_motor", PROPERTY_HINT_RESOURCE_TYPE, "Multivector"));
+	bind_property("factor", guarded<&MultivectorLerp::set_factor>(), guarded<&MultivectorLerp::get_factor>(), PropertyInfo(Variant::FLOAT, "factor", PROPERTY_HINT_RANGE, "0,1,0.001"));
+	bind_property("mode", guarded<&MultivectorLerp::set_mode>(), guarded<&MultivectorLerp::get_mode>(), PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
+	bind_property("local", guarded<&MultivectorLerp::set_local>(), guarded<&MultivectorLerp::is_local>(), PropertyInfo(Variant::BOOL, "local"));
+	bind_property("auto_play", guarded<&MultivectorLerp::set_auto_play>(), guarded<&MultivectorLerp::is_auto_play>(), PropertyInfo(Variant::BOOL, "auto_play"));
+	bind_property("seconds", guarded<&MultivectorLerp::set_duration>(), guarded<&MultivectorLerp::get_duration>(), PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,60,0.01,or_greater,suffix:s"));
 
 	ADD_SIGNAL(godot::MethodInfo("finished"));
 }

@@ -2,6 +2,7 @@
 
 #include "cga/motor/interpolate.hpp"
 #include "godot/algebra/multivector.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -15,7 +16,7 @@
 namespace ga_godot {
 
 /// Moves a target node between two poses. Documented in doc_classes/MultivectorLerp.xml.
-class MultivectorLerp : public godot::Node {
+class MultivectorLerp : public godot::Node, public MainThread<MultivectorLerp, true> {
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:

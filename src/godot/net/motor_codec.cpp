@@ -70,10 +70,10 @@ void MotorCodec::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	bind_property("meters", &MotorCodec::set_position_tolerance, &MotorCodec::get_position_tolerance, PropertyInfo(Variant::FLOAT, "position_tolerance", godot::PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
-	bind_property("degrees", &MotorCodec::set_rotation_tolerance, &MotorCodec::get_rotation_tolerance, PropertyInfo(Variant::FLOAT, "rotation_tolerance", godot::PROPERTY_HINT_RANGE, "0.01,5,0.01,or_greater,suffix:°"));
-	ClassDB::bind_method(D_METHOD("encode", "ids", "transforms"), &MotorCodec::encode);
-	ClassDB::bind_method(D_METHOD("decode", "packet"), &MotorCodec::decode);
+	bind_property("meters", guarded<&MotorCodec::set_position_tolerance>(), guarded<&MotorCodec::get_position_tolerance>(), PropertyInfo(Variant::FLOAT, "position_tolerance", godot::PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
+	bind_property("degrees", guarded<&MotorCodec::set_rotation_tolerance>(), guarded<&MotorCodec::get_rotation_tolerance>(), PropertyInfo(Variant::FLOAT, "rotation_tolerance", godot::PROPERTY_HINT_RANGE, "0.01,5,0.01,or_greater,suffix:°"));
+	ClassDB::bind_method(D_METHOD("encode", "ids", "transforms"), guarded<&MotorCodec::encode>());
+	ClassDB::bind_method(D_METHOD("decode", "packet"), guarded<&MotorCodec::decode>());
 }
 
 } // namespace ga_godot

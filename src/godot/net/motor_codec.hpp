@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/thread_guard.hpp"
 #include "net/pose_codec.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -15,7 +16,7 @@
 namespace ga_godot {
 
 /// Poses of many bodies in one packet, as quantized motors; doc_classes/MotorCodec.xml documents it.
-class MotorCodec : public godot::RefCounted {
+class MotorCodec : public godot::RefCounted, public OneThread<MotorCodec> {
 	GDCLASS(MotorCodec, godot::RefCounted)
 
 public:

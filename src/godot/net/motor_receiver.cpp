@@ -99,19 +99,19 @@ void MotorReceiver::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	bind_property("count", &MotorReceiver::set_max_bodies, &MotorReceiver::get_max_bodies, PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"));
+	bind_property("count", guarded<&MotorReceiver::set_max_bodies>(), guarded<&MotorReceiver::get_max_bodies>(), PropertyInfo(Variant::INT, "max_bodies", godot::PROPERTY_HINT_RANGE, "1,65536,1,or_greater"));
 	bind_playback_properties();
-	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), &MotorReceiver::accept);
-	ClassDB::bind_method(D_METHOD("take_ack", "now"), &MotorReceiver::take_ack);
-	ClassDB::bind_method(D_METHOD("is_ready"), &MotorReceiver::is_ready);
-	ClassDB::bind_method(D_METHOD("advance", "now"), &MotorReceiver::advance);
-	ClassDB::bind_method(D_METHOD("get_transform", "id"), &MotorReceiver::get_transform);
-	ClassDB::bind_method(D_METHOD("has_body", "id"), &MotorReceiver::has_body);
-	ClassDB::bind_method(D_METHOD("get_bodies"), &MotorReceiver::get_bodies);
-	ClassDB::bind_method(D_METHOD("get_media_time"), &MotorReceiver::get_media_time);
-	ClassDB::bind_method(D_METHOD("get_known_time"), &MotorReceiver::get_known_time);
-	ClassDB::bind_method(D_METHOD("clear"), &MotorReceiver::clear);
-	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorReceiver::get_statistics);
+	ClassDB::bind_method(D_METHOD("accept", "packet", "now"), guarded<&MotorReceiver::accept, IN_USE>());
+	ClassDB::bind_method(D_METHOD("take_ack", "now"), guarded<&MotorReceiver::take_ack>());
+	ClassDB::bind_method(D_METHOD("is_ready"), guarded<&MotorReceiver::is_ready>());
+	ClassDB::bind_method(D_METHOD("advance", "now"), guarded<&MotorReceiver::advance>());
+	ClassDB::bind_method(D_METHOD("get_transform", "id"), guarded<&MotorReceiver::get_transform>());
+	ClassDB::bind_method(D_METHOD("has_body", "id"), guarded<&MotorReceiver::has_body>());
+	ClassDB::bind_method(D_METHOD("get_bodies"), guarded<&MotorReceiver::get_bodies>());
+	ClassDB::bind_method(D_METHOD("get_media_time"), guarded<&MotorReceiver::get_media_time>());
+	ClassDB::bind_method(D_METHOD("get_known_time"), guarded<&MotorReceiver::get_known_time>());
+	ClassDB::bind_method(D_METHOD("clear"), guarded<&MotorReceiver::clear>());
+	ClassDB::bind_method(D_METHOD("get_statistics"), guarded<&MotorReceiver::get_statistics>());
 	ADD_SIGNAL(MethodInfo("body_added", PropertyInfo(Variant::INT, "id")));
 	ADD_SIGNAL(MethodInfo("body_removed", PropertyInfo(Variant::INT, "id")));
 }

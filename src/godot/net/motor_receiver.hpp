@@ -1,6 +1,7 @@
 #pragma once
 
 #include "godot/net/playback_properties.hpp"
+#include "godot/thread_guard.hpp"
 #include "net/endpoint/receiver.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -17,7 +18,7 @@
 namespace ga_godot {
 
 /// The receiving half of MotorSynchronizer, for any transport; doc_classes/MotorReceiver.xml documents it.
-class MotorReceiver : public godot::RefCounted, public PlaybackProperties<MotorReceiver> {
+class MotorReceiver : public godot::RefCounted, public PlaybackProperties<MotorReceiver>, public OneThread<MotorReceiver> {
 	GDCLASS(MotorReceiver, godot::RefCounted)
 	friend class PlaybackProperties<MotorReceiver>;
 

@@ -114,20 +114,20 @@ void MotorSender::_bind_methods() {
 	using godot::D_METHOD;
 
 	bind_stream_properties();
-	bind_property("hertz", &MotorSender::set_ticks_per_second, &MotorSender::get_ticks_per_second, godot::PropertyInfo(godot::Variant::FLOAT, "ticks_per_second", godot::PROPERTY_HINT_RANGE, "1,240,1,or_greater,suffix:Hz"));
-	ClassDB::bind_method(D_METHOD("add_body", "id", "transform"), &MotorSender::add_body);
-	ClassDB::bind_method(D_METHOD("remove_body", "id"), &MotorSender::remove_body);
-	ClassDB::bind_method(D_METHOD("has_body", "id"), &MotorSender::has_body);
-	ClassDB::bind_method(D_METHOD("get_body_count"), &MotorSender::get_body_count);
-	ClassDB::bind_method(D_METHOD("observe", "id", "time", "transform"), &MotorSender::observe);
-	ClassDB::bind_method(D_METHOD("teleport", "id"), &MotorSender::teleport);
-	ClassDB::bind_method(D_METHOD("add_receiver", "receiver", "time"), &MotorSender::add_receiver);
-	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), &MotorSender::remove_receiver);
-	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), &MotorSender::has_receiver);
-	ClassDB::bind_method(D_METHOD("flush", "time"), &MotorSender::flush);
-	ClassDB::bind_method(D_METHOD("accept", "receiver", "packet", "time"), &MotorSender::accept);
-	ClassDB::bind_method(D_METHOD("get_statistics", "receiver"), &MotorSender::get_statistics);
-	ClassDB::bind_method(D_METHOD("get_moving_count"), &MotorSender::get_moving_count);
+	bind_property("hertz", guarded<&MotorSender::set_ticks_per_second>(), guarded<&MotorSender::get_ticks_per_second>(), godot::PropertyInfo(godot::Variant::FLOAT, "ticks_per_second", godot::PROPERTY_HINT_RANGE, "1,240,1,or_greater,suffix:Hz"));
+	ClassDB::bind_method(D_METHOD("add_body", "id", "transform"), guarded<&MotorSender::add_body>());
+	ClassDB::bind_method(D_METHOD("remove_body", "id"), guarded<&MotorSender::remove_body>());
+	ClassDB::bind_method(D_METHOD("has_body", "id"), guarded<&MotorSender::has_body>());
+	ClassDB::bind_method(D_METHOD("get_body_count"), guarded<&MotorSender::get_body_count>());
+	ClassDB::bind_method(D_METHOD("observe", "id", "time", "transform"), guarded<&MotorSender::observe>());
+	ClassDB::bind_method(D_METHOD("teleport", "id"), guarded<&MotorSender::teleport>());
+	ClassDB::bind_method(D_METHOD("add_receiver", "receiver", "time"), guarded<&MotorSender::add_receiver>());
+	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), guarded<&MotorSender::remove_receiver>());
+	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), guarded<&MotorSender::has_receiver>());
+	ClassDB::bind_method(D_METHOD("flush", "time"), guarded<&MotorSender::flush>());
+	ClassDB::bind_method(D_METHOD("accept", "receiver", "packet", "time"), guarded<&MotorSender::accept, IN_USE>());
+	ClassDB::bind_method(D_METHOD("get_statistics", "receiver"), guarded<&MotorSender::get_statistics>());
+	ClassDB::bind_method(D_METHOD("get_moving_count"), guarded<&MotorSender::get_moving_count>());
 }
 
 } // namespace ga_godot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "godot/net/stream_properties.hpp"
+#include "godot/thread_guard.hpp"
 #include "net/endpoint/sender.hpp"
 
 #include <godot_cpp/classes/ref_counted.hpp>
@@ -14,7 +15,7 @@
 namespace ga_godot {
 
 /// The sending half of MotorSynchronizer, for any transport; doc_classes/MotorSender.xml documents it.
-class MotorSender : public godot::RefCounted, public StreamProperties<MotorSender> {
+class MotorSender : public godot::RefCounted, public StreamProperties<MotorSender>, public OneThread<MotorSender> {
 	GDCLASS(MotorSender, godot::RefCounted)
 	friend class StreamProperties<MotorSender>;
 

@@ -3,7 +3,6 @@
 #include "godot/net/setup_warnings.hpp"
 #include "godot/net/spatial_node.hpp"
 
-#include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/core/object.hpp>
 
 namespace ga_godot {
@@ -11,7 +10,6 @@ namespace ga_godot {
 using godot::Dictionary;
 using godot::MultiplayerAPI;
 using godot::Node;
-using godot::Object;
 using godot::PackedByteArray;
 using godot::PackedStringArray;
 using godot::Ref;
@@ -83,8 +81,7 @@ void MotorSynchronizer::stop() {
 
 /// Reports once that another thread processes the node. Nothing is replicated then.
 bool MotorSynchronizer::is_in_main_thread() {
-	const godot::OS *os = godot::OS::get_singleton();
-	if (os->get_thread_caller_id() == os->get_main_thread_id()) {
+	if (is_main_thread()) {
 		return true;
 	}
 	if (!_is_thread_reported) {
@@ -172,7 +169,9 @@ void MotorSynchronizer::free_target(Node *node) {
 }
 
 void MotorSynchronizer::_on_peer_packet(int64_t peer, const PackedByteArray &packet) {
-	_replicator->packet_received(int32_t(peer), packet);
+	if (_replicator != nullptr) {
+		_replicator->packet_received(int32_t(peer), packet);
+	}
 }
 
 void MotorSynchronizer::_on_peer_disconnected(int64_t peer) {
@@ -182,7 +181,9 @@ void MotorSynchronizer::_on_peer_disconnected(int64_t peer) {
 }
 
 void MotorSynchronizer::_on_physics_frame() {
-	_replicator->before_scripts();
+	if (_replicator != nullptr) {
+		_replicator->before_scripts();
+	}
 }
 
 void MotorSynchronizer::_on_target_exiting(int64_t id) {
@@ -191,8 +192,10 @@ void MotorSynchronizer::_on_target_exiting(int64_t id) {
 	}
 }
 
-void MotorSynchronizer::_on_node_renamed(const godot::Variant &node) {
-	_replicator->node_renamed(Object::cast_to<Node>(node.get_validated_object()));
+void MotorSynchronizer::_on_node_renamed(Node *node) {
+	if (_replicator != nullptr && node != nullptr) {
+		_replicator->node_renamed(node);
+	}
 }
 
 double MotorSynchronizer::get_media_time(int64_t peer) const {

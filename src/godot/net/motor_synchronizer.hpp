@@ -4,6 +4,7 @@
 #include "godot/net/replicator.hpp"
 #include "godot/net/stream_properties.hpp"
 #include "godot/net/target_selection.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -22,7 +23,7 @@ namespace ga_godot {
 /// Replicates the poses of nodes between peers; doc_classes/MotorSynchronizer.xml documents it.
 ///
 /// The node selects its targets. The Replicator, which all synchronizers of a MultiplayerAPI share, does the rest.
-class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer> {
+class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynchronizer>, public PlaybackProperties<MotorSynchronizer>, public MainThread<MotorSynchronizer> {
 	GDCLASS(MotorSynchronizer, godot::Node)
 	friend class StreamProperties<MotorSynchronizer>;
 	friend class PlaybackProperties<MotorSynchronizer>;
@@ -67,6 +68,14 @@ public:
 	[[nodiscard]] TargetSelection &selection() { return _selection; }
 	[[nodiscard]] bool selects(const godot::Node *node) const { return _selection.selects(*this, node); }
 
+	// Called by the engine's signals and monitors, not by scripts. A script can still emit these signals at any time.
+	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);
+	void _on_peer_disconnected(int64_t peer);
+	void _on_physics_frame();
+	void _on_target_exiting(int64_t id);
+	void _on_node_renamed(godot::Node *node);
+	godot::Variant _get_monitor(const godot::StringName &key);
+
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
 protected:
@@ -86,12 +95,6 @@ private:
 	/// The own target `node` of a call of `method`. Prints an error and returns null if the call is invalid.
 	Target *find_own_target(godot::Node *node, const char *method);
 
-	void _on_peer_packet(int64_t peer, const godot::PackedByteArray &packet);
-	void _on_peer_disconnected(int64_t peer);
-	void _on_physics_frame();
-	void _on_target_exiting(int64_t id);
-	void _on_node_renamed(const godot::Variant &node);
-	godot::Variant _get_monitor(const godot::StringName &key);
 	// Called by the inspector.
 	godot::PackedStringArray _get_linked_undo_properties(const godot::String &property, const godot::Variant &value) const;
 

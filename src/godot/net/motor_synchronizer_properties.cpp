@@ -81,46 +81,39 @@ void MotorSynchronizer::_bind_methods() {
 	using godot::PropertyInfo;
 	using godot::Variant;
 
-	ClassDB::bind_method(D_METHOD("set_targets", "paths"), &MotorSynchronizer::set_targets);
-	ClassDB::bind_method(D_METHOD("get_targets"), &MotorSynchronizer::get_targets);
+	ClassDB::bind_method(D_METHOD("set_targets", "paths"), guarded<&MotorSynchronizer::set_targets>());
+	ClassDB::bind_method(D_METHOD("get_targets"), guarded<&MotorSynchronizer::get_targets>());
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "targets", godot::PROPERTY_HINT_TYPE_STRING, vformat("%d/%d:Node3D,Node2D", int64_t(Variant::NODE_PATH), int64_t(godot::PROPERTY_HINT_NODE_PATH_VALID_TYPES))), "set_targets", "get_targets");
-	ClassDB::bind_method(D_METHOD("set_target_group", "group"), &MotorSynchronizer::set_target_group);
-	ClassDB::bind_method(D_METHOD("get_target_group"), &MotorSynchronizer::get_target_group);
+	ClassDB::bind_method(D_METHOD("set_target_group", "group"), guarded<&MotorSynchronizer::set_target_group>());
+	ClassDB::bind_method(D_METHOD("get_target_group"), guarded<&MotorSynchronizer::get_target_group>());
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "target_group"), "set_target_group", "get_target_group");
 	BIND_ENUM_CONSTANT(LATENCY_CUSTOM);
 	BIND_ENUM_CONSTANT(LATENCY_RESPONSIVE);
 	BIND_ENUM_CONSTANT(LATENCY_BALANCED);
 	BIND_ENUM_CONSTANT(LATENCY_ECONOMICAL);
 	// Not stored in scenes: max_latency and send_rate are.
-	bind_property("preset", &MotorSynchronizer::set_latency_preset, &MotorSynchronizer::get_latency_preset, PropertyInfo(Variant::INT, "latency_preset", godot::PROPERTY_HINT_ENUM, "Custom,Responsive,Balanced,Economical", godot::PROPERTY_USAGE_EDITOR | godot::PROPERTY_USAGE_UPDATE_ALL_IF_MODIFIED));
+	bind_property("preset", guarded<&MotorSynchronizer::set_latency_preset>(), guarded<&MotorSynchronizer::get_latency_preset>(), PropertyInfo(Variant::INT, "latency_preset", godot::PROPERTY_HINT_ENUM, "Custom,Responsive,Balanced,Economical", godot::PROPERTY_USAGE_EDITOR | godot::PROPERTY_USAGE_UPDATE_ALL_IF_MODIFIED));
 	bind_stream_properties();
-	bind_property("pixels", &MotorSynchronizer::set_position_tolerance_2d, &MotorSynchronizer::get_position_tolerance_2d, PropertyInfo(Variant::FLOAT, "position_tolerance_2d", godot::PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:px"));
-	bind_property("relays", &MotorSynchronizer::set_relay, &MotorSynchronizer::is_relay, PropertyInfo(Variant::BOOL, "relay"));
+	bind_property("pixels", guarded<&MotorSynchronizer::set_position_tolerance_2d>(), guarded<&MotorSynchronizer::get_position_tolerance_2d>(), PropertyInfo(Variant::FLOAT, "position_tolerance_2d", godot::PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:px"));
+	bind_property("relays", guarded<&MotorSynchronizer::set_relay>(), guarded<&MotorSynchronizer::is_relay>(), PropertyInfo(Variant::BOOL, "relay"));
 	bind_playback_properties();
-	ClassDB::bind_method(D_METHOD("set_channel", "channel"), &MotorSynchronizer::set_channel);
-	ClassDB::bind_method(D_METHOD("get_channel"), &MotorSynchronizer::get_channel);
+	ClassDB::bind_method(D_METHOD("set_channel", "channel"), guarded<&MotorSynchronizer::set_channel>());
+	ClassDB::bind_method(D_METHOD("get_channel"), guarded<&MotorSynchronizer::get_channel>());
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "channel", godot::PROPERTY_HINT_RANGE, "0,255,1"), "set_channel", "get_channel");
 
-	bind_property("hides", &MotorSynchronizer::set_hide_until_known, &MotorSynchronizer::is_hide_until_known, PropertyInfo(Variant::BOOL, "hide_until_known"));
-	bind_property("seconds", &MotorSynchronizer::set_blend_time, &MotorSynchronizer::get_blend_time, PropertyInfo(Variant::FLOAT, "blend_time", godot::PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
+	bind_property("hides", guarded<&MotorSynchronizer::set_hide_until_known>(), guarded<&MotorSynchronizer::is_hide_until_known>(), PropertyInfo(Variant::BOOL, "hide_until_known"));
+	bind_property("seconds", guarded<&MotorSynchronizer::set_blend_time>(), guarded<&MotorSynchronizer::get_blend_time>(), PropertyInfo(Variant::FLOAT, "blend_time", godot::PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
 
-	ClassDB::bind_method(D_METHOD("add_target", "node"), &MotorSynchronizer::add_target);
-	ClassDB::bind_method(D_METHOD("remove_target", "node"), &MotorSynchronizer::remove_target);
-	ClassDB::bind_method(D_METHOD("get_active_targets"), &MotorSynchronizer::get_active_targets);
-	ClassDB::bind_method(D_METHOD("teleport", "node"), &MotorSynchronizer::teleport);
-	ClassDB::bind_method(D_METHOD("free_target", "node"), &MotorSynchronizer::free_target);
-	ClassDB::bind_method(D_METHOD("get_media_time", "peer"), &MotorSynchronizer::get_media_time);
-	ClassDB::bind_method(D_METHOD("get_statistics"), &MotorSynchronizer::get_statistics);
-	ClassDB::bind_method(D_METHOD("get_setup_warnings"), &MotorSynchronizer::get_setup_warnings);
+	ClassDB::bind_method(D_METHOD("add_target", "node"), guarded<&MotorSynchronizer::add_target>());
+	ClassDB::bind_method(D_METHOD("remove_target", "node"), guarded<&MotorSynchronizer::remove_target>());
+	ClassDB::bind_method(D_METHOD("get_active_targets"), guarded<&MotorSynchronizer::get_active_targets>());
+	ClassDB::bind_method(D_METHOD("teleport", "node"), guarded<&MotorSynchronizer::teleport>());
+	ClassDB::bind_method(D_METHOD("free_target", "node"), guarded<&MotorSynchronizer::free_target>());
+	ClassDB::bind_method(D_METHOD("get_media_time", "peer"), guarded<&MotorSynchronizer::get_media_time>());
+	ClassDB::bind_method(D_METHOD("get_statistics"), guarded<&MotorSynchronizer::get_statistics>());
+	ClassDB::bind_method(D_METHOD("get_setup_warnings"), guarded<&MotorSynchronizer::get_setup_warnings>());
 
-	// Callbacks of the engine's signals and monitors.
-	ClassDB::bind_method(D_METHOD("_on_peer_packet", "peer", "packet"), &MotorSynchronizer::_on_peer_packet);
-	ClassDB::bind_method(D_METHOD("_on_peer_disconnected", "peer"), &MotorSynchronizer::_on_peer_disconnected);
-	ClassDB::bind_method(D_METHOD("_on_physics_frame"), &MotorSynchronizer::_on_physics_frame);
-	ClassDB::bind_method(D_METHOD("_on_target_exiting", "id"), &MotorSynchronizer::_on_target_exiting);
-	ClassDB::bind_method(D_METHOD("_on_node_renamed", "node"), &MotorSynchronizer::_on_node_renamed);
-	ClassDB::bind_method(D_METHOD("_get_monitor", "key"), &MotorSynchronizer::_get_monitor);
-	ClassDB::bind_method(D_METHOD("_get_linked_undo_properties", "property", "value"), &MotorSynchronizer::_get_linked_undo_properties);
+	ClassDB::bind_method(D_METHOD("_get_linked_undo_properties", "property", "value"), guarded<&MotorSynchronizer::_get_linked_undo_properties>());
 
 	const PropertyInfo node(Variant::OBJECT, "node", godot::PROPERTY_HINT_NODE_TYPE, "Node", godot::PROPERTY_USAGE_DEFAULT, "Node");
 	ADD_SIGNAL(MethodInfo("target_added", node));

@@ -23,8 +23,8 @@ protected:
 		using godot::PROPERTY_HINT_RANGE;
 		using godot::PropertyInfo;
 		using godot::Variant;
-		bind_property<Self, double, double>("seconds", &Self::set_min_delay, &Self::get_min_delay, PropertyInfo(Variant::FLOAT, "min_delay", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
-		bind_property<Self, double, double>("seconds", &Self::set_jitter_allowance, &Self::get_jitter_allowance, PropertyInfo(Variant::FLOAT, "jitter_allowance", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
+		bind_property("seconds", Self::template guarded<&Self::set_min_delay>(), Self::template guarded<&Self::get_min_delay>(), PropertyInfo(Variant::FLOAT, "min_delay", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
+		bind_property("seconds", Self::template guarded<&Self::set_jitter_allowance>(), Self::template guarded<&Self::get_jitter_allowance>(), PropertyInfo(Variant::FLOAT, "jitter_allowance", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));
 	}
 
 private:

@@ -9,7 +9,7 @@
 #include <godot_cpp/classes/multiplayer_peer.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/error_macros.hpp>
-#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 
 #include <algorithm>
@@ -94,16 +94,16 @@ void Replicator::set_lead(MotorSynchronizer *next) {
 		return;
 	}
 	SceneTree *tree = node->get_tree();
-	const Callable packets(node, "_on_peer_packet");
-	const Callable renames(node, "_on_node_renamed");
-	const Callable ticks(node, "_on_physics_frame");
-	const Callable leaving(node, "_on_peer_disconnected");
+	const Callable packets = callable_mp(node, &MotorSynchronizer::_on_peer_packet);
+	const Callable renames = callable_mp(node, &MotorSynchronizer::_on_node_renamed);
+	const Callable ticks = callable_mp(node, &MotorSynchronizer::_on_physics_frame);
+	const Callable leaving = callable_mp(node, &MotorSynchronizer::_on_peer_disconnected);
 	if (next != nullptr) {
 		_api->connect("peer_packet", packets);
 		_api->connect("peer_disconnected", leaving);
 		tree->connect("node_renamed", renames);
 		tree->connect("physics_frame", ticks);
-		_monitors.add(node);
+		_monitors.add(node->get_name(), callable_mp(node, &MotorSynchronizer::_get_monitor));
 	} else {
 		_api->disconnect("peer_packet", packets);
 		_api->disconnect("peer_disconnected", leaving);

@@ -9,7 +9,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/array.hpp>
-#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
 
@@ -18,7 +18,6 @@
 namespace ga_godot {
 
 using godot::Array;
-using godot::Callable;
 using godot::Node;
 using godot::NodePath;
 using godot::Object;
@@ -104,7 +103,7 @@ void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
 		target.view = departed->view;
 		target.previous_parent = departed->parent;
 	}
-	node->connect("tree_exiting", Callable(synchronizer, "_on_target_exiting").bindv(Array{ id }));
+	node->connect("tree_exiting", callable_mp(synchronizer, &MotorSynchronizer::_on_target_exiting).bindv(Array{ id }));
 	_targets.add(target);
 }
 
@@ -134,7 +133,7 @@ void Replicator::end_target(size_t index) {
 	target.release();
 	Node *node = find_spatial(target.node);
 	if (node != nullptr) {
-		node->disconnect("tree_exiting", Callable(target.synchronizer, "_on_target_exiting"));
+		node->disconnect("tree_exiting", callable_mp(target.synchronizer, &MotorSynchronizer::_on_target_exiting));
 	}
 	const auto holder = _node_of_body.find(target.body);
 	if (holder != _node_of_body.end() && holder->second == target.node) {

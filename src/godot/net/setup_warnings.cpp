@@ -4,6 +4,7 @@
 #include "godot/net/range_message.hpp"
 #include "godot/net/spatial_node.hpp"
 #include "godot/net/target.hpp"
+#include "godot/thread_guard.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
@@ -108,16 +109,8 @@ static bool has_automatic_name(const Node *root, const Node *node) {
 	return false;
 }
 
-/// The node itself or the parent whose process group runs `node` in a sub-thread; null if the main thread runs it.
-static const Node *find_thread_group(const Node *node) {
-	while (node != nullptr && node->get_process_thread_group() == Node::PROCESS_THREAD_GROUP_INHERIT) {
-		node = node->get_parent();
-	}
-	return node != nullptr && node->get_process_thread_group() == Node::PROCESS_THREAD_GROUP_SUB_THREAD ? node : nullptr;
-}
-
 String thread_fault(const Node &node) {
-	const Node *group = find_thread_group(&node);
+	const Node *group = find_sub_thread_group(&node);
 	return group == nullptr ? String() : vformat("%s runs in a sub-thread, where the engine refuses multiplayer calls such as is_multiplayer_authority(). Set process_thread_group of %s to Main Thread.", node.get_name(), group->get_name());
 }
 

@@ -2,7 +2,6 @@
 
 #include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/variant/array.hpp>
-#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 namespace ga_godot {
@@ -34,14 +33,14 @@ Dictionary to_dictionary(const net::SessionStatistics &statistics) {
 	return result;
 }
 
-void StatisticsMonitors::add(godot::Node *node) {
+void StatisticsMonitors::add(const String &node_name, const Callable &read) {
 	Performance *performance = Performance::get_singleton();
-	_prefix = vformat("ga_godot/%s/", node->get_name());
+	_prefix = vformat("ga_godot/%s/", node_name);
 	for (int64_t number = 2; performance->has_custom_monitor(_prefix + String(MONITORED[0])); number++) {
-		_prefix = vformat("ga_godot/%s %d/", node->get_name(), number);
+		_prefix = vformat("ga_godot/%s %d/", node_name, number);
 	}
 	for (const char *key : MONITORED) {
-		performance->add_custom_monitor(_prefix + String(key), Callable(node, "_get_monitor"), Array{ StringName(key) });
+		performance->add_custom_monitor(_prefix + String(key), read, Array{ StringName(key) });
 	}
 }
 

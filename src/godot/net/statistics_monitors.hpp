@@ -2,7 +2,7 @@
 
 #include "net/session/session_statistics.hpp"
 
-#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/string.hpp>
 
@@ -10,11 +10,11 @@ namespace ga_godot {
 
 [[nodiscard]] godot::Dictionary to_dictionary(const net::SessionStatistics &statistics);
 
-/// The custom monitors of a node in the editor's debugger: "ga_godot/NAME/bytes_per_second" and so on. A monitor calls
-/// _get_monitor(key) of the node.
+/// The custom monitors of a node in the editor's debugger: "ga_godot/NAME/bytes_per_second" and so on.
 class StatisticsMonitors {
 public:
-	void add(godot::Node *node);
+	/// `read` returns the value of a key of `to_dictionary`.
+	void add(const godot::String &node_name, const godot::Callable &read);
 	void remove();
 
 private:

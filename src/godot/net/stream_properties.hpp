@@ -45,12 +45,12 @@ protected:
 		using godot::PROPERTY_HINT_RANGE;
 		using godot::PropertyInfo;
 		using godot::Variant;
-		bind_property<Self, double, double>("meters", &Self::set_position_tolerance, &Self::get_position_tolerance, PropertyInfo(Variant::FLOAT, "position_tolerance", PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
-		bind_property<Self, double, double>("degrees", &Self::set_rotation_tolerance, &Self::get_rotation_tolerance, PropertyInfo(Variant::FLOAT, "rotation_tolerance", PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:°"));
-		bind_property<Self, double, double>("seconds", &Self::set_max_latency, &Self::get_max_latency, PropertyInfo(Variant::FLOAT, "max_latency", PROPERTY_HINT_RANGE, "0.02,1,0.01,or_greater,suffix:s"));
-		bind_property<Self, double, double>("hertz", &Self::set_send_rate, &Self::get_send_rate, PropertyInfo(Variant::FLOAT, "send_rate", PROPERTY_HINT_RANGE, "1,60,1,or_greater,suffix:Hz"));
-		bind_property<Self, MultivectorLerp::Mode, MultivectorLerp::Mode>("mode", &Self::set_mode, &Self::get_mode, PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
-		bind_property<Self, int64_t, int64_t>("bytes", &Self::set_max_packet_size, &Self::get_max_packet_size, PropertyInfo(Variant::INT, "max_packet_size", PROPERTY_HINT_RANGE, "256,1500,1,or_greater,suffix:B"));
+		bind_property("meters", Self::template guarded<&Self::set_position_tolerance>(), Self::template guarded<&Self::get_position_tolerance>(), PropertyInfo(Variant::FLOAT, "position_tolerance", PROPERTY_HINT_RANGE, "0.0001,0.1,0.0001,or_greater,suffix:m"));
+		bind_property("degrees", Self::template guarded<&Self::set_rotation_tolerance>(), Self::template guarded<&Self::get_rotation_tolerance>(), PropertyInfo(Variant::FLOAT, "rotation_tolerance", PROPERTY_HINT_RANGE, "0.01,10,0.01,or_greater,suffix:°"));
+		bind_property("seconds", Self::template guarded<&Self::set_max_latency>(), Self::template guarded<&Self::get_max_latency>(), PropertyInfo(Variant::FLOAT, "max_latency", PROPERTY_HINT_RANGE, "0.02,1,0.01,or_greater,suffix:s"));
+		bind_property("hertz", Self::template guarded<&Self::set_send_rate>(), Self::template guarded<&Self::get_send_rate>(), PropertyInfo(Variant::FLOAT, "send_rate", PROPERTY_HINT_RANGE, "1,60,1,or_greater,suffix:Hz"));
+		bind_property("mode", Self::template guarded<&Self::set_mode>(), Self::template guarded<&Self::get_mode>(), PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Linear,Screw,Separate"));
+		bind_property("bytes", Self::template guarded<&Self::set_max_packet_size>(), Self::template guarded<&Self::get_max_packet_size>(), PropertyInfo(Variant::INT, "max_packet_size", PROPERTY_HINT_RANGE, "256,1500,1,or_greater,suffix:B"));
 	}
 
 	net::StreamSettings _settings;

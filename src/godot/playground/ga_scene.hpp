@@ -1,6 +1,7 @@
 #pragma once
 
 #include "godot/algebra/multivector.hpp"
+#include "godot/thread_guard.hpp"
 #include "playground/document/document.hpp"
 #include "playground/document/document_json.hpp"
 
@@ -23,7 +24,7 @@
 namespace ga_godot {
 
 /// A playground::Document as a resource; doc_classes/GAScene.xml documents it.
-class GAScene : public godot::Resource {
+class GAScene : public godot::Resource, public OneThread<GAScene> {
 	GDCLASS(GAScene, godot::Resource)
 
 public:

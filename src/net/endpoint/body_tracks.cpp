@@ -1,6 +1,7 @@
 #include "net/endpoint/body_tracks.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 namespace net {
@@ -13,7 +14,7 @@ constexpr size_t MAX_ENDS = 32768;
 constexpr double END_CHECK_INTERVAL = 0.125;
 
 uint64_t next_life() {
-	static uint64_t last_life = 0;
+	static std::atomic<uint64_t> last_life = 0; // receivers may run in several threads
 	return ++last_life;
 }
 

@@ -198,7 +198,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	_budget.spend_work(SNAPSHOT_WORK + bytes.size() / BYTES_PER_WORK);
 	const auto next = read_snapshot_header(bytes.data(), bytes.size());
 	if (!next) {
-		_other_version = _window.empty() ? 0 : _window[0];
+		_other_version = bytes.empty() ? 0 : bytes[0];
 		return next.error();
 	}
 	if (is_behind(*next)) {

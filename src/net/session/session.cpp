@@ -1,6 +1,7 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <utility>
 
@@ -23,7 +24,7 @@ constexpr double MAX_ACK_HOLD = 0.05;
 /// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
 /// mistaken for packets of a new one.
 uint8_t next_link(double now) {
-	static uint8_t last_link = uint8_t(int64_t(now * 1e3));
+	static std::atomic<uint8_t> last_link = uint8_t(int64_t(now * 1e3)); // sessions may run in several threads
 	return ++last_link;
 }
 

@@ -39,6 +39,54 @@ func check_callables() -> void:
 	same(callable.is_valid(), false)
 
 
+func check_signals_to_methods_that_are_not_bound() -> void:
+	var node := SampleNode.new()
+	var source := Node.new()
+	source.add_user_signal("announced", [{"name": "what", "type": TYPE_STRING}])
+	node.overhear(source, &"announced")
+	same(source.is_connected("announced", node.private_callables()[0]), true)
+	source.emit_signal("announced", "loudly")
+	same(node.get_log()[-1], "loudly overheard")
+	node.stop_overhearing(source, &"announced")
+	same(source.get_signal_connection_list("announced").size(), 0)
+	source.emit_signal("announced", "not connected")
+	same(node.get_log()[-1], "loudly overheard")
+	node.overhear(source, &"announced")
+	node.free()
+	same(source.get_signal_connection_list("announced").size(), 0)
+	source.emit_signal("announced", "after disconnecting")
+	source.free()
+
+
+func check_callables_of_methods_that_are_not_bound() -> void:
+	var node := SampleNode.new()
+	var other := SampleNode.new()
+	var callables: Array = node.private_callables()
+	var count: Callable = callables[1]
+	var add: Callable = callables[2]
+	same(
+		[node.has_method("count"), node.has_method("overheard"), node.has_method("add")],
+		[false, false, false]
+	)
+	same([count.is_custom(), count.get_argument_count(), add.get_argument_count()], [true, 1, 2])
+	same([add.call(1.5, 2), add.callv([1, 2]), add.bind(4).call(0.5)], [3.5, 3.0, 4.5])
+	same(callables == node.private_callables(), true)
+	same(count == add, false)
+	same(count == other.private_callables()[1], false)
+	same(count.hash() == node.private_callables()[1].hash(), true)
+	var seen: Dictionary = {count: "count", add: "add"}
+	same(seen[node.private_callables()[1]], "count")
+	same([count.call(node), count.call(null)], [0, -1])
+	var freed := Node.new()
+	freed.free()
+	same(count.call(freed), -1)
+	same([count.callv([]), count.callv([node, node])], [null, null])
+	same(node.get_log().count("counted"), 3)
+	same(count.get_object(), node)
+	node.free()
+	other.free()
+
+
 func check_groups() -> void:
 	var node := SampleNode.new()
 	tree.root.add_child(node)

@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/scene_replication_config.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 namespace bindings_sample {
 
@@ -93,6 +94,32 @@ void SampleNode::stop_listening(Object *source, const StringName &signal) {
 
 void SampleNode::_heard(const Variant &what, const String &bound) {
 	record(vformat("%s %s", what, bound));
+}
+
+void SampleNode::overhear(Object *source, const StringName &signal) {
+	source->connect(signal, callable_mp(this, &SampleNode::overheard).bindv(Array{ "overheard" }));
+}
+
+void SampleNode::stop_overhearing(Object *source, const StringName &signal) {
+	source->disconnect(signal, callable_mp(this, &SampleNode::overheard));
+}
+
+void SampleNode::overheard(const Variant &what, const String &bound) {
+	record(vformat("%s %s", what, bound));
+}
+
+int64_t SampleNode::count(Node *node) {
+	record("counted");
+	return node != nullptr ? node->get_child_count() : -1;
+}
+
+double SampleNode::add(double a, int64_t b) const {
+	return a + double(b);
+}
+
+Array SampleNode::private_callables() {
+	const SampleNode *constant = this;
+	return Array{ callable_mp(this, &SampleNode::overheard), callable_mp(this, &SampleNode::count), callable_mp(constant, &SampleNode::add) };
 }
 
 Callable SampleNode::callable_of(const StringName &method) {
@@ -182,6 +209,9 @@ void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("stop_listening", "source", "signal"), &SampleNode::stop_listening);
 	ClassDB::bind_method(D_METHOD("_heard", "what", "bound"), &SampleNode::_heard);
 	ClassDB::bind_method(D_METHOD("callable_of", "method"), &SampleNode::callable_of);
+	ClassDB::bind_method(D_METHOD("overhear", "source", "signal"), &SampleNode::overhear);
+	ClassDB::bind_method(D_METHOD("stop_overhearing", "source", "signal"), &SampleNode::stop_overhearing);
+	ClassDB::bind_method(D_METHOD("private_callables"), &SampleNode::private_callables);
 	ClassDB::bind_method(D_METHOD("call_it", "callable", "arguments"), &SampleNode::call_it);
 	ClassDB::bind_method(D_METHOD("describe_multiplayer"), &SampleNode::describe_multiplayer);
 	ClassDB::bind_method(D_METHOD("send", "bytes", "peer"), &SampleNode::send);

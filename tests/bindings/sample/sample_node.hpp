@@ -36,6 +36,11 @@ public:
 	void listen(godot::Object *source, const godot::StringName &signal);
 	void stop_listening(godot::Object *source, const godot::StringName &signal);
 	godot::Callable callable_of(const godot::StringName &method);
+	/// Like listen() and stop_listening(), to a method that is not bound.
+	void overhear(godot::Object *source, const godot::StringName &signal);
+	void stop_overhearing(godot::Object *source, const godot::StringName &signal);
+	/// Callables of methods that are not bound: overheard(what, bound), count(node) and add(a, b) const.
+	godot::Array private_callables();
 	godot::Variant call_it(const godot::Callable &callable, const godot::Array &arguments) const;
 	/// The class of the node's MultiplayerAPI, its root path, this peer's id, the number of other peers, and the
 	/// connection status.
@@ -55,6 +60,10 @@ protected:
 	void _heard(const godot::Variant &what, const godot::String &bound);
 
 private:
+	void overheard(const godot::Variant &what, const godot::String &bound);
+	int64_t count(godot::Node *node);
+	double add(double a, int64_t b) const;
+
 	godot::NodePath _target;
 	godot::Ref<SampleNote> _note;
 	godot::PackedStringArray _log;
