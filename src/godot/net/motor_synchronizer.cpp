@@ -6,6 +6,8 @@
 #include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/core/object.hpp>
 
+#include <utility>
+
 namespace ga_godot {
 
 using godot::Dictionary;
@@ -30,6 +32,11 @@ MotorSynchronizer::MotorSynchronizer() {
 }
 
 void MotorSynchronizer::_notification(int what) {
+	if (what == NOTIFICATION_PREDELETE) {
+		Replicator::free_guard().before_free(*this);
+		return;
+	}
+	const FreeGuard::Scope scope(Replicator::free_guard());
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			add_to_group(SYNCHRONIZER_GROUP);
@@ -102,6 +109,9 @@ void MotorSynchronizer::update_replicator() {
 		return;
 	}
 	leave_replicator();
+	if (!is_inside_tree()) {
+		return; // A callback has removed the node.
+	}
 	if (api.is_null()) {
 		if (multiplayer.is_valid() && !_is_api_reported) {
 			_is_api_reported = true;
@@ -116,9 +126,8 @@ void MotorSynchronizer::update_replicator() {
 }
 
 void MotorSynchronizer::leave_replicator() {
-	if (_replicator != nullptr) {
-		_replicator->remove(this);
-		_replicator.reset();
+	if (const std::shared_ptr<Replicator> replicator = std::exchange(_replicator, nullptr)) {
+		replicator->remove(this);
 	}
 }
 
@@ -172,11 +181,15 @@ void MotorSynchronizer::free_target(Node *node) {
 }
 
 void MotorSynchronizer::_on_peer_packet(int64_t peer, const PackedByteArray &packet) {
-	_replicator->packet_received(int32_t(peer), packet);
+	if (_replicator != nullptr) {
+		_replicator->packet_received(int32_t(peer), packet);
+	}
 }
 
 void MotorSynchronizer::_on_physics_frame() {
-	_replicator->before_scripts();
+	if (_replicator != nullptr) {
+		_replicator->before_scripts();
+	}
 }
 
 void MotorSynchronizer::_on_target_exiting(int64_t id) {
@@ -186,7 +199,10 @@ void MotorSynchronizer::_on_target_exiting(int64_t id) {
 }
 
 void MotorSynchronizer::_on_node_renamed(const godot::Variant &node) {
-	_replicator->node_renamed(Object::cast_to<Node>(node.get_validated_object()));
+	const Node *renamed = Object::cast_to<Node>(node.get_validated_object());
+	if (_replicator != nullptr && renamed != nullptr) {
+		_replicator->node_renamed(renamed);
+	}
 }
 
 double MotorSynchronizer::get_media_time(int64_t peer) const {
@@ -211,6 +227,7 @@ godot::Variant MotorSynchronizer::_get_monitor(const godot::StringName &key) {
 }
 
 PackedStringArray MotorSynchronizer::get_setup_warnings() const {
+	const FreeGuard::Scope scope(Replicator::free_guard());
 	PackedStringArray warnings = is_inside_tree() ? find_setup_faults(*this, _selection) : PackedStringArray();
 	const PackedStringArray found = _replicator != nullptr ? _replicator->warnings() : PackedStringArray();
 	for (int64_t i = 0; i < found.size(); i++) {

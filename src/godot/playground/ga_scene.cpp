@@ -44,6 +44,7 @@ const playground::Entry *GAScene::find(const String &name, const char *method) c
 
 Error GAScene::finish(const playground::ChangeResult &change, const char *method) {
 	ERR_FAIL_COND_V_MSG(!change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", method, to_godot(change.error().message)));
+	const Ref<GAScene> self(this); // A handler may release the last reference.
 	if (!change->empty()) {
 		emit_signal("entries_changed", to_strings(*change));
 	}
@@ -151,16 +152,17 @@ String GAScene::to_json() const {
 }
 
 Error GAScene::load(const String &text, const char *member) {
-	playground::LoadedDocument loaded = playground::read_document(to_utf8(text));
-	_load_errors = std::move(loaded.errors);
+	const Ref<GAScene> self(this); // A handler of a signal may release the last reference, or load another document.
+	const playground::LoadedDocument loaded = playground::read_document(to_utf8(text));
+	_load_errors = loaded.errors;
 	if (loaded.is_document) {
 		finish(_document.restore(loaded.state), member);
 	}
-	if (_load_errors.empty()) {
+	if (loaded.errors.empty()) {
 		return godot::OK;
 	}
 	std::string places;
-	for (const std::string &error : _load_errors) {
+	for (const std::string &error : loaded.errors) {
 		places += "\n" + error + ".";
 	}
 	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text is not a document; the scene is unchanged";
