@@ -23,6 +23,11 @@ GANode3D::GANode3D() {
 GANode3D::~GANode3D() = default;
 
 void GANode3D::_notification(int what) {
+	if (what == NOTIFICATION_PREDELETE) {
+		_free_guard.before_free(*this);
+		return;
+	}
+	const FreeGuard::Scope scope(_free_guard);
 	switch (what) {
 		case NOTIFICATION_ENTER_WORLD:
 			if (!is_inside_tree()) {
@@ -82,6 +87,7 @@ bool GANode3D::is_up_to_date() const {
 }
 
 void GANode3D::update_drawing() {
+	const FreeGuard::Scope scope(_free_guard);
 	_queued = false;
 	if (!_stale) {
 		return;

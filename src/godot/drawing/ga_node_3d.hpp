@@ -3,8 +3,10 @@
 #include "godot/algebra/multivector.hpp"
 #include "godot/drawing/drawn_part.hpp"
 #include "godot/drawing/form_meshes.hpp"
+#include "godot/free_guard.hpp"
 #include "godot/playground/ga_scene.hpp"
 #include "godot/thread_guard.hpp"
+#include "godot/weak_node.hpp"
 #include "playground/drawing/figure.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -108,7 +110,8 @@ private:
 	playground::drawing::Figure _figure;
 	std::shared_ptr<FormMeshes> _meshes; // null before the node first enters a world
 	std::vector<std::unique_ptr<DrawnPart>> _drawn; // empty while nothing is visible
-	godot::Label3D *_label_node = nullptr;
+	WeakNode<godot::Label3D> _label_node; // an internal child, which scripts may free
+	FreeGuard _free_guard;
 	bool _stale = true; // the value may have changed since it was drawn
 	bool _queued = false;
 	bool _in_world = false;

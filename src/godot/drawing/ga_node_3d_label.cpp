@@ -35,36 +35,44 @@ String GANode3D::describe() const {
 }
 
 void GANode3D::update_label() {
+	// Handlers of the label's and of this node's signals may free either.
+	const FreeGuard::Scope scope(_free_guard);
+	Label3D *label = _label_node.get();
 	const bool wanted = _show_label && _figure.label_position.has_value();
 	if (!wanted) {
-		if (_label_node) {
-			_label_node->set_visible(false);
+		if (label != nullptr) {
+			label->set_visible(false);
 		}
 		return;
 	}
-	if (!_label_node) {
-		_label_node = memnew(Label3D);
-		_label_node->set_billboard_mode(godot::BaseMaterial3D::BILLBOARD_ENABLED);
-		_label_node->set_draw_flag(Label3D::FLAG_FIXED_SIZE, true);
-		_label_node->set_draw_flag(Label3D::FLAG_DISABLE_DEPTH_TEST, true);
-		_label_node->set_draw_flag(Label3D::FLAG_SHADED, false);
-		_label_node->set_font_size(FONT_SIZE);
-		_label_node->set_outline_size(OUTLINE_SIZE);
-		_label_node->set_pixel_size(PIXEL_SIZE);
-		_label_node->set_horizontal_alignment(godot::HORIZONTAL_ALIGNMENT_LEFT);
-		_label_node->set_vertical_alignment(godot::VERTICAL_ALIGNMENT_BOTTOM);
-		_label_node->set_offset(godot::Vector2(18, 14));
-		_label_node->set_render_priority(3);
-		_label_node->set_outline_render_priority(2);
-		add_child(_label_node, false, INTERNAL_MODE_FRONT);
+	const bool is_new = label == nullptr;
+	if (is_new) {
+		label = memnew(Label3D);
+		label->set_billboard_mode(godot::BaseMaterial3D::BILLBOARD_ENABLED);
+		label->set_draw_flag(Label3D::FLAG_FIXED_SIZE, true);
+		label->set_draw_flag(Label3D::FLAG_DISABLE_DEPTH_TEST, true);
+		label->set_draw_flag(Label3D::FLAG_SHADED, false);
+		label->set_font_size(FONT_SIZE);
+		label->set_outline_size(OUTLINE_SIZE);
+		label->set_pixel_size(PIXEL_SIZE);
+		label->set_horizontal_alignment(godot::HORIZONTAL_ALIGNMENT_LEFT);
+		label->set_vertical_alignment(godot::VERTICAL_ALIGNMENT_BOTTOM);
+		label->set_offset(godot::Vector2(18, 14));
+		label->set_render_priority(3);
+		label->set_outline_render_priority(2);
+		_label_node = WeakNode<Label3D>(label);
 	}
 	// A dark outline around light text, or the reverse, is readable on any background.
 	const float lightness = 0.3f * _drawn_appearance.color.r + 0.59f * _drawn_appearance.color.g + 0.11f * _drawn_appearance.color.b;
-	_label_node->set_modulate(Color(_drawn_appearance.color.r, _drawn_appearance.color.g, _drawn_appearance.color.b));
-	_label_node->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));
-	_label_node->set_text(label_text());
-	_label_node->set_position(to_godot(*_figure.label_position));
-	_label_node->set_visible(true);
+	label->set_modulate(Color(_drawn_appearance.color.r, _drawn_appearance.color.g, _drawn_appearance.color.b));
+	label->set_outline_modulate(lightness > 0.5f ? Color(0.08f, 0.09f, 0.11f, 0.85f) : Color(1, 1, 1, 0.85f));
+	label->set_text(label_text());
+	label->set_position(to_godot(*_figure.label_position));
+	if (is_new) {
+		add_child(label, false, INTERNAL_MODE_FRONT);
+	} else if (_label_node.get() != nullptr) {
+		label->set_visible(true);
+	}
 }
 
 } // namespace ga_godot

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 
 // Properties, picking and bindings of GANode3D.
@@ -40,12 +41,12 @@ static bool replace_resource(Ref<T> &resource, const Ref<T> &next, const Callabl
 	if (next == resource) {
 		return false;
 	}
-	if (resource.is_valid()) {
-		resource->disconnect("changed", on_change);
+	const Ref<T> previous = std::exchange(resource, next);
+	if (previous.is_valid()) {
+		previous->disconnect("changed", on_change);
 	}
-	resource = next;
-	if (resource.is_valid()) {
-		resource->connect("changed", on_change);
+	if (next.is_valid()) {
+		next->connect("changed", on_change);
 	}
 	return true;
 }

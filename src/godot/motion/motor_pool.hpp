@@ -4,6 +4,7 @@
 #include "godot/algebra/multivector.hpp"
 #include "godot/motion/multivector_lerp.hpp"
 #include "godot/thread_guard.hpp"
+#include "godot/weak_node.hpp"
 
 #include <godot_cpp/classes/multi_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -78,7 +79,6 @@ private:
 	void set_end(End end, const char *method, int64_t index, const godot::Transform3D &transform);
 	void set_end_all(End end, const char *method, const godot::TypedArray<godot::Transform3D> &transforms);
 	void set_end_buffer(End end, const char *method, const godot::PackedFloat32Array &buffer);
-	godot::Node3D *find_node(const godot::Variant &variant, int64_t row);
 	void interpolate_rows(const float *weights, float common_weight, MultivectorLerp::Mode mode);
 
 	std::vector<cga::PoseBlock> _blocks;
@@ -92,12 +92,8 @@ private:
 
 	// Scratch memory, kept so that a frame allocates nothing.
 	std::vector<cga::Pose<float>> _poses;
-	/// The cached node of a row: looking up the C++ object of a node costs as much as moving the node.
-	struct KnownNode {
-		uint64_t id = 0;
-		godot::Node3D *node = nullptr;
-	};
-	std::vector<KnownNode> _nodes;
+	std::vector<WeakNode<godot::Node3D>> _nodes; // by row, of the last apply_to_nodes(); all are watched by FreedNodes
+	uint64_t _freed_nodes = 0; // FreedNodes::count() when all _nodes were alive
 	godot::PackedFloat32Array _instances;
 };
 

@@ -2,6 +2,7 @@
 
 #include "cga/motor/motor_multivector.hpp"
 #include "godot/algebra/conversions.hpp"
+#include "godot/motion/freed_nodes.hpp"
 #include "godot/motion/row_split.hpp"
 
 #include <godot_cpp/core/error_macros.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <utility>
 
 // Reads poses into the pool and writes results to single bodies, arrays, buffers, nodes and multimeshes.
 
@@ -131,37 +133,46 @@ PackedFloat32Array MotorPool::get_buffer() {
 	return _buffer;
 }
 
-// Updates the cached node of a row. Returns null if the node was freed.
-Node3D *MotorPool::find_node(const Variant &variant, int64_t row) {
-	Node3D *node = Object::cast_to<Node3D>(variant.get_validated_object());
-	_nodes[size_t(row)] = { node != nullptr ? node->get_instance_id() : 0, node };
-	return node;
-}
-
 void MotorPool::apply_to_nodes(const TypedArray<Node3D> &nodes) {
-	namespace interface = godot::gdextension_interface;
+	// Moving a node runs callbacks, which may free nodes, change this pool, call this method again or release the pool.
+	const Ref<MotorPool> self(this);
 	close_gaps();
 	const int64_t count = nodes.size();
 	ERR_FAIL_COND_MSG(count != get_count(), vformat("MotorPool.apply_to_nodes: got %d nodes for %d bodies; pass one per body, in the order of acquire().", count, get_count()));
 	if (count == 0) {
 		return;
 	}
+	const uint64_t freed = FreedNodes::count();
+	const bool are_alive = freed == _freed_nodes;
 	_nodes.resize(size_t(count));
 	const Variant *elements = &nodes[0];
 	for (int64_t i = 0; i < count; i++) {
-		const uint64_t id = interface::variant_get_object_instance_id(elements[i]._native_ptr());
-		const KnownNode &known = _nodes[size_t(i)];
-		const bool is_known = id != 0 && id == known.id && interface::object_get_instance_from_id(id) != nullptr;
-		ERR_FAIL_COND_MSG(!is_known && find_node(elements[i], i) == nullptr, vformat("MotorPool.apply_to_nodes: the node at index %d is null or freed. No node was moved.", i));
+		WeakNode<Node3D> &node = _nodes[size_t(i)];
+		bool is_alive = node.id() != 0 && node.id() == godot::gdextension_interface::variant_get_object_instance_id(elements[i]._native_ptr());
+		if (!is_alive) {
+			node = WeakNode<Node3D>(Object::cast_to<Node3D>(elements[i].get_validated_object()));
+			is_alive = node.id() != 0;
+			FreedNodes::watch(node.id());
+		} else if (!are_alive) {
+			is_alive = node.get() != nullptr;
+		}
+		ERR_FAIL_COND_MSG(!is_alive, vformat("MotorPool.apply_to_nodes: the node at index %d is null or freed. No node was moved.", i));
 	}
-	const float *row = _buffer.ptr();
-	for (const KnownNode &known : _nodes) {
-		known.node->set_transform(transform_from_row(row));
+	std::vector<WeakNode<Node3D>> moved = std::exchange(_nodes, {});
+	const PackedFloat32Array buffer = _buffer;
+	const float *row = buffer.ptr();
+	for (const WeakNode<Node3D> &weak : moved) {
+		if (Node3D *node = FreedNodes::count() == freed ? weak.known() : weak.get()) {
+			node->set_transform(transform_from_row(row));
+		}
 		row += ROW_FLOATS;
 	}
+	moved.swap(_nodes);
+	_freed_nodes = freed;
 }
 
 void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &multimesh, const PackedFloat32Array &instance_data) {
+	const Ref<MotorPool> self(this);
 	close_gaps();
 	ERR_FAIL_COND_MSG(multimesh.is_null(), "MotorPool.apply_to_multimesh: the multimesh is null.");
 	ERR_FAIL_COND_MSG(multimesh->get_transform_format() != MultiMesh::TRANSFORM_3D, "MotorPool.apply_to_multimesh: set the multimesh's transform_format to TRANSFORM_3D, before its instance_count.");
@@ -176,18 +187,19 @@ void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &multimesh, const Packed
 	}
 	if (extra == 0 && instances == count) {
 		_is_shared = true;
-		multimesh->set_buffer(_buffer);
+		const PackedFloat32Array shared = _buffer;
+		multimesh->set_buffer(shared);
 		return;
 	}
 	// Surplus instances get zero transforms, which draw nothing. Without instance_data, colors and custom data are read back
 	// from the multimesh; a headless engine has no such buffer.
 	const int64_t stride = ROW_FLOATS + extra;
 	const bool reads_back = extra != 0 && given == 0;
-	PackedFloat32Array previous = reads_back ? multimesh->get_buffer() : PackedFloat32Array();
-	PackedFloat32Array &buffer = reads_back ? previous : _instances;
+	const PackedFloat32Array rows = _buffer;
+	PackedFloat32Array buffer = reads_back ? multimesh->get_buffer() : std::exchange(_instances, PackedFloat32Array());
 	buffer.resize(instances * stride);
 	float *instance = buffer.ptrw();
-	const float *row = _buffer.ptr();
+	const float *row = rows.ptr();
 	const float *data = instance_data.ptr();
 	for (int64_t i = 0; i < instances; i++, instance += stride) {
 		if (i < count) {
@@ -200,6 +212,9 @@ void MotorPool::apply_to_multimesh(const Ref<MultiMesh> &multimesh, const Packed
 		}
 	}
 	multimesh->set_buffer(buffer);
+	if (!reads_back) {
+		_instances = buffer;
+	}
 }
 
 } // namespace ga_godot

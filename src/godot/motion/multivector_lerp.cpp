@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace ga_godot {
 
@@ -81,6 +82,11 @@ void MultivectorLerp::play() {
 }
 
 void MultivectorLerp::_notification(int what) {
+	if (what == NOTIFICATION_PREDELETE) {
+		_free_guard.before_free(*this);
+		return;
+	}
+	const FreeGuard::Scope scope(_free_guard);
 	if (what == NOTIFICATION_READY) {
 		_running = !is_part_of_edited_scene();
 		set_process(_running);
@@ -109,7 +115,7 @@ void MultivectorLerp::advance(double delta) {
 
 void MultivectorLerp::set_path(NodeLink &link, const NodePath &path) {
 	link.path = path;
-	link.id = 0;
+	link.node = {};
 	refresh();
 }
 
@@ -120,6 +126,7 @@ void MultivectorLerp::set_motor(End &end, const Ref<Multivector> &motor) {
 
 // Called when an end or the target changes. Errors that persist are printed again.
 void MultivectorLerp::refresh() {
+	const FreeGuard::Scope scope(_free_guard);
 	for (End *end : { &_start, &_end }) {
 		end->known = false;
 		end->faulty = false;
@@ -133,20 +140,18 @@ void MultivectorLerp::refresh() {
 	}
 }
 
-// The id, unlike the pointer, tells whether the node was freed; if so, the path is resolved again.
+// Resolves the path again if the node was freed.
 Node3D *MultivectorLerp::find_node(NodeLink &link, const char *name) {
-	Node3D *node = link.node;
-	if (link.id == 0 || godot::gdextension_interface::object_get_instance_from_id(link.id) == nullptr) {
+	Node3D *node = link.node.get();
+	if (node == nullptr) {
 		node = link.path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(link.path));
-		link.node = node;
-		link.id = node != nullptr ? node->get_instance_id() : 0;
+		link.node = WeakNode<Node3D>(node);
 	}
 	if (node == nullptr || !node->is_inside_tree()) {
 		// The scene dock warns about an empty path.
-		if (!link.lost && !link.path.is_empty()) {
+		if (!std::exchange(link.lost, true) && !link.path.is_empty()) {
 			ERR_PRINT(vformat("MultivectorLerp: %s (\"%s\") does not lead to a Node3D in the scene tree; the target is not moved.", name, link.path));
 		}
-		link.lost = true;
 		return nullptr;
 	}
 	link.lost = false;
@@ -180,17 +185,19 @@ bool MultivectorLerp::update_end(End &end, const char *name) {
 	}
 	end.known = true;
 	_stale = true;
-	if (fault != nullptr && !end.faulty) {
+	const bool is_new = fault != nullptr && !end.faulty;
+	end.faulty = fault != nullptr;
+	if (is_new) {
 		ERR_PRINT(vformat("MultivectorLerp: %s %s. The target is not moved.", name, fault));
 	}
-	end.faulty = fault != nullptr;
-	return !end.faulty;
+	return fault == nullptr;
 }
 
 void MultivectorLerp::update_target() {
 	if (!_running || !is_inside_tree()) {
 		return;
 	}
+	const FreeGuard::Scope scope(_free_guard);
 	if (!update_end(_start, "start") || !update_end(_end, "end")) {
 		return;
 	}
@@ -198,16 +205,16 @@ void MultivectorLerp::update_target() {
 	if (target == nullptr) {
 		return;
 	}
-	if (_stale) {
+	const bool is_new = std::exchange(_stale, false);
+	if (is_new) {
 		_result = to_godot(cga::interpolate(_start.pose, _end.pose, _factor, cga::Mode(_mode)));
-		_stale = false;
-		if (_local) {
-			target->set_transform(_result);
-		}
 	}
+	const Transform3D result = _result; // The target's callbacks may change it.
 	if (!_local) {
 		// Set even without a new result, because the target's parent may have moved.
-		target->set_global_transform(_result);
+		target->set_global_transform(result);
+	} else if (is_new) {
+		target->set_transform(result);
 	}
 }
 

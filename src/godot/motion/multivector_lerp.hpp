@@ -2,7 +2,9 @@
 
 #include "cga/motor/interpolate.hpp"
 #include "godot/algebra/multivector.hpp"
+#include "godot/free_guard.hpp"
 #include "godot/thread_guard.hpp"
+#include "godot/weak_node.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -67,8 +69,7 @@ private:
 	/// A node path and the node that it was resolved to.
 	struct NodeLink {
 		godot::NodePath path;
-		uint64_t id = 0; // 0 if not resolved
-		godot::Node3D *node = nullptr; // valid only while the engine knows the id
+		WeakNode<godot::Node3D> node; // none if not resolved
 		bool lost = false; // could not be resolved; the error has been printed
 	};
 
@@ -90,6 +91,7 @@ private:
 	void advance(double delta);
 	void update_target();
 
+	FreeGuard _free_guard; // The target's callbacks may free this node.
 	End _start;
 	End _end;
 	NodeLink _target;

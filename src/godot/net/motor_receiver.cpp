@@ -4,6 +4,7 @@
 #include "godot/net/packet_reason.hpp"
 #include "net/pose_codec.hpp"
 
+#include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
@@ -13,6 +14,7 @@ namespace ga_godot {
 using godot::Dictionary;
 using godot::PackedByteArray;
 using godot::PackedInt32Array;
+using godot::Ref;
 using godot::String;
 using godot::Transform3D;
 using godot::vformat;
@@ -23,6 +25,8 @@ MotorReceiver::MotorReceiver() {
 
 void MotorReceiver::clear() {
 	_receiver = net::Receiver(size_t(_max_bodies));
+	_events.clear();
+	_next_event = 0;
 	limits_changed();
 }
 
@@ -48,10 +52,20 @@ PackedByteArray MotorReceiver::take_ack(double now) {
 void MotorReceiver::advance(double now) {
 	ERR_FAIL_COND_MSG(!net::is_valid_time(now), time_message("MotorReceiver.advance", now));
 	_receiver.advance(now);
-	_receiver.take_events(_events);
-	for (const net::BodyEvent &event : _events) {
+	_receiver.take_events(_taken);
+	_events.insert(_events.end(), _taken.begin(), _taken.end());
+	if (_is_emitting) {
+		return; // A handler of a signal calls this method. The call that emits it emits these events too, in their order.
+	}
+	const Ref<MotorReceiver> self(this); // A handler may release the last reference.
+	_is_emitting = true;
+	while (_next_event < _events.size()) {
+		const net::BodyEvent event = _events[_next_event++];
 		emit_signal(event.kind == net::BodyEvent::ADDED ? "body_added" : "body_removed", int64_t(event.id));
 	}
+	_is_emitting = false;
+	_events.clear();
+	_next_event = 0;
 }
 
 std::optional<cga::Pose<double>> MotorReceiver::find_pose(int64_t id) const {

@@ -52,7 +52,10 @@ private:
 	net::Receiver _receiver{ size_t(_max_bodies) };
 	// Kept between calls, so that a steady stream allocates only what it returns.
 	std::vector<uint8_t> _ack;
-	std::vector<net::BodyEvent> _events;
+	std::vector<net::BodyEvent> _taken;
+	std::vector<net::BodyEvent> _events; // whose signals advance() has not emitted yet, from _next_event
+	size_t _next_event = 0;
+	bool _is_emitting = false;
 };
 
 } // namespace ga_godot

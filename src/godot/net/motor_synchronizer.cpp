@@ -5,6 +5,8 @@
 
 #include <godot_cpp/core/object.hpp>
 
+#include <utility>
+
 namespace ga_godot {
 
 using godot::Dictionary;
@@ -28,6 +30,11 @@ MotorSynchronizer::MotorSynchronizer() {
 }
 
 void MotorSynchronizer::_notification(int what) {
+	if (what == NOTIFICATION_PREDELETE) {
+		Replicator::free_guard().before_free(*this);
+		return;
+	}
+	const FreeGuard::Scope scope(Replicator::free_guard());
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			add_to_group(SYNCHRONIZER_GROUP);
@@ -99,6 +106,9 @@ void MotorSynchronizer::update_replicator() {
 		return;
 	}
 	leave_replicator();
+	if (!is_inside_tree()) {
+		return; // A callback has removed the node.
+	}
 	if (api.is_null()) {
 		if (multiplayer.is_valid() && !_is_api_reported) {
 			_is_api_reported = true;
@@ -113,9 +123,8 @@ void MotorSynchronizer::update_replicator() {
 }
 
 void MotorSynchronizer::leave_replicator() {
-	if (_replicator != nullptr) {
-		_replicator->remove(this);
-		_replicator.reset();
+	if (const std::shared_ptr<Replicator> replicator = std::exchange(_replicator, nullptr)) {
+		replicator->remove(this);
 	}
 }
 
@@ -220,6 +229,7 @@ godot::Variant MotorSynchronizer::_get_monitor(const godot::StringName &key) {
 }
 
 PackedStringArray MotorSynchronizer::get_setup_warnings() const {
+	const FreeGuard::Scope scope(Replicator::free_guard());
 	PackedStringArray warnings = is_inside_tree() ? find_setup_faults(*this, _selection) : PackedStringArray();
 	const PackedStringArray found = _replicator != nullptr ? _replicator->warnings() : PackedStringArray();
 	for (int64_t i = 0; i < found.size(); i++) {

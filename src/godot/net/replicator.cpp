@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 // The connection of a session to the MultiplayerAPI.
 
@@ -32,6 +33,12 @@ using godot::vformat;
 
 double clock_seconds() {
 	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The instance id of the connected MultiplayerPeer; 0 if there is none.
+static uint64_t open_transport(const Ref<SceneMultiplayer> &api) {
+	const Ref<MultiplayerPeer> transport = api->get_multiplayer_peer();
+	return transport.is_valid() && transport->get_connection_status() == MultiplayerPeer::CONNECTION_CONNECTED ? transport->get_instance_id() : 0;
 }
 
 static std::unordered_map<uint64_t, std::weak_ptr<Replicator>> &replicators() {
@@ -56,35 +63,67 @@ Replicator::~Replicator() {
 	replicators().erase(_api->get_instance_id());
 }
 
+FreeGuard &Replicator::free_guard() {
+	static FreeGuard guard;
+	return guard;
+}
+
+void Replicator::finish() {
+	while (_are_settings_stale || !_received.empty()) {
+		if (std::exchange(_are_settings_stale, false)) {
+			apply_settings();
+		}
+		for (const ReceivedPacket &packet : std::exchange(_received, {})) {
+			if (!_session.has_peer(packet.peer)) {
+				update_peers();
+			}
+			_session.accept(packet.peer, packet.bytes.ptr(), size_t(packet.bytes.size()), clock_seconds());
+		}
+	}
+	_targets.sweep();
+}
+
 void Replicator::add(MotorSynchronizer *synchronizer) {
+	if (has(synchronizer)) {
+		return;
+	}
+	const Busy busy(*this);
 	_synchronizers.push_back(synchronizer);
 	if (_synchronizers.size() == 1) {
+		_root = String(_api->get_root_path());
+		_root += _root.ends_with("/") ? "" : "/";
 		set_lead(synchronizer);
-		update_root();
 	}
 	update_settings();
 }
 
 void Replicator::remove(MotorSynchronizer *synchronizer) {
-	const bool is_lead = lead() == synchronizer;
+	if (!has(synchronizer)) {
+		return;
+	}
+	const Busy busy(*this);
 	if (_synchronizers.size() == 1) {
 		close_session();
-		disconnect_session();
+		connect_session(0, 0);
 	}
-	for (size_t i = _targets.size(); i-- > 0;) {
-		if (_targets[i].synchronizer == synchronizer) {
-			end_target(i);
-		}
+	for (Target *target : _targets.select([&](const Target &other) { return other.synchronizer == synchronizer; })) {
+		end_target(*target);
 	}
 	remove_departed();
+	const bool is_lead = lead() == synchronizer;
 	if (is_lead) {
 		set_lead(nullptr);
 	}
-	_synchronizers.erase(std::find(_synchronizers.begin(), _synchronizers.end(), synchronizer));
+	_synchronizers.erase(std::remove(_synchronizers.begin(), _synchronizers.end(), synchronizer), _synchronizers.end());
 	if (is_lead) {
 		set_lead(lead());
 	}
 	update_settings();
+}
+
+void Replicator::update_settings() {
+	const Busy busy(*this);
+	_are_settings_stale = true;
 }
 
 /// Connects the engine's signals to `lead`; null disconnects them from the current one.
@@ -114,7 +153,7 @@ void Replicator::set_lead(MotorSynchronizer *next) {
 }
 
 /// One stream serves all synchronizers, so it meets the strictest of their settings.
-void Replicator::update_settings() {
+void Replicator::apply_settings() {
 	if (_synchronizers.empty()) {
 		return;
 	}
@@ -136,6 +175,10 @@ void Replicator::update_settings() {
 		min_delay = std::max(min_delay, synchronizer->get_min_delay());
 		jitter_allowance = std::max(jitter_allowance, synchronizer->get_jitter_allowance());
 	}
+	_settings = settings;
+	_session.set_settings(settings);
+	_session.set_relay(relay);
+	_session.set_margin_limits(min_delay, jitter_allowance);
 	if (differs) {
 		_warnings.warn("settings", "The MotorSynchronizers of this tree have different settings, but share one stream: the smallest tolerances, max_latency and max_packet_size, the highest send_rate, and relay if one of them has it, apply to all of them. Give them the same settings.");
 	}
@@ -147,17 +190,14 @@ void Replicator::update_settings() {
 	if (!tick_fault.is_empty()) {
 		_warnings.warn("tick rate", tick_fault);
 	}
-	_settings = settings;
-	_session.set_settings(settings);
-	_session.set_relay(relay);
-	_session.set_margin_limits(min_delay, jitter_allowance);
 }
 
 void Replicator::tick() {
 	const int64_t engine_tick = int64_t(Engine::get_singleton()->get_physics_frames());
-	if (engine_tick == _last_tick) {
+	if (engine_tick == _last_tick || _depth > 0) {
 		return;
 	}
+	const Busy busy(*this);
 	_last_tick = engine_tick;
 	const double now = clock_seconds();
 	const double length = 1.0 / double(Engine::get_singleton()->get_physics_ticks_per_second());
@@ -166,7 +206,7 @@ void Replicator::tick() {
 	if (_are_names_stale) {
 		rename_targets();
 	}
-	refresh_all();
+	refresh();
 	if (_session.peers().empty()) {
 		end_freed_bodies();
 		remove_departed();
@@ -182,9 +222,10 @@ void Replicator::tick() {
 
 void Replicator::frame() {
 	const int64_t engine_frame = int64_t(Engine::get_singleton()->get_process_frames());
-	if (engine_frame == _last_frame || lead() == nullptr) {
+	if (engine_frame == _last_frame || lead() == nullptr || _depth > 0) {
 		return;
 	}
+	const Busy busy(*this);
 	_last_frame = engine_frame;
 	const double now = clock_seconds();
 	_frame_clock.frame(lead()->get_process_delta_time(), Engine::get_singleton()->get_physics_interpolation_fraction());
@@ -193,7 +234,7 @@ void Replicator::frame() {
 	if (_session.peers().empty()) {
 		return;
 	}
-	refresh_all();
+	refresh();
 	_session.advance(now);
 	show_streams(now);
 	send_packets();
@@ -213,8 +254,7 @@ void Replicator::frame() {
 	});
 }
 
-void Replicator::refresh_all() {
-	// Handlers of signals may remove synchronizers.
+void Replicator::refresh() {
 	for (MotorSynchronizer *synchronizer : std::vector<MotorSynchronizer *>(_synchronizers)) {
 		if (has(synchronizer)) {
 			refresh(synchronizer);
@@ -223,33 +263,29 @@ void Replicator::refresh_all() {
 }
 
 void Replicator::update_connection() {
-	const Ref<MultiplayerPeer> transport = _api->get_multiplayer_peer();
-	const bool is_connected = transport.is_valid() && transport->get_connection_status() == MultiplayerPeer::CONNECTION_CONNECTED;
-	const uint64_t transport_id = is_connected ? transport->get_instance_id() : 0;
-	const int32_t self = is_connected ? _api->get_unique_id() : 0;
+	const uint64_t transport_id = open_transport(_api);
+	const int32_t self = transport_id != 0 ? _api->get_unique_id() : 0;
 	if (self != _session.self() || transport_id != _transport) {
-		disconnect_session();
-		_session.connect(self);
-		_transport = transport_id;
+		connect_session(self, transport_id);
 	}
 	update_peers();
 }
 
-/// Forgets all peers without sending anything.
-void Replicator::disconnect_session() {
+/// Forgets all peers without sending anything, and begins again as peer `self` of a MultiplayerPeer; 0 and 0 for none.
+void Replicator::connect_session(int32_t self, uint64_t transport) {
+	_departed.clear();
+	_session.connect(self);
+	_transport = transport;
 	for (Target &target : _targets) {
-		target.release();
 		target.authority = 0;
 		target.view = net::BodyView();
+		target.release();
 	}
-	_departed.clear();
-	_session.connect(0);
-	_transport = 0;
 }
 
 /// Without the peer `left`.
 void Replicator::update_peers(int32_t left) {
-	if (!_session.is_connected()) {
+	if (!_session.is_connected() || open_transport(_api) != _transport) {
 		return;
 	}
 	const PackedInt32Array ids = _api->get_peers();
@@ -265,17 +301,9 @@ void Replicator::update_peers(int32_t left) {
 	}
 }
 
-void Replicator::update_root() {
-	_root = String(_api->get_root_path());
-	if (!_root.ends_with("/")) {
-		_root += "/";
-	}
-}
-
 /// Notifies all peers that this peer's last synchronizer is removed.
 void Replicator::close_session() {
-	const Ref<MultiplayerPeer> transport = _api->get_multiplayer_peer();
-	if (!_session.is_connected() || transport.is_null() || transport->get_connection_status() != MultiplayerPeer::CONNECTION_CONNECTED) {
+	if (!_session.is_connected() || open_transport(_api) != _transport) {
 		return;
 	}
 	update_peers();
@@ -284,10 +312,12 @@ void Replicator::close_session() {
 }
 
 void Replicator::send_packets() {
+	// Callbacks since update_connection() may have disconnected peers, or closed or replaced the MultiplayerPeer.
+	update_peers();
 	const int32_t channel = lead() != nullptr ? int32_t(lead()->get_channel()) : 0;
 	net::Outbox::Packet refused{};
 	_session.outbox().drain([&](const net::Outbox::Packet &packet, const uint8_t *bytes) {
-		if (!_session.has_peer(packet.peer)) {
+		if (!_session.has_peer(packet.peer) || open_transport(_api) != _transport) {
 			return; // it has left since
 		}
 		const godot::Error error = _api->send_bytes(to_packed(bytes, packet.size), packet.peer, packet.reliable ? MultiplayerPeer::TRANSFER_MODE_RELIABLE : MultiplayerPeer::TRANSFER_MODE_UNRELIABLE, channel);
@@ -303,10 +333,8 @@ void Replicator::send_packets() {
 }
 
 void Replicator::packet_received(int32_t peer, const PackedByteArray &packet) {
-	if (!_session.has_peer(peer)) {
-		update_peers();
-	}
-	_session.accept(peer, packet.ptr(), size_t(packet.size()), clock_seconds());
+	const Busy busy(*this);
+	_received.push_back({ peer, packet });
 }
 
 } // namespace ga_godot

@@ -10,6 +10,9 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 // Poses from nodes to the session, and back.
 
@@ -73,7 +76,6 @@ void Replicator::change_authority(Target &target, int32_t authority, double now)
 		target.view.mark_shown();
 	}
 	if (authority == _session.self()) {
-		target.release();
 		target.view = net::BodyView();
 	}
 	target.authority = authority;
@@ -82,6 +84,7 @@ void Replicator::change_authority(Target &target, int32_t authority, double now)
 	target.is_ended = false;
 	_session.set_owner(target.body, authority);
 	if (authority == _session.self()) {
+		target.release();
 		return;
 	}
 	net::BodySource source{ authority, target.body, 0 };
@@ -97,6 +100,7 @@ void Replicator::before_scripts() {
 	if (!_session.is_sending()) {
 		return;
 	}
+	const Busy busy(*this);
 	for (Target &target : _targets) {
 		const Node *node = target.authority == _session.self() ? find_known_spatial(target.node) : nullptr;
 		if (node == nullptr) {
@@ -121,8 +125,9 @@ void Replicator::sample_targets(double now) {
 		const int32_t authority = node->get_multiplayer_authority();
 		if (authority != target.authority) {
 			change_authority(target, authority, now);
+			node = target.is_removed ? nullptr : find_known_spatial(target.node);
 		}
-		if (authority == _session.self() && _session.is_sending()) {
+		if (node != nullptr && authority == _session.self() && _session.is_sending()) {
 			sample(target, node);
 			has_frame_motion = has_frame_motion || !target.sampler.is_empty();
 		}
@@ -142,6 +147,9 @@ void Replicator::sample(Target &target, Node *node) {
 		return;
 	}
 	auto pose = target.read_pose(transform);
+	if (target.is_removed) {
+		return; // by a callback of the message that read_pose() prints
+	}
 	if (!pose) {
 		_session.observe(target.body);
 		return;
@@ -182,8 +190,7 @@ void Replicator::observe_departed() {
 }
 
 void Replicator::show_streams(double now) {
-	for (size_t i = 0; i < _targets.size(); i++) {
-		Target &target = _targets[i];
+	for (Target &target : _targets) {
 		Node *node = find_known_spatial(target.node);
 		if (node == nullptr) {
 			continue;
@@ -191,8 +198,9 @@ void Replicator::show_streams(double now) {
 		const int32_t authority = node->get_multiplayer_authority();
 		if (authority != target.authority) {
 			change_authority(target, authority, now);
+			node = target.is_removed ? nullptr : find_known_spatial(target.node);
 		}
-		if (authority != _session.self()) {
+		if (node != nullptr && authority != _session.self()) {
 			show(target, node, now);
 		}
 	}
@@ -243,8 +251,12 @@ void Replicator::show(Target &target, Node *node, double now) {
 				if (frame.pose) {
 					target.place(to_transform(*frame.pose), is_interpolated);
 				}
-				set_shown(node, false);
-				target.synchronizer->emit_signal("target_ended", node);
+				if (!target.is_removed) {
+					set_shown(find_spatial(target.node), false);
+				}
+				if (!target.is_removed) {
+					emit(target.synchronizer, "target_ended", { target.node });
+				}
 			}
 			break;
 	}
@@ -256,6 +268,7 @@ void Replicator::check_streams(double now) {
 		return;
 	}
 	_next_check = now + CHECK_INTERVAL;
+	std::vector<std::pair<std::string, godot::String>> faults; // warned of last: a Logger may change what this method iterates over
 	std::unordered_map<int32_t, double> absent; // owners, and the negative ids of peers with bodies without a node
 	const auto is_reported = [&](int32_t key) {
 		const auto before = _absent_since.find(key);
@@ -266,8 +279,9 @@ void Replicator::check_streams(double now) {
 		if (target.authority == 0 || target.authority == _session.self() || _session.can_receive(target.authority) || absent.count(target.authority) != 0) {
 			continue;
 		}
-		if (is_reported(target.authority)) {
-			_warnings.warn("owner " + std::to_string(target.authority), vformat("the authority of %s, peer %d, is not connected to this peer, so its motion cannot arrive. Set \"relay\" on all peers, or SceneMultiplayer.server_relay, or give the node to a connected peer with set_multiplayer_authority().", find_spatial(target.node)->get_path(), target.authority));
+		const Node *node = find_spatial(target.node);
+		if (is_reported(target.authority) && node != nullptr) {
+			faults.emplace_back("owner " + std::to_string(target.authority), vformat("the authority of %s, peer %d, is not connected to this peer, so its motion cannot arrive. Set \"relay\" on all peers, or SceneMultiplayer.server_relay, or give the node to a connected peer with set_multiplayer_authority().", node->get_path(), target.authority));
 		}
 	}
 	std::vector<int32_t> owners = _session.relayed_owners();
@@ -284,10 +298,13 @@ void Replicator::check_streams(double now) {
 		const std::vector<uint32_t> bodies = stream->bodies();
 		const int64_t missing = std::count_if(bodies.begin(), bodies.end(), [this](uint32_t body) { return _node_of_body.count(body) == 0; });
 		if (missing > 0 && is_reported(-peer)) {
-			_warnings.warn("bodies " + std::to_string(peer), vformat("peer %d replicates %d bodies, of which %d have no node on this peer: no target has their path. Create the nodes under the same names on all peers, or remove the targets there.", peer, int64_t(bodies.size()), missing));
+			faults.emplace_back("bodies " + std::to_string(peer), vformat("peer %d replicates %d bodies, of which %d have no node on this peer: no target has their path. Create the nodes under the same names on all peers, or remove the targets there.", peer, int64_t(bodies.size()), missing));
 		}
 	}
 	_absent_since.swap(absent);
+	for (const auto &[key, text] : faults) {
+		_warnings.warn(key, text);
+	}
 }
 
 } // namespace ga_godot

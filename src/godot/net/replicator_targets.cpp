@@ -41,6 +41,7 @@ String Replicator::relative_path(const Node *node) const {
 }
 
 void Replicator::refresh(MotorSynchronizer *synchronizer) {
+	const Busy busy(*this);
 	TargetSelection &selection = synchronizer->selection();
 	if (!selection.is_refresh_due(*synchronizer)) {
 		return;
@@ -49,25 +50,26 @@ void Replicator::refresh(MotorSynchronizer *synchronizer) {
 	if (!selection.has_changed(ids)) {
 		return;
 	}
+	// Callbacks may refresh the same synchronizer, which replaces what is left to do here, or remove it.
+	const uint64_t revision = selection.revision();
+	const auto is_current = [&] { return selection.revision() == revision && has(synchronizer); };
 	const std::unordered_set<uint64_t> selected(ids.begin(), ids.end());
 	std::vector<uint64_t> removed;
 	std::vector<uint64_t> added;
-	for (size_t i = _targets.size(); i-- > 0;) {
-		if (_targets[i].synchronizer == synchronizer && selected.count(_targets[i].node) == 0) {
-			removed.push_back(_targets[i].node);
-			end_target(i);
+	for (Target *target : _targets.select([&](const Target &other) { return other.synchronizer == synchronizer && selected.count(other.node) == 0; })) {
+		if (is_current() && !target->is_removed) {
+			removed.push_back(target->node);
+			end_target(*target);
 		}
 	}
 	for (const uint64_t id : ids) {
-		const size_t before = _targets.size();
-		if (!_targets.has(id)) {
-			add_target(find_spatial(id), synchronizer);
-		}
-		if (_targets.size() > before) {
+		if (is_current() && !_targets.has(id) && add_target(id, synchronizer)) {
 			added.push_back(id);
 		}
 	}
-	selection.remember(ids);
+	if (is_current()) {
+		selection.remember(ids);
+	}
 	// Emit signals last, because their handlers may modify the targets and remove the synchronizer.
 	emit(synchronizer, "target_removed", removed);
 	emit(synchronizer, "target_added", added);
@@ -82,21 +84,21 @@ void Replicator::emit(MotorSynchronizer *synchronizer, const char *signal, const
 	}
 }
 
-void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
+/// Returns false if the node cannot be a target, which is reported.
+bool Replicator::add_target(uint64_t id, MotorSynchronizer *synchronizer) {
+	Node *node = find_spatial(id);
+	if (node == nullptr || !node->is_inside_tree() || std::count(_exiting.begin(), _exiting.end(), id) > 0) {
+		return false; // freed or moved by a callback
+	}
 	const String path = relative_path(node);
 	if (path.contains("@")) {
 		_warnings.warn("automatic name", automatic_name_fault(*node));
-		return;
+		return false;
 	}
-	for (const String &fault : { thread_fault(*node), dimension_fault(*node) }) {
-		if (!fault.is_empty()) {
-			_warnings.warn(to_utf8(fault), fault);
-		}
-	}
-	const uint64_t id = node->get_instance_id();
+	const String faults[] = { thread_fault(*node), dimension_fault(*node) };
 	Target target(id, net::path_body(to_utf8(path)), synchronizer, is_node_2d(node));
 	if (!claim_body(target)) {
-		return;
+		return false;
 	}
 	const auto departed = std::find_if(_departed.begin(), _departed.end(), [id](const Departed &entry) { return entry.node == id; });
 	if (departed != _departed.end()) {
@@ -105,6 +107,12 @@ void Replicator::add_target(Node *node, MotorSynchronizer *synchronizer) {
 	}
 	node->connect("tree_exiting", callable_mp(synchronizer, &MotorSynchronizer::_on_target_exiting).bindv(Array{ id }));
 	_targets.add(target);
+	for (const String &fault : faults) {
+		if (!fault.is_empty()) {
+			_warnings.warn(to_utf8(fault), fault);
+		}
+	}
+	return true;
 }
 
 /// Returns false and reports the collision once if another target has the same body.
@@ -128,13 +136,12 @@ bool Replicator::claim_body(const Target &target) {
 	return true;
 }
 
-void Replicator::end_target(size_t index) {
-	Target &target = _targets[index];
-	target.release();
-	Node *node = find_spatial(target.node);
-	if (node != nullptr) {
-		node->disconnect("tree_exiting", callable_mp(target.synchronizer, &MotorSynchronizer::_on_target_exiting));
+void Replicator::end_target(Target &target) {
+	if (target.is_removed) {
+		return;
 	}
+	_targets.remove(target);
+	Node *node = find_spatial(target.node);
 	const auto holder = _node_of_body.find(target.body);
 	if (holder != _node_of_body.end() && holder->second == target.node) {
 		const bool is_own = _session.is_connected() && target.authority == _session.self();
@@ -147,7 +154,10 @@ void Replicator::end_target(size_t index) {
 	for (MotorSynchronizer *synchronizer : _synchronizers) {
 		synchronizer->selection().forget();
 	}
-	_targets.remove(index);
+	if (node != nullptr) {
+		node->disconnect("tree_exiting", callable_mp(target.synchronizer, &MotorSynchronizer::_on_target_exiting));
+	}
+	target.release();
 }
 
 /// Ends the bodies of this peer whose nodes have left, after the tick in which they were last observed.
@@ -166,8 +176,9 @@ void Replicator::remove_departed() {
 void Replicator::rename_targets() {
 	_are_names_stale = false;
 	_node_of_body.clear();
-	for (size_t i = _targets.size(); i-- > 0;) {
-		Target &target = _targets[i];
+	std::vector<Target *> refused;
+	for (Target *renamed : _targets.select([](const Target &) { return true; })) {
+		Target &target = *renamed;
 		const Node *node = find_spatial(target.node);
 		const uint32_t body = node != nullptr ? net::path_body(to_utf8(relative_path(node))) : target.body;
 		if (body != target.body) {
@@ -176,9 +187,12 @@ void Replicator::rename_targets() {
 			target.authority = 0;
 			target.body = body;
 		}
-		if (!claim_body(target)) {
-			end_target(i);
+		if (!target.is_removed && !claim_body(target)) {
+			refused.push_back(&target);
 		}
+	}
+	for (Target *target : refused) {
+		end_target(*target);
 	}
 }
 
@@ -193,43 +207,50 @@ TypedArray<Node> Replicator::targets_of(const MotorSynchronizer *synchronizer) c
 }
 
 void Replicator::target_exiting(uint64_t id) {
-	if (!_targets.has(id)) {
+	const Busy busy(*this);
+	Target *target = _targets.find(id);
+	if (target == nullptr) {
 		return;
 	}
-	const size_t index = _targets.index_of(id);
-	MotorSynchronizer *synchronizer = _targets[index].synchronizer;
-	end_target(index);
+	MotorSynchronizer *synchronizer = target->synchronizer;
+	_exiting.push_back(id);
+	end_target(*target);
+	emit(synchronizer, "target_removed", { id });
+	_exiting.pop_back();
 	// The node may only be moving to another parent, so search again.
 	synchronizer->selection().invalidate();
-	emit(synchronizer, "target_removed", { id });
+	synchronizer->selection().forget();
 }
 
 void Replicator::node_renamed(const Node *renamed) {
 	const auto is_above = [renamed](Node *below) { return below != nullptr && (renamed == below || renamed->is_ancestor_of(below)); };
-	_are_names_stale = _are_names_stale || std::any_of(_targets.begin(), _targets.end(), [&](const Target &target) { return is_above(find_spatial(target.node)); });
+	for (const Target &target : _targets) {
+		_are_names_stale = _are_names_stale || is_above(find_spatial(target.node));
+	}
 }
 
 void Replicator::free_target(Target &target) {
-	Node *node = find_spatial(target.node);
+	const Busy busy(*this);
 	target.is_freed = true;
-	set_shown(node, false);
-	node->set_process_mode(Node::PROCESS_MODE_DISABLED);
 	const double now = clock_seconds();
 	const double delay = _settings.max_latency + target.synchronizer->get_jitter_allowance() + _session.total_statistics(now).round_trip;
 	_freed.push_back({ target.node, now + delay + FREE_MARGIN });
+	set_shown(find_spatial(target.node), false);
+	if (Node *node = find_spatial(target.node)) {
+		node->set_process_mode(Node::PROCESS_MODE_DISABLED);
+	}
 }
 
 /// Ends the bodies of nodes that free_target ends, after their last pose has been observed.
 void Replicator::end_freed_bodies() {
 	std::vector<std::pair<MotorSynchronizer *, uint64_t>> ended;
-	for (size_t i = _targets.size(); i-- > 0;) {
-		if (_targets[i].is_freed) {
-			const Target target = _targets[i];
-			_session.free_body(target.body);
-			_node_of_body.erase(target.body);
-			end_target(i);
-			target.synchronizer->selection().remove(target.node);
-			ended.emplace_back(target.synchronizer, target.node);
+	for (Target *target : _targets.select([](const Target &other) { return other.is_freed; })) {
+		if (!target->is_removed) {
+			_session.free_body(target->body);
+			_node_of_body.erase(target->body);
+			target->synchronizer->selection().remove(target->node);
+			ended.emplace_back(target->synchronizer, target->node);
+			end_target(*target);
 		}
 	}
 	for (const auto &[synchronizer, node] : ended) {

@@ -56,7 +56,7 @@ namespace {
 
 /// A node whose pose a MultiplayerSynchronizer replicates.
 struct ReplicatedPose {
-	const Node *node;
+	uint64_t node; // instance id
 	String property;
 	StringName synchronizer;
 };
@@ -81,7 +81,7 @@ static std::vector<ReplicatedPose> find_replicated_poses(const Node *top) {
 			const Node *node = names.is_empty() ? root : root->get_node_or_null(NodePath(names));
 			const bool is_replicated = config->property_get_replication_mode(path) != SceneReplicationConfig::REPLICATION_MODE_NEVER;
 			if (node != nullptr && is_replicated && is_pose_property(property)) {
-				poses.push_back({ node, property, synchronizer->get_name() });
+				poses.push_back({ node->get_instance_id(), property, synchronizer->get_name() });
 			}
 		}
 	}
@@ -145,11 +145,15 @@ static void add_fault(PackedStringArray &faults, const String &fault) {
 	}
 }
 
-static void find_target_faults(const Node &synchronizer, const Node *root, const std::vector<const Node *> &nodes, PackedStringArray &faults) {
+static void find_target_faults(const Node &synchronizer, const Node *root, const std::vector<uint64_t> &nodes, PackedStringArray &faults) {
 	const std::vector<ReplicatedPose> poses = find_replicated_poses(find_top(synchronizer));
 	const TypedArray<Node> others = synchronizer.get_tree()->get_nodes_in_group(SYNCHRONIZER_GROUP);
 	const int64_t max_faults = faults.size() + MAX_TARGET_FAULTS;
-	for (const Node *node : nodes) {
+	for (const uint64_t id : nodes) {
+		const Node *node = find_spatial(id);
+		if (node == nullptr || !node->is_inside_tree() || !synchronizer.is_inside_tree()) {
+			continue; // The property `freeze` of an earlier node ran a script, which has removed it.
+		}
 		if (faults.size() >= max_faults) {
 			faults.push_back("Other targets have similar faults.");
 			return;
@@ -166,12 +170,15 @@ static void find_target_faults(const Node &synchronizer, const Node *root, const
 			}
 		}
 		for (const ReplicatedPose &pose : poses) {
-			if (pose.node == node) {
+			if (pose.node == id) {
 				faults.push_back(vformat("The MultiplayerSynchronizer %s also replicates %s of %s. Remove the property there.", pose.synchronizer, pose.property, node->get_name()));
 			}
 		}
-		if ((node->is_class("RigidBody3D") || node->is_class("RigidBody2D")) && !bool(node->get("freeze"))) {
-			faults.push_back(vformat("%s is a %s that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is true.", node->get_name(), node->get_class()));
+		if (node->is_class("RigidBody3D") || node->is_class("RigidBody2D")) {
+			const String fault = vformat("%s is a %s that every peer would simulate. Set freeze, with freeze_mode Kinematic, and unfreeze it only where is_multiplayer_authority() is true.", node->get_name(), node->get_class());
+			if (!bool(node->get("freeze"))) {
+				faults.push_back(fault);
+			}
 		}
 	}
 }
@@ -185,12 +192,12 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 	add_fault(faults, send_rate_fault(synchronizer.get_send_rate()));
 	add_fault(faults, tick_rate_fault(synchronizer.get_max_latency()));
 	const Node *root = find_root(synchronizer);
-	std::vector<const Node *> nodes;
+	std::vector<uint64_t> nodes;
 	const TypedArray<NodePath> &paths = selection.paths();
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
 		if (const Node *node = find_spatial(synchronizer, path)) {
-			nodes.push_back(node);
+			nodes.push_back(node->get_instance_id());
 		} else {
 			faults.push_back(vformat("targets[%d] (\"%s\") is not the path of a Node3D or Node2D.", i, path));
 		}
@@ -203,7 +210,7 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 			Node *node = Object::cast_to<Node>(members[i].get_validated_object());
 			// Others may belong to another MultiplayerAPI.
 			if (is_spatial(node) && (node == root || root->is_ancestor_of(node))) {
-				nodes.push_back(node);
+				nodes.push_back(node->get_instance_id());
 			}
 		}
 		if (nodes.size() == before) {
@@ -213,7 +220,7 @@ PackedStringArray find_setup_faults(const MotorSynchronizer &synchronizer, const
 	for (const uint64_t id : selection.added()) {
 		const Node *node = find_spatial(id);
 		if (node != nullptr && node->is_inside_tree()) {
-			nodes.push_back(node);
+			nodes.push_back(id);
 		}
 	}
 	find_target_faults(synchronizer, root, nodes, faults);

@@ -1,5 +1,7 @@
 #include "godot/net/spatial_node.hpp"
 
+#include "godot/weak_node.hpp"
+
 #include <godot_cpp/classes/node2d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -79,6 +81,7 @@ void set_local_transform(Node *node, const Transform3D &transform) {
 		return;
 	}
 	if (Node2D *node_2d = Object::cast_to<Node2D>(node)) {
+		const WeakNode<Node2D> weak(node_2d);
 		const Vector3 x = transform.basis.get_column(0);
 		const Vector2 position(transform.origin.x, transform.origin.y);
 		const float rotation = float(std::atan2(x.y, x.x));
@@ -86,10 +89,10 @@ void set_local_transform(Node *node, const Transform3D &transform) {
 		if (node_2d->get_position() != position) {
 			node_2d->set_position(position);
 		}
-		if (float(node_2d->get_rotation()) != rotation) {
+		if (weak.get() != nullptr && float(node_2d->get_rotation()) != rotation) {
 			node_2d->set_rotation(rotation);
 		}
-		if (node_2d->get_scale() != Vector2(scale, scale)) {
+		if (weak.get() != nullptr && node_2d->get_scale() != Vector2(scale, scale)) {
 			node_2d->set_scale(Vector2(scale, scale));
 		}
 	}

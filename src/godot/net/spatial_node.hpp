@@ -23,11 +23,13 @@ namespace ga_godot {
 [[nodiscard]] godot::Transform3D local_transform(const godot::Node *node);
 /// The same for a node of known class, which is faster.
 [[nodiscard]] godot::Transform3D local_transform(const godot::Node *node, bool is_2d);
+/// Does nothing for null. The node's callbacks may free it.
 void set_local_transform(godot::Node *node, const godot::Transform3D &transform);
 /// The identity for a node without a transform, and for null.
 [[nodiscard]] godot::Transform3D global_transform(const godot::Node *node);
 
 [[nodiscard]] bool is_shown(const godot::Node *node);
+/// Does nothing for null. The node's callbacks may free it.
 void set_shown(godot::Node *node, bool shown);
 
 /// True for bodies that the physics engine moves, in ticks: a RigidBody3D that is not frozen, and similar.

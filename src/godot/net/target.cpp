@@ -8,6 +8,7 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace ga_godot {
 
@@ -62,6 +63,8 @@ bool Target::after_scripts(const Transform3D &transform) {
 	return _frame_motions >= MIN_FRAME_MOTIONS;
 }
 
+// Each setter of the node runs callbacks, which may free the node or end the target.
+
 void Target::place(const Transform3D &transform, bool is_physics_interpolated) {
 	Node *target = find_spatial(node);
 	if (target == nullptr) {
@@ -71,13 +74,20 @@ void Target::place(const Transform3D &transform, bool is_physics_interpolated) {
 		// The stream is interpolated for each frame. The engine would interpolate it again, one tick late.
 		_own_interpolation = int32_t(target->get_physics_interpolation_mode());
 		target->set_physics_interpolation_mode(Node::PHYSICS_INTERPOLATION_MODE_OFF);
+		target = find_spatial(node);
 	}
-	if (!_was_synced_to_physics && target->is_class(is_2d ? "AnimatableBody2D" : "AnimatableBody3D") && bool(target->get("sync_to_physics"))) {
-		// The physics engine would move the body in ticks, and undo what the stream sets in frames.
-		_was_synced_to_physics = true;
-		target->set("sync_to_physics", false);
+	if (target != nullptr && !_was_synced_to_physics && target->is_class(is_2d ? "AnimatableBody2D" : "AnimatableBody3D")) {
+		_was_synced_to_physics = bool(target->get("sync_to_physics"));
+		target = find_spatial(node);
+		if (target != nullptr && _was_synced_to_physics) {
+			// The physics engine would move the body in ticks, and undo what the stream sets in frames.
+			target->set("sync_to_physics", false);
+			target = find_spatial(node);
+		}
 	}
-	set_local_transform(target, transform);
+	if (!is_removed) {
+		set_local_transform(target, transform);
+	}
 }
 
 void Target::begin_blend(const Transform3D &from, const Transform3D &transform, double now) {
@@ -118,27 +128,24 @@ void Target::hide() {
 }
 
 void Target::reveal() {
-	Node *target = find_spatial(node);
-	if (_is_hidden && target != nullptr) {
-		set_shown(target, true);
+	if (std::exchange(_is_hidden, false)) {
+		set_shown(find_spatial(node), true);
 	}
-	_is_hidden = false;
 }
 
 void Target::release() {
 	reveal();
 	Node *target = find_spatial(node);
-	if (target == nullptr) {
-		return;
-	}
-	if (_was_synced_to_physics) {
-		_was_synced_to_physics = false;
+	if (target != nullptr && std::exchange(_was_synced_to_physics, false)) {
 		target->set("sync_to_physics", true);
+		target = find_spatial(node);
 	}
-	if (_own_interpolation >= 0) {
-		target->set_physics_interpolation_mode(Node::PhysicsInterpolationMode(_own_interpolation));
-		target->reset_physics_interpolation();
-		_own_interpolation = -1;
+	const int32_t own_interpolation = target != nullptr ? std::exchange(_own_interpolation, -1) : -1;
+	if (own_interpolation >= 0) {
+		target->set_physics_interpolation_mode(Node::PhysicsInterpolationMode(own_interpolation));
+		if ((target = find_spatial(node)) != nullptr) {
+			target->reset_physics_interpolation();
+		}
 	}
 }
 

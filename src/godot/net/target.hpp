@@ -29,6 +29,7 @@ public:
 	uint64_t previous_parent = 0; ///< instance id of the parent in whose space the view's old source is
 	bool is_freed = false; ///< free_target was called: the target ends after this tick's pose
 	bool is_ended = false; ///< target_ended has been emitted
+	bool is_removed = false; ///< it is no target any more: see TargetList
 
 	/// Forgets the last transform, so that the next one counts as changed.
 	void forget_transform() { _is_sampled = false; }

@@ -85,6 +85,7 @@ bool TargetSelection::is_refresh_due(const Node &synchronizer) {
 }
 
 std::vector<uint64_t> TargetSelection::find(const Node &synchronizer, const String &root) {
+	_revision++;
 	_is_stale = false;
 	_refresh_in = TICKS_BETWEEN_REFRESHES;
 	erase_freed(_added);

@@ -34,6 +34,8 @@ public:
 	/// Instance ids of the selected nodes that are in the tree below `root`, each once.
 	[[nodiscard]] std::vector<uint64_t> find(const godot::Node &synchronizer, const godot::String &root);
 
+	/// The number of calls of `find`.
+	[[nodiscard]] uint64_t revision() const { return _revision; }
 	/// True if `ids` is not what was remembered last.
 	[[nodiscard]] bool has_changed(const std::vector<uint64_t> &ids) const { return !_has_found || ids != _found; }
 	void remember(const std::vector<uint64_t> &ids) {
@@ -50,6 +52,7 @@ private:
 	std::vector<godot::NodePath> _unresolved;
 	std::vector<uint64_t> _found;
 	bool _has_found = false;
+	uint64_t _revision = 0;
 	int64_t _group_count = 0;
 	int64_t _refresh_in = 0; // ticks
 	bool _is_stale = true;

@@ -44,6 +44,7 @@ const playground::Entry *GAScene::find(const String &name, const char *method) c
 
 Error GAScene::finish(const playground::ChangeResult &change, const char *method) {
 	ERR_FAIL_COND_V_MSG(!change, godot::ERR_INVALID_PARAMETER, vformat("GAScene.%s: %s.", method, to_godot(change.error().message)));
+	const Ref<GAScene> self(this); // A handler may release the last reference.
 	if (!change->empty()) {
 		emit_signal("entries_changed", to_strings(*change));
 	}
@@ -162,21 +163,22 @@ Error GAScene::load(const String &text, const char *member) {
 }
 
 Error GAScene::load(playground::LoadedDocument loaded, const char *member) {
-	_load_errors = std::move(loaded.errors);
+	const Ref<GAScene> self(this); // A handler of a signal may release the last reference, or load another document.
+	_load_errors = loaded.errors;
 	if (loaded.is_document) {
 		const playground::ChangeResult change = _document.restore(std::move(loaded.state));
 		if (change) {
 			finish(change, member);
 		} else {
-			_load_errors = { change.error().message };
+			loaded.errors = _load_errors = { change.error().message };
 			loaded.is_document = false;
 		}
 	}
-	if (_load_errors.empty()) {
+	if (loaded.errors.empty()) {
 		return godot::OK;
 	}
 	std::string places;
-	for (const std::string &error : _load_errors) {
+	for (const std::string &error : loaded.errors) {
 		places += "\n" + error + ".";
 	}
 	const char *outcome = loaded.is_document ? "parts of the text could not be read; the rest was loaded" : "the text was not loaded; the scene is unchanged";
