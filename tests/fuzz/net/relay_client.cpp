@@ -1,25 +1,25 @@
-#pragma once
-
 #include "session_target.hpp"
 
 #include <map>
 
-// Fuzzes the client of a relaying server with the packets of a hostile server.
+// The client of a relaying server, with the packets of a hostile server.
 
-namespace fuzz {
+namespace {
+
+using namespace fuzz;
 
 constexpr net::PeerId SERVER = 1;
 constexpr net::PeerId CLIENT = 2;
 constexpr net::PeerId OWNERS = 4; // peers 1 to 4 own a body each
 
-inline void set_four_owners(net::Session &session) {
+void set_four_owners(net::Session &session) {
 	for (net::PeerId owner = SERVER; owner <= OWNERS; ++owner) {
 		session.set_owner(uint32_t(owner), owner);
 	}
 }
 
 /// The packets of a relaying server to the client, from its first OPEN to CLOSE.
-inline std::vector<Bytes> record_relay() {
+std::vector<Bytes> record_relay() {
 	std::map<net::PeerId, SessionEnd> peers;
 	for (net::PeerId id = SERVER; id <= OWNERS; ++id) {
 		const std::vector<net::PeerId> others = id == SERVER ? std::vector<net::PeerId>{ 2, 3, 4 } : std::vector<net::PeerId>{ SERVER };
@@ -55,10 +55,14 @@ inline std::vector<Bytes> record_relay() {
 	return packets;
 }
 
-inline void fuzz_relay_client(Pieces pieces) {
+} // namespace
+
+void fuzz::run(Input input) {
+	static const std::vector<Bytes> RECORDED = record_relay();
 	SessionEnd client(CLIENT, { SERVER }, 1, true);
 	set_four_owners(client.session);
-	const size_t before = harness::live_bytes();
+	const size_t before = live_bytes();
+	std::optional<HostilePackets> packets(std::in_place, RECORDED, input);
 	uint8_t link = 0;
 	double now = 0.0;
 	const auto step = [&] {
@@ -80,21 +84,20 @@ inline void fuzz_relay_client(Pieces pieces) {
 			const net::Receiver *stream = client.session.stream(owner);
 			require_finite(stream != nullptr ? stream->pose(uint32_t(owner)).value_or(cga::Pose<double>()) : cga::Pose<double>());
 		}
-		require(harness::live_bytes() < before + 4000000, "the hostile server makes the client use 4 MB or more");
+		require(live_bytes() < before + 4000000, "the hostile server makes the client use 4 MB or more");
 	};
 	step();
-	Bytes piece;
-	while (pieces.next(piece)) {
-		if (has_chosen_link(piece) && piece[3] == CHOSEN_LINK) {
-			piece[3] = link;
+	for (int count = 0; !input.is_empty() && count < 64; ++count) {
+		Bytes packet = packets->next();
+		if (has_chosen_link(packet) && packet[3] == CHOSEN_LINK) {
+			packet[3] = link;
 		}
-		client.session.accept(SERVER, piece.data(), piece.size(), now);
+		client.session.accept(SERVER, packet.data(), packet.size(), now);
 		step();
 	}
+	packets.reset();
 	require(client.session.set_peers({}, now) == std::vector<net::PeerId>{ SERVER }, "the server has not left");
 	require(client.session.stream(3) == nullptr, "a relayed stream has not ended");
 	step();
-	require(harness::live_bytes() < before + 100000, "the memory of a server that has left is not released");
+	require(live_bytes() < before + 100000, "the memory of a server that has left is not released");
 }
-
-} // namespace fuzz

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "../harness/allocation_counter.hpp"
-#include "input.hpp"
+#include "hostile_stream.hpp"
+#include "live_bytes.hpp"
 
 #include "net/session/session.hpp"
 
 #include <optional>
 #include <vector>
 
-// Fuzzes net::Session with the packets of a hostile peer, next to an honest one.
+// net::Session with a hostile peer, next to an honest one.
 
 namespace fuzz {
 
@@ -35,10 +35,17 @@ struct SessionEnd {
 	void step(double now) {
 		session.begin_tick(now, TICK);
 		for (uint32_t i = 0; session.is_sending() && i < owned; ++i) {
-			require(session.observe(uint32_t(id) + 10 * i, pose_at(uint32_t(id), now)), "a valid pose was rejected");
+			require(session.observe(uint32_t(id) + 10 * i, path(now)), "a valid pose was rejected");
 		}
 		session.end_tick();
 		session.advance(now);
+	}
+
+	/// Along a line, which costs the encoder the least time.
+	[[nodiscard]] cga::Pose<double> path(double time) const {
+		cga::Pose<double> pose;
+		pose.translation = cga::Vector3<double>(double(id), 0.5 * time, 0.0);
+		return pose;
 	}
 
 	net::Session session{ net::StreamSettings() };
@@ -145,7 +152,7 @@ private:
 		const auto shown = stream->pose(uint32_t(sender.id));
 		require(shown.has_value(), "a body of the honest stream is not shown");
 		const double time = _now - sender.session.media_time(sender.id) + stream->media_time();
-		require(glm::length(shown->translation - pose_at(uint32_t(sender.id), time).translation) < 0.02, "a body of the honest stream is elsewhere");
+		require(glm::length(shown->translation - sender.path(time).translation) < 0.02, "a body of the honest stream is elsewhere");
 		require(receiver.session.statistics(sender.id, _now).rejected == 0, "packets of the honest stream are rejected");
 	}
 
@@ -164,16 +171,42 @@ private:
 	bool _is_running = false; // the honest streams
 };
 
-inline void fuzz_session(Pieces pieces, bool has_authority, bool relay) {
-	SessionTarget target(has_authority, relay);
-	const size_t before = harness::live_bytes();
-	Bytes piece;
-	while (pieces.next(piece)) {
-		target.attack(piece);
-		require(harness::live_bytes() < before + 4000000, "the hostile peer makes the session use 4 MB or more");
+/// The packets of a hostile peer: recorded ones, in order or not, edited ones, and others that it makes.
+class HostilePackets {
+public:
+	HostilePackets(const std::vector<Bytes> &recorded, Input &input) :
+			_recorded(recorded), _input(input), _stream(input) {}
+
+	Bytes next() {
+		const uint8_t choice = _input.byte();
+		if (choice < 96) {
+			return _recorded[_next++ % _recorded.size()];
+		}
+		Bytes packet;
+		if (choice < 160) {
+			_next = choice % 4 == 0 ? _input.below(_recorded.size()) : _next;
+			packet = _recorded[_next++ % _recorded.size()];
+			for (size_t edits = choice % 3; edits > 0; --edits) {
+				edit(packet, _input);
+			}
+			return packet;
+		}
+		packet.resize(net::ENVELOPE_BYTES);
+		const uint8_t link = choice % 4 != 0 ? CHOSEN_LINK : _input.byte();
+		net::write_envelope({ choice < 224 ? net::PacketKind::MOTION : net::PacketKind(_input.byte() % 4), link }, packet.data());
+		if (choice >= 240) {
+			net::put_section_header(packet, { uint32_t(_input.bits(2)), net::PeerId(_input.bits(4)), 0, _input.below(2000) }, _input.flag());
+		}
+		const Bytes content = _input.flag() ? _stream.packet() : _input.take(_input.byte());
+		packet.insert(packet.end(), content.begin(), content.end());
+		return packet;
 	}
-	target.end();
-	require(harness::live_bytes() < before + 100000, "the memory of a peer that has left is not released");
-}
+
+private:
+	const std::vector<Bytes> &_recorded;
+	size_t _next = 0;
+	Input &_input;
+	HostileStream _stream;
+};
 
 } // namespace fuzz
