@@ -1,6 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <unordered_set>
 
@@ -31,7 +32,7 @@ constexpr size_t MODEL_BYTES = 8192;
 constexpr size_t MAX_ENDS = 32768;
 
 uint64_t next_life() {
-	static uint64_t last_life = 0;
+	static std::atomic<uint64_t> last_life = 0; // receivers may be in different threads
 	return ++last_life;
 }
 
