@@ -86,7 +86,7 @@ void fuzz::run(Input input) {
 	if (input.flag()) {
 		require(document.set_attribute("x", "ipns", true).has_value(), "a valid attribute is refused");
 	}
-	for (int drags = 0; !input.is_empty() && drags < 8; ++drags) {
+	for (int drags = 0; !input.is_empty() && drags < 3; ++drags) {
 		const std::vector<playground::handles::Handle> handles = playground::handles::handles_of(document, "x");
 		std::for_each(handles.begin(), handles.end(), check);
 		if (handles.empty()) {
