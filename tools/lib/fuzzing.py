@@ -18,11 +18,10 @@ from suite_process import Program
 
 SANITIZERS = "address,undefined"
 # Seconds for one input, and megabytes.
-LIMITS = ("-timeout=20", "-rss_limit_mb=3000", "-max_len=4096")
-ENV = {"ASAN_OPTIONS": "abort_on_error=1:allow_addr2line=1",
-       "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1:allow_addr2line=1"}
-# What libFuzzer prints about its progress and about the corpus.
-PROGRESS = re.compile(r"^(#\d+\s|INFO: |\s+(NEW_FUNC|NEW_PC))")
+LIMITS = ("-timeout=20", "-rss_limit_mb=3000", "-max_len=4096", "-print_funcs=0")
+ENV = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1"}
+# What libFuzzer prints about its progress and its dictionary.
+PROGRESS = re.compile(r'^(#\d+\s|INFO: |#{6} |"\S*" # Uses: )')
 
 
 def targets():
@@ -51,7 +50,9 @@ def program(path, seconds):
     os.makedirs(grown, exist_ok=True)
     os.makedirs(findings, exist_ok=True)
     argv = [path, f"-max_total_time={seconds}", *LIMITS, f"-artifact_prefix={findings}/", grown, corpus(target)]
-    return Program(argv, seconds=seconds + 120, env=ENV, engine=False, hidden=PROGRESS)
+    symbolizer = shutil.which("llvm-symbolizer-19") or shutil.which("llvm-symbolizer")
+    env = {**ENV, **({"ASAN_SYMBOLIZER_PATH": symbolizer} if symbolizer else {})}
+    return Program(argv, seconds=seconds + 120, env=env, engine=False, hidden=PROGRESS)
 
 
 def make_ready():

@@ -75,7 +75,7 @@ missing_for() {
             has_clang_tool clang-tidy || echo clang-tidy-19
             ;;
         fuzz)
-            has_libfuzzer || echo clang-19 libclang-rt-19-dev
+            has_libfuzzer || echo clang-19 libclang-rt-19-dev llvm-19 # llvm-19 has the symbolizer
             ;;
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev

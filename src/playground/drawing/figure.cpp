@@ -149,7 +149,8 @@ bool contains(const Box &outer, const Box &inner) {
 }
 
 Box bounds_of(const Part &part, const Strokes &custom) {
-	const double r = std::abs(part.radius);
+	constexpr double MAX_RADIUS = 1e30; // so that the box is finite in single precision, too
+	const double r = std::min(std::abs(part.radius), MAX_RADIUS);
 	switch (part.form) {
 		case Form::LINE:
 		case Form::PLANE:

@@ -213,3 +213,17 @@ TEST_CASE("the merged box contains both boxes") {
 	CHECK(both.min == Vector(-1.0, -4.0, 2.0));
 	CHECK(both.max == Vector(6.0, 1.0, 3.0));
 }
+
+TEST_CASE("the bounds of a sphere and of a circle of any radius are finite") {
+	for (const double radius : { 1.0, 1e30, 1e155, 1e300, 1.7e308 }) {
+		for (const Form form : { Form::CIRCLE, Form::SPHERE }) {
+			Part part;
+			part.form = form;
+			part.radius = -radius;
+			const Box box = bounds_of(part, Strokes());
+			const glm::vec3 size(box.max - box.min);
+			CHECK(std::isfinite(size.x + size.y + size.z));
+			CHECK(size.x > 0.0f);
+		}
+	}
+}
