@@ -83,11 +83,16 @@ TEST_CASE("a motor is picked by its path") {
 	CHECK(pixels(translator, through({ 2.2, 2.0, 0.0 })) > 50.0);
 }
 
-TEST_CASE("an object too far away to have a distance in double is not picked") {
-	for (const double far : { 1e160, 1e200, 1e300 }) {
-		for (const cga::MultivectorResult &x : { cga::flat_point({ far, far, -far }), cga::sphere({ far, 0.0, -far }, 1.0), cga::sphere({ 0.0, 0.0, 0.0 }, far), cga::point_pair({ 0.0, 0.0, -far }, { far, far, -far }) }) {
-			const std::optional<PickHit> found = pick(figure_of(x ? *x : cga::Multivector()), through({ 0.5, 0.0, 0.0 }));
-			CHECK((!found || (std::isfinite(found->pixels) && found->pixels >= 0.0 && std::isfinite(found->depth))));
+TEST_CASE("a form too far away to have a distance in double is not picked") {
+	for (const double far : { 1e160, 1e200, 1.7e308 }) {
+		for (const Form form : { Form::POINT, Form::POINT_PAIR, Form::CIRCLE, Form::SPHERE, Form::LINE }) {
+			for (const double radius : { 1.0, far }) {
+				Figure figure;
+				figure.parts.push_back({ form, {}, radius });
+				figure.parts[0].placement.origin = { 0.5 * far, far, -far };
+				const std::optional<PickHit> found = pick(figure, through({ 0.5, 0.0, 0.0 }));
+				CHECK((!found || (std::isfinite(found->pixels) && found->pixels >= 0.0 && std::isfinite(found->depth))));
+			}
 		}
 	}
 }
