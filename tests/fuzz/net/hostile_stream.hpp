@@ -31,6 +31,20 @@ public:
 		return bytes;
 	}
 
+	/// A snapshot of other bodies than in all earlier ones, one tick later.
+	Bytes fresh_snapshot() {
+		_time += 1.0;
+		_encoder.emplace(float(_header.settings.position_tolerance), float(_header.settings.rotation_tolerance), _header.settings.mode);
+		for (int body = 0; body < 4; ++body) {
+			(void)_encoder->add_body(_fresh_id++, _time, pose_at(1, 0.0));
+		}
+		_encoder->start_at(_time);
+		Bytes packet;
+		const Bytes bytes = snapshot_bytes();
+		put_fragment(packet, bytes, ++_number, 0, 1, bytes.size());
+		return packet;
+	}
+
 	/// Changes the bodies, then encodes the next window. `ticks` receives its length.
 	Bytes window(int &ticks) {
 		ticks = 1 + int(_input.below(MAX_WINDOW_TICKS));
@@ -140,27 +154,36 @@ private:
 		}
 	}
 
-	void add_snapshot(Bytes &packet) {
-		_number = decltype(_number)(_number + (_input.flag() ? 1 : _input.byte()));
+	Bytes snapshot_bytes() {
 		_header.tick = uint32_t(std::min(_time, 4e9));
 		Bytes bytes;
 		net::put_snapshot_header(bytes, _header);
 		const Bytes state = snapshot();
 		bytes.insert(bytes.end(), state.begin(), state.end());
-		const size_t fragment_size = _input.flag() ? 1000 : 1 + _input.below(400);
-		const size_t count = std::min<size_t>((bytes.size() + fragment_size - 1) / fragment_size, 64);
+		return bytes;
+	}
+
+	void put_fragment(Bytes &packet, const Bytes &bytes, size_t number, size_t index, size_t count, size_t size) {
+		const size_t begin = index * size;
+		Fragment fragment;
+		fragment.snapshot = decltype(fragment.snapshot)(number);
+		fragment.next_chunk = decltype(fragment.next_chunk)(_ring.next());
+		fragment.index = decltype(fragment.index)(index);
+		fragment.count = decltype(fragment.count)(count);
+		fragment.bytes = bytes.data() + begin;
+		fragment.size = std::min(size, bytes.size() - begin);
+		net::put_fragment(packet, fragment);
+	}
+
+	void add_snapshot(Bytes &packet) {
+		_number = decltype(_number)(_number + (_input.flag() ? 1 : _input.byte()));
+		const Bytes bytes = snapshot_bytes();
+		const size_t size = _input.flag() ? 1000 : 1 + _input.below(400);
+		const size_t count = std::min<size_t>((bytes.size() + size - 1) / size, 64);
 		const size_t omitted = _input.flag() ? count : _input.below(count + 1);
 		for (size_t index = 0; index < count; ++index) {
-			const size_t begin = index * fragment_size;
-			Fragment fragment;
-			fragment.snapshot = _number;
-			fragment.next_chunk = decltype(fragment.next_chunk)(_ring.next());
-			fragment.index = decltype(fragment.index)(index);
-			fragment.count = decltype(fragment.count)(count);
-			fragment.bytes = bytes.data() + begin;
-			fragment.size = std::min(fragment_size, bytes.size() - begin);
 			if (index != omitted) {
-				net::put_fragment(packet, fragment);
+				put_fragment(packet, bytes, _number, index, count, size);
 			}
 		}
 	}
@@ -193,6 +216,7 @@ private:
 	net::ChunkRing _ring;
 	decltype(Fragment::snapshot) _number = 0;
 	double _time = 0.0; // ticks
+	uint32_t _fresh_id = 1000;
 };
 
 } // namespace fuzz
