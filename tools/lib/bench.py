@@ -6,6 +6,8 @@ tools/bench engine    50 to 10,000 cubes between two poses in each frame: the GA
                       methods, GLM, scripts, Tween, AnimationPlayer, MultivectorLerp, MotorPool
 tools/bench network   recorded motion over a simulated link: bytes, errors and delay, compared
                       with fixed-rate poses and the GA-Unity paper's scheme; the load of a server
+tools/bench load      up to 40,000 bodies or 64 receivers over long, lossy and narrow lines, simulated:
+                      bytes, bursts, errors, stalls, delay, processor time, memory
 tools/bench playground
                       a drag in a document of 200 objects, compared with a full evaluation;
                       1,000 drawn objects, compared with the engine's primitives
@@ -22,11 +24,13 @@ import sys
 
 import bench_engine
 import bench_kernels
+import bench_load
 import bench_network
 import bench_playground
 import checkout
 
-SUITES = {"kernels": bench_kernels, "engine": bench_engine, "network": bench_network, "playground": bench_playground}
+SUITES = {"kernels": bench_kernels, "engine": bench_engine, "network": bench_network, "load": bench_load,
+          "playground": bench_playground}
 
 
 def machine():

@@ -26,13 +26,13 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs: one for each folder of src/ with C++ tests, two for the code of the benchmarks, and one for the
+    """The doctest programs: one for each folder of src/ with C++ tests, three for the code of the benchmarks, and one for the
     use of threads."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
     names = [name for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
              if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
-    programs = [f"{name}_tests" for name in [*names, "network_bench", "engine_bench", "threads"]]
+    programs = [f"{name}_tests" for name in [*names, "network_bench", "load_bench", "engine_bench", "threads"]]
     return [Program([os.path.join(place, program)], seconds=600 if sanitizer else 120, engine=False)
             for program in programs]
 

@@ -1,8 +1,8 @@
 // Replicates a trace over a simulated link with every method and prints cost and error as rows; without a trace, the load
 // of a server with many receivers. Run by tools/bench.
 
+#include "../../json_rows.hpp"
 #include "../baseline.hpp"
-#include "json_rows.hpp"
 #include "options.hpp"
 #include "server_load.hpp"
 #include "stream_timing.hpp"
@@ -15,6 +15,7 @@ namespace {
 
 // Seconds after the end of the trace for the receiver to play its last samples.
 constexpr double DRAIN = 5.0;
+constexpr const char *SUITE = "network";
 constexpr double MILLI = 1e3;
 constexpr double NANO = 1e9;
 
@@ -27,7 +28,7 @@ int fail(const std::string &problem) {
 void print_method(const MethodResult &method, const Trace &trace) {
 	const size_t bodies = trace.bodies.size();
 	const ErrorFigures errors = method.errors.figures();
-	const auto row = [&](const char *name, double value, const char *unit) { print_row(name, method.subject, bodies, value, unit); };
+	const auto row = [&](const char *name, double value, const char *unit) { print_row(SUITE, name, method.subject, bodies, value, unit); };
 	row("bytes_per_second_per_body", method.bytes_per_second / double(bodies), "B/s");
 	row("packets_per_second", method.packets_per_second, "1/s");
 	row("error_p50", errors.p50 * MILLI, "mm");
@@ -68,7 +69,7 @@ std::string measure_ours(const Options &options, const Trace &trace) {
 	}
 	const MethodResult pooled = pool_runs(runs);
 	print_method(pooled, trace);
-	const auto row = [&](const char *name, double value, const char *unit) { print_row(name, pooled.subject, trace.bodies.size(), value, unit); };
+	const auto row = [&](const char *name, double value, const char *unit) { print_row(SUITE, name, pooled.subject, trace.bodies.size(), value, unit); };
 	row("ack_bytes_per_second_per_body", ack_bytes / double(trace.bodies.size()), "B/s");
 	const StreamTiming timing = time_stream(trace, feed, settings, first);
 	if (!timing.is_deterministic) {
@@ -121,9 +122,9 @@ int measure_server(const Options &options) {
 		return fail("server load: " + result.problem);
 	}
 	const size_t poses = load.bodies * load.receivers;
-	print_row("server_core_share", "ga_godot", poses, result.core_share, "cores");
-	print_row("server_bytes_per_second_per_body", "ga_godot", poses, result.bytes_per_second / double(poses), "B/s");
-	print_row("server_packets_per_second", "ga_godot", poses, result.packets_per_second, "1/s");
+	print_row(SUITE, "server_core_share", "ga_godot", poses, result.core_share, "cores");
+	print_row(SUITE, "server_bytes_per_second_per_body", "ga_godot", poses, result.bytes_per_second / double(poses), "B/s");
+	print_row(SUITE, "server_packets_per_second", "ga_godot", poses, result.packets_per_second, "1/s");
 	return 0;
 }
 

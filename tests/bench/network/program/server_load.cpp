@@ -1,7 +1,7 @@
 #include "server_load.hpp"
 
 #include "../../../harness/simulated_link.hpp"
-#include "cpu_clock.hpp"
+#include "../../cpu_clock.hpp"
 
 #include "net/endpoint/receiver.hpp"
 #include "net/endpoint/sender.hpp"

@@ -1,7 +1,7 @@
 #include "stream_timing.hpp"
 
 #include "../../../harness/allocation_counter.hpp"
-#include "cpu_clock.hpp"
+#include "../../cpu_clock.hpp"
 
 #include "net/endpoint/receiver.hpp"
 

@@ -1,0 +1,100 @@
+#include "../hostile_run.hpp"
+#include "../load_cases.hpp"
+#include "../load_run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+using namespace bench;
+
+namespace {
+
+// Per byte that the bodies cost on a clean line.
+constexpr double MAX_CLEAN_RATIO = 1.5;
+constexpr double MAX_ERROR_P99 = 0.010; // meters
+constexpr double MAX_BURST = 4000.0; // bytes in one tick above the mean per tick
+constexpr double MAX_STALL = 0.1; // seconds
+constexpr double MAX_STALL_NARROW = 0.5; // where the line carries less than the need
+constexpr double MAX_OTHERS_RATIO = 1.05; // of the bytes of receivers beside a bad one
+constexpr double MAX_AMPLIFICATION = 4.0;
+
+LoadCase find_case(const std::string &name) {
+	const std::vector<LoadCase> cases = load_cases(true);
+	const auto found = std::find_if(cases.begin(), cases.end(), [&](const LoadCase &tried) { return tried.scenario.name == name; });
+	REQUIRE(found != cases.end());
+	return *found;
+}
+
+LoadResult run_case(const std::string &name);
+
+// The bytes per second that the case's bodies cost on a clean line.
+double need_of(const LoadCase &compared) {
+	static std::map<std::string, double> per_body;
+	const auto found = per_body.find(compared.base);
+	const double cost = found != per_body.end() ? found->second : run_case(compared.base).groups[0].bytes_per_second / double(find_case(compared.base).scenario.bodies);
+	per_body[compared.base] = cost;
+	return cost * double(compared.scenario.bodies);
+}
+
+LoadResult run_case(const std::string &name) {
+	LoadCase chosen = find_case(name);
+	if (!chosen.rate_shares.empty()) {
+		set_rates(chosen, need_of(chosen));
+	}
+	LoadResult result = run_load(chosen.scenario);
+	CHECK(!result.is_cut);
+	CHECK(result.rejected == 0);
+	return result;
+}
+
+} // namespace
+
+// The sanitizers' builds are too slow for thousands of bodies.
+#ifndef SANITIZED
+
+TEST_CASE("load: thousands of bodies over long and lossy lines cost little more than over a clean one") {
+	for (const std::string name : { "rtt500_10k", "loss5_10k", "loss10_5k" }) {
+		CAPTURE(name);
+		const LoadResult result = run_case(name);
+		const GroupResult &group = result.groups[0];
+		CHECK(group.bytes_per_second <= MAX_CLEAN_RATIO * need_of(find_case(name)));
+		CHECK(group.error_p99 <= MAX_ERROR_P99);
+		CHECK(group.burst <= MAX_BURST);
+		CHECK(group.longest_stall <= MAX_STALL);
+	}
+}
+
+TEST_CASE("load: a line that carries less than the need degrades the motion and does not stop it") {
+	for (const std::string name : { "half_1k", "tenth_1k", "half_policed_1k" }) {
+		CAPTURE(name);
+		const LoadCase narrow = find_case(name);
+		const double rate = narrow.rate_shares[0].bytes_per_second * need_of(narrow);
+		const LoadResult result = run_case(name);
+		const GroupResult &group = result.groups[0];
+		CHECK(group.bytes_per_second <= MAX_CLEAN_RATIO * rate);
+		CHECK(group.burst <= MAX_BURST);
+		CHECK(group.longest_stall <= MAX_STALL_NARROW);
+	}
+}
+
+TEST_CASE("load: a receiver with a bad line costs the others nothing") {
+	const double clean = run_case("clean_64").groups[0].bytes_per_second;
+	for (const std::string name : { "loss20_1_of_64", "tenth_1_of_64" }) {
+		CAPTURE(name);
+		const LoadResult result = run_case(name);
+		CHECK(result.groups[0].bytes_per_second <= MAX_OTHERS_RATIO * clean);
+		CHECK(result.groups[0].error_p99 <= MAX_ERROR_P99);
+		CHECK(result.groups[0].longest_stall <= MAX_STALL);
+		CHECK(result.groups[1].longest_stall <= MAX_STALL_NARROW);
+	}
+}
+
+#endif
+
+TEST_CASE("load: a peer that acknowledges nothing draws few bytes") {
+	CHECK(measure_amplification(1000, 1, 0.0).ratio <= MAX_AMPLIFICATION);
+	CHECK(measure_amplification(1000, 27, 0.25).ratio <= MAX_AMPLIFICATION);
+}
