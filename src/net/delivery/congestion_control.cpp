@@ -7,7 +7,7 @@ namespace net {
 size_t CongestionControl::allowance() const {
 	const double window = _window - double(_in_flight);
 	const size_t allowed = window > 0.0 ? size_t(window) : 0;
-	return _is_validated ? allowed : std::min(allowed, _credit);
+	return _credit != nullptr ? std::min(allowed, _credit->allowance()) : allowed;
 }
 
 double CongestionControl::rate() const {
@@ -17,6 +17,9 @@ double CongestionControl::rate() const {
 void CongestionControl::acknowledged(size_t bytes, double round_trip, double loss, double time) {
 	if (!_is_validated) {
 		_is_validated = true;
+		if (_credit != nullptr) {
+			_credit->validate();
+		}
 		_epoch = Epoch{ time };
 	}
 	_epoch.delivered += bytes;

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "net/delivery/recent_extreme.hpp"
+#include "net/delivery/send_credit.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace net {
 
@@ -15,13 +18,12 @@ namespace net {
 /// Copa (Arun and Balakrishnan, 2018). Loss counts only if it falls when less is sent: a line that loses a part of all packets is
 /// not congested.
 ///
-/// Before the first acknowledgement, all bytes sent can be limited as well, so that a receiver with a forged address gets little
-/// (RFC 9000, section 8.1). Times in seconds.
+/// Before the first acknowledgement, a SendCredit limits all bytes as well. Times in seconds.
 class CongestionControl {
 public:
-	/// Limits what is sent before the first acknowledgement to `bytes`.
-	void limit_credit(size_t bytes) { _credit = bytes; }
-	void add_credit(size_t bytes) { _credit += std::min(bytes, NO_LIMIT - _credit); }
+	/// `credit` may be null.
+	explicit CongestionControl(std::shared_ptr<SendCredit> credit = nullptr) :
+			_credit(std::move(credit)) {}
 
 	/// Bytes that may be sent now.
 	[[nodiscard]] size_t allowance() const;
@@ -33,7 +35,11 @@ public:
 		spend(bytes);
 	}
 	/// Bytes are sent that are not acknowledged.
-	void spend(size_t bytes) { _credit -= _is_validated || _credit == NO_LIMIT ? 0 : std::min(bytes, _credit); }
+	void spend(size_t bytes) {
+		if (_credit != nullptr) {
+			_credit->sent(bytes);
+		}
+	}
 	/// `bytes` in flight are known to have left the network: acknowledged, or lost.
 	void left(size_t bytes) { _in_flight -= std::min(bytes, _in_flight); }
 	/// The receiver has acknowledged `bytes`. `round_trip` is that of the newest acknowledged packet, 0 if it is unknown.
@@ -59,7 +65,6 @@ private:
 	/// True if the queue remains although less is sent: then it is not ours, or the route has become longer.
 	[[nodiscard]] bool is_longer_route() const { return _cuts >= MAX_CUTS && _epoch.min_round_trip > 0.9 * _cut_round_trip; }
 
-	static constexpr size_t NO_LIMIT = ~size_t(0);
 	static constexpr double PACKET = 1200.0;
 	static constexpr double INITIAL_WINDOW = 24 * PACKET;
 	static constexpr double MIN_WINDOW = 4 * PACKET;
@@ -79,7 +84,7 @@ private:
 	static constexpr double MAX_EPOCH = 1.0;
 	static constexpr double BASE_SPAN = 15.0; // seconds
 
-	size_t _credit = NO_LIMIT;
+	std::shared_ptr<SendCredit> _credit;
 	bool _is_validated = false;
 	size_t _in_flight = 0;
 	double _window = INITIAL_WINDOW;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace net {
@@ -18,9 +19,10 @@ namespace net {
 /// time. Times in seconds.
 class Delivery {
 public:
-	/// Creates a delivery at `time`. The silence timer starts there.
-	explicit Delivery(double time) :
-			_heard(time) {}
+	/// Creates a delivery at `time`. The silence timer starts there. `credit` limits what is sent before the first acknowledgement;
+	/// null: nothing does.
+	explicit Delivery(double time, std::shared_ptr<SendCredit> credit = nullptr) :
+			_heard(time), _congestion(std::move(credit)) {}
 
 	[[nodiscard]] bool needs_snapshot() const { return _needs_snapshot; }
 	/// True if the receiver has acknowledged everything up to the ring's last chunk.
@@ -69,7 +71,6 @@ public:
 	/// Number of retransmissions of chunks and fragments.
 	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
-	[[nodiscard]] CongestionControl &congestion() { return _congestion; }
 	[[nodiscard]] const CongestionControl &congestion() const { return _congestion; }
 	/// Bytes of the stream that have not been sent to the receiver yet.
 	[[nodiscard]] size_t backlog(const ChunkRing &ring) const { return _needs_snapshot ? 0 : ring.bytes_from(_unsent); }

@@ -60,7 +60,7 @@ public:
 	[[nodiscard]] bool belongs(const FragmentItem &fragment) const { return _open && fragment.snapshot == _number && fragment.count == _count; }
 	[[nodiscard]] uint8_t number() const { return _number; }
 	[[nodiscard]] uint16_t next_chunk() const { return _next_chunk; }
-	/// Total size of the fragments that have arrived, in bytes.
+	/// Total size of the fragments that have arrived, in bytes; 0 after `finish`.
 	[[nodiscard]] size_t size() const { return _size; }
 	/// Replaces `bytes` with the reassembled snapshot and closes it.
 	void finish(std::vector<uint8_t> &bytes) {
@@ -69,6 +69,8 @@ public:
 		for (const auto &fragment : _fragments) {
 			bytes.insert(bytes.end(), fragment.second.begin(), fragment.second.end());
 		}
+		_fragments.clear();
+		_size = 0;
 	}
 
 	/// Acknowledges the fragments that have arrived, or all of them if the snapshot has been decoded (`is_done`).

@@ -1,10 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <iterator>
-#include <unordered_set>
 
 namespace net {
 
@@ -29,19 +26,30 @@ constexpr size_t MIN_FRAGMENT_BYTES = 200;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
-/// Maximum number of ends of lives that are kept.
-constexpr size_t MAX_ENDS = 32768;
-
-uint64_t next_life() {
-	static std::atomic<uint64_t> last_life = 0; // receivers may be in different threads
-	return ++last_life;
-}
+/// Bytes of a usual body in a snapshot.
+constexpr size_t USUAL_BODY_BYTES = 32;
+/// Numbers of items in a packet and of bytes in a window of few bodies that are usual.
+constexpr size_t USUAL_ITEMS = 1024;
+constexpr size_t USUAL_WINDOW_BYTES = 32768;
+constexpr double MAX_TICK = double(uint64_t(1) << (8 * SnapshotHeader::TICK_BYTES));
+/// Known motion may be so many seconds further ahead of playback than its maximum delay.
+constexpr double MAX_AHEAD = 10.0;
 
 } // namespace
 
 PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	now = _local_clock.advance(now);
+	_budget.refill(now, body_count());
+	if (_budget.is_refused()) {
+		++_statistics.packets_rejected;
+		return {}; // `refuse` has reported it
+	}
+	free_unusual_memory();
 	PacketResult result = read_packet(packet, size, _content);
+	_budget.spend_items(1 + _content.chunks.size() + _content.fragments.size() + _content.acks.size() + _content.snapshot_acks.size());
+	if (_budget.is_exceeded()) {
+		return refuse(now);
+	}
 	if (result) {
 		result = check_fragments();
 	}
@@ -71,16 +79,66 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 		_snapshot_ack_due = true;
 		take_fragment(fragment, now);
 	}
+	if (_budget.is_exceeded()) {
+		return refuse(now);
+	}
+	return decode(now);
+}
+
+PacketResult Receiver::decode(double now) {
+	bool waits = false;
 	if (_fragments.is_complete()) {
-		result = finish_snapshot(now);
-		if (!result) {
+		waits = _budget.must_wait();
+		if (const PacketResult result = waits ? PacketResult() : finish_snapshot(now); !result) {
 			++_statistics.packets_rejected;
 			return result;
 		}
 	}
 	set_limits();
-	decode_windows(now);
+	waits = !decode_windows(now) || waits;
+	_budget.note_waiting(waits, now);
+	if (waits) {
+		_progress_time = now;
+	}
 	return {};
+}
+
+/// Frees what an unusual packet or window has made buffers allocate.
+void Receiver::free_unusual_memory() {
+	if (std::max(_content.chunks.capacity(), std::max(_content.acks.capacity(), _content.fragments.capacity())) > USUAL_ITEMS) {
+		_content = PacketContent();
+	}
+	if (_motions.capacity() > USUAL_ITEMS + 4 * body_count()) {
+		_motions = {};
+	}
+	if (_window.capacity() > USUAL_WINDOW_BYTES + 64 * body_count()) {
+		_window = {};
+	}
+}
+
+PacketResult Receiver::refuse(double now) {
+	_budget.refuse(now);
+	_chunks.forget();
+	_fragments = FragmentBuffer();
+	_broken = true;
+	++_statistics.packets_rejected;
+	return PacketError::TOO_MUCH_WORK;
+}
+
+bool Receiver::must_wait(double now) const {
+	return _budget.must_wait() || known_time() - _clock.media_time_at(now) > max_delay() + MAX_AHEAD;
+}
+
+void Receiver::set_max_bodies(size_t max_bodies) {
+	_max_bodies = max_bodies;
+	_bodies.set_max_bodies(max_bodies);
+	if (_decoder) {
+		_decoder->set_max_bodies(max_bodies);
+	}
+}
+
+size_t Receiver::held_bodies() const {
+	return body_count() + _fragments.size() / USUAL_BODY_BYTES;
 }
 
 void Receiver::count_loss(uint16_t number, bool is_copy, double now) {
@@ -120,6 +178,9 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 		return;
 	}
 	if (!_fragments.belongs(fragment)) {
+		if (!_budget.begin_snapshot()) {
+			return;
+		}
 		_snapshot_done = false;
 		_fragments.start(fragment);
 		_chunks.expect(fragment.next_chunk);
@@ -130,8 +191,10 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 }
 
 PacketResult Receiver::finish_snapshot(double now) {
-	_fragments.finish(_window);
-	const auto next = read_snapshot_header(_window.data(), _window.size());
+	std::vector<uint8_t> bytes;
+	_fragments.finish(bytes);
+	_budget.spend_work(SNAPSHOT_WORK + bytes.size() / BYTES_PER_WORK);
+	const auto next = read_snapshot_header(bytes.data(), bytes.size());
 	if (!next) {
 		return next.error();
 	}
@@ -140,7 +203,9 @@ PacketResult Receiver::finish_snapshot(double now) {
 		return {};
 	}
 	StreamDecoder decoder(float(next->settings.position_tolerance), float(next->settings.rotation_tolerance), _max_bodies);
-	if (const PacketResult result = decoder.read_snapshot(_window.data() + next->bytes(), _window.size() - next->bytes()); !result) {
+	const PacketResult result = decoder.read_snapshot(bytes.data() + next->bytes(), bytes.size() - next->bytes());
+	_budget.spend_work(decoder.work());
+	if (!result) {
 		_refused_size = result.error() == PacketError::TOO_MANY_BODIES ? decoder.declared_count() : 0;
 		return result;
 	}
@@ -156,12 +221,7 @@ PacketResult Receiver::finish_snapshot(double now) {
 	_broken = false;
 	if (!continues) {
 		_clock.start(known_time(), std::max(double(next->window), usual_delay()), now);
-		for (auto &track : _tracks) {
-			track.second.restart();
-		}
-		for (auto &end : _ends) {
-			end.second.tick = _clock.media_time() / tick();
-		}
+		_bodies.restart(media_time() / tick());
 	}
 	set_limits();
 	_clock.observe(known_time(), known_time(), now);
@@ -169,28 +229,8 @@ PacketResult Receiver::finish_snapshot(double now) {
 	if (!continues || int16_t(_newest_chunk - _fragments.next_chunk()) < 0) {
 		_newest_chunk = uint16_t(_fragments.next_chunk() - 1);
 	}
-	show_snapshot(continues);
+	_bodies.show_snapshot(*_decoder, _window_end, continues);
 	return {};
-}
-
-/// Bodies in the snapshot exist from its time on; all others do not.
-void Receiver::show_snapshot(bool continues) {
-	std::unordered_set<uint32_t> present;
-	for (size_t i = 0; i < _decoder->body_count(); ++i) {
-		const uint32_t id = _decoder->id(i);
-		const auto track = _tracks.find(id);
-		// Bodies in the first snapshot already existed. An unknown body in a later snapshot is new.
-		const bool appears = continues && (track == _tracks.end() || track->second.life() == 0);
-		present.insert(id);
-		BodyMotion motion = BodyMotion::rest(id, _window_end, _decoder->pose(i), appears);
-		show(motion);
-	}
-	for (auto &track : _tracks) {
-		if (present.count(track.first) == 0) {
-			BodyMotion motion = BodyMotion::removal(track.first, _window_end);
-			add(track.second, motion);
-		}
-	}
 }
 
 bool Receiver::is_next_snapshot() const {
@@ -203,42 +243,18 @@ bool Receiver::is_behind(const SnapshotHeader &next) const {
 			next.settings.is_same_stream(_header.settings);
 }
 
-void Receiver::show(BodyMotion &motion) {
-	const auto entry = _tracks.try_emplace(motion.id);
-	if (entry.second) {
-		_events.push_back({ BodyEvent::ADDED, motion.id });
-	}
-	add(entry.first->second, motion);
-}
-
-/// Assigns the motion to a life and appends it to the body's track.
-void Receiver::add(MotionTrack &track, BodyMotion &motion) {
-	const bool is_new = motion.appears && !motion.jumps;
-	motion.life = track.life();
-	if (motion.life != 0 && (is_new || motion.vanishes)) {
-		const BodyMotion *last = track.motion_at(motion.segment.begin);
-		_ends[motion.life] = { motion.id, motion.freed ? BodyEnd::FREED : BodyEnd::REMOVED, motion.segment.begin, last != nullptr ? std::optional(last->segment.pose_at(motion.segment.begin)) : std::nullopt };
-		if (_ends.size() > MAX_ENDS) {
-			_ends.erase(_ends.begin());
-		}
-	}
-	if (!motion.vanishes && (is_new || motion.life == 0)) {
-		motion.life = next_life();
-	}
-	track.add(motion);
-}
-
-void Receiver::decode_windows(double now) {
-	if (_broken) {
-		return;
-	}
+bool Receiver::decode_windows(double now) {
+	bool waits = false;
 	while (is_ready() && !_broken) {
-		const auto check = _chunks.take_window(_window);
+		waits = must_wait(now);
+		const auto check = waits ? std::nullopt : _chunks.take_window(_window);
 		if (!check) {
 			break;
 		}
 		const auto ticks = _decoder->decode_window(_window.data(), _window.size(), *check, _window_end, _header.settings.mode, _motions);
-		if (!ticks) {
+		_budget.spend_work(_decoder->work());
+		// A snapshot could not name a later tick.
+		if (!ticks || _window_end > MAX_TICK - MAX_TICKS) {
 			_broken = true;
 			break;
 		}
@@ -251,7 +267,7 @@ void Receiver::decode_windows(double now) {
 		double moves_from = _window_end;
 		for (BodyMotion &motion : _motions) {
 			moves_from = std::min(moves_from, motion.segment.begin);
-			show(motion);
+			_bodies.add(motion);
 		}
 		_clock.observe(moves_from * tick(), known_time(), now);
 		if (!_motions.empty()) {
@@ -260,14 +276,11 @@ void Receiver::decode_windows(double now) {
 			}
 		}
 	}
-	_broken = _broken || _chunks.is_broken() || _tracks.size() > 2 * _max_bodies + 64;
-	if (_events.size() > 8 * _max_bodies + 64) {
-		// The caller does not call take_events(): drop the older half.
-		_events.erase(_events.begin(), _events.begin() + ptrdiff_t(_events.size() / 2));
-	}
+	_broken = _broken || _chunks.is_broken();
 	if (_broken) {
 		_chunks.forget();
 	}
+	return !waits;
 }
 
 void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
@@ -277,13 +290,19 @@ void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
 	_decoder->encode_snapshot(bytes);
 }
 
-void Receiver::set_limits() {
+double Receiver::max_delay() const {
 	const double latency = _header.settings.max_latency;
-	const double max_delay = std::max(latency, double(_header.window)) + (_max_margin < 0.0 ? latency : _max_margin);
-	_clock.set_limits(std::min(std::max(_min_margin, usual_delay()), max_delay), max_delay);
+	return std::max(latency, double(_header.window)) + (_max_margin < 0.0 ? latency : _max_margin);
+}
+
+void Receiver::set_limits() {
+	_clock.set_limits(std::min(std::max(_min_margin, usual_delay()), max_delay()), max_delay());
 }
 
 bool Receiver::needs_snapshot(double now) const {
+	if (_budget.is_refused()) {
+		return false;
+	}
 	if (_fragments.is_open() && now - _fragment_time < FRAGMENT_TIMEOUT) {
 		return false;
 	}
@@ -314,66 +333,38 @@ void Receiver::advance(double now) {
 	if (!is_ready()) {
 		return;
 	}
+	_budget.refill(now, body_count());
+	if (_budget.is_waiting()) {
+		(void)decode(now);
+	}
 	_clock.advance(now);
-	const double shown = media_time() / tick();
-	for (auto track = _tracks.begin(); track != _tracks.end();) {
-		track->second.forget_before(shown);
-		if (track->second.is_over(shown)) {
-			_events.push_back({ BodyEvent::REMOVED, track->first });
-			track = _tracks.erase(track);
-		} else {
-			++track;
-		}
-	}
-	for (auto end = _ends.begin(); end != _ends.end();) {
-		end = shown - end->second.tick > END_MEMORY / tick() ? _ends.erase(end) : std::next(end);
-	}
+	_bodies.advance(media_time() / tick(), END_MEMORY / tick());
 	_statistics.playback_delay = _clock.delay_at(now);
 	_statistics.jitter = _clock.jitter();
 }
 
 std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
-	const auto track = _tracks.find(id);
-	return track != _tracks.end() && !std::isnan(media_time) ? track->second.pose_at(media_time / tick()) : std::nullopt;
+	const MotionTrack *track = _bodies.find(id);
+	return track != nullptr && !std::isnan(media_time) ? track->pose_at(media_time / tick()) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::shown(uint32_t id) const {
-	const auto track = _tracks.find(id);
+	const MotionTrack *track = _bodies.find(id);
 	const double tick = media_time() / this->tick();
-	const BodyMotion *motion = track != _tracks.end() ? track->second.motion_at(tick) : nullptr;
+	const BodyMotion *motion = track != nullptr ? track->motion_at(tick) : nullptr;
 	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life, motion->segment.begin > tick || _clock.is_waiting() }) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::first_known(uint32_t id, uint64_t min_life) const {
-	const auto track = _tracks.find(id);
+	const MotionTrack *track = _bodies.find(id);
 	const double tick = media_time() / this->tick();
-	const BodyMotion *motion = track != _tracks.end() ? track->second.first_motion(tick, min_life) : nullptr;
+	const BodyMotion *motion = track != nullptr ? track->first_motion(tick, min_life) : nullptr;
 	return motion != nullptr ? std::optional(ShownBody{ motion->segment.pose_at(tick), motion->life }) : std::nullopt;
 }
 
-BodyEnd Receiver::end(uint32_t id, uint64_t life) const {
-	const auto found = _ends.find(life);
-	return found != _ends.end() && found->second.id == id && found->second.tick <= media_time() / tick() ? found->second.kind : BodyEnd::NONE;
-}
-
-std::optional<cga::Pose<double>> Receiver::last_pose(uint32_t id, uint64_t life) const {
-	const auto found = _ends.find(life);
-	return found != _ends.end() && found->second.id == id ? found->second.pose : std::nullopt;
-}
-
 uint64_t Receiver::life_at_known_end(uint32_t id) const {
-	const auto track = _tracks.find(id);
-	return track != _tracks.end() ? track->second.life() : 0;
-}
-
-std::vector<uint32_t> Receiver::bodies() const {
-	std::vector<uint32_t> ids;
-	for (const auto &track : _tracks) {
-		if (track.second.pose_at(media_time() / tick())) {
-			ids.push_back(track.first);
-		}
-	}
-	return ids;
+	const MotionTrack *track = _bodies.find(id);
+	return track != nullptr ? track->life() : 0;
 }
 
 void Receiver::set_margin_limits(double min, double max) {

@@ -4,7 +4,8 @@
 #include "net/delivery/chunk_ring.hpp"
 #include "net/delivery/fragment_buffer.hpp"
 #include "net/delivery/playback_clock.hpp"
-#include "net/motion/motion_track.hpp"
+#include "net/endpoint/body_tracks.hpp"
+#include "net/endpoint/receiver_budget.hpp"
 #include "net/stream/snapshot_header.hpp"
 #include "net/stream/steady_clock.hpp"
 #include "net/stream/stream_decoder.hpp"
@@ -12,9 +13,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace net {
@@ -30,15 +30,6 @@ struct StreamStatistics {
 	double loss = 0.0; ///< recent fraction of chunks that arrived after or with a newer window
 };
 
-struct BodyEvent {
-	enum Kind : uint8_t {
-		ADDED,
-		REMOVED
-	};
-	Kind kind;
-	uint32_t id;
-};
-
 /// A body as it is shown. Each appearance of a body (when it is added, not when it jumps) has a life number: lives of one process are
 /// numbered from 1, in ascending order over all streams.
 struct ShownBody {
@@ -47,21 +38,20 @@ struct ShownBody {
 	bool is_early = false; ///< playback has not reached the first known motion: this is its first pose
 };
 
-/// Whether and how a life has ended.
-enum class BodyEnd : uint8_t {
-	NONE,
-	REMOVED,
-	FREED, ///< removed because its object was freed
-};
-
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
 /// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock, which may
 /// jump (see SteadyClock); an invalid time counts as that of the previous call.
+///
+/// No sender is trusted. Memory, on 64-bit machines: the packets of the receive window (ChunkBuffer), and for each of max_bodies bodies
+/// at most 1.2 kB to decode them, 2 tracks of 0.1 kB and 12 segments of 0.2 kB (see BodyTracks), and 0.1 kB for a snapshot that is
+/// arriving. That is 4 kB a body, 270 MB for 65,536 bodies, of which bodies at rest take 35 MB. While a window is decoded, its
+/// segments take up to 13 MB, and 3.3 kB for each body, at most 120 MB. Work is bounded by budgets that real time refills
+/// (ReceiverBudget): windows and snapshots wait for them, and a stream that has waited for ReceiverBudget::MAX_WAIT seconds is refused.
 class Receiver {
 public:
-	/// Rejects streams with more than `max_bodies` bodies.
-	explicit Receiver(size_t max_bodies = 65536) :
-			_max_bodies(max_bodies) {}
+	/// Rejects streams with more than `max_bodies` bodies. `budget` limits the work of all receivers that share it.
+	explicit Receiver(size_t max_bodies = 65536, std::shared_ptr<WorkBudget> budget = nullptr) :
+			_max_bodies(max_bodies), _bodies(max_bodies), _budget(std::move(budget)) {}
 
 	/// Processes a packet. A rejected packet leaves the decoded motion unchanged. Duplicates are allowed.
 	PacketResult accept(const uint8_t *packet, size_t size, double now);
@@ -90,25 +80,31 @@ public:
 	[[nodiscard]] std::optional<ShownBody> first_known(uint32_t id, uint64_t min_life) const;
 	/// How a life of the body ended, once playback has reached its end, and for END_MEMORY seconds of media time from then on;
 	/// otherwise NONE.
-	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life) const;
+	[[nodiscard]] BodyEnd end(uint32_t id, uint64_t life) const { return _bodies.end(id, life, media_time() / tick()); }
 	static constexpr double END_MEMORY = 2.0;
 	/// The last pose of a life that has ended (see `end`).
-	[[nodiscard]] std::optional<cga::Pose<double>> last_pose(uint32_t id, uint64_t life) const;
+	[[nodiscard]] std::optional<cga::Pose<double>> last_pose(uint32_t id, uint64_t life) const { return _bodies.last_pose(id, life); }
 	/// The life of the body at known_time(); 0 if it does not exist then.
 	[[nodiscard]] uint64_t life_at_known_end(uint32_t id) const;
 	/// Ids of the bodies shown.
-	[[nodiscard]] std::vector<uint32_t> bodies() const;
+	[[nodiscard]] std::vector<uint32_t> bodies() const { return _bodies.bodies(media_time() / tick()); }
 	/// Replaces `events` with the bodies that were added and removed since the last call, in order.
-	void take_events(std::vector<BodyEvent> &events) {
-		events.clear();
-		events.swap(_events);
-	}
+	void take_events(std::vector<BodyEvent> &events) { _bodies.take_events(events); }
+	/// The jitter buffers of the bodies.
+	[[nodiscard]] const BodyTracks &tracks() const { return _bodies; }
 
 	/// Number of bodies in the stream. Of a stream with more than max_bodies, whose snapshot was rejected, the number that the snapshot
 	/// declared, or max_bodies + 1 if it is larger than any snapshot may be.
-	[[nodiscard]] size_t stream_size() const { return _refused_size > 0 ? _refused_size : (_decoder ? _decoder->body_count() : 0); }
-	/// True if the last snapshot was rejected because it has more than max_bodies bodies.
-	[[nodiscard]] bool is_refused() const { return _refused_size > 0; }
+	[[nodiscard]] size_t stream_size() const { return _refused_size > 0 ? _refused_size : body_count(); }
+	/// True if the stream is refused: its last snapshot has more than max_bodies bodies, or it takes too much work, which `accept` has
+	/// reported as TOO_MUCH_WORK. In the latter case, packets are ignored for a pause of 0.25 to 30 s, twice as long each time; then a
+	/// snapshot is requested.
+	[[nodiscard]] bool is_refused() const { return _refused_size > 0 || _budget.is_refused(); }
+	[[nodiscard]] const ReceiverBudget &budget() const { return _budget; }
+	/// Changes the maximum number of bodies; those of the stream remain.
+	void set_max_bodies(size_t max_bodies);
+	/// Number of bodies for which the receiver holds memory: those of the stream, and an estimate for a snapshot that is arriving.
+	[[nodiscard]] size_t held_bodies() const;
 
 	/// Limits of the playback delay, in seconds: at least `min`, at most the stream's max_latency plus `max`. By default,
 	/// `max` is the stream's max_latency.
@@ -145,26 +141,25 @@ public:
 	}
 
 private:
-	struct Ending {
-		uint32_t id;
-		BodyEnd kind;
-		double tick;
-		std::optional<cga::Pose<double>> pose; // the last one
-	};
-
 	/// `is_copy`: a newer window arrived in the same packet.
 	void count_loss(uint16_t number, bool is_copy, double now);
+	void free_unusual_memory();
+	/// Refuses a stream that exceeds the budget.
+	PacketResult refuse(double now);
+	/// Decodes what has arrived, as far as the budget allows.
+	PacketResult decode(double now);
+	[[nodiscard]] bool must_wait(double now) const;
+	[[nodiscard]] size_t body_count() const { return _decoder ? _decoder->body_count() : 0; }
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
-	void show_snapshot(bool continues);
 	[[nodiscard]] bool is_next_snapshot() const;
 	[[nodiscard]] bool is_behind(const SnapshotHeader &next) const;
 	[[nodiscard]] bool needs_snapshot(double now) const;
-	void decode_windows(double now);
-	void show(BodyMotion &motion);
-	void add(MotionTrack &track, BodyMotion &motion);
+	/// Returns false if windows have to wait.
+	bool decode_windows(double now);
 	void set_limits();
+	[[nodiscard]] double max_delay() const;
 	/// The delay implied by the sender's max_latency, regardless of current network conditions.
 	[[nodiscard]] double usual_delay() const { return std::max(_header.settings.max_latency - FRAME, 0.0); }
 	[[nodiscard]] double tick() const { return _header.settings.tick; }
@@ -181,10 +176,8 @@ private:
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
+	BodyTracks _bodies;
 	SteadyClock _local_clock; // of `now`
-	std::unordered_map<uint32_t, MotionTrack> _tracks;
-	std::map<uint64_t, Ending> _ends; // by life: recent ones and those that playback has not reached
-	std::vector<BodyEvent> _events;
 	std::vector<BodyMotion> _motions;
 	std::vector<uint8_t> _window;
 
@@ -200,6 +193,7 @@ private:
 	double _request_time = -1e9;
 	uint16_t _newest_chunk = 0;
 	double _newest_chunk_time = -1e9; // when it arrived
+	ReceiverBudget _budget;
 	double _min_margin = 0.0;
 	double _max_margin = -1.0; // negative: max_latency
 	StreamStatistics _statistics;

@@ -10,20 +10,8 @@ namespace net {
 
 namespace {
 
-/// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
-constexpr double IDLE_WINDOW = 0.5;
-/// Maximum length of any other window, in seconds: receivers request a snapshot after 1.5 s without one.
-constexpr double MAX_WINDOW = 1.0;
-/// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
-constexpr double MIN_WINDOW = 0.4;
-/// Above this loss, windows are shortened to leave time for a retransmission.
-constexpr double NOTABLE_LOSS = 0.004;
 /// Upper bound of the estimated step between two flushes, in ticks. Longer steps are pauses.
 constexpr double MAX_STEP = 4.0;
-/// Windows are shortened to about this many chunks, so that few are in flight.
-constexpr double MAX_WINDOW_CHUNKS = 24.0;
-/// Rounding error of times, in ticks.
-constexpr double SAME_TIME = 1e-5;
 /// A time this short of a tick counts as that tick: recorded times are rounded.
 constexpr double SAME_TICK = 0.01;
 
@@ -31,6 +19,18 @@ constexpr double SAME_TICK = 0.01;
 constexpr int64_t MAX_PAUSE = int64_t(64) * MAX_TICKS;
 /// Beyond this tick, the stream starts anew: a double holds ticks and fractions of 1/4096 up to it.
 constexpr int64_t LAST_TICK = int64_t(1) << 40;
+/// Receivers are moved between streams at most this often, in seconds, and once their line has differed for MIN_DIFFERENCE_TIME; back to
+/// the better stream, which takes a snapshot, after MIN_GOOD_TIME.
+constexpr double BALANCE_INTERVAL = 0.25;
+constexpr double MIN_DIFFERENCE_TIME = 1.0;
+constexpr double MIN_GOOD_TIME = 10.0;
+/// After joining, a receiver is not moved for this many seconds: nothing is known of its line.
+constexpr double SETTLING_TIME = 3.0;
+/// A line is worse than others if it needs this many seconds more, or cannot carry the stream; it is as good as they are within
+/// half of that.
+constexpr double WORSE_BY = 0.025;
+/// A line must carry this many times the stream that it is to get.
+constexpr double SPARE_RATE = 1.3;
 /// Minimum seconds between two requests to align windows.
 constexpr double MIN_ALIGN_INTERVAL = 0.2;
 
@@ -44,8 +44,9 @@ uint8_t number_from(double time) {
 } // namespace
 
 bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
-	if (_encoder) {
-		return _encoder->add_body(id, ticks(time ? follow(*time) : _time), pose, planar);
+	if (is_running()) {
+		const double at = ticks(time ? follow(*time) : _time);
+		return for_each_encoder([&](StreamEncoder &encoder) { return encoder.add_body(id, at, pose, planar); });
 	}
 	IdleBody body;
 	body.planar = planar;
@@ -66,8 +67,8 @@ bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
 		return false;
 	}
 	_observed = follow(time);
-	if (_encoder) {
-		return _encoder->observe(id, ticks(_observed), pose);
+	if (is_running()) {
+		return for_each_encoder([&](StreamEncoder &encoder) { return encoder.observe(id, ticks(_observed), pose); });
 	}
 	const auto found = _idle_bodies.find(id);
 	return found != _idle_bodies.end() && set_idle_pose(found->second, pose);
@@ -78,21 +79,106 @@ bool Sender::observe(uint32_t id, double time) {
 		return false;
 	}
 	_observed = follow(time);
-	return _encoder ? _encoder->observe(id, ticks(_observed)) : _idle_bodies.count(id) != 0;
+	return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.observe(id, ticks(_observed)); }) : _idle_bodies.count(id) != 0;
 }
 
-void Sender::add_receiver(uint32_t receiver, double time, double now) {
+void Sender::add_receiver(uint32_t receiver, double time, double now, std::shared_ptr<SendCredit> credit) {
 	(void)follow(time);
 	_now = _network_clock.advance(now);
-	_peers.erase(receiver);
-	_peers.emplace(receiver, Peer{ Delivery(_now) });
+	for (const auto &stream : _streams) {
+		stream->peers().erase(receiver);
+	}
+	OutgoingStream::Peer peer{ Delivery(_now, std::move(credit)) };
+	peer.joined_at = _now;
+	main().peers().emplace(receiver, std::move(peer));
 }
 
 void Sender::remove_receiver(uint32_t receiver) {
-	_peers.erase(receiver);
-	if (_peers.empty()) {
+	for (const auto &stream : _streams) {
+		stream->peers().erase(receiver);
+	}
+	merge();
+	if (main().peers().empty()) {
 		stop_encoder();
 	}
+}
+
+OutgoingStream *Sender::stream_of(uint32_t receiver) const {
+	for (const auto &stream : _streams) {
+		if (stream->peers().count(receiver) != 0) {
+			return stream.get();
+		}
+	}
+	return nullptr;
+}
+
+void Sender::move(uint32_t receiver, OutgoingStream &from, OutgoingStream &to) {
+	const auto found = from.peers().find(receiver);
+	found->second.joined_at = _now;
+	found->second.differs_since = -1.0;
+	to.peers().emplace(receiver, std::move(found->second));
+	from.peers().erase(found);
+}
+
+void Sender::merge() {
+	if (_streams.size() > 1 && (_streams[1]->peers().empty() || main().peers().empty())) {
+		_streams.erase(_streams.begin() + (main().peers().empty() ? 0 : 1));
+	}
+}
+
+void Sender::balance() {
+	if (_now - _balanced_at < BALANCE_INTERVAL) {
+		return;
+	}
+	_balanced_at = _now;
+	const auto differs_for = [this](OutgoingStream::Peer &peer, bool differs) {
+		peer.differs_since = !differs ? -1.0 : (peer.differs_since < 0.0 ? _now : peer.differs_since);
+		return differs ? _now - peer.differs_since : 0.0;
+	};
+	// The lines of most receivers of the main stream are no worse than this.
+	std::vector<double> times;
+	for (const auto &entry : main().peers()) {
+		times.push_back(main().network_time(entry.second));
+	}
+	std::sort(times.begin(), times.end());
+	const double usual = times[(times.size() - 1) / 2];
+	std::vector<uint32_t> worse;
+	for (auto &[id, peer] : main().peers()) {
+		const bool is_worse = main().network_time(peer) > usual + WORSE_BY || main().waiting_time(peer) > _settings.tick;
+		const bool is_settled = _now - peer.joined_at > SETTLING_TIME && !peer.delivery.is_silent(_now);
+		if (differs_for(peer, is_worse && is_settled) >= MIN_DIFFERENCE_TIME) {
+			worse.push_back(id);
+		}
+	}
+	if (!worse.empty() && worse.size() < main().peers().size()) {
+		const bool is_new = _streams.size() == 1;
+		if (is_new) {
+			_streams.push_back(std::make_unique<OutgoingStream>(main()));
+			_streams[1]->peers().clear();
+		}
+		for (const uint32_t id : worse) {
+			move(id, main(), *_streams[1]);
+			if (!is_new) {
+				_streams[1]->peers().at(id).delivery.restart();
+			}
+		}
+	}
+	if (_streams.size() == 1) {
+		return;
+	}
+	std::vector<uint32_t> better;
+	for (auto &[id, peer] : _streams[1]->peers()) {
+		const CongestionControl &line = peer.delivery.congestion();
+		const bool carries = !line.is_limiting() || line.rate() > SPARE_RATE * main().rate();
+		if (differs_for(peer, carries && _streams[1]->network_time(peer) < usual + 0.5 * WORSE_BY) >= MIN_GOOD_TIME) {
+			better.push_back(id);
+		}
+	}
+	for (const uint32_t id : better) {
+		move(id, *_streams[1], main());
+		main().peers().at(id).delivery.restart();
+	}
+	merge();
 }
 
 double Sender::follow(double time) {
@@ -106,14 +192,14 @@ double Sender::follow(double time) {
 
 void Sender::begin_at(double time) {
 	_origin = _time = time;
-	_window_begin = _last_flush = 0;
+	_last_flush = 0;
+	main().set_window_begin(0);
 	_grid.reset();
 }
 
 void Sender::start_encoder(int64_t last_flush) {
 	const double begin = std::max(ticks(std::min(_observed, _time)), double(last_flush));
-	_window_begin = int64_t(std::ceil(begin - SAME_TICK));
-	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
+	main().start(begin - SAME_TICK, _now);
 	std::vector<uint32_t> ids;
 	ids.reserve(_idle_bodies.size());
 	for (const auto &body : _idle_bodies) {
@@ -122,123 +208,19 @@ void Sender::start_encoder(int64_t last_flush) {
 	std::sort(ids.begin(), ids.end());
 	for (const uint32_t id : ids) {
 		const IdleBody &body = _idle_bodies[id];
-		(void)_encoder->add_body(id, begin, body.pose, body.planar);
+		(void)main().encoder().add_body(id, begin, body.pose, body.planar);
 	}
 	_idle_bodies.clear();
-	for (auto &peer : _peers) {
-		peer.second.delivery.restart(_now);
-	}
-	_changed_since = -1;
-	_is_starting = true;
 }
 
 void Sender::stop_encoder() {
-	if (_encoder) {
-		_encoder->visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar) { _idle_bodies.emplace(id, IdleBody{ pose, planar }); });
-		_encoder.reset();
-	}
-}
-
-double Sender::max_window() const {
-	// The maximum time, over all receivers, from the end of a window to the arrival of its last chunk.
-	double network = FRAME;
-	for (const auto &peer : _peers) {
-		const Delivery &delivery = peer.second.delivery;
-		if (!delivery.is_silent(_now)) {
-			const double once = std::max(3.0 * delivery.round_trip_deviation(), FRAME);
-			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
+	if (is_running()) {
+		main().encoder().visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar) { _idle_bodies.emplace(id, IdleBody{ pose, planar }); });
+		main().stop();
+		if (_streams.size() > 1) {
+			main().peers().merge(_streams[1]->peers());
+			_streams.pop_back();
 		}
-	}
-	// While the chunks of a window are sent, the next window begins.
-	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
-	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
-	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
-}
-
-bool Sender::is_window_due(int64_t now) const {
-	const double next = double(now) + _step;
-	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TIME) {
-		return true;
-	}
-	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
-		return true;
-	}
-	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
-		return true;
-	}
-	const double max_ticks = max_window();
-	const bool is_aligned = _grid && _grid->ends_window(double(_window_begin), double(now), max_ticks);
-	if (_changed_since >= 0) {
-		return is_aligned || next - double(_changed_since) > max_ticks + SAME_TIME;
-	}
-	// The next aligned end would be too late.
-	const double following = is_aligned ? double(now) + _grid->period : next;
-	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
-}
-
-uint32_t Sender::oldest_needed() const {
-	uint32_t oldest = _ring.next();
-	for (const auto &peer : _peers) {
-		const Delivery &delivery = peer.second.delivery;
-		oldest = delivery.is_silent(_now) || delivery.needs_snapshot() ? oldest : std::min(oldest, delivery.first_missing());
-	}
-	return oldest;
-}
-
-void Sender::close_window(int64_t end) {
-	while (_window_begin < end) {
-		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
-		const uint32_t first_chunk = _ring.next();
-		_window.clear();
-		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check(), length * _settings.tick, _settings.max_packet_size, oldest_needed());
-		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
-		_window_begin += length;
-	}
-	_changed_since = _encoder->has_changes() ? _window_begin : -1;
-}
-
-void Sender::start_snapshots() {
-	std::shared_ptr<Snapshot> snapshot;
-	for (auto &peer : _peers) {
-		Delivery &delivery = peer.second.delivery;
-		if (delivery.needs_snapshot() && !delivery.is_silent(_now)) {
-			snapshot = snapshot != nullptr ? snapshot : make_snapshot();
-			delivery.start_snapshot(snapshot);
-		}
-	}
-}
-
-std::shared_ptr<Snapshot> Sender::make_snapshot() {
-	if (!_has_snapshot_number) {
-		_has_snapshot_number = true;
-		_snapshot_number = number_from(_origin);
-	}
-	auto snapshot = std::make_shared<Snapshot>();
-	snapshot->number = ++_snapshot_number;
-	snapshot->next_chunk = _ring.next();
-	snapshot->fragment_size = Snapshot::fragment_size_for(_settings.max_packet_size);
-	SnapshotHeader header;
-	header.settings = _settings;
-	header.tick = uint64_t(_window_begin);
-	header.window = float(max_window() * _settings.tick);
-	put_snapshot_header(snapshot->bytes, header);
-	_encoder->encode_snapshot(snapshot->bytes);
-	return snapshot;
-}
-
-void Sender::send_all() {
-	// By default, receivers delay playback by up to twice max_latency from the begin of a window.
-	const double max_wait = 2.0 * _settings.max_latency - max_window() * _settings.tick;
-	for (auto &entry : _peers) {
-		Peer &peer = entry.second;
-		peer.delivery.set_max_wait(max_wait);
-		peer.delivery.set_snapshot_size(Snapshot::estimate(body_count()));
-		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
-			_packets.push_back({ entry.first, begin, size });
-			peer.bytes_sent += size;
-			++peer.packets_sent;
-		});
 	}
 }
 
@@ -261,43 +243,37 @@ void Sender::flush(double time, double now) {
 	}
 	const int64_t before = _last_flush;
 	_last_flush = tick;
-	if (_peers.empty()) {
-		_window_begin = tick;
+	if (main().peers().empty()) {
+		main().set_window_begin(tick);
 		return;
 	}
-	if (_encoder && tick - _window_begin > MAX_PAUSE) {
+	if (is_running() && tick - main().window_begin() > MAX_PAUSE) {
 		stop_encoder();
 	}
-	if (!_encoder) {
+	if (!is_running()) {
 		start_encoder(tick - before > MAX_PAUSE ? tick : before);
 	}
-	if (_is_starting && tick >= _window_begin) {
-		_encoder->start_at(double(_window_begin));
-		start_snapshots();
-		_is_starting = false;
+	if (!_has_snapshot_number) {
+		_has_snapshot_number = true;
+		_snapshot_number = number_from(_origin);
 	}
-	if (_changed_since < 0 && _encoder->has_changes()) {
-		// Close the idle window at once, so that the window with the motion can be short.
-		close_window(std::max(_window_begin, std::min(before, tick - 1)));
-		_changed_since = _window_begin;
+	balance();
+	for (const auto &stream : _streams) {
+		stream->flush({ tick, before, _step, _now, _grid, _snapshot_number });
+		stream->send(_now, _bytes, _packets);
 	}
-	if (tick > _window_begin && is_window_due(tick)) {
-		close_window(tick);
-		start_snapshots();
-	}
-	send_all();
 }
 
 PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t size, double now) {
-	const auto found = _peers.find(receiver);
-	if (found == _peers.end()) {
+	OutgoingStream *stream = stream_of(receiver);
+	if (stream == nullptr) {
 		return PacketError::UNKNOWN_RECEIVER;
 	}
 	if (const PacketResult result = read_packet(packet, size, _content); !result) {
 		return result;
 	}
 	const double steady = _network_clock.advance(now);
-	found->second.delivery.accept(_content, _ring, steady);
+	stream->accept(stream->peers().at(receiver), _content, steady);
 	if (_content.alignment) {
 		take_alignment(*_content.alignment, steady);
 	}
@@ -307,12 +283,12 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 void Sender::take_alignment(const AlignItem &request, double now) {
 	const double period = request.period / _settings.tick;
 	// Far shorter windows, and frequent requests, would cost bytes.
-	if ((_grid && request.number == _alignment) || now - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * max_window() || std::fabs(request.shift) > request.period) {
+	if ((_grid && request.number == _alignment) || now - _aligned_at < MIN_ALIGN_INTERVAL || period < 0.5 * main().max_window(_now) || std::fabs(request.shift) > request.period) {
 		return;
 	}
 	_alignment = request.number;
 	_aligned_at = now;
-	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
+	_grid = WindowGrid{ (_grid ? _grid->phase : double(main().window_begin())) + request.shift / _settings.tick, period };
 }
 
 bool Sender::set_settings(const StreamSettings &settings) {
@@ -327,23 +303,27 @@ bool Sender::set_settings(const StreamSettings &settings) {
 	if (restarts) {
 		stop_encoder();
 	}
+	for (const auto &stream : _streams) {
+		stream->set_settings(settings);
+	}
 	return true;
 }
 
 void Sender::resend_all(uint32_t receiver) {
-	const auto found = _peers.find(receiver);
-	if (found != _peers.end()) {
-		found->second.delivery.restart();
+	if (OutgoingStream *stream = stream_of(receiver)) {
+		stream->peers().at(receiver).delivery.restart();
 	}
 }
 
 ReceiverStatistics Sender::statistics(uint32_t receiver) const {
-	const auto found = _peers.find(receiver);
-	if (found == _peers.end()) {
+	const OutgoingStream *stream = stream_of(receiver);
+	if (stream == nullptr) {
 		return {};
 	}
-	const Peer &peer = found->second;
-	return { peer.bytes_sent, peer.packets_sent, peer.delivery.retransmissions(), peer.delivery.loss(), peer.delivery.round_trip() };
+	const OutgoingStream::Peer &peer = stream->peers().at(receiver);
+	const CongestionControl &line = peer.delivery.congestion();
+	const bool is_limited = line.is_validated() && line.is_limiting();
+	return { peer.bytes_sent, peer.packets_sent, peer.delivery.retransmissions(), peer.delivery.loss(), peer.delivery.round_trip(), is_limited ? line.rate() : 0.0, stream->relaxation() };
 }
 
 } // namespace net

@@ -1,26 +1,16 @@
 #pragma once
 
-#include "net/delivery/delivery.hpp"
-#include "net/endpoint/window_grid.hpp"
+#include "net/endpoint/outgoing_stream.hpp"
 #include "net/stream/steady_clock.hpp"
-#include "net/stream/stream_encoder.hpp"
-#include "net/stream/stream_settings.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 namespace net {
-
-/// A packet for one receiver.
-struct OutgoingPacket {
-	uint32_t receiver = 0;
-	size_t begin = 0; ///< offset in Sender::bytes()
-	size_t size = 0;
-};
 
 struct ReceiverStatistics {
 	uint64_t bytes_sent = 0;
@@ -28,6 +18,8 @@ struct ReceiverStatistics {
 	uint64_t chunks_repeated = 0;
 	double loss = 0.0; ///< recent fraction of chunks that had to be retransmitted
 	double round_trip = 0.0; ///< seconds, smoothed; 0 before the first acknowledgement
+	double line_rate = 0.0; ///< bytes per second that its line carries; 0 if it carries all that is sent
+	double relaxation = 1.0; ///< factor by which errors may exceed the tolerances, because the line does not carry more
 };
 
 /// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
@@ -37,21 +29,26 @@ struct ReceiverStatistics {
 /// ticks the stream goes on with a snapshot. Invalid times (see is_valid_time) are ignored.
 ///
 /// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
-/// receiver that is new or too far behind gets a snapshot.
+/// receiver that is new or too far behind gets a snapshot. Receivers whose lines are much worse than those of the others get an encoding
+/// of their own, with shorter windows and larger errors, so that they do not cost the others anything.
 class Sender {
 public:
 	/// Settings that are not valid are replaced with the defaults.
 	explicit Sender(const StreamSettings &settings) :
-			_settings(settings.is_valid() ? settings : StreamSettings()) {}
+			_settings(settings.is_valid() ? settings : StreamSettings()) {
+		_streams.push_back(std::make_unique<OutgoingStream>(_settings));
+	}
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
 	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
 	/// It exists from `time` on; by default, from the last flush on.
 	bool add_body(uint32_t id, const cga::Pose<double> &pose, bool planar = false, std::optional<double> time = std::nullopt);
 	/// `freed`: its object was freed; receivers then report BodyEnd::FREED. Returns false if the body does not exist.
-	bool remove_body(uint32_t id, bool freed = false) { return _encoder ? _encoder->remove_body(id, ticks(_time), freed) : _idle_bodies.erase(id) != 0; }
-	[[nodiscard]] bool has_body(uint32_t id) const { return _encoder ? _encoder->has_body(id) : _idle_bodies.count(id) != 0; }
-	[[nodiscard]] size_t body_count() const { return _encoder ? _encoder->body_count() : _idle_bodies.size(); }
+	bool remove_body(uint32_t id, bool freed = false) {
+		return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.remove_body(id, ticks(_time), freed); }) : _idle_bodies.erase(id) != 0;
+	}
+	[[nodiscard]] bool has_body(uint32_t id) const { return is_running() ? main().encoder().has_body(id) : _idle_bodies.count(id) != 0; }
+	[[nodiscard]] size_t body_count() const { return is_running() ? main().encoder().body_count() : _idle_bodies.size(); }
 
 	/// Records the pose of a body at `time`; times must not decrease. False, with no change, if the body does not exist or
 	/// the pose is not finite or out of range.
@@ -59,12 +56,15 @@ public:
 	/// Records that the body is still at its last pose. Returns false if the body does not exist.
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next observed pose without interpolation. Returns false if the body does not exist.
-	bool teleport(uint32_t id) { return _encoder ? _encoder->jump(id) : has_body(id); }
+	bool teleport(uint32_t id) {
+		return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.jump(id); }) : has_body(id);
+	}
 
-	void add_receiver(uint32_t receiver, double time, double now);
+	/// `credit` limits what is sent before the first acknowledgement; null: nothing does.
+	void add_receiver(uint32_t receiver, double time, double now, std::shared_ptr<SendCredit> credit = nullptr);
 	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
 	void remove_receiver(uint32_t receiver);
-	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return _peers.count(receiver) != 0; }
+	[[nodiscard]] bool has_receiver(uint32_t receiver) const { return stream_of(receiver) != nullptr; }
 
 	/// Builds the packets that are due. Call it every tick, after all poses up to `time` have been observed.
 	void flush(double time, double now);
@@ -89,7 +89,7 @@ public:
 	/// Converts a time on the sender's clock to media time (see Receiver::media_time); 0 before the first observation or flush.
 	[[nodiscard]] double media_time(double time) const { return _clock.is_running() ? _clock.at(time) - _origin : 0.0; }
 	/// Number of bodies that moved in the last window.
-	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
+	[[nodiscard]] size_t moving_count() const { return is_running() ? main().encoder().moving_count() : 0; }
 
 private:
 	struct IdleBody {
@@ -97,11 +97,25 @@ private:
 		bool planar = false;
 	};
 
-	struct Peer {
-		Delivery delivery;
-		uint64_t bytes_sent = 0;
-		uint64_t packets_sent = 0;
-	};
+	[[nodiscard]] OutgoingStream &main() { return *_streams.front(); }
+	[[nodiscard]] const OutgoingStream &main() const { return *_streams.front(); }
+	[[nodiscard]] bool is_running() const { return main().is_running(); }
+	/// The stream that a receiver gets; null if it is none.
+	[[nodiscard]] OutgoingStream *stream_of(uint32_t receiver) const;
+	/// Calls change(encoder) for the encoder of each stream and returns the result for the first. Requires is_running().
+	template <class Change>
+	bool for_each_encoder(Change &&change) {
+		const bool result = change(main().encoder());
+		for (size_t i = 1; i < _streams.size(); ++i) {
+			(void)change(_streams[i]->encoder());
+		}
+		return result;
+	}
+	/// Drops a stream without receivers, if there is another.
+	void merge();
+	/// Moves receivers between the streams, according to their lines. Requires is_running().
+	void balance();
+	void move(uint32_t receiver, OutgoingStream &from, OutgoingStream &to);
 
 	/// Converts a steady time to media time in ticks.
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
@@ -114,23 +128,11 @@ private:
 	/// Starts the stream at the first tick at which all poses are known.
 	void start_encoder(int64_t last_flush);
 	void stop_encoder();
-	[[nodiscard]] double max_window() const;
 	void take_alignment(const AlignItem &request, double now);
-	[[nodiscard]] bool is_window_due(int64_t now) const;
-	/// The first chunk that a receiver may still need.
-	[[nodiscard]] uint32_t oldest_needed() const;
-	void close_window(int64_t end);
-	void start_snapshots();
-	[[nodiscard]] std::shared_ptr<Snapshot> make_snapshot();
-	void send_all();
 
 	StreamSettings _settings;
-	std::optional<StreamEncoder> _encoder; // only while there are receivers
-	bool _is_starting = false; // the encoder waits for the poses of its first tick
+	std::vector<std::unique_ptr<OutgoingStream>> _streams; // the first always; a second one for receivers with worse lines
 	std::unordered_map<uint32_t, IdleBody> _idle_bodies; // while there is no encoder
-	ChunkRing _ring;
-	std::map<uint32_t, Peer> _peers;
-	std::vector<uint8_t> _window;
 	std::vector<uint8_t> _bytes;
 	std::vector<OutgoingPacket> _packets;
 	PacketContent _content;
@@ -142,14 +144,12 @@ private:
 	double _observed = 0.0; // steady time of the last pose
 	double _now = 0.0;
 	double _origin = 0.0; // steady time of tick 0
-	int64_t _window_begin = 0; // ticks
 	int64_t _last_flush = 0; // ticks
-	int64_t _changed_since = -1; // tick; -1: nothing has changed
 	double _step = 1.0; // ticks between flushes
 	std::optional<WindowGrid> _grid; // at which windows end
 	uint8_t _alignment = 0; // number of the last request to align
 	double _aligned_at = -1e9; // time of that request
-	double _chunks_per_tick = 0.0; // in the last window
+	double _balanced_at = -1e9; // when `balance` last ran
 };
 
 } // namespace net

@@ -41,7 +41,7 @@ void MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 	const double full_tolerance = StreamGrid::TOLERANCE * _grid.position_step;
 	const cga::Pose<double> &last = samples[count - 1].pose;
 	const bool has_stopped = (state.active || !state.rest_corrected) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever_arm) <= MAX_STOPPED_MOTION * full_tolerance; });
-	const double tolerance = full_tolerance * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST));
+	const double tolerance = full_tolerance * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST * _relaxation));
 	const cga::Pose<double> held = state.pose(_grid);
 	for (size_t i = count; i > 0; --i) {
 		if (pose_distance(held, samples[i - 1].pose, _grid.lever_arm) > tolerance) {
@@ -70,7 +70,10 @@ void MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	BodyState moving = state;
 	while (ticks > 0) {
 		_fit.begin(moving, begin, samples, count, available);
-		std::optional<SegmentCode> code = _fit.fit(moving, ticks, count, true, models);
+		std::optional<SegmentCode> code = _relaxation > 1.0 && moving.active ? _fit.predict(moving, ticks, count, _relaxation) : std::nullopt;
+		if (!code) {
+			code = _fit.fit(moving, ticks, count, true, models);
+		}
 		if (!code) {
 			code = longest_segment(moving, begin, ticks, samples, count, models);
 		}

@@ -13,10 +13,14 @@ class MotionTrack {
 public:
 	/// Maximum number of segments. If more arrive, the oldest is dropped.
 	static constexpr size_t MAX_SEGMENTS = size_t(4) * MAX_TICKS;
+	/// Minimum and maximum of the number of segments for which memory is allocated.
+	static constexpr size_t MIN_CAPACITY = 2;
+	static constexpr size_t MAX_CAPACITY = 2 * MAX_SEGMENTS;
 
-	/// Appends a motion and discards known motion that begins at the same time or later.
-	void add(const BodyMotion &motion);
-	/// Drops the segments before the one shown at `tick`.
+	/// Appends a motion and discards known motion that begins at the same time or later. Instead of allocating memory for more than
+	/// `max_capacity` segments, which is at least MIN_CAPACITY, it drops the older half of the segments.
+	void add(const BodyMotion &motion, size_t max_capacity = MAX_CAPACITY);
+	/// Drops the segments before the one shown at `tick`, and memory if most of it is unused.
 	void forget_before(double tick);
 	/// Drops all segments. life() remains: the body continues on another time line.
 	void restart();
@@ -34,8 +38,14 @@ public:
 	/// True if the body exists neither at `tick` nor later.
 	[[nodiscard]] bool is_over(double tick) const { return is_empty() || (_motions.back().vanishes && _motions.back().segment.begin <= tick); }
 	[[nodiscard]] bool is_empty() const { return _motions.size() == _first; }
+	/// True if time alone does not change what forget_before() keeps: the body rests, or follows its last motion.
+	[[nodiscard]] bool is_settled() const { return _motions.size() == _first + 1 && !_motions.back().vanishes; }
+	/// Number of segments for which memory is allocated.
+	[[nodiscard]] size_t capacity() const { return _motions.capacity(); }
 
 private:
+	void drop_forgotten();
+
 	/// The index after that of the motion shown at `tick`; _first if all known motion is later.
 	[[nodiscard]] size_t end_at(double tick) const;
 

@@ -322,13 +322,22 @@ std::optional<SegmentCode> SegmentFit::fit(const BodyState &state, int ticks, si
 	std::optional<SegmentCode> code = search(state, ticks, thorough, models);
 	std::memcpy(_target, _saved_target, sizeof(_target));
 	if (code) {
-		const MotionSegment segment = state.segment(*code, state.steps(*code), _grid, _begin, _mode);
-		const double max_error = StreamGrid::TOLERANCE * _grid.position_step * 1.02;
-		if (!std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= max_error; })) {
+		if (!passes_samples(state, *code, size_t(_count), 1.02)) {
 			return std::nullopt;
 		}
 	}
 	return code;
+}
+
+bool SegmentFit::passes_samples(const BodyState &state, const SegmentCode &code, size_t count, double relaxation) const {
+	const MotionSegment segment = state.segment(code, state.steps(code), _grid, _begin, _mode);
+	const double max_error = StreamGrid::TOLERANCE * _grid.position_step * relaxation;
+	return std::all_of(_samples, _samples + count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= max_error; });
+}
+
+std::optional<SegmentCode> SegmentFit::predict(const BodyState &state, int ticks, size_t count, double relaxation) const {
+	const SegmentCode code{ ticks };
+	return passes_samples(state, code, count, relaxation) ? std::optional(code) : std::nullopt;
 }
 
 std::optional<SegmentCode> SegmentFit::reach(const BodyState &state, int ticks, size_t index) {

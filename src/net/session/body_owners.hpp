@@ -19,9 +19,27 @@ public:
 		const auto found = _owners.find(body);
 		return found != _owners.end() ? std::optional(found->second) : std::nullopt;
 	}
-	void set(uint32_t body, PeerId owner) { _owners[body] = owner; }
-	void remove(uint32_t body) { _owners.erase(body); }
-	void clear() { _owners.clear(); }
+	void set(uint32_t body, PeerId owner) {
+		remove(body);
+		_owners[body] = owner;
+		++_counts[owner];
+	}
+	void remove(uint32_t body) {
+		const auto found = _owners.find(body);
+		if (found != _owners.end()) {
+			--_counts[found->second];
+			_owners.erase(found);
+		}
+	}
+	void clear() {
+		_owners.clear();
+		_counts.clear();
+	}
+	/// Number of bodies of an owner.
+	[[nodiscard]] size_t count(PeerId owner) const {
+		const auto found = _counts.find(owner);
+		return found != _counts.end() ? found->second : 0;
+	}
 
 	/// True if the body belongs to another peer. False if the body does not exist here.
 	[[nodiscard]] bool is_unauthorized(PeerId sender, uint32_t body) const { return find(body).value_or(sender) != sender; }
@@ -34,6 +52,7 @@ public:
 
 private:
 	std::unordered_map<uint32_t, PeerId> _owners; // by body
+	std::unordered_map<PeerId, size_t> _counts; // by owner
 	std::vector<BodyEvent> _events;
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace net {
@@ -19,6 +20,8 @@ struct Peer {
 	/// Maximum pause between two OPEN packets, in seconds.
 	static constexpr double MAX_OPEN_INTERVAL = 4.0;
 	static constexpr double MAX_REFUSAL_PAUSE = 30.0;
+	/// After a stream of so many seconds, its next refusal is a first one again.
+	static constexpr double REFUSAL_MEMORY = 120.0;
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double LATE_PACKET_TIME = 2.0;
 
@@ -43,11 +46,16 @@ struct Peer {
 	uint8_t link = 0; ///< of the stream that we request
 	bool is_open_sent = false; ///< with this link
 	std::optional<Receiver> stream; ///< from its first packet on
+	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };
-	size_t refused_size = 0; ///< bodies in the last stream, if it was refused because it has too many
-	double refusal_pause = Repetition::FIRST; ///< seconds from the next such refusal to the next OPEN
+	bool is_refused = false; ///< the last stream was refused
+	size_t refused_size = 0; ///< number of its bodies
+	double refused_at = -1e9;
+	double refusal_pause = Repetition::FIRST; ///< seconds from the next refusal to the next OPEN
 	uint64_t unauthorized_bodies = 0;
 
+	/// Limits the work of decoding the peer's streams to that of `bodies` bodies.
+	void limit_work(size_t bodies) { work->set_rate(ReceiverBudget::work_rate(bodies)); }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	[[nodiscard]] bool ended_recently(double now) const { return now - ended_at < LATE_PACKET_TIME; }
 

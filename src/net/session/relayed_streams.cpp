@@ -1,5 +1,6 @@
 #include "net/session/relayed_streams.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 namespace net {
@@ -22,6 +23,7 @@ void RelayedStreams::clear() {
 void RelayedStreams::remove(PeerId owner) {
 	const auto found = _streams.find(owner);
 	_late += found->second.receiver.statistics().late_windows;
+	_held_bodies -= found->second.held_bodies;
 	_channels.erase(found->second.channel);
 	_streams.erase(found);
 }
@@ -51,7 +53,12 @@ PacketResult RelayedStreams::accept_section(PeerId self, const Section &section,
 	}
 	Stream &stream = _streams.at(channel->second);
 	stream.received.add(section.size, now);
-	return stream.receiver.accept(bytes + section.begin, section.size, now);
+	_held_bodies -= stream.held_bodies;
+	stream.receiver.set_max_bodies(std::min(MAX_STREAM_BODIES, MAX_BODIES - std::min(_held_bodies, MAX_BODIES)));
+	const PacketResult result = stream.receiver.accept(bytes + section.begin, section.size, now);
+	stream.held_bodies = stream.receiver.held_bodies();
+	_held_bodies += stream.held_bodies;
+	return result;
 }
 
 PacketResult RelayedStreams::open(PeerId owner, uint32_t channel, double now) {
@@ -64,7 +71,7 @@ PacketResult RelayedStreams::open(PeerId owner, uint32_t channel, double now) {
 	if (_streams.size() >= MAX_STREAMS) {
 		return PacketError::TOO_MANY_STREAMS;
 	}
-	Stream &stream = _streams[owner];
+	Stream &stream = _streams.try_emplace(owner, _work).first->second;
 	stream.channel = channel;
 	stream.receiver.set_margin_limits(_min_margin, _max_margin);
 	_channels[channel] = owner;

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace net {
@@ -15,16 +17,23 @@ namespace net {
 /// The client's side of relaying: the streams of other owners that the server forwards.
 class RelayedStreams {
 public:
-	/// Maximum number of streams. It bounds the memory that the server can make a client allocate.
+	/// Maximum number of streams, and of bodies in all of them. They bound the memory that the server can make a client allocate.
 	static constexpr size_t MAX_STREAMS = 256;
+	static constexpr size_t MAX_BODIES = 131072;
+	/// Maximum number of bodies in a stream.
+	static constexpr size_t MAX_STREAM_BODIES = 65536;
 	/// The server's PeerId.
 	static constexpr PeerId SERVER = 1;
 
 	struct Stream {
+		explicit Stream(std::shared_ptr<WorkBudget> work) :
+				receiver(MAX_STREAM_BODIES, std::move(work)) {}
+
 		uint32_t channel = 0;
 		Receiver receiver;
 		TrafficMeter received;
 		uint64_t unauthorized_bodies = 0;
+		size_t held_bodies = 0; ///< of the receiver, after the last packet
 	};
 
 	/// See Receiver::set_margin_limits.
@@ -80,6 +89,8 @@ private:
 	std::map<uint32_t, double> _ended; // when channels ended, for LATE_PACKET_TIME
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;
+	size_t _held_bodies = 0; // over all streams, see Receiver::held_bodies()
+	std::shared_ptr<WorkBudget> _work = std::make_shared<WorkBudget>(ReceiverBudget::MAX_WORK, ReceiverBudget::BURST); // of all streams
 	uint64_t _late = 0;
 	std::vector<Section> _sections;
 	std::vector<uint8_t> _bytes;

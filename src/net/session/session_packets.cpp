@@ -65,7 +65,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 	}
 	if (peer.requested != link) {
 		peer.requested = link;
-		if (stream(id) == nullptr && peer.refused_size == 0) {
+		if (stream(id) == nullptr && !peer.is_refused) {
 			// The peer's session may be newer than our last request.
 			peer.open.restart(now);
 		}
@@ -75,16 +75,18 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 }
 
 PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size, double now) {
-	if (peer.link != link) {
+	if (peer.link != link || !peer.is_open_sent) {
 		return peer.ended_recently(now) ? PacketResult() : PacketError::STREAM_NOT_REQUESTED;
 	}
 	if (!peer.stream) {
-		peer.stream.emplace(MAX_BODIES);
+		peer.stream.emplace(MAX_BODIES, peer.work);
 		peer.stream->set_margin_limits(_min_margin, _max_margin);
 		if (is_relaying()) {
 			_relayer.add_stream(id, *peer.stream, _running_time);
 		}
 	}
+	// The server may send whatever clients do not know yet.
+	peer.limit_work(id == RelayedStreams::SERVER ? MAX_BODIES : _owners.count(id));
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, _running_time);
 	if (peer.stream->is_refused()) {
@@ -92,20 +94,23 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	} else if (result) {
 		peer.open.restart(now + SILENCE);
 		if (peer.stream->is_ready()) {
+			peer.is_refused = false;
 			peer.refused_size = 0;
-			peer.refusal_pause = Repetition::FIRST;
+			peer.refusal_pause = now - peer.refused_at > Peer::REFUSAL_MEMORY ? Repetition::FIRST : peer.refusal_pause;
 		}
 	}
 	return result;
 }
 
-/// Closes a stream with too many bodies and requests it again later.
+/// Closes a stream with too many bodies, or one that takes too much work, and requests it again later.
 void Session::refuse_stream(PeerId id, Peer &peer) {
 	const size_t size = peer.stream->stream_size();
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
 	request_stream(peer);
+	peer.is_refused = true;
 	peer.refused_size = size;
+	peer.refused_at = _now;
 	peer.open.restart(_now + peer.refusal_pause);
 	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
 }

@@ -23,6 +23,7 @@ enum class PacketError : uint8_t {
 	OTHER_STREAM_VERSION,
 	UNKNOWN_MODE,
 	SETTINGS_OUT_OF_RANGE,
+	TOO_MUCH_WORK,
 	// Detected by senders.
 	UNKNOWN_RECEIVER,
 	// Detected by sessions.
@@ -52,6 +53,7 @@ enum class PacketError : uint8_t {
 		"the stream format is of another version of the addon; use the same version on all peers",
 		"the snapshot's interpolation mode is unknown",
 		"the snapshot's settings are out of range",
+		"decoding the stream takes more work than its number of bodies allows; it is ignored and requested again later",
 		"the acknowledgement comes from a peer that is not a receiver",
 		"the packet is of another version of the addon; use the same version on all peers",
 		"the close packet is malformed",

@@ -16,9 +16,13 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	StateCoder<RangeDecoder> state_coder(coder);
 	const uint32_t ticks = coder.read_bits(7);
 	const uint32_t check = coder.read_bits(32);
-	_new_models = MotionModels();
-	code_models(coder, _new_models);
-	const uint32_t count = coder.read_bits(INDEX_BITS);
+	MotionModels models;
+	code_models(coder, models);
+	BodyBlocks blocks;
+	uint32_t count = 0;
+	AdaptiveBit block_model = blocks.model();
+	code_body_count(coder, count, block_model);
+	_work = SNAPSHOT_WORK + size / BYTES_PER_WORK;
 	// A short snapshot cannot make the decoder allocate many bodies.
 	if (ticks > MAX_TICKS || count > size / MIN_BODY_BYTES) {
 		return PacketError::UNREADABLE_SNAPSHOT;
@@ -27,19 +31,29 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	if (count > _max_bodies) {
 		return PacketError::TOO_MANY_BODIES;
 	}
-	_new_bodies.clear();
+	std::vector<Body> bodies;
+	bodies.reserve(count);
+	blocks.resize(count);
+	blocks.set_model(block_model);
+	uint32_t hash_sum = 0;
 	for (uint32_t i = 0; i < count; ++i) {
 		Body body{ coder.read_bits(31) };
 		body.state.visit(state_coder);
+		_work += NEW_BODY_WORK;
 		if (!body.state.is_valid()) {
 			return PacketError::UNREADABLE_SNAPSHOT;
 		}
-		_new_bodies.push_back(body);
+		body.hash = body_hash(body.id, body.state);
+		hash_sum += body.hash;
+		blocks.change_active(i, false, body.state.active);
+		bodies.push_back(body);
 	}
-	std::swap(_models, _new_models);
-	_bodies.swap(_new_bodies);
+	_models = models;
+	_bodies.swap(bodies);
+	std::swap(_blocks, blocks);
 	_last_ticks = int(ticks);
 	_check = check;
+	_hash_sum = hash_sum;
 	return {};
 }
 
@@ -49,7 +63,9 @@ void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	coder.bits(uint32_t(_last_ticks), 7);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
-	coder.bits(uint32_t(_bodies.size()), INDEX_BITS);
+	auto count = uint32_t(_bodies.size());
+	AdaptiveBit block_model = _blocks.model();
+	code_body_count(coder, count, block_model);
 	for (Body &body : _bodies) {
 		coder.bits(body.id, 31);
 		body.state.visit(state_coder);
@@ -58,42 +74,78 @@ void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 }
 
 std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t size, WindowCheck check, double begin, cga::Mode mode, std::vector<BodyMotion> &motions) {
-	const auto fail = [&motions] {
-		motions.clear();
-		return std::nullopt;
-	};
 	motions.clear();
-	_new_models = _models;
-	_new_bodies = _bodies;
+	_events.clear();
+	_saved.clear();
+	_saved_models = _models;
+	_saved_block_model = _blocks.model();
+	_work = WINDOW_WORK + size / BYTES_PER_WORK;
+	const size_t count = _bodies.size();
 	RangeDecoder coder(bytes, size);
 	bool same_length = true;
-	coder.bit(_new_models.same_length, same_length);
+	coder.bit(_models.same_length, same_length);
 	const int ticks = same_length ? _last_ticks : int(coder.read_bits(6)) + 1;
-	if (ticks < 1 || ticks > MAX_TICKS || !decode_events(coder, ticks)) {
-		return fail();
+	const uint32_t hash_sum = _hash_sum;
+	bool is_valid = ticks >= 1 && ticks <= MAX_TICKS && decode_events(coder, ticks) && decode_bodies(coder, begin, ticks, mode, motions);
+	const uint32_t new_check = next_check(_check, _hash_sum);
+	is_valid = is_valid && ((check_bits(new_check) ^ check.value) & check.mask) == 0;
+	if (!is_valid) {
+		undo(count);
+		_hash_sum = hash_sum;
+		motions.clear();
+		return std::nullopt;
 	}
-	_previous_active = false;
-	uint32_t new_check = _check;
-	for (Body &body : _new_bodies) {
-		if (!decode_motion(coder, body, begin, ticks, mode, motions)) {
-			return fail();
-		}
-		new_check = (new_check ^ body.state.hash()) * 0x01000193u;
-	}
-	if (((check_bits(new_check) ^ check.value) & check.mask) != 0) {
-		return fail();
-	}
-	_new_bodies.erase(std::remove_if(_new_bodies.begin(), _new_bodies.end(), [](const Body &body) { return body.removal_tick != NEVER; }), _new_bodies.end());
-	std::swap(_models, _new_models);
-	_bodies.swap(_new_bodies);
 	_check = new_check;
 	_last_ticks = ticks;
+	remove_bodies();
 	return ticks;
+}
+
+void StreamDecoder::undo(size_t body_count) {
+	_models = _saved_models;
+	for (auto saved = _saved.rbegin(); saved != _saved.rend(); ++saved) {
+		_blocks.change_active(saved->index, _bodies[saved->index].state.active, saved->body.state.active);
+		_bodies[saved->index] = saved->body;
+	}
+	for (const BodyEvents &events : _events) {
+		_bodies[events.index].event = NO_EVENT;
+	}
+	_bodies.resize(body_count);
+	_blocks.resize(body_count);
+	_blocks.set_model(_saved_block_model);
+}
+
+/// The last body takes the place of each removed one, from the end of the list on.
+void StreamDecoder::remove_bodies() {
+	for (const BodyEvents &events : _events) {
+		_bodies[events.index].event = NO_EVENT;
+	}
+	_events.erase(std::remove_if(_events.begin(), _events.end(), [](const BodyEvents &events) { return events.removal_tick == NEVER; }), _events.end());
+	std::sort(_events.begin(), _events.end(), [](const BodyEvents &a, const BodyEvents &b) { return a.index > b.index; });
+	for (const BodyEvents &events : _events) {
+		const size_t last = _bodies.size() - 1;
+		_hash_sum -= _bodies[events.index].hash;
+		_blocks.change_active(events.index, _bodies[events.index].state.active, _bodies[last].state.active);
+		_blocks.change_active(last, _bodies[last].state.active, false);
+		_bodies[events.index] = _bodies[last];
+		_bodies.pop_back();
+	}
+	_blocks.resize(_bodies.size());
+}
+
+StreamDecoder::BodyEvents &StreamDecoder::events_of(size_t index) {
+	Body &body = _bodies[index];
+	if (body.event == NO_EVENT) {
+		body.event = int32_t(_events.size());
+		_events.emplace_back();
+		_events.back().index = index;
+	}
+	return _events[size_t(body.event)];
 }
 
 bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 	bool has_events = false;
-	coder.bit(_new_models.has_events, has_events);
+	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
 		return true;
 	}
@@ -101,35 +153,82 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 	while (coder.read_bits(1) != 0) {
 		const auto event = WindowEvent(coder.read_bits(2));
 		const int tick = int(coder.read_bits(7));
+		_work += NEW_BODY_WORK;
 		if (tick > ticks) {
 			return false;
 		}
 		if (event == WindowEvent::ADDED) {
 			Body body{ coder.read_bits(31) };
 			body.state.visit(state_coder);
-			if (!body.state.is_valid() || body.state.active || _new_bodies.size() >= _max_bodies) {
+			if (!body.state.is_valid() || body.state.active || _bodies.size() >= _max_bodies) {
 				return false;
 			}
-			body.event = Event::APPEARS;
-			body.event_tick = tick;
-			_new_bodies.push_back(body);
+			_bodies.push_back(body);
+			BodyEvents &events = events_of(_bodies.size() - 1);
+			events.appears = true;
+			events.tick = tick;
 			continue;
 		}
 		int32_t index = 0;
 		state_coder(index, INDEX_BITS);
-		if (index < 0 || size_t(index) >= _new_bodies.size() || _new_bodies[size_t(index)].removal_tick != NEVER) {
+		if (index < 0 || size_t(index) >= _bodies.size()) {
 			return false;
 		}
-		Body &body = _new_bodies[size_t(index)];
+		BodyEvents &events = events_of(size_t(index));
+		if (events.removal_tick != NEVER) {
+			return false;
+		}
 		if (event == WindowEvent::REMOVED || event == WindowEvent::FREED) {
-			body.removal_tick = tick;
-			body.freed = event == WindowEvent::FREED;
+			events.removal_tick = tick;
+			events.freed = event == WindowEvent::FREED;
 			continue;
 		}
-		body.target.visit(state_coder);
-		body.event_tick = tick;
-		body.event = Event::JUMPS;
-		if (!body.target.is_valid() || body.target.active || body.target.planar != body.state.planar) {
+		events.target.visit(state_coder);
+		events.tick = tick;
+		events.jumps = true;
+		if (!events.target.is_valid() || events.target.active || events.target.planar != _bodies[size_t(index)].state.planar) {
+			return false;
+		}
+	}
+	return true;
+}
+
+bool StreamDecoder::decode_bodies(RangeDecoder &coder, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions) {
+	const size_t count = _bodies.size();
+	const size_t max_work = max_window_work(count);
+	_blocks.resize(count);
+	_has_events.assign(BodyBlocks::count(count), false);
+	_work += BodyBlocks::count(count) * BODY_WORK;
+	for (const BodyEvents &events : _events) {
+		_has_events[BodyBlocks::block_of(events.index)] = true;
+	}
+	_previous_active = false;
+	for (size_t from = 0; from < count; from += BodyBlocks::SIZE) {
+		const size_t block = BodyBlocks::block_of(from);
+		bool is_coded = !_blocks.has_flags() || _blocks.is_active(block) || _has_events[block];
+		if (!is_coded) {
+			_blocks.code_flag(coder, is_coded);
+		}
+		if (!is_coded) {
+			_previous_active = false;
+			continue;
+		}
+		const size_t to = std::min(from + BodyBlocks::SIZE, count);
+		_work += (to - from) * BODY_WORK;
+		for (size_t i = from; i < to; ++i) {
+			Body &body = _bodies[i];
+			const bool was_active = body.state.active;
+			_saved.push_back({ i, body });
+			const bool is_valid = decode_motion(coder, body, begin, ticks, mode, motions);
+			_blocks.change_active(i, was_active, body.state.active);
+			if (!is_valid) {
+				return false;
+			}
+			_hash_sum -= body.hash;
+			body.hash = body_hash(body.id, body.state);
+			_hash_sum += body.hash;
+		}
+		if (_work > max_work) {
 			return false;
 		}
 	}
@@ -137,25 +236,25 @@ bool StreamDecoder::decode_events(RangeDecoder &coder, int ticks) {
 }
 
 bool StreamDecoder::decode_motion(RangeDecoder &coder, Body &body, double begin, int ticks, cga::Mode mode, std::vector<BodyMotion> &motions) {
-	const int last = std::min(body.removal_tick, ticks);
-	const int at = std::min(body.event_tick, last);
-	if (body.event == Event::JUMPS) {
+	static const BodyEvents NO_EVENTS;
+	const BodyEvents &events = body.event != NO_EVENT ? _events[size_t(body.event)] : NO_EVENTS;
+	const int last = std::min(events.removal_tick, ticks);
+	const int at = std::min(events.tick, last);
+	if (events.jumps) {
 		if (!decode_span(coder, body, begin, at, mode, motions)) {
 			return false;
 		}
-		body.state = body.target;
+		body.state = events.target;
 	}
-	if (body.event != Event::NONE) {
+	if (events.appears || events.jumps) {
 		motions.push_back(BodyMotion::rest(body.id, begin + at, body.state.pose(_grid), true));
-		motions.back().jumps = body.event == Event::JUMPS;
-		body.event = Event::NONE;
-		body.event_tick = 0;
+		motions.back().jumps = events.jumps;
 	}
 	if (!decode_span(coder, body, begin + at, last - at, mode, motions)) {
 		return false;
 	}
-	if (body.removal_tick != NEVER) {
-		motions.push_back(BodyMotion::removal(body.id, begin + last, body.freed));
+	if (events.removal_tick != NEVER) {
+		motions.push_back(BodyMotion::removal(body.id, begin + last, events.freed));
 	}
 	return true;
 }
@@ -166,7 +265,8 @@ bool StreamDecoder::decode_span(RangeDecoder &coder, Body &body, double begin, i
 	}
 	_motion.active = false;
 	_motion.count = 0;
-	const bool is_valid = code_motion(coder, _new_models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
+	const bool is_valid = code_motion(coder, _models, body.state, _grid, begin, ticks, _previous_active, _motion, [&](const BodyState &state, const SegmentCode &code, const SegmentSteps &steps, double segment_begin) {
+		_work += SEGMENT_WORK;
 		motions.push_back({ body.id, false, false, false, false, state.segment(code, steps, _grid, segment_begin, mode) });
 	});
 	_previous_active = _motion.active;

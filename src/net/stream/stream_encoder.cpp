@@ -18,6 +18,8 @@ constexpr double MAX_REST_DEVIATION = 0.9;
 constexpr double MIN_STEP = 0.12;
 /// Times that differ from a whole tick by less, in ticks, are rounded to it.
 constexpr double SAME_TICK = 0.01;
+/// Rounding error of times, in ticks.
+constexpr double SAME_TIME = 1e-6;
 
 double max_gap(int ticks) {
 	return std::max(MAX_GAP_WINDOWS * ticks, MAX_GAP_TICKS);
@@ -45,9 +47,49 @@ bool StreamEncoder::add_body(uint32_t id, double time, const cga::Pose<double> &
 	return true;
 }
 
+void StreamEncoder::include(size_t index) {
+	if (index != _known) {
+		std::swap(_bodies[index], _bodies[_known]);
+		for (const size_t moved : { index, _known }) {
+			if (!_bodies[moved].removed) {
+				_index[_bodies[moved].id] = moved;
+			}
+		}
+	}
+	Body &body = _bodies[_known++];
+	_blocks.resize(_known);
+	body.hash = body_hash(body.id, body.state);
+	_hash_sum += body.hash;
+}
+
+void StreamEncoder::move_body(size_t from, size_t to) {
+	if (from == to) {
+		return;
+	}
+	_bodies[to] = std::move(_bodies[from]);
+	if (!_bodies[to].removed) {
+		_index[_bodies[to].id] = to;
+	}
+}
+
+void StreamEncoder::erase(size_t index) {
+	if (index < _known) {
+		_hash_sum -= _bodies[index].hash;
+		const bool is_last_active = _bodies[--_known].state.active;
+		_blocks.change_active(index, _bodies[index].state.active, is_last_active);
+		_blocks.change_active(_known, is_last_active, false);
+		move_body(_known, index);
+		index = _known;
+		_blocks.resize(_known);
+	}
+	move_body(_bodies.size() - 1, index);
+	_bodies.pop_back();
+}
+
 void StreamEncoder::start_at(double tick) {
-	for (Body &body : _bodies) {
-		if (!body.added || body.event_time > tick + SAME_TICK) {
+	for (size_t i = _known; i < _bodies.size(); ++i) {
+		Body &body = _bodies[i];
+		if (body.event_time > tick + SAME_TICK) {
 			continue;
 		}
 		MotionSample from{ body.event_time, body.state.pose(_grid) };
@@ -63,6 +105,7 @@ void StreamEncoder::start_at(double tick) {
 		body.samples.erase(body.samples.begin(), after);
 		body.added = false;
 		body.encoded_until = tick;
+		include(i);
 	}
 }
 
@@ -121,7 +164,7 @@ bool StreamEncoder::observe(Body &body, double time) {
 		body.samples.pop_back();
 	}
 	body.event_time = std::min(body.event_time, time);
-	if (body.added && (body.jump_next || time <= body.event_time + 1e-6)) {
+	if (body.added && (body.jump_next || time <= body.event_time + SAME_TIME)) {
 		// No window contains the body yet: it is added at this pose.
 		body.jump_next = false;
 		body.samples.clear();
@@ -166,24 +209,21 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 	}
 	_last_ticks = ticks;
 	find_gaps(begin, ticks);
-	encode_events(coder, begin, ticks);
-	_previous_active = false;
-	_moving = 0;
-	for (Body &body : _bodies) {
-		encode_motion(coder, body, begin, ticks);
-		if (!body.added) {
-			_moving += body.state.active ? 1 : 0;
-			_check = (_check ^ body.state.hash()) * 0x01000193u;
+	const double end = begin + ticks + SAME_TIME;
+	const size_t first_added = _known;
+	for (size_t i = _known; i < _bodies.size(); ++i) {
+		if (_bodies[i].event_time <= end) {
+			include(i);
 		}
 	}
+	encode_events(coder, first_added, begin, ticks);
+	encode_bodies(coder, begin, ticks);
 	coder.finish();
-	const auto kept = std::remove_if(_bodies.begin(), _bodies.end(), [end = begin + ticks + 1e-6](const Body &body) { return body.is_removed_by(end) || (body.removed && body.added); });
-	if (kept != _bodies.end()) {
-		_bodies.erase(kept, _bodies.end());
-		for (size_t i = 0; i < _bodies.size(); ++i) {
-			if (!_bodies[i].removed) {
-				_index[_bodies[i].id] = i;
-			}
+	_check = next_check(_check, _hash_sum);
+	for (size_t i = _bodies.size(); i-- > 0;) {
+		// A body that was added after the end and has already been removed is never sent.
+		if (_bodies[i].is_removed_by(end) || (i >= _known && _bodies[i].removed)) {
+			erase(i);
 		}
 	}
 	_changed = std::any_of(_bodies.begin(), _bodies.end(), [this](const Body &body) {
@@ -204,15 +244,10 @@ void StreamEncoder::find_gaps(double begin, int ticks) {
 	}
 }
 
-void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) {
+void StreamEncoder::encode_events(RangeEncoder &coder, size_t first_added, double begin, int ticks) {
 	// Events after the window's end belong to the next one.
-	const double end = begin + ticks + 1e-6;
-	const auto is_added = [end](const Body &body) { return body.added && body.event_time <= end; };
-	const auto is_jumped = [end](const Body &body) { return body.jumped && body.event_time <= end; };
-	// A body that was added after the end and has already been removed is never sent.
-	const auto is_included = [end](const Body &body) { return !body.added || body.event_time <= end; };
-	const auto has_event = [&](const Body &body) { return is_added(body) || is_jumped(body) || (body.is_removed_by(end) && is_included(body)); };
-	const bool has_events = std::any_of(_bodies.begin(), _bodies.end(), has_event);
+	const double end = begin + ticks + SAME_TIME;
+	const bool has_events = first_added < _known || std::any_of(_bodies.begin(), _bodies.begin() + ptrdiff_t(_known), [end](const Body &body) { return body.has_event_by(end); });
 	coder.bit(_models.has_events, has_events);
 	if (!has_events) {
 		return;
@@ -223,17 +258,14 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 		coder.bits(uint32_t(event), 2);
 		coder.bits(uint32_t(tick_in_window(time, begin, ticks)), 7);
 	};
-	int32_t index = -1;
-	for (Body &body : _bodies) {
-		if (!is_included(body)) {
-			continue;
-		}
-		++index;
-		if (is_added(body)) {
+	for (size_t i = 0; i < _known; ++i) {
+		Body &body = _bodies[i];
+		int32_t index = int32_t(i);
+		if (body.added) {
 			put_event(WindowEvent::ADDED, body.event_time);
 			coder.bits(body.id, 31);
 			body.state.visit(state_coder);
-		} else if (is_jumped(body)) {
+		} else if (body.is_jumped_by(end)) {
 			put_event(WindowEvent::JUMPED, body.event_time);
 			state_coder(index, INDEX_BITS);
 			BodyState target;
@@ -253,15 +285,56 @@ void StreamEncoder::encode_events(RangeEncoder &coder, double begin, int ticks) 
 	coder.bits(0, 1);
 }
 
+void StreamEncoder::encode_bodies(RangeEncoder &coder, double begin, int ticks) {
+	const double end = begin + ticks + SAME_TIME;
+	_previous_active = false;
+	_moving = 0;
+	for (size_t from = 0; from < _known; from += BodyBlocks::SIZE) {
+		const size_t to = std::min(from + BodyBlocks::SIZE, _known);
+		const auto any = [this, from, to](const auto &condition) { return std::any_of(_bodies.begin() + ptrdiff_t(from), _bodies.begin() + ptrdiff_t(to), condition); };
+		bool is_coded = !_blocks.has_flags() || _blocks.is_active(BodyBlocks::block_of(from)) || any([end](const Body &body) { return body.has_event_by(end); });
+		if (!is_coded) {
+			is_coded = any([this, end](const Body &body) { return must_encode(body, end); });
+			_blocks.code_flag(coder, is_coded);
+		}
+		if (!is_coded) {
+			std::for_each(_bodies.begin() + ptrdiff_t(from), _bodies.begin() + ptrdiff_t(to), [&](Body &body) { skip_motion(body, begin, ticks); });
+			_previous_active = false;
+			continue;
+		}
+		for (size_t i = from; i < to; ++i) {
+			Body &body = _bodies[i];
+			const bool was_active = body.state.active;
+			encode_motion(coder, body, begin, ticks);
+			_blocks.change_active(i, was_active, body.state.active);
+			_moving += body.state.active ? 1 : 0;
+			_hash_sum -= body.hash;
+			body.hash = body_hash(body.id, body.state);
+			_hash_sum += body.hash;
+		}
+	}
+}
+
+bool StreamEncoder::must_encode(const Body &body, double end) const {
+	const auto is_relevant = [&](const MotionSample &sample) { return sample.time <= end && is_changed(body, sample.pose); };
+	return std::any_of(body.samples.begin(), body.samples.end(), is_relevant);
+}
+
+void StreamEncoder::skip_motion(Body &body, double begin, int ticks) {
+	const double end = begin + ticks + SAME_TIME;
+	const auto after = std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; });
+	if (after != body.samples.begin()) {
+		body.encoded_until = (after - 1)->time;
+		body.samples.erase(body.samples.begin(), after);
+	}
+}
+
 void StreamEncoder::encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks) {
-	const double end = begin + ticks + 1e-6;
+	const double end = begin + ticks + SAME_TIME;
 	const size_t count = size_t(std::partition_point(body.samples.begin(), body.samples.end(), [end](const MotionSample &sample) { return sample.time <= end; }) - body.samples.begin());
 	const int last = body.is_removed_by(end) ? tick_in_window(body.removal_time, begin, ticks) : ticks;
 	int from = 0;
 	size_t first = 0;
-	if (body.added && body.event_time > end) {
-		return; // a later window adds the body
-	}
 	if ((body.added || body.jumped) && body.event_time <= end) {
 		from = std::min(tick_in_window(body.event_time, begin, ticks), last);
 		while (first < count && body.samples[first].time < body.event_time) {
@@ -285,13 +358,13 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 		return;
 	}
 	const MotionSample *samples = body.samples.data() + first;
-	while (count > 0 && samples->time <= begin + 1e-6) {
+	while (count > 0 && samples->time <= begin + SAME_TIME) {
 		++samples;
 		--count;
 		--available;
 	}
 	// Ignore samples between the tick of a jump or removal and its actual time.
-	while (count > 0 && samples[count - 1].time > begin + ticks + 1e-6) {
+	while (count > 0 && samples[count - 1].time > begin + ticks + SAME_TIME) {
 		--count;
 	}
 	if (count == 0 && body.state.active && begin + ticks - body.encoded_until <= max_gap(ticks)) {
@@ -313,13 +386,12 @@ void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	coder.bits(uint32_t(_last_ticks), 7);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
-	const auto is_known = [](const Body &body) { return !body.added; };
-	coder.bits(uint32_t(std::count_if(_bodies.begin(), _bodies.end(), is_known)), INDEX_BITS);
-	for (Body &body : _bodies) {
-		if (is_known(body)) {
-			coder.bits(body.id, 31);
-			body.state.visit(state_coder);
-		}
+	auto count = uint32_t(_known);
+	AdaptiveBit block_model = _blocks.model();
+	code_body_count(coder, count, block_model);
+	for (size_t i = 0; i < _known; ++i) {
+		coder.bits(_bodies[i].id, 31);
+		_bodies[i].state.visit(state_coder);
 	}
 	coder.finish();
 }

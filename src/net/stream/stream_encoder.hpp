@@ -1,6 +1,7 @@
 #pragma once
 
 #include "net/motion/motion_plan.hpp"
+#include "net/stream/body_blocks.hpp"
 #include "net/stream/stream_header.hpp"
 
 #include <cstddef>
@@ -41,6 +42,10 @@ public:
 		}
 	}
 
+	/// Lets errors exceed the tolerances, see MotionPlanner.
+	void set_relaxation(double relaxation) { _planner.set_relaxation(relaxation); }
+	[[nodiscard]] double relaxation() const { return _planner.relaxation(); }
+
 	/// True if, since the last window, a body moved or was added, removed or jumped.
 	[[nodiscard]] bool has_changes() const { return _changed; }
 	/// Number of bodies that moved in the last window.
@@ -58,10 +63,11 @@ public:
 private:
 	struct Body {
 		uint32_t id = 0;
+		uint32_t hash = 0; // body_hash(), once receivers know the body
 		BodyState state;
 		cga::Pose<double> latest; // the last pose observed
 		std::vector<MotionSample> samples; // samples not yet encoded
-		bool added = false; // pending, at `event_time`
+		bool added = false; // pending, or in this window, at `event_time`
 		bool jump_next = false;
 		bool jumped = false; // pending, at `event_time`
 		bool removed = false;
@@ -71,27 +77,42 @@ private:
 		double encoded_until = 0.0; // time of the last encoded sample
 
 		[[nodiscard]] bool is_removed_by(double time) const { return removed && removal_time <= time; }
+		[[nodiscard]] bool is_jumped_by(double time) const { return jumped && event_time <= time; }
+		[[nodiscard]] bool has_event_by(double time) const { return added || is_jumped_by(time) || is_removed_by(time); }
 	};
 
 	/// Sets the latest pose. Returns false and changes nothing if it is not finite or out of range.
 	bool set_latest(Body &body, const cga::Pose<double> &pose) const;
 	bool observe(Body &body, double time);
+	/// Puts a pending body at the end of those that receivers know.
+	void include(size_t index);
+	/// Removes a body. Receivers do the same: the last body takes its place.
+	void erase(size_t index);
+	/// Moves a body to another place in the list, whose body is dropped.
+	void move_body(size_t from, size_t to);
 	void find_gaps(double begin, int ticks);
-	void encode_events(RangeEncoder &coder, double begin, int ticks);
+	void encode_events(RangeEncoder &coder, size_t first_added, double begin, int ticks);
+	void encode_bodies(RangeEncoder &coder, double begin, int ticks);
+	void skip_motion(Body &body, double begin, int ticks);
 	void encode_motion(RangeEncoder &coder, Body &body, double begin, int ticks);
 	void encode_span(RangeEncoder &coder, Body &body, double begin, int ticks, size_t first, size_t count, size_t available);
 	[[nodiscard]] bool is_changed(const Body &body, const cga::Pose<double> &pose) const;
+	/// True if a body that was at rest has motion, or a rest correction, to be encoded up to `end`.
+	[[nodiscard]] bool must_encode(const Body &body, double end) const;
 
 	StreamGrid _grid;
 	MotionPlanner _planner;
 	MotionModels _models;
 	MotionCode _motion;
 	bool _previous_active = false; // the previous body in the list moves in this window
-	std::vector<Body> _bodies;
+	std::vector<Body> _bodies; // those that receivers know, in their order, then those that a later window adds
+	size_t _known = 0; // number of bodies that receivers know
+	BodyBlocks _blocks; // of these
 	std::unordered_map<uint32_t, size_t> _index; // into _bodies
 	int _last_ticks = 0;
 	size_t _moving = 0;
 	uint32_t _check = 0;
+	uint32_t _hash_sum = 0; // over the bodies that receivers know
 	bool _changed = false;
 };
 

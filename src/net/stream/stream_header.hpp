@@ -3,6 +3,7 @@
 #include "net/coding/bit_stream.hpp"
 #include "net/coding/body_id.hpp"
 #include "net/motion/body_state.hpp"
+#include "net/stream/body_blocks.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,17 @@ struct WindowCheck {
 /// Folds the 32-bit hash of a stream's state into an 8-bit checksum.
 [[nodiscard]] inline uint8_t check_bits(uint32_t hash) {
 	return uint8_t(hash >> 24 ^ hash >> 16 ^ hash >> 8 ^ hash);
+}
+
+/// The hash of a body of a stream. The sum of all is that of the stream's state.
+[[nodiscard]] inline uint32_t body_hash(uint32_t id, const BodyState &state) {
+	const uint64_t mixed = (uint64_t(state.hash()) << 32 | id) * 0xff51afd7ed558ccdu;
+	return uint32_t((mixed ^ mixed >> 29) * 0xc4ceb9fe1a85ec53u >> 32);
+}
+
+/// The checksum after a window, from the one before it and the sum of the hashes of all bodies.
+[[nodiscard]] inline uint32_t next_check(uint32_t check, uint32_t sum) {
+	return (check ^ sum) * 0x01000193u;
 }
 
 /// An event of a body in a window, besides its motion.
@@ -75,6 +87,21 @@ void code_models(Coder &coder, MotionModels &models) {
 			bit.set_state(state);
 		}
 	});
+}
+
+/// Codes the number of bodies in a snapshot and the model of their blocks.
+template <class Coder>
+void code_body_count(Coder &coder, uint32_t &count, AdaptiveBit &block_model) {
+	coder.bits(count, INDEX_BITS);
+	if (count > BodyBlocks::SIZE) {
+		uint32_t state = block_model.state();
+		uint32_t is_changed = state != BodyBlocks().model().state() ? 1 : 0;
+		coder.bits(is_changed, 1);
+		if (is_changed != 0) {
+			coder.bits(state, 32);
+			block_model.set_state(state);
+		}
+	}
 }
 
 } // namespace net

@@ -1,6 +1,7 @@
 #include "net/session/relayed_streams.hpp"
 
 #include "../../harness/allocation_counter.hpp"
+#include "../hostile_stream.hpp"
 
 #include <doctest/doctest.h>
 
@@ -79,4 +80,28 @@ TEST_CASE("relayed streams: the number of streams and their memory are bounded")
 	CHECK(harness::live_bytes() - before < 6000000);
 	client.streams.clear();
 	CHECK(harness::live_bytes() - before < 50000);
+}
+
+TEST_CASE("relayed streams: the number of bodies in all streams is bounded, and streams that end make room") {
+	constexpr uint32_t COUNT = 50000;
+	net_test::HostileStream stream(COUNT);
+	Client client;
+	const auto send = [&](uint32_t channel) {
+		PacketResult result;
+		for (const std::vector<uint8_t> &packet : stream.snapshot()) {
+			const PacketResult sent = client.accept(channel, PeerId(100 + channel), 10.0 * channel, packet);
+			result = result ? sent : result;
+		}
+		return result;
+	};
+	CHECK(send(1));
+	CHECK(send(2));
+	const PacketResult third = send(3);
+	REQUIRE_FALSE(third);
+	CHECK(third.error() == PacketError::TOO_MANY_BODIES);
+	CHECK(client.streams.find(103)->receiver.stream_size() == COUNT);
+	CHECK_FALSE(client.streams.find(103)->receiver.is_ready());
+	client.streams.end(1, 40.0);
+	CHECK(send(4));
+	CHECK(client.streams.find(104)->receiver.is_ready());
 }

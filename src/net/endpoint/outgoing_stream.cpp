@@ -1,0 +1,173 @@
+#include "net/endpoint/outgoing_stream.hpp"
+
+#include "net/stream/snapshot_header.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace net {
+
+namespace {
+
+/// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
+constexpr double IDLE_WINDOW = 0.5;
+/// Maximum length of any other window, in seconds: receivers request a snapshot after 1.5 s without one.
+constexpr double MAX_WINDOW = 1.0;
+/// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
+constexpr double MIN_WINDOW = 0.4;
+/// Above this loss, windows are shortened to leave time for a retransmission.
+constexpr double NOTABLE_LOSS = 0.004;
+/// Windows are shortened to about this many chunks, so that few are in flight.
+constexpr double MAX_WINDOW_CHUNKS = 24.0;
+/// Rounding error of times, in ticks.
+constexpr double SAME_TIME = 1e-5;
+
+/// If what waits for a line takes longer than a window and this, in seconds, errors grow by RELAX per window.
+constexpr double MAX_WAITING = 0.03;
+constexpr double RELAX = 1.2;
+/// Otherwise they shrink by this factor per second.
+constexpr double TIGHTEN = 0.75;
+
+} // namespace
+
+void OutgoingStream::start(double begin, double now) {
+	_window_begin = int64_t(std::ceil(begin));
+	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
+	for (auto &peer : _peers) {
+		peer.second.delivery.restart(now);
+	}
+	_changed_since = -1;
+	_is_starting = true;
+}
+
+double OutgoingStream::network_time(const Peer &peer) const {
+	const Delivery &delivery = peer.delivery;
+	return std::max(3.0 * delivery.round_trip_deviation(), FRAME) + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0);
+}
+
+double OutgoingStream::waiting_time(const Peer &peer) const {
+	const CongestionControl &congestion = peer.delivery.congestion();
+	return congestion.is_validated() && congestion.is_limiting() ? double(peer.delivery.backlog(_ring)) / congestion.rate() : 0.0;
+}
+
+double OutgoingStream::max_window(double now) const {
+	double network = FRAME;
+	for (const auto &peer : _peers) {
+		network = peer.second.delivery.is_silent(now) ? network : std::max(network, network_time(peer.second));
+	}
+	// While the chunks of a window are sent, the next window begins.
+	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
+	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
+	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
+}
+
+bool OutgoingStream::is_window_due(const Flush &flush) const {
+	const double next = double(flush.tick) + flush.step;
+	if (next - double(_window_begin) > double(MAX_TICKS) + SAME_TIME) {
+		return true;
+	}
+	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
+		return true;
+	}
+	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
+		return true;
+	}
+	const double max_ticks = max_window(flush.now);
+	const bool is_aligned = flush.grid && flush.grid->ends_window(double(_window_begin), double(flush.tick), max_ticks);
+	if (_changed_since >= 0) {
+		return is_aligned || next - double(_changed_since) > max_ticks + SAME_TIME;
+	}
+	// The next aligned end would be too late.
+	const double following = is_aligned ? double(flush.tick) + flush.grid->period : next;
+	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
+}
+
+uint32_t OutgoingStream::oldest_needed(double now) const {
+	uint32_t oldest = _ring.next();
+	for (const auto &peer : _peers) {
+		const Delivery &delivery = peer.second.delivery;
+		oldest = delivery.is_silent(now) || delivery.needs_snapshot() ? oldest : std::min(oldest, delivery.first_missing());
+	}
+	return oldest;
+}
+
+void OutgoingStream::close_window(int64_t end, double now) {
+	while (_window_begin < end) {
+		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
+		const uint32_t first_chunk = _ring.next();
+		_window.clear();
+		_encoder->encode_window(double(_window_begin), length, _window);
+		_ring.push_window(_window, _encoder->check(), length * _settings.tick, _settings.max_packet_size, oldest_needed(now));
+		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
+		_window_begin += length;
+		adapt(length * _settings.tick, now);
+	}
+	_changed_since = _encoder->has_changes() ? _window_begin : -1;
+}
+
+/// Lets errors grow while a line does not carry the stream, after a window of `seconds`.
+void OutgoingStream::adapt(double seconds, double now) {
+	double waiting = 0.0;
+	for (const auto &peer : _peers) {
+		waiting = peer.second.delivery.is_silent(now) || peer.second.delivery.needs_snapshot() ? waiting : std::max(waiting, waiting_time(peer.second));
+	}
+	const double factor = waiting > seconds + MAX_WAITING ? RELAX : std::pow(TIGHTEN, seconds);
+	_encoder->set_relaxation(std::clamp(_encoder->relaxation() * factor, 1.0, MAX_RELAXATION));
+}
+
+void OutgoingStream::start_snapshots(const Flush &flush) {
+	std::shared_ptr<Snapshot> snapshot;
+	for (auto &peer : _peers) {
+		Delivery &delivery = peer.second.delivery;
+		if (!delivery.needs_snapshot() || delivery.is_silent(flush.now)) {
+			continue;
+		}
+		if (snapshot == nullptr) {
+			snapshot = std::make_shared<Snapshot>();
+			snapshot->number = ++flush.snapshot_number;
+			snapshot->next_chunk = _ring.next();
+			snapshot->fragment_size = Snapshot::fragment_size_for(_settings.max_packet_size);
+			SnapshotHeader header;
+			header.settings = _settings;
+			header.tick = uint64_t(_window_begin);
+			header.window = float(max_window(flush.now) * _settings.tick);
+			put_snapshot_header(snapshot->bytes, header);
+			_encoder->encode_snapshot(snapshot->bytes);
+		}
+		delivery.start_snapshot(snapshot);
+	}
+}
+
+void OutgoingStream::flush(const Flush &flush) {
+	if (_is_starting && flush.tick >= _window_begin) {
+		_encoder->start_at(double(_window_begin));
+		start_snapshots(flush);
+		_is_starting = false;
+	}
+	if (_changed_since < 0 && _encoder->has_changes()) {
+		// Close the idle window at once, so that the window with the motion can be short.
+		close_window(std::max(_window_begin, std::min(flush.previous_tick, flush.tick - 1)), flush.now);
+		_changed_since = _window_begin;
+	}
+	if (flush.tick > _window_begin && is_window_due(flush)) {
+		close_window(flush.tick, flush.now);
+		start_snapshots(flush);
+	}
+}
+
+void OutgoingStream::send(double now, std::vector<uint8_t> &bytes, std::vector<OutgoingPacket> &packets) {
+	// By default, receivers delay playback by up to twice max_latency from the begin of a window.
+	const double max_wait = 2.0 * _settings.max_latency - max_window(now) * _settings.tick;
+	for (auto &entry : _peers) {
+		Peer &peer = entry.second;
+		peer.delivery.set_max_wait(max_wait);
+		peer.delivery.set_snapshot_size(Snapshot::estimate(_encoder->body_count()));
+		peer.delivery.send(_ring, now, _settings.max_packet_size, bytes, [&](size_t begin, size_t size) {
+			packets.push_back({ entry.first, begin, size });
+			peer.bytes_sent += size;
+			++peer.packets_sent;
+		});
+	}
+}
+
+} // namespace net

@@ -1,0 +1,162 @@
+#include "../../harness/allocation_counter.hpp"
+#include "../hostile_stream.hpp"
+#include "session_network.hpp"
+
+// Peers whose streams want too much memory or work, among honest ones.
+
+using namespace net;
+using namespace net_test;
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+/// A server (peer 1) and two clients. The peer `hostile` sends only what the test makes it send. The other client owns body 5, the
+/// hostile peer body 6.
+struct HostileNetwork {
+	explicit HostileNetwork(PeerId hostile) :
+			network({ 0.03 }), hostile(hostile), victim(hostile == 1 ? 2 : 1), honest(hostile == 1 ? 3 : 2) {
+		for (const PeerId id : { 1, 2, 3 }) {
+			network.join(id);
+		}
+		network.peers[hostile].blocked_until = 1e18;
+		network.paths[5] = smooth_path(5);
+		network.set_owner(5, honest);
+		network.set_owner(6, hostile);
+		run_frames(60, [] {});
+	}
+
+	template <class EachFrame>
+	void run_frames(int count, EachFrame &&each) {
+		for (int i = 0; i < count; ++i) {
+			network.step();
+			for (const SessionNetwork::SentPacket &packet : network.sent) {
+				const bool is_to_hostile = packet.from == victim && packet.to == hostile;
+				if (is_to_hostile && packet.envelope.kind == PacketKind::OPEN) {
+					link = packet.envelope.link;
+					opened_at.push_back(network.now);
+				}
+				closed += is_to_hostile && packet.envelope.kind == PacketKind::CLOSE ? 1 : 0;
+			}
+			network.sent.clear();
+			each();
+			max_bytes = std::max(max_bytes, harness::live_bytes());
+		}
+	}
+	void send(const std::vector<Bytes> &packets) {
+		for (const Bytes &packet : packets) {
+			network.inject(hostile, victim, make_packet(PacketKind::MOTION, link, packet));
+		}
+	}
+	[[nodiscard]] uint64_t reported(PacketError error) {
+		uint64_t count = 0;
+		for (const auto &report : network.peers[victim].reports) {
+			CHECK(report.first == hostile);
+			count += report.second.error == error ? 1 : 0;
+		}
+		return count;
+	}
+
+	SessionNetwork network;
+	PeerId hostile;
+	PeerId victim;
+	PeerId honest;
+	uint8_t link = 0; // of the stream that the victim requests
+	std::vector<double> opened_at;
+	int closed = 0; // CLOSE packets to the hostile peer
+	size_t max_bytes = 0;
+};
+
+} // namespace
+
+TEST_CASE("hostile peer: whole snapshots of new bodies in each tick cost bounded memory, then the stream, and nothing else") {
+	constexpr uint32_t COUNT = 3000;
+	for (const PeerId hostile : { 3, 1 }) {
+		HostileNetwork test(hostile);
+		const size_t before = harness::live_bytes();
+		HostileStream stream(COUNT);
+		double worst = 0.0;
+		size_t sent = 0;
+		test.run_frames(300, [&] {
+			const std::vector<Bytes> packets = stream.snapshot();
+			sent += packets.size() * 1100;
+			test.send(packets);
+			stream.replace_bodies(COUNT);
+			stream.tick += 1.0;
+			worst = std::max(worst, test.network.error(5, test.victim));
+		});
+		CAPTURE(hostile);
+		CHECK(sent > 5000000);
+		CHECK(test.max_bytes - before < 40000000);
+		CHECK(worst <= 1.3);
+		CHECK(test.reported(PacketError::TOO_MUCH_WORK) >= 1);
+		CHECK(test.closed >= 1);
+		CHECK(test.closed <= 5); // it is requested again after growing pauses
+		CHECK(uint64_t(test.closed) == test.reported(PacketError::TOO_MUCH_WORK));
+	}
+}
+
+TEST_CASE("hostile peer: streams that it closes and opens again share one budget") {
+	constexpr uint32_t COUNT = 20000;
+	HostileNetwork test(3);
+	HostileStream stream(COUNT);
+	const std::vector<Bytes> packets = stream.snapshot();
+	int decoded = 0;
+	double worst = 0.0;
+	test.run_frames(300, [&] {
+		test.send(packets);
+		if (test.network.session(1).stream(3) != nullptr) {
+			++decoded;
+			test.network.inject(3, 1, make_packet(PacketKind::CLOSE, test.link, { uint8_t(CloseRole::SENDER) }));
+		}
+		worst = std::max(worst, test.network.error(5, 1));
+	});
+	const double snapshot_work = double(COUNT) * NEW_BODY_WORK;
+	CHECK(decoded >= 2);
+	CHECK(decoded <= 2 + int(5.0 * ReceiverBudget::work_rate(1) / snapshot_work));
+	CHECK(worst <= 1.3);
+}
+
+TEST_CASE("hostile peer: packets of a stream that has not been requested yet create nothing") {
+	HostileNetwork test(3);
+	HostileStream stream(10);
+	test.send(stream.snapshot());
+	REQUIRE(test.network.session(1).stream(3) != nullptr);
+	test.network.inject(3, 1, make_packet(PacketKind::CLOSE, test.link, { uint8_t(CloseRole::SENDER) }));
+	const size_t before = harness::live_bytes();
+	for (int i = 0; i < 256; ++i) { // one of them is the next link
+		test.link = uint8_t(i);
+		test.send(stream.snapshot());
+	}
+	CHECK(test.network.session(1).stream(3) == nullptr);
+	CHECK(harness::live_bytes() < before + 1000);
+	test.run_frames(60, [] {});
+	test.send(stream.snapshot());
+	CHECK(test.network.session(1).stream(3) != nullptr);
+}
+
+TEST_CASE("hostile peer: an owner of thousands of bodies is decoded without a wait, whether the server knows them or not") {
+	for (const bool is_known : { true, false }) {
+		SessionNetwork network({ 0.03 });
+		network.join(1);
+		network.join(2);
+		for (uint32_t body = 0; body < 2000; ++body) {
+			network.paths[body] = smooth_path(body);
+			network.set_owner(2, body, 2);
+			if (is_known || body == 7) {
+				network.set_owner(1, body, 2);
+			}
+		}
+		network.run(1.0);
+		int waiting = 0;
+		double worst = 0.0;
+		network.run(1.0, [&] {
+			waiting += network.session(1).stream(2)->budget().is_waiting() ? 1 : 0;
+			worst = std::max(worst, network.error(7, 1));
+		});
+		CAPTURE(is_known);
+		CHECK(waiting == 0);
+		CHECK(worst <= 1.3);
+		CHECK(network.total(1).rejected == 0);
+	}
+}
