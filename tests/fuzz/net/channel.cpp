@@ -35,7 +35,7 @@ net::StreamSettings stream_settings(Input &input) {
 		settings.mode = cga::Mode(input.byte() % 3);
 		settings.max_packet_size = 256 + input.below(1024);
 	}
-	return settings;
+	return settings.is_valid() ? settings : net::StreamSettings();
 }
 
 class Channel {
@@ -67,7 +67,7 @@ public:
 			require(_sender.accept(1, arrived->bytes.data(), arrived->bytes.size(), now).has_value(), "the sender rejects an acknowledgement");
 		}
 		_receiver.advance(now);
-		_bodies.check(_receiver);
+		_bodies.check(_receiver, _sender.statistics(1).relaxation);
 	}
 
 	/// Replaces both directions' settings.

@@ -2,7 +2,7 @@
 
 #include "motion.hpp"
 
-#include "net/delivery/chunk_ring.hpp"
+#include "net/delivery/packet.hpp"
 #include "net/stream/snapshot_header.hpp"
 #include "net/stream/stream_encoder.hpp"
 
@@ -167,7 +167,7 @@ private:
 		const size_t begin = index * size;
 		Fragment fragment;
 		fragment.snapshot = decltype(fragment.snapshot)(number);
-		fragment.next_chunk = decltype(fragment.next_chunk)(_ring.next());
+		fragment.next_chunk = decltype(fragment.next_chunk)(_next_chunk);
 		fragment.index = decltype(fragment.index)(index);
 		fragment.count = decltype(fragment.count)(count);
 		fragment.bytes = bytes.data() + begin;
@@ -189,19 +189,22 @@ private:
 	}
 
 	void add_window(Bytes &packet, const Bytes &window) {
-		uint32_t number = _ring.next();
-		_ring.push_window(window, _input.flag() ? _encoder->check() : _input.byte(), _input.flag() ? 1100 : 256);
-		for (; number != _ring.next(); ++number) {
-			const net::ChunkRing::Chunk &pushed = _ring.chunk(number);
+		const uint8_t check = _input.flag() ? _encoder->check() : _input.byte();
+		const size_t size = _input.flag() ? 1000 : 1 + _input.below(250);
+		size_t begin = 0;
+		do {
 			Chunk chunk;
-			chunk.number = decltype(chunk.number)(_input.byte() < 240 ? number : _input.bits(2));
-			chunk.first = pushed.first;
-			chunk.last = pushed.last;
-			chunk.check = pushed.check;
-			chunk.bytes = pushed.bytes.data();
-			chunk.size = pushed.bytes.size();
+			chunk.is_wide = _input.byte() >= 128;
+			chunk.number = decltype(chunk.number)(_input.byte() < 240 ? _next_chunk : _input.bits(2));
+			chunk.first = begin == 0;
+			chunk.bytes = window.data() + begin;
+			chunk.size = std::min(size, window.size() - begin);
+			begin += chunk.size;
+			chunk.last = begin == window.size();
+			chunk.check = chunk.last ? check : 0;
 			net::put_chunk(packet, chunk, false);
-		}
+			++_next_chunk;
+		} while (begin < window.size());
 	}
 
 	void edit_some(Bytes &bytes) {
@@ -213,7 +216,7 @@ private:
 	Input &_input;
 	net::SnapshotHeader _header;
 	std::optional<net::StreamEncoder> _encoder;
-	net::ChunkRing _ring;
+	uint32_t _next_chunk = 0;
 	decltype(Fragment::snapshot) _number = 0;
 	double _time = 0.0; // ticks
 	uint32_t _fresh_id = 1000;

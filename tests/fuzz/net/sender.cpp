@@ -16,13 +16,20 @@ constexpr uint32_t HONEST = 1;
 constexpr uint32_t HOSTILE = 2; // and 3
 constexpr size_t MAX_MEMORY = 4000000;
 
+void add_runs(net::AckRuns &runs, Input &input) {
+	for (size_t count = input.byte() % 8; count > 0; --count) {
+		const auto missing = uint16_t(1 + input.byte());
+		runs.add(missing, uint16_t(1 + input.below(4096)));
+	}
+}
+
 void add_hostile_item(Bytes &packet, Input &input) {
 	switch (input.byte() % 6) {
 		case 0:
 		case 1: {
 			net::AckItem ack;
 			ack.next = decltype(ack.next)(input.bits(2));
-			ack.later = decltype(ack.later)(input.bits(8));
+			add_runs(ack.later, input);
 			ack.packets = decltype(ack.packets)(input.byte());
 			net::put_ack(packet, ack);
 			break;
@@ -31,7 +38,7 @@ void add_hostile_item(Bytes &packet, Input &input) {
 			net::SnapshotAckItem ack;
 			ack.snapshot = decltype(ack.snapshot)(input.byte());
 			ack.next = decltype(ack.next)(input.bits(2));
-			ack.later = decltype(ack.later)(input.bits(4));
+			add_runs(ack.later, input);
 			net::put_snapshot_ack(packet, ack);
 			break;
 		}
@@ -87,7 +94,7 @@ void fuzz::run(Input input) {
 			require(sender.accept(HONEST, ack.data(), ack.size(), now).has_value(), "the sender rejects an acknowledgement");
 		}
 		receiver.advance(now);
-		bodies.check(receiver);
+		bodies.check(receiver, sender.statistics(HONEST).relaxation);
 		++tick;
 	};
 	sender.add_receiver(HONEST, 0.0);
