@@ -227,3 +227,13 @@ TEST_CASE("the bounds of a sphere and of a circle of any radius are finite") {
 		}
 	}
 }
+
+TEST_CASE("a motor beyond the range of single precision is not drawn") {
+	CHECK_FALSE(figure_of(cga::dilator(1e10)).parts.empty());
+	for (const double scale : { 1e39, 1e60 }) {
+		const Figure figure = figure_of(cga::dilator(scale));
+		CHECK(figure.parts.empty());
+		CHECK(figure.custom.vertices.empty());
+		CHECK_FALSE(figure.label_position.has_value());
+	}
+}
