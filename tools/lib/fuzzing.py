@@ -56,8 +56,9 @@ def program(path, seconds):
 
 
 def make_ready():
-    """Installs clang if possible and builds the targets; returns the sanitizers that they are built with."""
+    """Installs ccache and clang if possible, builds the targets, and returns the sanitizers that they are built with."""
     checkout.setup("build")
+    subprocess.run([os.path.join(checkout.TOOLS, "setup"), "ccache"], check=False)
     installed = subprocess.run([os.path.join(checkout.TOOLS, "setup"), "fuzz"], check=False).returncode == 0
     compiler = find_clang() if installed else None
     sanitizers = f"fuzzer,{SANITIZERS}" if compiler else SANITIZERS

@@ -59,7 +59,7 @@ def thread_program():
 
 def make_ready():
     """Installs missing dependencies, builds each sanitized variant once, and prepares the project with the plain library."""
-    checkout.setup("build", "unit", "engine")
+    checkout.setup("build", "unit", "engine", "ccache")
     os.environ["GODOT"] = checkout.setup_path("engine")
     build(LIBRARY)
     project.prepare(checkout.PROJECT)

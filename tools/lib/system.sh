@@ -77,6 +77,9 @@ missing_for() {
         fuzz)
             has_libfuzzer || echo clang-19 libclang-rt-19-dev llvm-19 # llvm-19 has the symbolizer
             ;;
+        ccache)
+            command -v ccache >/dev/null || echo ccache
+            ;;
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev
             ;;
