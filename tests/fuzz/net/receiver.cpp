@@ -42,7 +42,7 @@ void fuzz::run(Input input) {
 	double now = 1.0;
 	for (int packets = 0; !input.is_empty() && packets < 64; ++packets) {
 		const uint8_t step = input.byte();
-		for (int count = step % 8 == 2 ? input.byte() : 0; count > 0; --count) {
+		for (int count = step % 8 == 2 ? input.byte() % 64 : 0; count > 0; --count) {
 			const Bytes snapshot = stream.fresh_snapshot();
 			(void)receiver.accept(snapshot.data(), snapshot.size(), now);
 			now += TICK;
