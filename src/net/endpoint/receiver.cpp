@@ -41,7 +41,6 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	now = _local_clock.advance(now);
 	_budget.refill(now, body_count());
 	if (_budget.is_refused()) {
-		++_statistics.packets_rejected;
 		return {}; // `refuse` has reported it
 	}
 	free_unusual_memory();
@@ -109,10 +108,10 @@ void Receiver::free_unusual_memory() {
 		_content = PacketContent();
 	}
 	if (_motions.capacity() > USUAL_ITEMS + 4 * body_count()) {
-		_motions = {};
+		std::vector<BodyMotion>().swap(_motions);
 	}
 	if (_window.capacity() > USUAL_WINDOW_BYTES + 64 * body_count()) {
-		_window = {};
+		std::vector<uint8_t>().swap(_window);
 	}
 }
 
@@ -158,11 +157,14 @@ PacketResult Receiver::check_fragments() {
 	const size_t max_bytes = _max_bodies * BODY_BYTES + MODEL_BYTES;
 	const size_t max_count = max_bytes / MIN_FRAGMENT_BYTES + 1;
 	for (const FragmentItem &fragment : _content.fragments) {
-		if (fragment.count == 0 || fragment.index >= fragment.count || fragment.size == 0) {
+		if (fragment.index >= fragment.count || fragment.size == 0) {
 			return PacketError::BAD_FRAGMENT;
 		}
 		if (fragment.count > max_count) {
 			return PacketError::TOO_MANY_BODIES;
+		}
+		if (fragment.index + 1 < fragment.count && fragment.size < MIN_FRAGMENT_BYTES) {
+			return PacketError::BAD_FRAGMENT;
 		}
 		if (_fragments.belongs(fragment) && _fragments.size() + fragment.size > max_bytes) {
 			_refused_size = _max_bodies + 1;

@@ -51,10 +51,10 @@ public:
 	[[nodiscard]] double total_work() const { return _total; }
 
 private:
-	static constexpr double MAX_IGNORED_SNAPSHOTS = 64.0;
+	static constexpr double MAX_IGNORED_SNAPSHOTS = 32.0;
 
-	WorkBudget _items{ 32768.0, 4.0 };
-	WorkBudget _snapshots{ 8.0, 2.0 };
+	WorkBudget _items{ 16384.0, 2.0 };
+	WorkBudget _snapshots{ 4.0, 1.0 };
 	WorkBudget _work{ MIN_WORK, BURST };
 	std::shared_ptr<WorkBudget> _shared;
 	double _total = 0.0;

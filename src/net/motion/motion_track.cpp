@@ -26,7 +26,7 @@ void MotionTrack::add(const BodyMotion &motion, size_t max_capacity) {
 		}
 		if (2 * _first >= _motions.size()) {
 			drop_forgotten();
-		} else if (_motions.capacity() < MOVING_CAPACITY && MOVING_CAPACITY <= max_capacity) {
+		} else if (!motion.vanishes && _motions.capacity() < MOVING_CAPACITY && MOVING_CAPACITY <= max_capacity) {
 			_motions.reserve(MOVING_CAPACITY);
 		}
 	}

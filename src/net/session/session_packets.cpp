@@ -11,6 +11,8 @@ namespace {
 
 /// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
+/// Minimum pause before a stream is requested again that took too much work, in seconds.
+constexpr double MIN_OVERLOAD_PAUSE = 1.0;
 
 } // namespace
 
@@ -105,12 +107,14 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 /// Closes a stream with too many bodies, or one that takes too much work, and requests it again later.
 void Session::refuse_stream(PeerId id, Peer &peer) {
 	const size_t size = peer.stream->stream_size();
+	const double min_pause = peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
 	request_stream(peer);
 	peer.is_refused = true;
 	peer.refused_size = size;
 	peer.refused_at = _now;
+	peer.refusal_pause = std::max(peer.refusal_pause, min_pause);
 	peer.open.restart(_now + peer.refusal_pause);
 	peer.refusal_pause = std::min(2.0 * peer.refusal_pause, Peer::MAX_REFUSAL_PAUSE);
 }

@@ -46,7 +46,7 @@ enum class PacketError : uint8_t {
 		"the packet is truncated",
 		"the packet contains an item of unknown type",
 		"the packet's acknowledgement is malformed",
-		"a snapshot fragment is empty or its index is out of range",
+		"a snapshot fragment is too small or its index is out of range",
 		"the snapshot is larger than the maximum number of bodies allows",
 		"the snapshot is truncated",
 		"the snapshot cannot be decoded",

@@ -155,7 +155,7 @@ Attack restarted_snapshots() {
 		for (size_t i = 0; i < PACKETS_PER_FRAME; ++i) {
 			packets.emplace_back();
 			for (int k = 0; k < 57; ++k) {
-				net::put_fragment(packets.back(), { ++number, 0, uint16_t(k % 7), 9, bytes, sizeof(bytes) });
+				net::put_fragment(packets.back(), { ++number, 0, 8, 9, bytes, sizeof(bytes) });
 			}
 		}
 	};

@@ -74,7 +74,7 @@ TEST_CASE("hostile stream: whole snapshots of new bodies, one tick apart, cost b
 		CHECK(max_bytes - before < 3000 * COUNT + 2000000); // including the stream's own
 		const double snapshot_work = SNAPSHOT_WORK + COUNT * (NEW_BODY_WORK + 40.0);
 		CHECK(victim.receiver.budget().total_work() <= allowed_work(COUNT, 5.0) + snapshot_work);
-		CHECK(victim.receiver.snapshot_count() <= 16 + 8 * 5);
+		CHECK(victim.receiver.snapshot_count() <= 4 + 4 * 5);
 		CHECK(victim.refusals >= 1);
 		CHECK(victim.refusals <= 5); // with growing pauses
 		CHECK(victim.receiver.is_ready());
@@ -91,7 +91,7 @@ TEST_CASE("hostile stream: snapshots that alternate between two lists of bodies"
 		stream.replace_bodies(COUNT);
 		stream.tick += 1.0;
 		victim.take(stream.snapshot());
-		victim.now += 0.15;
+		victim.now += 0.3;
 		victim.check_memory();
 	}
 	CHECK(victim.receiver.snapshot_count() == 200); // slow enough to be decoded
@@ -153,7 +153,7 @@ TEST_CASE("hostile stream: a snapshot that is begun anew with each fragment") {
 	for (int i = 0; i < 300; ++i) {
 		Bytes packet;
 		for (int k = 0; k < 50; ++k) {
-			put_fragment(packet, { ++number, 0, uint16_t(k % 7), 9, bytes, sizeof(bytes) });
+			put_fragment(packet, { ++number, 0, 8, 9, bytes, sizeof(bytes) });
 		}
 		victim.now += 0.0001;
 		const uint64_t before = harness::allocation_count();
@@ -301,7 +301,7 @@ TEST_CASE("hostile stream: a refused stream is ignored for growing pauses, then 
 		victim.now = refused + 0.99 * pause;
 		victim.take({ acks });
 		CHECK(victim.receiver.is_refused());
-		CHECK(victim.receiver.statistics().packets_rejected == rejected + 1);
+		CHECK(victim.receiver.statistics().packets_rejected == rejected);
 		Bytes packet;
 		victim.receiver.take_ack(packet, victim.now);
 		CHECK(packet.empty());
