@@ -19,9 +19,9 @@ public:
 	/// The events of one body are at least this many ticks apart, more than a window has: of two jumps in one window only the
 	/// last is sent.
 	static constexpr int64_t EVENT_INTERVAL = 70;
-	/// In rotation tolerances. If the errors of position and rotation cancel at the lever arm, both bounds of StreamGrid permit
-	/// 0.95 sqrt(4/3).
-	static constexpr double MAX_ANGLE = 1.097;
+	/// In rotation tolerances. If the errors of position and rotation cancel at the lever arm, StreamGrid's bounds permit up to
+	/// 4/3 of the usable share, 0.95.
+	static constexpr double MAX_ANGLE = 1.267;
 
 	/// Observes all bodies at tick 0 or a later one.
 	void step(net::Sender &sender, int64_t tick, Input &input) {
@@ -128,8 +128,8 @@ private:
 		const double distance = deviation.distance / double(float(settings.position_tolerance));
 		const double angle = deviation.angle * 57.29577951308232 / double(float(settings.rotation_tolerance));
 		const double rounding = 1e-9 * glm::length(was->second.translation) / settings.position_tolerance;
-		require(distance <= 1.001 * _relaxation + rounding, "a body deviates by more than the position tolerance", std::to_string(distance));
-		require(angle <= MAX_ANGLE * _relaxation, "a body deviates by more than the rotation tolerance", std::to_string(angle));
+		require(distance <= 1.001 * _relaxation + rounding, "a body deviates by more than the position tolerance", std::to_string(distance) + " of " + std::to_string(settings.position_tolerance) + " m");
+		require(angle <= MAX_ANGLE * _relaxation, "a body deviates by more than the rotation tolerance", std::to_string(angle) + " of " + std::to_string(settings.rotation_tolerance) + " degrees");
 	}
 
 	std::array<Body, COUNT> _bodies;
