@@ -65,7 +65,10 @@ public:
 		_relaxation = std::max(_relaxation, relaxation);
 		const auto first = int64_t(std::ceil(receiver.media_time() / TICK - 1e-6));
 		const auto last = int64_t(std::floor(receiver.known_time() / TICK + 1e-6));
-		for (int64_t tick = std::max(first, last - 8); tick <= last; ++tick) {
+		// The motion before a snapshot may never have arrived.
+		_exact_from = receiver.snapshot_count() != _snapshots ? last : _exact_from;
+		_snapshots = receiver.snapshot_count();
+		for (int64_t tick = std::max({ first, last - 8, _exact_from }); tick <= last; ++tick) {
 			for (uint32_t id = 0; id < COUNT; ++id) {
 				check_pose(receiver, id, tick);
 			}
@@ -134,6 +137,8 @@ private:
 
 	std::array<Body, COUNT> _bodies;
 	double _relaxation = 1.0; // the largest so far
+	uint32_t _snapshots = 0; // that the receiver has decoded
+	int64_t _exact_from = 0; // tick
 };
 
 } // namespace fuzz
