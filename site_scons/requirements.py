@@ -12,6 +12,7 @@ HEADERS = {
     "benchmark": ("benchmark/benchmark.h", "Google Benchmark", "libbenchmark-dev"),
 }
 OLDEST_GCC = 9
+SANITIZERS = ("address", "undefined", "thread", "fuzzer")
 _lock = None
 
 
@@ -55,8 +56,9 @@ def check_options(env, options, host_platform, host_arch):
         fail("arch {} cannot be built on this machine ({}); build it on such a machine".format(env["arch"], host_arch))
     if env["sanitize"] in ("none", "no"):
         env["sanitize"] = ""
-    if env["sanitize"] not in ("", "address", "undefined"):
-        fail("sanitize={} is unknown; use sanitize=address or sanitize=undefined".format(env["sanitize"]))
+    unknown = [name for name in env["sanitize"].split(",") if name and name not in SANITIZERS]
+    if unknown:
+        fail("sanitize={} is unknown; use {} or several of them, separated by commas".format(",".join(unknown), ", ".join(SANITIZERS)))
 
 
 def check_compiler(env, doctest, benchmark):
@@ -76,6 +78,8 @@ def check_compiler(env, doctest, benchmark):
     env["is_clang"] = "is_clang" in words
     if not env["is_clang"] and int(words[words.index("gcc_version") + 1]) < OLDEST_GCC:
         fail("{} is too old; install g++ {} or newer".format(env["CXX"], OLDEST_GCC))
+    if "fuzzer" in env["sanitize"].split(",") and not env["is_clang"]:
+        fail("sanitize=fuzzer needs clang: set CXX=clang++, or leave fuzzer out to build the fuzz targets without libFuzzer")
     for key in needed:
         if "has_" + key not in words:
             header, name, package = HEADERS[key]

@@ -38,7 +38,10 @@ class RefusalTest(unittest.TestCase):
         self.refuses("tarket=template_debug", naming=["tarket", "scons -h"])
 
     def test_unknown_sanitizers(self):
-        self.refuses("sanitize=thread", naming=["thread", "address"])
+        self.refuses("sanitize=address,memory", naming=["memory", "address", "thread"])
+
+    def test_a_fuzzer_without_clang(self):
+        self.refuses("sanitize=fuzzer,address", naming=["fuzzer", "clang"], CXX="g++")
 
     def test_no_compiler(self):
         self.refuses(naming=["no-such-compiler", "g++"], CXX="no-such-compiler")

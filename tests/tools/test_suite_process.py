@@ -57,6 +57,11 @@ class SuiteProcessTest(unittest.TestCase):
             time.sleep(2)
             self.assertFalse(os.path.exists(mark))
 
+    def test_a_fuzz_target_counts_as_one_test(self):
+        self.check(outcome("print('Done 2000 runs in 3 second(s)')"), 1, 0)
+        self.check(outcome("print('Done 0 runs in 3 second(s)')"), 0, 0, "printed no result (exit code 0)")
+        self.check(outcome("print('Done 2000 runs in 3 second(s)'); raise SystemExit(77)"), 1, 0, "exit code 77")
+
     def test_doctest_summary(self):
         line = "[doctest] test cases:  12 |  11 passed | 1 failed | 0 skipped\n"
         self.assertEqual(read_counts(line), (11, 1))

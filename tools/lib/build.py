@@ -3,6 +3,7 @@
 An up-to-date build takes a second. Output goes to stderr.
 """
 
+import os
 import subprocess
 import sys
 
@@ -12,13 +13,15 @@ import project
 LIBRARY = "godot_project/addons"
 
 
-def build(*targets, sanitizer=""):
-    """Runs SCons for the targets; exits if the build fails; SCons has printed the reason."""
+def build(*targets, sanitizer="", compiler=None):
+    """Runs SCons for the targets, with another compiler than CXX if one is given; exits if the build fails; SCons has
+    printed the reason."""
     command = ["scons", "-Q", *targets]
     if sanitizer:
         command.append(f"sanitize={sanitizer}")
     print("build: " + " ".join(command), file=sys.stderr, flush=True)
-    done = subprocess.run(command, cwd=checkout.ROOT, stdin=subprocess.DEVNULL, stdout=sys.stderr, check=False)
+    env = {**os.environ, "CXX": compiler} if compiler else None
+    done = subprocess.run(command, cwd=checkout.ROOT, env=env, stdin=subprocess.DEVNULL, stdout=sys.stderr, check=False)
     if done.returncode != 0:
         sys.exit("build: failed, see above")
 

@@ -13,11 +13,11 @@ ENGINE = os.path.join(TOOLS, "godot")
 
 
 def variant(sanitizer=""):
-    """Folder of a build, named as SConstruct names it."""
+    """Folder of a build, named as SConstruct names it; `sanitizer` is the value of its option sanitize."""
     machine = platform.machine().lower()
     arch = {"amd64": "x86_64", "aarch64": "arm64"}.get(machine, machine)
     name = f"{platform.system().lower()}.template_debug.{arch}"
-    return os.path.join(BUILD, f"{name}.{sanitizer}" if sanitizer else name)
+    return os.path.join(BUILD, f"{name}.{sanitizer.replace(',', '_')}" if sanitizer else name)
 
 
 def setup(*parts):

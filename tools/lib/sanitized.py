@@ -1,4 +1,9 @@
-"""The suites of tools/test --sanitize: the C++ and engine tests, built with each sanitizer in turn."""
+"""The suites of tools/test --sanitize.
+
+The C++ and engine tests run with the address and undefined-behavior sanitizers, which one build combines. The thread
+sanitizer runs the C++ tests that use threads. It is of no use in the engine: that is compiled without it, so it does not see
+how the engine's threads are synchronized, and reports races that are none.
+"""
 
 import glob
 import os
@@ -11,57 +16,60 @@ from build import LIBRARY, build
 from suite_process import Program
 from suites import Suite, unit_programs
 
-SANITIZERS = ("address", "undefined")
+MEMORY = "address,undefined"
+THREAD = "thread"
+THREAD_PROGRAM = "threads_tests"
 SECONDS = 900
 ADDON_LIBRARIES = "addons/ga_godot/bin"
 # A finding ends the program, so that it fails the suite. Leaks of the engine itself are not reported.
-UNIT_ENV = {"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1"}
+UNIT_ENV = {"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1", "TSAN_OPTIONS": "halt_on_error=1"}
 ENGINE_ENV = {**UNIT_ENV, "ASAN_OPTIONS": "detect_leaks=0:verify_asan_link_order=0"}
 
 
-def unit_suite(sanitizer):
-    """The doctest programs under a sanitizer."""
-
-    def programs():
-        found = unit_programs(sanitizer)
-        for program in found:
-            program.env.update(UNIT_ENV)
-        return found
-
-    return Suite(f"cpp-{sanitizer}", (), (), programs)
+def unit_suite():
+    """The doctest programs under the sanitizers of memory."""
+    found = unit_programs(MEMORY)
+    for program in found:
+        program.env.update(UNIT_ENV)
+    return found
 
 
-def engine_suite(sanitizer):
+def thread_suite():
+    """The C++ tests that use threads, under the thread sanitizer."""
+    return [Program([thread_program()], seconds=SECONDS, env=dict(UNIT_ENV), engine=False)]
+
+
+def engine_suite():
     """The engine-side tests with a sanitized library, in a copy of the project."""
-
-    def programs():
-        folder = copy_project(sanitizer)
-        # The engine itself, not the wrapper: the shell would load LD_PRELOAD too.
-        argv = [checkout.setup_path("engine"), "--headless", "--path", folder, "--", "--test"]
-        env = dict(ENGINE_ENV)
-        if sanitizer == "address":
-            env["LD_PRELOAD"] = f"{build_shim()} {runtime('libasan.so')}"
-        return [Program(argv, seconds=SECONDS, env=env)]
-
-    return Suite(f"engine-{sanitizer}", (), (), programs)
+    folder = copy_project()
+    # The engine itself, not the wrapper: the shell would load LD_PRELOAD too.
+    argv = [checkout.setup_path("engine"), "--headless", "--path", folder, "--", "--test"]
+    env = {**ENGINE_ENV, "LD_PRELOAD": f"{build_shim()} {runtime('libasan.so')}"}
+    return [Program(argv, seconds=SECONDS, env=env)]
 
 
-SUITES = tuple(unit_suite(name) for name in SANITIZERS) + tuple(engine_suite(name) for name in SANITIZERS)
+SUITES = (Suite("cpp-sanitized", (), (), unit_suite), Suite("threads", (), (), thread_suite),
+          Suite("engine-sanitized", (), (), engine_suite))
+
+
+def thread_program():
+    """Path of the program of the C++ tests that use threads."""
+    return os.path.join(checkout.variant(THREAD), "tests", THREAD_PROGRAM)
 
 
 def make_ready():
-    """Installs missing dependencies, builds both sanitized variants, and prepares the project with the plain library."""
-    checkout.setup("build", "unit", "engine")
+    """Installs missing dependencies, builds each sanitized variant once, and prepares the project with the plain library."""
+    checkout.setup("build", "unit", "engine", "ccache")
     os.environ["GODOT"] = checkout.setup_path("engine")
     build(LIBRARY)
     project.prepare(checkout.PROJECT)
-    for sanitizer in SANITIZERS:
-        build(os.path.relpath(checkout.variant(sanitizer), checkout.ROOT), "tests", sanitizer=sanitizer)
+    build(os.path.relpath(checkout.variant(MEMORY), checkout.ROOT), "tests", sanitizer=MEMORY)
+    build(os.path.relpath(thread_program(), checkout.ROOT), sanitizer=THREAD)
 
 
-def copy_project(sanitizer):
+def copy_project():
     """Folder of a copy of the project with the sanitized library, including the imported files."""
-    place = os.path.join(checkout.variant(sanitizer), "engine")
+    place = os.path.join(checkout.variant(MEMORY), "engine")
     shutil.rmtree(place, ignore_errors=True)
     folder = os.path.join(place, "project")
     shutil.copytree(checkout.PROJECT, folder)
@@ -71,14 +79,14 @@ def copy_project(sanitizer):
     libraries = os.path.join(folder, ADDON_LIBRARIES)
     shutil.rmtree(libraries)
     os.mkdir(libraries)
-    for path in glob.glob(os.path.join(checkout.variant(sanitizer), "libga_godot.*")):
+    for path in glob.glob(os.path.join(checkout.variant(MEMORY), "libga_godot.*")):
         shutil.copy2(path, libraries)
     return folder
 
 
 def build_shim():
     """Path of the compiled clear_deepbind.c."""
-    path = os.path.join(checkout.variant("address"), "clear_deepbind.so")
+    path = os.path.join(checkout.variant(MEMORY), "clear_deepbind.so")
     source = os.path.join(checkout.TOOLS, "lib", "clear_deepbind.c")
     subprocess.run(["gcc", "-shared", "-fPIC", "-O1", "-o", path, source, "-ldl"], check=True)
     return path

@@ -11,11 +11,12 @@ from dataclasses import dataclass, field
 import checkout
 from engine_log import EngineLog
 
-# The last line of this project's runners, and the summary of doctest.
+# The last line of this project's runners, the summary of doctest, and that of a fuzz target, which counts as one test.
 COUNTS = (
     re.compile(r"^\[[\w.-]+\] (?P<passed>\d+) passed, (?P<failed>\d+) failed$"),
     re.compile(r"^\[doctest\] test cases: +\d+ \| +(?P<passed>\d+) passed \| +(?P<failed>\d+) failed"),
 )
+FUZZED = re.compile(r"^Done [1-9]\d* runs in \d+ second\(s\)$")
 COLOR = re.compile(r"\x1b\[[0-9;]*m")
 SILENCE_SECONDS = 10
 
@@ -29,6 +30,8 @@ class Program:
     env: dict = field(default_factory=dict)
     # Whether the output contains an engine's log, which is checked for errors and leaks.
     engine: bool = True
+    # Lines that are not shown.
+    hidden: re.Pattern = None
 
 
 @dataclass
@@ -55,7 +58,7 @@ def run(program):
     try:
         for line in process.stdout:
             watch.heard()
-            if log.feed(line) or not program.engine:
+            if (log.feed(line) or not program.engine) and not (program.hidden and program.hidden.match(line)):
                 print(line, end="", flush=True)
             counts = read_counts(line) or counts
         process.wait()
@@ -82,7 +85,7 @@ def read_counts(line):
         match = pattern.match(text)
         if match:
             return int(match["passed"]), int(match["failed"])
-    return None
+    return (1, 0) if FUZZED.match(text) else None
 
 
 class Watch:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 import checkout
+import fuzzing
 from build import LIBRARY
 from suite_process import Program
 
@@ -25,15 +26,22 @@ class Suite:
 
 
 def unit_programs(sanitizer=""):
-    """The doctest programs, one for each folder of src/ with C++ tests and three for the code of the benchmarks, and the
-    fuzz programs."""
+    """The doctest programs: one for each folder of src/ with C++ tests, three for the code of the benchmarks, and one for the
+    use of threads."""
     tests = os.path.join(checkout.ROOT, "tests")
     place = os.path.join(checkout.variant(sanitizer), "tests")
     names = [name for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
              if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
-    programs = [f"{name}_tests" for name in [*names, "network_bench", "load_bench", "engine_bench"]] + ["net_fuzz", "playground_fuzz"]
+    programs = [f"{name}_tests" for name in [*names, "network_bench", "load_bench", "engine_bench", "threads"]]
     return [Program([os.path.join(place, program)], seconds=600 if sanitizer else 120, engine=False)
             for program in programs]
+
+
+def cpp_programs():
+    """The doctest programs, then each fuzz target: its corpus and some random edits of it."""
+    place = os.path.join(checkout.variant(), "fuzz")
+    return unit_programs() + [Program([os.path.join(place, target), "-runs=2000", "-timeout=20", fuzzing.corpus(target)],
+                                      seconds=120, engine=False) for target in fuzzing.targets()]
 
 
 def engine_programs():
@@ -56,7 +64,7 @@ SUITES = (
     Suite("style", ("style", "build", "unit", "bench", "engine"), (LIBRARY,),
           lambda: runner("style", seconds=3600, engine=False)),
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
-    Suite("cpp", ("build", "unit"), ("tests",), unit_programs),
+    Suite("cpp", ("build", "unit"), ("tests", "fuzz"), cpp_programs),
     Suite("determinism", ("build",), (), lambda: runner("determinism", seconds=900, engine=False)),
     Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
     Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),

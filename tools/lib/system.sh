@@ -42,6 +42,17 @@ has_clang_tool() {
     [ "${clang_major:-0}" -ge 19 ]
 }
 
+# True if clang++-19 or clang++ can link a program of libFuzzer.
+# tools/lib/fuzzing.py finds the compiler in the same way.
+has_libfuzzer() {
+    fuzz_compiler=clang++
+    if command -v clang++-19 >/dev/null; then
+        fuzz_compiler=clang++-19
+    fi
+    printf 'extern "C" int LLVMFuzzerTestOneInput(const char *, unsigned long) { return 0; }\n' |
+        "$fuzz_compiler" -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
+}
+
 # missing_for PART: Debian's names of the packages that the part needs and this
 # machine lacks. It looks for programs and headers, not for packages, so a SCons
 # installed by other means counts.
@@ -62,6 +73,12 @@ missing_for() {
         clang)
             has_clang_tool clang-format || echo clang-format-19
             has_clang_tool clang-tidy || echo clang-tidy-19
+            ;;
+        fuzz)
+            has_libfuzzer || echo clang-19 libclang-rt-19-dev llvm-19 # llvm-19 has the symbolizer
+            ;;
+        ccache)
+            command -v ccache >/dev/null || echo ccache
             ;;
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev

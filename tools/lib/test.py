@@ -1,4 +1,4 @@
-"""tools/test [--only SUITE]... [--sanitize]
+"""tools/test [--only SUITE]... [--fuzz [SECONDS]] [--sanitize]
 
 Installs missing dependencies, builds what the suites need, runs them one after
 another and ends with one line `N passed, N failed`. A failing suite does not
@@ -14,12 +14,13 @@ import time
 from contextlib import ExitStack
 
 import checkout
+import fuzzing
 import project
 import sanitized
 import suite_process
 from build import LIBRARY, build
 from display import display
-from suites import SUITES
+from suites import SUITES, Suite
 
 
 def parse_arguments(argv):
@@ -27,20 +28,40 @@ def parse_arguments(argv):
     names = [suite.name for suite in SUITES]
     parser = argparse.ArgumentParser(prog="tools/test", usage=argparse.SUPPRESS, description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", action="append", choices=names, metavar="SUITE",
-                        help="run only this suite (repeatable): " + ", ".join(names))
+    parser.add_argument("--only", action="append", choices=[*names, "all"], metavar="SUITE",
+                        help="run only this suite (repeatable): " + ", ".join(names) + "; or all of them")
+    parser.add_argument("--fuzz", type=positive, nargs="?", const=60, metavar="SECONDS",
+                        help="run each fuzz target for SECONDS (60), after the suites of --only")
     parser.add_argument("--sanitize", action="store_true",
-                        help="run only the C++ and engine suites, built with the address and undefined-behavior sanitizers")
+                        help="run only the C++ and engine suites, built with the address, undefined-behavior and thread sanitizers")
     arguments = parser.parse_args(argv)
-    if arguments.sanitize and arguments.only:
-        parser.error("--sanitize runs its own suites; remove --only")
+    if arguments.sanitize and (arguments.only or arguments.fuzz):
+        parser.error("--sanitize runs its own suites; remove --only and --fuzz")
     return arguments
+
+
+def positive(text):
+    """A number of seconds above 0."""
+    if int(text) <= 0:
+        raise ValueError(text)
+    return int(text)
+
+
+def chosen_suites(arguments):
+    """The suites of these options."""
+    wanted = arguments.only or ([] if arguments.fuzz else ["all"])
+    suites = [suite for suite in SUITES if "all" in wanted or suite.name in wanted]
+    if arguments.fuzz:
+        programs = fuzzing.programs(arguments.fuzz)
+        suites.append(Suite("fuzz", (), (), lambda: programs))
+    return suites
 
 
 def make_ready(suites):
     """Installs, builds and prepares what the suites need."""
     parts = sorted({part for suite in suites for part in suite.parts})
-    checkout.setup(*parts)
+    if parts:
+        checkout.setup(*parts)
     if "engine" in parts:
         # All programs use the same engine, whatever their PATH.
         os.environ["GODOT"] = checkout.setup_path("engine")
@@ -86,7 +107,7 @@ def main():
         suites = sanitized.SUITES
         sanitized.make_ready()
     else:
-        suites = [suite for suite in SUITES if not arguments.only or suite.name in arguments.only]
+        suites = chosen_suites(arguments)
         make_ready(suites)
     results = [(suite.name, *run_suite(suite)) for suite in suites]
     print()

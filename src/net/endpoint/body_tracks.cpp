@@ -14,7 +14,7 @@ constexpr size_t MAX_ENDS = 32768;
 constexpr double END_CHECK_INTERVAL = 0.125;
 
 uint64_t next_life() {
-	static std::atomic<uint64_t> last_life = 0; // receivers may run in several threads
+	static std::atomic<uint64_t> last_life = 0; // receivers may be in different threads
 	return ++last_life;
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace playground::drawing {
 
@@ -44,12 +45,17 @@ void add_motor(Figure &figure, const cga::Multivector &x) {
 	if (!pose || !is_finite(pose->translation) || !std::isfinite(pose->scale)) {
 		return;
 	}
+	Strokes strokes = motor_strokes(*pose);
+	// Their vertices have single precision: a motor beyond its range is not drawn.
+	if (!std::all_of(strokes.vertices.begin(), strokes.vertices.end(), [](const StrokeVertex &vertex) { return is_finite(Vector(vertex.position)) && is_finite(Vector(vertex.tangent)) && std::isfinite(vertex.arc); })) {
+		return;
+	}
 	if (const std::optional<MotorAxis> axis = axis_of(*pose)) {
 		const Vector foot = axis->point - axis->direction * glm::dot(axis->point, axis->direction);
 		figure.parts.push_back({ Form::LINE, along(foot, axis->direction), 1.0, true });
 	}
 	figure.parts.push_back({ Form::CUSTOM, {}, 1.0, false });
-	figure.custom = motor_strokes(*pose);
+	figure.custom = std::move(strokes);
 	figure.label_position = pose->translation;
 }
 
@@ -149,7 +155,8 @@ bool contains(const Box &outer, const Box &inner) {
 }
 
 Box bounds_of(const Part &part, const Strokes &custom) {
-	const double r = std::abs(part.radius);
+	constexpr double MAX_RADIUS = 1e30; // so that the box is finite in single precision, too
+	const double r = std::min(std::abs(part.radius), MAX_RADIUS);
 	switch (part.form) {
 		case Form::LINE:
 		case Form::PLANE:

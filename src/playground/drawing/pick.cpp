@@ -18,11 +18,12 @@ constexpr int SAMPLES = 96, REFINEMENTS = 40;
 std::optional<PickHit> pick_point(const Vector &point, const PickRay &ray) {
 	const Vector to = point - ray.origin;
 	const double depth = glm::dot(to, ray.direction);
-	const double pixel = ray.pixel(depth);
-	if (depth <= 0.0 || !(pixel > 0.0)) {
+	const double pixels = glm::length(to - ray.direction * depth) / ray.pixel(depth);
+	// Beyond the range of double, the distance is not finite.
+	if (depth <= 0.0 || !(ray.pixel(depth) > 0.0) || !std::isfinite(pixels)) {
 		return std::nullopt;
 	}
-	return PickHit{ glm::length(to - ray.direction * depth) / pixel, depth, false };
+	return PickHit{ pixels, depth, false };
 }
 
 void keep_nearest(std::optional<PickHit> &best, const std::optional<PickHit> &other) {
@@ -111,10 +112,11 @@ std::optional<PickHit> pick_sphere(const Part &part, const PickRay &ray) {
 		const std::optional<PickHit> at = pick_point(ray.origin + ray.direction * enters, ray);
 		return at ? std::optional<PickHit>({ 0.0, enters, true }) : std::nullopt;
 	}
-	if (depth <= 0.0) {
+	const double pixels = (glm::length(to_center - ray.direction * depth) - radius) / ray.pixel(depth);
+	if (depth <= 0.0 || !std::isfinite(pixels)) {
 		return std::nullopt;
 	}
-	return PickHit{ (glm::length(to_center - ray.direction * depth) - radius) / ray.pixel(depth), depth, false };
+	return PickHit{ std::max(pixels, 0.0), depth, false }; // rounding can make it negative
 }
 
 std::optional<PickHit> pick_plane(const Placement &plane, const PickRay &ray) {

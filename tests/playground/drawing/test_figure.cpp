@@ -213,3 +213,34 @@ TEST_CASE("the merged box contains both boxes") {
 	CHECK(both.min == Vector(-1.0, -4.0, 2.0));
 	CHECK(both.max == Vector(6.0, 1.0, 3.0));
 }
+
+TEST_CASE("the bounds of a sphere and of a circle of any radius are finite") {
+	for (const double radius : { 1.0, 1e30, 1e155, 1e300, 1.7e308 }) {
+		for (const Form form : { Form::CIRCLE, Form::SPHERE }) {
+			Part part;
+			part.form = form;
+			part.radius = -radius;
+			const Box box = bounds_of(part, Strokes());
+			const glm::vec3 size(box.max - box.min);
+			CHECK(std::isfinite(size.x + size.y + size.z));
+			CHECK(size.x > 0.0f);
+		}
+	}
+}
+
+TEST_CASE("a motor beyond the range of single precision is not drawn") {
+	for (const double far : { 1e3, 1e39, 1e68 }) {
+		// Half a turn about an axis at that distance.
+		cga::Multivector motor;
+		for (const char *blade : { "e13", "e21", "e32" }) {
+			motor += *cga::Multivector::basis(blade) * std::sqrt(1.0 / 3.0);
+		}
+		for (const char *blade : { "e24", "e25", "e43", "e53", "e1234", "e1235" }) {
+			motor += *cga::Multivector::basis(blade) * far;
+		}
+		const Figure figure = figure_of(motor);
+		CHECK(figure.parts.empty() == (far > 1e38));
+		CHECK(figure.custom.vertices.empty() == (far > 1e38));
+		CHECK(figure.label_position.has_value() == (far < 1e38));
+	}
+}

@@ -82,3 +82,17 @@ TEST_CASE("a motor is picked by its path") {
 	CHECK(pixels(translator, through({ 2.2, 0.0, 0.0 })) < 0.5);
 	CHECK(pixels(translator, through({ 2.2, 2.0, 0.0 })) > 50.0);
 }
+
+TEST_CASE("a form too far away to have a distance in double is not picked") {
+	for (const double far : { 1e160, 1e200, 1.7e308 }) {
+		for (const Form form : { Form::POINT, Form::POINT_PAIR, Form::CIRCLE, Form::SPHERE, Form::LINE }) {
+			for (const double radius : { 1.0, far }) {
+				Figure figure;
+				figure.parts.push_back({ form, {}, radius });
+				figure.parts[0].placement.origin = { 0.5 * far, far, -far };
+				const std::optional<PickHit> found = pick(figure, through({ 0.5, 0.0, 0.0 }));
+				CHECK((!found || (std::isfinite(found->pixels) && found->pixels >= 0.0 && std::isfinite(found->depth))));
+			}
+		}
+	}
+}
