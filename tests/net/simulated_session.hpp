@@ -60,7 +60,7 @@ public:
 	RemoteEnd &add_receiver(uint32_t id, const LinkSettings &link = { 0.03 }) {
 		auto &end = ends[id];
 		end = std::make_unique<RemoteEnd>(id * 17 + 5, link);
-		sender->add_receiver(id, now);
+		sender->add_receiver(id, sender_now());
 		return *end;
 	}
 
@@ -68,9 +68,9 @@ public:
 	void step() {
 		now += TICK;
 		for (const auto &body : bodies) {
-			sender->observe(body.first, now, body.second.path(now));
+			sender->observe(body.first, sender_now(), body.second.path(now));
 		}
-		sender->flush(now);
+		sender->flush(sender_now());
 		for (const net::OutgoingPacket &packet : sender->packets()) {
 			RemoteEnd &end = *ends.at(packet.receiver);
 			const uint8_t *bytes = sender->bytes() + packet.begin;
@@ -97,6 +97,7 @@ public:
 		run(seconds, [] {});
 	}
 
+	[[nodiscard]] double sender_now() const { return now + sender_clock; }
 	/// The largest error of the bodies as the receiver shows them now, relative to the tolerance; 1e9 if one is not shown.
 	[[nodiscard]] double error(const RemoteEnd &end) const {
 		const net::StreamSettings &settings = end.receiver->settings();
@@ -116,6 +117,9 @@ public:
 	std::map<uint32_t, std::unique_ptr<RemoteEnd>> ends;
 	double now = 100.0;
 	double origin = 100.0; // the time of the sender's first observation, where its media time is 0
+	// The clocks are not the same.
+	double sender_clock = 0.0; // its time minus `now`
+	double receiver_clock = 5000.0;
 	bool keeps_bytes = false;
 	bool takes_events = true;
 	int acks_rejected = 0;
@@ -123,8 +127,7 @@ public:
 
 private:
 	void step_end(uint32_t id, RemoteEnd &end) {
-		// The receiver's clock is not the sender's.
-		const double receiver_now = now + 5000.0;
+		const double receiver_now = now + receiver_clock;
 		// Sums of ticks are rounded: a packet of this tick may be due slightly later.
 		const double due = now + 1e-9;
 		while (const std::optional<harness::Delivery> packet = end.down.receive(due)) {
@@ -150,7 +153,7 @@ private:
 			end.not_finite += pose && !cga_test::is_finite(*pose) ? 1 : 0;
 		}
 		while (const std::optional<harness::Delivery> received = end.up.receive(due)) {
-			acks_rejected += sender->accept(id, received->bytes.data(), received->bytes.size(), now) ? 0 : 1;
+			acks_rejected += sender->accept(id, received->bytes.data(), received->bytes.size(), sender_now()) ? 0 : 1;
 		}
 	}
 };

@@ -7,12 +7,12 @@
 
 namespace net {
 
-/// Appends an integer or a floating-point number, little-endian.
+/// Appends an integer or a floating-point number, little-endian: its first `size` bytes.
 template <class Number>
-void put_number(std::vector<uint8_t> &bytes, Number number) {
+void put_number(std::vector<uint8_t> &bytes, Number number, size_t size = sizeof(Number)) {
 	uint64_t bits = 0;
 	std::memcpy(&bits, &number, sizeof(number));
-	for (size_t i = 0; i < sizeof(number); ++i) {
+	for (size_t i = 0; i < size; ++i) {
 		bytes.push_back(uint8_t(bits >> (8 * i)));
 	}
 }

@@ -11,12 +11,14 @@ namespace net {
 
 namespace {
 
-// First byte of an item: short chunk 0 check(3) number(4); chunk 10 first last has-length 000; others 11.
+// First byte of an item: short chunk 0 check(3) number(4); chunk 10 first last has-length wide 00; others 11.
 constexpr uint8_t SHORT_CHUNK_BELOW = 0x80;
 constexpr uint8_t CHUNK = 0x80;
 constexpr uint8_t CHUNK_FIRST = 0x20;
 constexpr uint8_t CHUNK_LAST = 0x10;
 constexpr uint8_t CHUNK_LENGTH = 0x08;
+constexpr uint8_t CHUNK_WIDE = 0x04;
+constexpr uint8_t CHUNK_RESERVED = 0x03;
 constexpr uint8_t CHUNK_BELOW = 0xc0;
 constexpr uint8_t FRAGMENT = 0xe0;
 constexpr uint8_t ROUND_TRIP = 0xe1;
@@ -40,7 +42,8 @@ void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 	} else {
 		chunk.first = (kind & CHUNK_FIRST) != 0;
 		chunk.last = (kind & CHUNK_LAST) != 0;
-		chunk.number = reader.read<uint8_t>();
+		chunk.is_wide = (kind & CHUNK_WIDE) != 0;
+		chunk.number = chunk.is_wide ? reader.read<uint16_t>() : reader.read<uint8_t>();
 		chunk.check = chunk.last ? reader.read<uint8_t>() : 0;
 		chunk.size = (kind & CHUNK_LENGTH) != 0 ? reader.read<uint16_t>() : reader.left();
 	}
@@ -49,10 +52,56 @@ void read_chunk(ByteReader &reader, uint8_t kind, PacketContent &content) {
 }
 
 void read_fragment(ByteReader &reader, PacketContent &content) {
-	FragmentItem fragment{ reader.read<uint8_t>(), reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint16_t>() };
+	FragmentItem fragment{ reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint16_t>(), reader.read<uint16_t>() };
 	fragment.size = reader.read<uint16_t>();
 	fragment.bytes = reader.take(fragment.size);
 	content.fragments.push_back(fragment);
+}
+
+/// Numbers of 7 bits in each byte, the lowest first; bit 7: more follow.
+void put_count(std::vector<uint8_t> &packet, uint16_t count) {
+	uint32_t rest = count;
+	for (; rest >= 0x80; rest >>= 7) {
+		packet.push_back(uint8_t(rest | 0x80));
+	}
+	packet.push_back(uint8_t(rest));
+}
+
+/// Returns 0 if it exceeds 16 bits.
+uint16_t read_count(ByteReader &reader) {
+	uint32_t count = 0;
+	for (int shift = 0; shift < 21; shift += 7) {
+		const auto byte = reader.read<uint8_t>();
+		count |= uint32_t(byte & 0x7f) << shift;
+		if ((byte & 0x80) == 0) {
+			return count <= 0xffff ? uint16_t(count) : 0;
+		}
+	}
+	return 0;
+}
+
+void put_runs(std::vector<uint8_t> &packet, const AckRuns &runs) {
+	packet.push_back(uint8_t(runs.size()));
+	for (size_t i = 0; i < runs.size(); ++i) {
+		put_count(packet, runs[i].missing);
+		put_count(packet, runs[i].present);
+	}
+}
+
+/// Returns false if a run is empty or there are too many.
+bool read_runs(ByteReader &reader, AckRuns &runs) {
+	const size_t count = reader.read<uint8_t>();
+	uint32_t total = 0;
+	for (size_t i = 0; i < count && count <= AckRuns::MAX_RUNS && !reader.failed(); ++i) {
+		const uint16_t missing = read_count(reader);
+		const uint16_t present = read_count(reader);
+		total += uint32_t(missing) + present;
+		if (!reader.failed() && (missing == 0 || present == 0 || total > 0xffff)) {
+			return false;
+		}
+		runs.add(missing, present);
+	}
+	return count <= AckRuns::MAX_RUNS;
 }
 
 } // namespace
@@ -61,8 +110,11 @@ void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_las
 	if (chunk.is_short && is_last_item) {
 		packet.push_back(uint8_t((chunk.check & 7) << 4 | (chunk.number & 15)));
 	} else {
-		packet.push_back(uint8_t(CHUNK | (chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH)));
-		packet.push_back(chunk.number);
+		packet.push_back(uint8_t(CHUNK | (chunk.first ? CHUNK_FIRST : 0) | (chunk.last ? CHUNK_LAST : 0) | (is_last_item ? 0 : CHUNK_LENGTH) | (chunk.is_wide ? CHUNK_WIDE : 0)));
+		packet.push_back(uint8_t(chunk.number));
+		if (chunk.is_wide) {
+			packet.push_back(uint8_t(chunk.number >> 8));
+		}
 		if (chunk.last) {
 			packet.push_back(chunk.check);
 		}
@@ -74,7 +126,8 @@ void put_chunk(std::vector<uint8_t> &packet, const ChunkItem &chunk, bool is_las
 }
 
 void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
-	packet.insert(packet.end(), { FRAGMENT, fragment.snapshot, fragment.next_chunk });
+	packet.insert(packet.end(), { FRAGMENT, fragment.snapshot });
+	put_number(packet, fragment.next_chunk);
 	put_number(packet, fragment.index);
 	put_number(packet, fragment.count);
 	put_number(packet, uint16_t(fragment.size));
@@ -82,19 +135,18 @@ void put_fragment(std::vector<uint8_t> &packet, const FragmentItem &fragment) {
 }
 
 void put_ack(std::vector<uint8_t> &packet, const AckItem &ack) {
-	packet.insert(packet.end(), { ack.later != 0 ? ACK_WITH_LATER : ACK, ack.next, ack.packets });
-	if (ack.later != 0) {
-		packet.push_back(uint8_t((bit_width(ack.later) + 7) / 8));
-	}
-	for (uint64_t rest = ack.later; rest != 0; rest >>= 8) {
-		packet.push_back(uint8_t(rest));
+	packet.push_back(ack.later.size() > 0 ? ACK_WITH_LATER : ACK);
+	put_number(packet, ack.next);
+	packet.push_back(ack.packets);
+	if (ack.later.size() > 0) {
+		put_runs(packet, ack.later);
 	}
 }
 
 void put_snapshot_ack(std::vector<uint8_t> &packet, const SnapshotAckItem &ack) {
 	packet.insert(packet.end(), { SNAPSHOT_ACK, ack.snapshot });
 	put_number(packet, ack.next);
-	put_number(packet, ack.later);
+	put_runs(packet, ack.later);
 }
 
 void put_snapshot_request(std::vector<uint8_t> &packet) {
@@ -129,7 +181,7 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 	ByteReader reader(packet, size);
 	while (reader.left() > 0) {
 		const auto kind = reader.read<uint8_t>();
-		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & 7) == 0)) {
+		if (kind < SHORT_CHUNK_BELOW || (kind < CHUNK_BELOW && (kind & CHUNK_RESERVED) == 0)) {
 			read_chunk(reader, kind, content);
 		} else if (kind == FRAGMENT) {
 			read_fragment(reader, content);
@@ -137,14 +189,10 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 			content.round_trip = double(reader.read<uint16_t>()) / ROUND_TRIP_STEPS;
 		} else if (kind == ACK || kind == ACK_WITH_LATER) {
 			AckItem ack;
-			ack.next = reader.read<uint8_t>();
+			ack.next = reader.read<uint16_t>();
 			ack.packets = reader.read<uint8_t>();
-			if (kind == ACK_WITH_LATER) {
-				const auto bytes = reader.read<uint8_t>();
-				if (bytes < 1 || bytes > 8) {
-					return PacketError::BAD_ACK;
-				}
-				ack.later = reader.read<uint64_t>(bytes);
+			if (kind == ACK_WITH_LATER && !read_runs(reader, ack.later)) {
+				return PacketError::BAD_ACK;
 			}
 			content.acks.push_back(ack);
 		} else if (kind == SNAPSHOT_REQUEST) {
@@ -155,7 +203,11 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 			alignment.shift = double(reader.read<int16_t>()) / SHIFT_STEPS;
 			content.alignment = alignment;
 		} else if (kind == SNAPSHOT_ACK) {
-			content.snapshot_acks.push_back({ reader.read<uint8_t>(), reader.read<uint16_t>(), reader.read<uint32_t>() });
+			SnapshotAckItem ack{ reader.read<uint8_t>(), reader.read<uint16_t>(), {} };
+			if (!read_runs(reader, ack.later)) {
+				return PacketError::BAD_ACK;
+			}
+			content.snapshot_acks.push_back(ack);
 		} else {
 			return PacketError::UNKNOWN_ITEM;
 		}

@@ -1,5 +1,6 @@
 #include "net/endpoint/forwarded_stream.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace net {
@@ -17,7 +18,7 @@ void ForwardedStream::set_held(bool held, double time) {
 
 void ForwardedStream::restart(double time) {
 	for (auto &entry : _receivers) {
-		entry.second = Delivery(time);
+		entry.second.restart(time);
 	}
 }
 
@@ -36,12 +37,18 @@ void ForwardedStream::update(double time, size_t max_size) {
 	if (!_source.is_ready() || _is_held) {
 		return;
 	}
+	uint32_t oldest_needed = 0xffffffff;
+	for (const auto &entry : _receivers) {
+		oldest_needed = entry.second.is_silent(time) ? oldest_needed : std::min(oldest_needed, entry.second.first_missing());
+	}
+	_source.record(max_size, oldest_needed);
 	// As in Sender::send_all.
 	const double max_wait = 2.0 * _source.settings().max_latency - _source.max_window();
 	std::shared_ptr<Snapshot> snapshot; // the same one for all
 	for (auto &entry : _receivers) {
 		Delivery &delivery = entry.second;
 		delivery.set_max_wait(max_wait);
+		delivery.set_snapshot_size(Snapshot::estimate(_source.stream_size()));
 		if (!delivery.needs_snapshot() || delivery.is_silent(time)) {
 			continue;
 		}
@@ -49,7 +56,7 @@ void ForwardedStream::update(double time, size_t max_size) {
 			snapshot = std::make_shared<Snapshot>();
 			snapshot->number = ++_snapshot_number;
 			snapshot->next_chunk = _source.recorded()->next();
-			snapshot->fragment_size = max_size - FRAGMENT_HEADER;
+			snapshot->fragment_size = Snapshot::fragment_size_for(max_size);
 			_source.encode_snapshot(snapshot->bytes);
 		}
 		delivery.start_snapshot(snapshot);

@@ -1,6 +1,7 @@
 #include "net/endpoint/receiver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <unordered_set>
 
@@ -38,6 +39,7 @@ uint64_t next_life() {
 } // namespace
 
 PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
+	now = _local_clock.advance(now);
 	PacketResult result = read_packet(packet, size, _content);
 	if (result) {
 		result = check_fragments();
@@ -80,14 +82,14 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	return {};
 }
 
-void Receiver::count_loss(uint8_t number, bool is_copy, double now) {
+void Receiver::count_loss(uint16_t number, bool is_copy, double now) {
 	// A chunk that arrives after a newer one was retransmitted or reordered.
-	const bool is_late = is_copy || int8_t(number - _newest_chunk) < 0;
+	const bool is_late = is_copy || int16_t(number - _newest_chunk) < 0;
 	_statistics.loss += ((is_late ? 1.0 : 0.0) - _statistics.loss) * LOSS_WEIGHT;
 	if (is_late && (is_copy || now - _newest_chunk_time > MAX_REORDERING)) {
 		_clock.observe_loss(_statistics.loss, now);
 	}
-	if (int8_t(number - _newest_chunk) >= 0) {
+	if (int16_t(number - _newest_chunk) >= 0) {
 		_newest_chunk = number;
 		_newest_chunk_time = now;
 	}
@@ -119,6 +121,7 @@ void Receiver::take_fragment(const FragmentItem &fragment, double now) {
 	if (!_fragments.belongs(fragment)) {
 		_snapshot_done = false;
 		_fragments.start(fragment);
+		_chunks.expect(fragment.next_chunk);
 	}
 	if (_fragments.add(fragment)) {
 		_progress_time = _fragment_time = now;
@@ -162,8 +165,8 @@ PacketResult Receiver::finish_snapshot(double now) {
 	set_limits();
 	_clock.observe(known_time(), known_time(), now);
 	_chunks.restart(_fragments.next_chunk());
-	if (!continues || int8_t(_newest_chunk - _fragments.next_chunk()) < 0) {
-		_newest_chunk = uint8_t(_fragments.next_chunk() - 1);
+	if (!continues || int16_t(_newest_chunk - _fragments.next_chunk()) < 0) {
+		_newest_chunk = uint16_t(_fragments.next_chunk() - 1);
 	}
 	show_snapshot(continues);
 	return {};
@@ -239,7 +242,7 @@ void Receiver::decode_windows(double now) {
 			break;
 		}
 		if (_record) {
-			_record->push_window(_window, _decoder->check(), _record_size);
+			_record->push_window(_window, _decoder->check(), *ticks * tick(), _record_size, _record_needed);
 		}
 		_progress_time = now;
 		const double begin = _window_end;
@@ -268,7 +271,7 @@ void Receiver::decode_windows(double now) {
 
 void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
 	SnapshotHeader header = _header;
-	header.tick = uint32_t(_window_end);
+	header.tick = uint64_t(_window_end);
 	put_snapshot_header(bytes, header);
 	_decoder->encode_snapshot(bytes);
 }
@@ -287,6 +290,7 @@ bool Receiver::needs_snapshot(double now) const {
 }
 
 void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
+	now = _local_clock.advance(now);
 	packet.clear();
 	if (needs_snapshot(now) && now - _request_time > REQUEST_INTERVAL) {
 		_request_time = now;
@@ -305,6 +309,7 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 }
 
 void Receiver::advance(double now) {
+	now = _local_clock.advance(now);
 	if (!is_ready()) {
 		return;
 	}
@@ -328,7 +333,7 @@ void Receiver::advance(double now) {
 
 std::optional<cga::Pose<double>> Receiver::pose_at(uint32_t id, double media_time) const {
 	const auto track = _tracks.find(id);
-	return track != _tracks.end() ? track->second.pose_at(media_time / tick()) : std::nullopt;
+	return track != _tracks.end() && !std::isnan(media_time) ? track->second.pose_at(media_time / tick()) : std::nullopt;
 }
 
 std::optional<ShownBody> Receiver::shown(uint32_t id) const {

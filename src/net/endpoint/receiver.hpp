@@ -6,6 +6,7 @@
 #include "net/delivery/playback_clock.hpp"
 #include "net/motion/motion_track.hpp"
 #include "net/stream/snapshot_header.hpp"
+#include "net/stream/steady_clock.hpp"
 #include "net/stream/stream_decoder.hpp"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ enum class BodyEnd : uint8_t {
 };
 
 /// Receives one authority's stream: takes packets in any order, keeps a jitter buffer for each body, and shows all bodies at
-/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock.
+/// one media time. It performs no I/O. `now` is in seconds on the receiver's own clock, which may
+/// jump (see SteadyClock); an invalid time counts as that of the previous call.
 class Receiver {
 public:
 	/// Rejects streams with more than `max_bodies` bodies.
@@ -74,7 +76,7 @@ public:
 	/// The media time shown: seconds on the sender's clock since its stream began.
 	[[nodiscard]] double media_time() const { return _clock.media_time(); }
 	/// The media time that playback will show at `now`, without advancing it.
-	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(now); }
+	[[nodiscard]] double media_time_at(double now) const { return _clock.media_time_at(_local_clock.at(now)); }
 	/// The media time up to which all motion has arrived.
 	[[nodiscard]] double known_time() const { return _window_end * tick(); }
 
@@ -115,8 +117,10 @@ public:
 	[[nodiscard]] const StreamStatistics &statistics() const { return _statistics; }
 
 	/// Keeps the last windows from now on, as chunks for packets of `max_packet_size` bytes, so that a ForwardedStream can send them.
-	void record(size_t max_packet_size) {
+	/// Chunks before `oldest_needed` may be dropped.
+	void record(size_t max_packet_size, uint32_t oldest_needed = 0xffffffff) {
 		_record_size = max_packet_size;
+		_record_needed = oldest_needed;
 		if (!_record) {
 			_record.emplace();
 		}
@@ -149,7 +153,7 @@ private:
 	};
 
 	/// `is_copy`: a newer window arrived in the same packet.
-	void count_loss(uint8_t number, bool is_copy, double now);
+	void count_loss(uint16_t number, bool is_copy, double now);
 	PacketResult check_fragments();
 	void take_fragment(const FragmentItem &fragment, double now);
 	PacketResult finish_snapshot(double now);
@@ -173,9 +177,11 @@ private:
 	SnapshotHeader _header;
 	std::optional<ChunkRing> _record;
 	size_t _record_size = 0; // maximum packet size
+	uint32_t _record_needed = 0; // the oldest chunk needed
 	uint32_t _snapshot_count = 0;
 	double _window_end = 0.0; // ticks
 	PlaybackClock _clock;
+	SteadyClock _local_clock; // of `now`
 	std::unordered_map<uint32_t, MotionTrack> _tracks;
 	std::map<uint64_t, Ending> _ends; // by life: recent ones and those that playback has not reached
 	std::vector<BodyEvent> _events;
@@ -192,7 +198,7 @@ private:
 	double _progress_time = 0.0; // when a window was last decoded or a new fragment arrived; initially the first packet
 	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
-	uint8_t _newest_chunk = 0;
+	uint16_t _newest_chunk = 0;
 	double _newest_chunk_time = -1e9; // when it arrived
 	double _min_margin = 0.0;
 	double _max_margin = -1.0; // negative: max_latency

@@ -12,6 +12,8 @@ namespace {
 
 /// Maximum length of a window in which nothing moves, in seconds. Such windows serve as keep-alives.
 constexpr double IDLE_WINDOW = 0.5;
+/// Maximum length of any other window, in seconds: receivers request a snapshot after 1.5 s without one.
+constexpr double MAX_WINDOW = 1.0;
 /// Minimum fraction of max_latency reserved for the window, regardless of network conditions.
 constexpr double MIN_WINDOW = 0.4;
 /// Above this loss, windows are shortened to leave time for a retransmission.
@@ -25,6 +27,10 @@ constexpr double SAME_TIME = 1e-5;
 /// A time this short of a tick counts as that tick: recorded times are rounded.
 constexpr double SAME_TICK = 0.01;
 
+/// After a pause of more than this, in ticks, the stream goes on with a snapshot, as the windows of the pause would take too long.
+constexpr int64_t MAX_PAUSE = int64_t(64) * MAX_TICKS;
+/// Beyond this tick, the stream starts anew: a double holds ticks and fractions of 1/4096 up to it.
+constexpr int64_t LAST_TICK = int64_t(1) << 40;
 /// Minimum seconds between two requests to align windows.
 constexpr double MIN_ALIGN_INTERVAL = 0.2;
 
@@ -39,7 +45,7 @@ uint8_t number_from(double time) {
 
 bool Sender::add_body(uint32_t id, const cga::Pose<double> &pose, bool planar, std::optional<double> time) {
 	if (_encoder) {
-		return _encoder->add_body(id, ticks(time.value_or(_time)), pose, planar);
+		return _encoder->add_body(id, ticks(time ? follow(*time) : _time), pose, planar);
 	}
 	IdleBody body;
 	body.planar = planar;
@@ -56,32 +62,30 @@ bool Sender::set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const 
 }
 
 bool Sender::observe(uint32_t id, double time, const cga::Pose<double> &pose) {
-	if (!std::isfinite(time)) {
+	if (!is_valid_time(time)) {
 		return false;
 	}
-	begin_at(time);
-	_observed = time;
+	_observed = follow(time);
 	if (_encoder) {
-		return _encoder->observe(id, ticks(time), pose);
+		return _encoder->observe(id, ticks(_observed), pose);
 	}
 	const auto found = _idle_bodies.find(id);
 	return found != _idle_bodies.end() && set_idle_pose(found->second, pose);
 }
 
 bool Sender::observe(uint32_t id, double time) {
-	if (!std::isfinite(time)) {
+	if (!is_valid_time(time)) {
 		return false;
 	}
-	begin_at(time);
-	_observed = time;
-	return _encoder ? _encoder->observe(id, ticks(time)) : _idle_bodies.count(id) != 0;
+	_observed = follow(time);
+	return _encoder ? _encoder->observe(id, ticks(_observed)) : _idle_bodies.count(id) != 0;
 }
 
 void Sender::add_receiver(uint32_t receiver, double time, double now) {
-	begin_at(time);
-	_now = now;
+	(void)follow(time);
+	_now = _network_clock.advance(now);
 	_peers.erase(receiver);
-	_peers.emplace(receiver, Peer{ Delivery(now) });
+	_peers.emplace(receiver, Peer{ Delivery(_now) });
 }
 
 void Sender::remove_receiver(uint32_t receiver) {
@@ -91,15 +95,23 @@ void Sender::remove_receiver(uint32_t receiver) {
 	}
 }
 
-void Sender::begin_at(double first_time) {
-	if (!_has_origin) {
-		_origin = _time = first_time;
-		_has_origin = true;
+double Sender::follow(double time) {
+	if (!_clock.is_running()) {
+		begin_at(_clock.advance(time, MAX_TIME));
 	}
+	// After a jump back, media time is that of the last flush.
+	const double steady = _clock.at(time);
+	return steady < _time - SteadyClock::MAX_STEP_BACK ? _time : steady;
+}
+
+void Sender::begin_at(double time) {
+	_origin = _time = time;
+	_window_begin = _last_flush = 0;
+	_grid.reset();
 }
 
 void Sender::start_encoder(int64_t last_flush) {
-	const double begin = std::max(ticks(_observed), double(last_flush));
+	const double begin = std::max(ticks(std::min(_observed, _time)), double(last_flush));
 	_window_begin = int64_t(std::ceil(begin - SAME_TICK));
 	_encoder.emplace(float(_settings.position_tolerance), float(_settings.rotation_tolerance), _settings.mode);
 	std::vector<uint32_t> ids;
@@ -114,7 +126,7 @@ void Sender::start_encoder(int64_t last_flush) {
 	}
 	_idle_bodies.clear();
 	for (auto &peer : _peers) {
-		peer.second.delivery = Delivery(_now);
+		peer.second.delivery.restart(_now);
 	}
 	_changed_since = -1;
 	_is_starting = true;
@@ -137,8 +149,10 @@ double Sender::max_window() const {
 			network = std::max(network, once + (delivery.expected_loss() > NOTABLE_LOSS ? delivery.rto() + _settings.tick : 0.0));
 		}
 	}
-	const double longest = std::max(_settings.max_latency - network, _settings.max_latency * MIN_WINDOW);
-	return std::max(longest, _settings.send_rate > 0.0 ? std::min(1.0 / _settings.send_rate, _settings.max_latency) : 0.0) / _settings.tick;
+	// While the chunks of a window are sent, the next window begins.
+	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
+	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
+	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
 }
 
 bool Sender::is_window_due(int64_t now) const {
@@ -162,13 +176,22 @@ bool Sender::is_window_due(int64_t now) const {
 	return following - double(_window_begin) > IDLE_WINDOW / _settings.tick;
 }
 
+uint32_t Sender::oldest_needed() const {
+	uint32_t oldest = _ring.next();
+	for (const auto &peer : _peers) {
+		const Delivery &delivery = peer.second.delivery;
+		oldest = delivery.is_silent(_now) || delivery.needs_snapshot() ? oldest : std::min(oldest, delivery.first_missing());
+	}
+	return oldest;
+}
+
 void Sender::close_window(int64_t end) {
 	while (_window_begin < end) {
 		const int length = int(std::min<int64_t>(end - _window_begin, MAX_TICKS));
 		const uint32_t first_chunk = _ring.next();
 		_window.clear();
 		_encoder->encode_window(double(_window_begin), length, _window);
-		_ring.push_window(_window, _encoder->check(), _settings.max_packet_size);
+		_ring.push_window(_window, _encoder->check(), length * _settings.tick, _settings.max_packet_size, oldest_needed());
 		_chunks_per_tick = double(_ring.next() - first_chunk) / length;
 		_window_begin += length;
 	}
@@ -194,10 +217,10 @@ std::shared_ptr<Snapshot> Sender::make_snapshot() {
 	auto snapshot = std::make_shared<Snapshot>();
 	snapshot->number = ++_snapshot_number;
 	snapshot->next_chunk = _ring.next();
-	snapshot->fragment_size = _settings.max_packet_size - FRAGMENT_HEADER;
+	snapshot->fragment_size = Snapshot::fragment_size_for(_settings.max_packet_size);
 	SnapshotHeader header;
 	header.settings = _settings;
-	header.tick = uint32_t(_window_begin);
+	header.tick = uint64_t(_window_begin);
 	header.window = float(max_window() * _settings.tick);
 	put_snapshot_header(snapshot->bytes, header);
 	_encoder->encode_snapshot(snapshot->bytes);
@@ -210,6 +233,7 @@ void Sender::send_all() {
 	for (auto &entry : _peers) {
 		Peer &peer = entry.second;
 		peer.delivery.set_max_wait(max_wait);
+		peer.delivery.set_snapshot_size(Snapshot::estimate(body_count()));
 		peer.delivery.send(_ring, _now, _settings.max_packet_size, _bytes, [&](size_t begin, size_t size) {
 			_packets.push_back({ entry.first, begin, size });
 			peer.bytes_sent += size;
@@ -221,10 +245,16 @@ void Sender::send_all() {
 void Sender::flush(double time, double now) {
 	_bytes.clear();
 	_packets.clear();
-	begin_at(time);
-	_time = std::max(time, _time);
-	_now = now;
-	const int64_t tick = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	(void)follow(time);
+	_time = _clock.advance(time, MAX_TIME);
+	_now = _network_clock.advance(now);
+	int64_t tick = int64_t(std::floor(ticks(_time) + SAME_TICK));
+	if (tick > LAST_TICK) {
+		stop_encoder();
+		_clock = SteadyClock();
+		_observed = follow(time);
+		tick = 0;
+	}
 	if (tick > _last_flush) {
 		// A slowly decaying maximum of recent steps: a window must be closed before the next flush would make it too long.
 		_step = std::clamp(double(tick - _last_flush), 0.9 * _step, MAX_STEP);
@@ -235,8 +265,11 @@ void Sender::flush(double time, double now) {
 		_window_begin = tick;
 		return;
 	}
+	if (_encoder && tick - _window_begin > MAX_PAUSE) {
+		stop_encoder();
+	}
 	if (!_encoder) {
-		start_encoder(before);
+		start_encoder(tick - before > MAX_PAUSE ? tick : before);
 	}
 	if (_is_starting && tick >= _window_begin) {
 		_encoder->start_at(double(_window_begin));
@@ -263,9 +296,10 @@ PacketResult Sender::accept(uint32_t receiver, const uint8_t *packet, size_t siz
 	if (const PacketResult result = read_packet(packet, size, _content); !result) {
 		return result;
 	}
-	found->second.delivery.accept(_content, _ring, now);
+	const double steady = _network_clock.advance(now);
+	found->second.delivery.accept(_content, _ring, steady);
 	if (_content.alignment) {
-		take_alignment(*_content.alignment, now);
+		take_alignment(*_content.alignment, steady);
 	}
 	return {};
 }
@@ -281,17 +315,19 @@ void Sender::take_alignment(const AlignItem &request, double now) {
 	_grid = WindowGrid{ (_grid ? _grid->phase : double(_window_begin)) + request.shift / _settings.tick, period };
 }
 
-void Sender::set_settings(const StreamSettings &settings) {
+bool Sender::set_settings(const StreamSettings &settings) {
+	if (!settings.is_valid()) {
+		return false;
+	}
 	const bool restarts = !_settings.is_same_stream(settings);
 	if (_settings.tick != settings.tick) {
-		_origin = _time;
-		_window_begin = _last_flush = 0;
-		_grid.reset();
+		begin_at(_time);
 	}
 	_settings = settings;
 	if (restarts) {
 		stop_encoder();
 	}
+	return true;
 }
 
 void Sender::resend_all(uint32_t receiver) {

@@ -2,6 +2,7 @@
 
 #include "net/delivery/delivery.hpp"
 #include "net/endpoint/window_grid.hpp"
+#include "net/stream/steady_clock.hpp"
 #include "net/stream/stream_encoder.hpp"
 #include "net/stream/stream_settings.hpp"
 
@@ -31,14 +32,17 @@ struct ReceiverStatistics {
 
 /// Sends the poses of one authority's bodies to any number of receivers. It performs no I/O: the caller takes packets after
 /// `flush` and passes acknowledgements to `accept`. Times are in seconds. `time` is the clock of the motion, which may stand still;
-/// `now` is the clock of the network, on which round trips and silence are measured. They may be the same.
+/// `now` is the clock of the network, on which round trips and silence are measured. They may be the same. Both may jump (see
+/// SteadyClock): if `time` steps back by more than a second, media time goes on from where it is. After a step forward of more than 4096
+/// ticks the stream goes on with a snapshot. Invalid times (see is_valid_time) are ignored.
 ///
 /// Each window is encoded once for all receivers, as a delta from the previous window. Lost windows are retransmitted; a
 /// receiver that is new or too far behind gets a snapshot.
 class Sender {
 public:
+	/// Settings that are not valid are replaced with the defaults.
 	explicit Sender(const StreamSettings &settings) :
-			_settings(settings) {}
+			_settings(settings.is_valid() ? settings : StreamSettings()) {}
 
 	/// Adds a body at a pose. False if the id is taken or the pose is not finite or out of range. A planar body moves in the plane
 	/// z = 0 and rotates about z: other coordinates of its poses are ignored.
@@ -70,7 +74,7 @@ public:
 	[[nodiscard]] const uint8_t *bytes() const { return _bytes.data(); }
 
 	/// Makes windows end at `time` and at all multiples of `period` seconds before and after, as far as max_latency allows.
-	void align(double time, double period) { _grid = WindowGrid{ ticks(time), period / _settings.tick }; }
+	void align(double time, double period) { _grid = WindowGrid{ ticks(_clock.at(time)), period / _settings.tick }; }
 	/// Processes a packet from a receiver.
 	PacketResult accept(uint32_t receiver, const uint8_t *packet, size_t size, double now);
 
@@ -78,12 +82,12 @@ public:
 	void resend_all(uint32_t receiver);
 
 	/// New settings apply from the next window on. A change of any setting but send_rate and max_packet_size restarts
-	/// the stream.
-	void set_settings(const StreamSettings &settings);
+	/// the stream. Returns false and changes nothing if they are not valid.
+	bool set_settings(const StreamSettings &settings);
 	[[nodiscard]] const StreamSettings &settings() const { return _settings; }
 	[[nodiscard]] ReceiverStatistics statistics(uint32_t receiver) const;
 	/// Converts a time on the sender's clock to media time (see Receiver::media_time); 0 before the first observation or flush.
-	[[nodiscard]] double media_time(double time) const { return _has_origin ? time - _origin : 0.0; }
+	[[nodiscard]] double media_time(double time) const { return _clock.is_running() ? _clock.at(time) - _origin : 0.0; }
 	/// Number of bodies that moved in the last window.
 	[[nodiscard]] size_t moving_count() const { return _encoder ? _encoder->moving_count() : 0; }
 
@@ -99,16 +103,22 @@ private:
 		uint64_t packets_sent = 0;
 	};
 
+	/// Converts a steady time to media time in ticks.
 	[[nodiscard]] double ticks(double time) const { return (time - _origin) / _settings.tick; }
 	/// Sets the pose of a body while there is no encoder. Returns false if it is not finite or out of range.
 	[[nodiscard]] bool set_idle_pose(IdleBody &body, const cga::Pose<double> &pose) const;
-	void begin_at(double first_time);
+	/// Converts a time of the motion to a steady time.
+	double follow(double time);
+	/// Media time begins at a steady time.
+	void begin_at(double time);
 	/// Starts the stream at the first tick at which all poses are known.
 	void start_encoder(int64_t last_flush);
 	void stop_encoder();
 	[[nodiscard]] double max_window() const;
 	void take_alignment(const AlignItem &request, double now);
 	[[nodiscard]] bool is_window_due(int64_t now) const;
+	/// The first chunk that a receiver may still need.
+	[[nodiscard]] uint32_t oldest_needed() const;
 	void close_window(int64_t end);
 	void start_snapshots();
 	[[nodiscard]] std::shared_ptr<Snapshot> make_snapshot();
@@ -126,11 +136,12 @@ private:
 	PacketContent _content;
 	uint8_t _snapshot_number = 0; // of the last snapshot; starts at random, to differ from those of an earlier sender
 	bool _has_snapshot_number = false;
-	double _time = 0.0; // of the last flush
-	double _observed = 0.0; // time of the last pose
+	SteadyClock _clock; // of the motion
+	SteadyClock _network_clock;
+	double _time = 0.0; // of the last flush, steady
+	double _observed = 0.0; // steady time of the last pose
 	double _now = 0.0;
-	double _origin = 0.0; // time of tick 0
-	bool _has_origin = false;
+	double _origin = 0.0; // steady time of tick 0
 	int64_t _window_begin = 0; // ticks
 	int64_t _last_flush = 0; // ticks
 	int64_t _changed_since = -1; // tick; -1: nothing has changed

@@ -29,9 +29,10 @@ uint8_t next_link(double now) {
 
 } // namespace
 
-void Session::set_now(double now) {
-	_running_time += std::clamp(now - _now, 0.0, MAX_STEP);
-	_now = now;
+double Session::set_now(double now) {
+	const double before = std::exchange(_now, _clock.advance(now));
+	_running_time += std::clamp(_now - before, 0.0, MAX_STEP);
+	return _now;
 }
 
 void Session::connect(PeerId self) {
@@ -84,13 +85,16 @@ void Session::close(double now) {
 	}
 }
 
-void Session::set_settings(const StreamSettings &settings) {
-	const double tick = _settings.tick;
+bool Session::set_settings(StreamSettings settings) {
+	settings.tick = _settings.tick;
+	if (!settings.is_valid()) {
+		return false;
+	}
 	_settings = settings;
-	_settings.tick = tick;
 	if (_sender) {
 		_sender->set_settings(sender_settings());
 	}
+	return true;
 }
 
 StreamSettings Session::sender_settings() const {
@@ -148,7 +152,7 @@ void Session::remove_body(uint32_t body, bool freed) {
 
 void Session::begin_tick(double now, double length) {
 	set_now(now);
-	if (length != _settings.tick) {
+	if (length != _settings.tick && TICK_RANGE.contains(length)) {
 		// From here on, the session and its sender count whole ticks of the new length.
 		_first_tick = time();
 		_tick = 0;
@@ -280,7 +284,7 @@ void Session::unsubscribe(PeerId id, Peer &peer) {
 }
 
 void Session::advance(double now) {
-	set_now(now);
+	now = set_now(now);
 	const bool has_forwarded = std::exchange(_has_forwarded, false);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
@@ -339,6 +343,7 @@ double Session::media_time(PeerId peer) const {
 }
 
 SessionStatistics Session::statistics(PeerId id, double now) {
+	now = _clock.advance(now);
 	SessionStatistics result = _relayed.statistics(id, now);
 	const auto found = _peers.find(id);
 	if (found != _peers.end()) {
@@ -348,6 +353,7 @@ SessionStatistics Session::statistics(PeerId id, double now) {
 }
 
 SessionStatistics Session::total_statistics(double now) {
+	now = _clock.advance(now);
 	SessionStatistics total = _relayed.total_statistics(now);
 	for (auto &[id, peer] : _peers) {
 		total.add(peer.statistics(now, _sender ? _sender->statistics(uint32_t(id)) : ReceiverStatistics()));

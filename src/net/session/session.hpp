@@ -27,11 +27,13 @@ namespace net {
 /// If the session relays, clients exchange streams with the server only, which forwards the streams of all owners to them.
 ///
 /// The session is independent of the transport: the caller passes packets to `accept` and drains `outbox`. No input is
-/// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock.
+/// trusted: only a body's owner can move it, and memory for each peer is bounded. Times are in seconds on one local clock, which
+/// may jump (see SteadyClock).
 class Session {
 public:
+	/// Settings that are not valid are replaced with the defaults.
 	explicit Session(const StreamSettings &settings) :
-			_settings(settings) {}
+			_settings(settings.is_valid() ? settings : StreamSettings()) {}
 
 	/// Resets the session to local peer `self` (0: not connected), without peers and bodies. Sends no packets.
 	void connect(PeerId self);
@@ -49,8 +51,8 @@ public:
 	void close(double now);
 
 	/// Sets the settings of the outgoing stream, except the tick length, which begin_tick sets. In a session, max_packet_size
-	/// includes ENGINE_HEADER bytes, which the engine puts before each packet.
-	void set_settings(const StreamSettings &settings);
+	/// includes ENGINE_HEADER bytes, which the engine puts before each packet. Returns false and changes nothing if they are not valid.
+	bool set_settings(StreamSettings settings);
 	/// Sets whether the server (peer 1) forwards the streams of all owners. Clients then send to the server only. If the server
 	/// does not relay, they request the streams of all owners, as without relaying. A change restarts all streams.
 	void set_relay(bool relay);
@@ -70,7 +72,7 @@ public:
 	/// Removes a body whose object is freed: peers see it up to its last pose, then Receiver::end reports BodyEnd::FREED.
 	void free_body(uint32_t body) { remove_body(body, true); }
 
-	/// Begins a tick and advances media time by `length` seconds.
+	/// Begins a tick and advances media time by `length` seconds, or by the last length if this one is not in TICK_RANGE.
 	void begin_tick(double now, double length);
 	/// True while a peer receives the outgoing stream. Only then do bodies have to be observed, once per tick.
 	[[nodiscard]] bool is_sending() const { return _sender.has_value(); }
@@ -117,7 +119,8 @@ public:
 	[[nodiscard]] SessionStatistics total_statistics(double now);
 
 private:
-	void set_now(double now);
+	/// Returns the steady time.
+	double set_now(double now);
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
 	[[nodiscard]] StreamSettings sender_settings() const;
@@ -156,7 +159,8 @@ private:
 	std::optional<Sender> _sender; // while a peer is subscribed
 	double _first_tick = 0.0; // time() when the tick length last changed
 	int64_t _tick = 0; // ticks since _first_tick
-	double _now = 0.0; // local time of the last call
+	SteadyClock _clock; // the local one
+	double _now = 0.0; // steady local time of the last call
 	double _running_time = 0.0; // local time without the time in which the process stood still
 	double _min_margin = 0.0;
 	double _max_margin = -1.0;

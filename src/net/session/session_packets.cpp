@@ -34,7 +34,7 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	if (!envelope || found == _peers.end()) {
 		return;
 	}
-	set_now(now);
+	now = set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
 	bytes += ENVELOPE_BYTES;

@@ -44,7 +44,7 @@ enum class PacketError : uint8_t {
 		"the packet exceeds the maximum packet size",
 		"the packet is truncated",
 		"the packet contains an item of unknown type",
-		"the length of the packet's acknowledgement mask is not 1 to 8 bytes",
+		"the packet's acknowledgement is malformed",
 		"a snapshot fragment is empty or its index is out of range",
 		"the snapshot is larger than the maximum number of bodies allows",
 		"the snapshot is truncated",

@@ -8,10 +8,6 @@ namespace {
 
 constexpr uint8_t HAS_TOLERANCE_2D = 0x80; // in the byte of the mode
 
-bool is_between(double value, double min, double max) {
-	return value >= min && value <= max;
-}
-
 } // namespace
 
 void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &header) {
@@ -22,7 +18,7 @@ void put_snapshot_header(std::vector<uint8_t> &bytes, const SnapshotHeader &head
 	put_number(bytes, float(header.settings.max_latency));
 	put_number(bytes, header.window);
 	put_number(bytes, header.settings.tick);
-	put_number(bytes, header.tick);
+	put_number(bytes, header.tick, SnapshotHeader::TICK_BYTES);
 	if (header.has_tolerance_2d()) {
 		put_number(bytes, float(header.settings.position_tolerance_2d));
 	}
@@ -42,18 +38,24 @@ cga::Result<SnapshotHeader, PacketError> read_snapshot_header(const uint8_t *byt
 	}
 	ByteReader reader(bytes + 2, size - 2);
 	SnapshotHeader header;
+	bool is_valid = true;
+	const auto read_setting = [&](double &setting, const SettingRange &range) {
+		const auto value = reader.read<float>();
+		setting = double(value);
+		is_valid = is_valid && range.contains(value);
+	};
 	header.settings.mode = cga::Mode(mode);
-	header.settings.position_tolerance = double(reader.read<float>());
-	header.settings.rotation_tolerance = double(reader.read<float>());
-	header.settings.max_latency = double(reader.read<float>());
+	read_setting(header.settings.position_tolerance, POSITION_TOLERANCE_RANGE);
+	read_setting(header.settings.rotation_tolerance, ROTATION_TOLERANCE_RANGE);
+	read_setting(header.settings.max_latency, MAX_LATENCY_RANGE);
 	header.window = reader.read<float>();
 	header.settings.tick = reader.read<double>();
-	header.tick = reader.read<uint32_t>();
+	header.tick = reader.read<uint64_t>(SnapshotHeader::TICK_BYTES);
 	if (has_tolerance_2d) {
-		header.settings.position_tolerance_2d = double(reader.read<float>());
+		read_setting(header.settings.position_tolerance_2d, POSITION_TOLERANCE_2D_RANGE);
+		is_valid = is_valid && header.has_tolerance_2d();
 	}
-	const bool is_valid = has_tolerance_2d == header.has_tolerance_2d() && is_between(header.settings.position_tolerance, 1e-6, 1e6) && is_between(header.settings.position_tolerance_2d, 1e-6, 1e6) && is_between(header.settings.rotation_tolerance, 1e-4, 180.0) &&
-			is_between(header.settings.max_latency, 0.0, 60.0) && is_between(double(header.window), 0.0, 60.0) && is_between(header.settings.tick, 1e-4, 10.0);
+	is_valid = is_valid && TICK_RANGE.contains(header.settings.tick) && header.window >= 0.0f && header.window <= float(MAX_LATENCY_RANGE.max) && header.settings.max_latency <= double(float(MAX_LATENCY_TICKS * header.settings.tick));
 	if (!is_valid) {
 		return PacketError::SETTINGS_OUT_OF_RANGE;
 	}

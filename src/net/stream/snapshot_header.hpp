@@ -14,11 +14,12 @@ inline constexpr uint8_t STREAM_VERSION = 1;
 
 /// The header of a snapshot.
 struct SnapshotHeader {
-	static constexpr size_t MIN_BYTES = 30;
-	static constexpr size_t MAX_BYTES = 34;
+	static constexpr size_t TICK_BYTES = 6; ///< at 60 Hz, enough for 148,000 years
+	static constexpr size_t MIN_BYTES = 32;
+	static constexpr size_t MAX_BYTES = 36;
 
 	StreamSettings settings; ///< send_rate and max_packet_size are not transmitted
-	uint32_t tick = 0; ///< the snapshot's media time
+	uint64_t tick = 0; ///< the snapshot's media time; only TICK_BYTES are transmitted
 	float window = 0.0f; ///< the sender's maximum window length, in seconds
 
 	/// position_tolerance_2d is transmitted only if it is not the default.

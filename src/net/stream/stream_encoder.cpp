@@ -75,7 +75,7 @@ bool StreamEncoder::remove_body(uint32_t id, double time, bool freed) {
 	body.removed = true;
 	body.freed = freed;
 	// The body is shown up to its last pose.
-	body.removal_time = body.samples.empty() ? time : std::max(time, body.samples.back().time);
+	body.removal_time = body.samples.empty() ? time : std::clamp(body.samples.back().time, time, time + MAX_TICKS);
 	_index.erase(found);
 	_changed = true;
 	return true;
@@ -116,6 +116,11 @@ bool StreamEncoder::observe(Body &body, double time) {
 	if (std::fabs(time - whole) < SAME_TICK) {
 		time = whole;
 	}
+	// What was observed at later times no longer holds.
+	while (!body.samples.empty() && body.samples.back().time > time) {
+		body.samples.pop_back();
+	}
+	body.event_time = std::min(body.event_time, time);
 	if (body.added && (body.jump_next || time <= body.event_time + 1e-6)) {
 		// No window contains the body yet: it is added at this pose.
 		body.jump_next = false;

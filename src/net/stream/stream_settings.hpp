@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cga/motor/interpolate.hpp"
+#include "net/stream/setting_range.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,8 +28,15 @@ struct StreamSettings {
 	/// Maximum size of a packet in bytes, from MIN_PACKET_SIZE to MAX_PACKET_SIZE: what the transport sends as one datagram.
 	size_t max_packet_size = 1100;
 
-	static constexpr size_t MIN_PACKET_SIZE = 256;
-	static constexpr size_t MAX_PACKET_SIZE = 65000;
+	static constexpr auto MIN_PACKET_SIZE = size_t(PACKET_SIZE_RANGE.min);
+	static constexpr auto MAX_PACKET_SIZE = size_t(PACKET_SIZE_RANGE.max);
+	/// What a session may take from each packet for its own headers.
+	static constexpr size_t MAX_PACKET_OVERHEAD = 32;
+
+	/// True if all settings are in their ranges (setting_range.hpp), as in each stream that receivers accept.
+	[[nodiscard]] bool is_valid() const {
+		return POSITION_TOLERANCE_RANGE.contains(position_tolerance) && POSITION_TOLERANCE_2D_RANGE.contains(position_tolerance_2d) && ROTATION_TOLERANCE_RANGE.contains(rotation_tolerance) && MAX_LATENCY_RANGE.contains(max_latency) && max_latency <= MAX_LATENCY_TICKS * tick && SEND_RATE_RANGE.contains(send_rate) && TICK_RANGE.contains(tick) && mode <= cga::Mode::SEPARATE && max_packet_size >= MIN_PACKET_SIZE - MAX_PACKET_OVERHEAD && max_packet_size <= MAX_PACKET_SIZE;
+	}
 
 	/// The length of a pixel in meters for planar bodies: both tolerances of the position are the same length. Sender and
 	/// receivers compute the same value.

@@ -1,5 +1,7 @@
 #include "net/delivery/chunk_buffer.hpp"
 
+#include "ack_numbers.hpp"
+
 #include <doctest/doctest.h>
 
 #include <memory>
@@ -11,17 +13,24 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
+constexpr int MAX_AHEAD = int(ChunkBuffer::MAX_AHEAD);
+
+AckNumbers later(const ChunkBuffer &buffer) {
+	return ack_numbers(buffer.ack().later);
+}
+
 bool add(ChunkBuffer &buffer, int number, bool first = true, bool last = true, uint8_t check = 0) {
 	const uint8_t byte = uint8_t(number);
 	ChunkItem chunk;
-	chunk.number = byte;
+	chunk.number = uint16_t(number);
+	chunk.is_wide = true;
 	chunk.first = first;
 	chunk.last = last;
 	chunk.check = check;
 	chunk.bytes = &byte;
 	chunk.size = 1;
-	const std::optional<uint8_t> added = buffer.add(chunk);
-	CHECK(added.value_or(byte) == byte);
+	const std::optional<uint16_t> added = buffer.add(chunk);
+	CHECK(added.value_or(uint16_t(number)) == uint16_t(number));
 	return added.has_value();
 }
 
@@ -36,7 +45,7 @@ Bytes taken(ChunkBuffer &buffer) {
 	return all;
 }
 
-std::unique_ptr<ChunkBuffer> started(uint8_t next) {
+std::unique_ptr<ChunkBuffer> started(uint16_t next) {
 	auto buffer = std::make_unique<ChunkBuffer>();
 	buffer->restart(next);
 	return buffer;
@@ -70,8 +79,8 @@ TEST_CASE("chunk buffer: duplicates and chunks too far ahead or behind are dropp
 	CHECK(add(*buffer, 201));
 	CHECK_FALSE(add(*buffer, 201));
 	CHECK_FALSE(add(*buffer, 199));
-	CHECK_FALSE(add(*buffer, 200 + ChunkBuffer::AHEAD));
-	CHECK(add(*buffer, 200 + ChunkBuffer::AHEAD - 1));
+	CHECK_FALSE(add(*buffer, 200 + MAX_AHEAD));
+	CHECK(add(*buffer, 200 + MAX_AHEAD - 1));
 	CHECK(add(*buffer, 200));
 	CHECK(taken(*buffer) == Bytes{ 200, 255, 201, 255 });
 	CHECK_FALSE(add(*buffer, 200));
@@ -79,7 +88,7 @@ TEST_CASE("chunk buffer: duplicates and chunks too far ahead or behind are dropp
 }
 
 TEST_CASE("chunk buffer: a short chunk's full number is the one near the first missing chunk") {
-	const auto buffer = started(250);
+	const auto buffer = started(65530);
 	const auto add_short = [&](int number) {
 		const uint8_t byte = uint8_t(number);
 		ChunkItem chunk;
@@ -90,10 +99,10 @@ TEST_CASE("chunk buffer: a short chunk's full number is the one near the first m
 		chunk.size = 1;
 		return buffer->add(chunk);
 	};
-	for (const int number : { 250, 252, 251, 257, 256, 255, 254, 253, 258 }) {
-		CHECK(add_short(number) == uint8_t(number));
+	for (const int number : { 65530, 65532, 65531, 65537, 65536, 65535, 65534, 65533, 65538 }) {
+		CHECK(add_short(number) == uint16_t(number));
 	}
-	CHECK_FALSE(add_short(254)); // a duplicate, before the first missing one
+	CHECK_FALSE(add_short(65534)); // a duplicate, before the first missing one
 	Bytes window;
 	const std::optional<WindowCheck> check = buffer->take_window(window);
 	REQUIRE(check);
@@ -106,26 +115,81 @@ TEST_CASE("chunk buffer: a short chunk's full number is the one near the first m
 }
 
 TEST_CASE("chunk buffer: it acknowledges what has arrived, across the wraparound of numbers") {
-	const auto buffer = started(254);
-	CHECK(buffer->ack().next == 254);
-	CHECK(buffer->ack().later == 0);
-	add(*buffer, 0);
-	add(*buffer, 3);
-	CHECK(buffer->ack().next == 254);
-	CHECK(buffer->ack().later == (uint64_t(1) << 1 | uint64_t(1) << 4)); // 255 is bit 0
-	add(*buffer, 254, true, false); // the first chunk of an incomplete window counts as arrived
-	CHECK(buffer->ack().next == 255);
-	CHECK(buffer->ack().later == (1 | 1 << 3));
-	add(*buffer, 255, false, true);
+	const auto buffer = started(65534);
+	CHECK(buffer->ack().next == 65534);
+	CHECK(later(*buffer).empty());
+	add(*buffer, 65536);
+	add(*buffer, 65539);
+	CHECK(buffer->ack().next == 65534);
+	CHECK(later(*buffer) == AckNumbers{ 2, 5 });
+	add(*buffer, 65534, true, false); // the first chunk of an incomplete window counts as arrived
+	CHECK(buffer->ack().next == 65535);
+	CHECK(later(*buffer) == AckNumbers{ 1, 4 });
+	add(*buffer, 65535, false, true);
 	CHECK(taken(*buffer) == Bytes{ 254, 255, 255, 0, 255 });
 	CHECK(buffer->ack().next == 1);
-	CHECK(buffer->ack().later == 1 << 1);
-	for (int i = 1; i <= ChunkBuffer::AHEAD; ++i) {
-		add(*buffer, i, false, false); // never a window
+	CHECK(later(*buffer) == AckNumbers{ 2 });
+	buffer->restart(1);
+	for (int i = 1; i <= MAX_AHEAD; ++i) {
+		add(*buffer, i, i == 1, false); // never a window
 	}
-	CHECK(buffer->ack().next == uint8_t(1 + ChunkBuffer::AHEAD));
-	CHECK(buffer->ack().later == 0);
+	CHECK(buffer->ack().next == uint16_t(1 + MAX_AHEAD));
+	CHECK(later(*buffer).empty());
 	CHECK(taken(*buffer) == Bytes{});
+}
+
+TEST_CASE("chunk buffer: a chunk that is neither short nor wide has 8 bits of its number") {
+	const auto buffer = started(1000);
+	const auto add_narrow = [&](int number) {
+		ChunkItem chunk;
+		chunk.number = uint8_t(number);
+		chunk.first = chunk.last = true;
+		return buffer->add(chunk);
+	};
+	for (const int number : { 1127, 1000, 1001, 1064 }) {
+		CHECK(add_narrow(number) == number);
+	}
+	CHECK_FALSE(add_narrow(1000 - 100));
+	ChunkBuffer unstarted;
+	ChunkItem chunk;
+	CHECK_FALSE(unstarted.add(chunk));
+}
+
+TEST_CASE("chunk buffer: windows of more than 128 chunks are taken, in any order of arrival") {
+	const auto buffer = started(65000);
+	for (int i = 999; i >= 0; --i) {
+		CHECK(add(*buffer, 65000 + i, i == 0, i == 999));
+	}
+	Bytes window;
+	REQUIRE(buffer->take_window(window));
+	CHECK(window.size() == 1000);
+	CHECK(window[999] == uint8_t(65999));
+	CHECK(buffer->size() == 0);
+}
+
+TEST_CASE("chunk buffer: its bytes are bounded, and the first missing chunk always finds room") {
+	const auto buffer = started(0);
+	const Bytes large(60000);
+	const auto add_large = [&](int number) {
+		ChunkItem chunk;
+		chunk.number = uint16_t(number);
+		chunk.is_wide = chunk.first = chunk.last = true;
+		chunk.bytes = large.data();
+		chunk.size = large.size();
+		return buffer->add(chunk).has_value();
+	};
+	int added = 0;
+	for (int number = 1; number < MAX_AHEAD; ++number) {
+		added += add_large(number) ? 1 : 0;
+	}
+	CHECK(added == int(ChunkBuffer::MAX_BYTES / large.size()));
+	CHECK(buffer->size() <= ChunkBuffer::MAX_BYTES);
+	CHECK(add_large(0));
+	Bytes window;
+	for (int i = 0; i <= added; ++i) {
+		CHECK(buffer->take_window(window));
+	}
+	CHECK(buffer->size() == 0);
 }
 
 TEST_CASE("chunk buffer: chunks that do not form a window break it, until the next snapshot") {
@@ -159,7 +223,7 @@ TEST_CASE("chunk buffer: chunks after the snapshot that arrive before it are kep
 	// The next snapshot is 150 chunks ahead: 60 and 70 must not be taken for 316 and 326.
 	buffer.restart(52 + 150);
 	CHECK(buffer.ack().next == 202);
-	CHECK(buffer.ack().later == 0);
+	CHECK(later(buffer).empty());
 	for (int number = 202; number < 202 + 60; ++number) {
 		CHECK(add(buffer, number));
 	}

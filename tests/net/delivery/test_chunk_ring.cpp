@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace net;
 
 namespace {
@@ -22,7 +24,7 @@ TEST_CASE("chunk ring: a window is split into as few chunks as fit into packets"
 		for (const size_t size : { size_t(0), size_t(1), max_chunk, max_chunk + 1, 3 * max_chunk, 5 * max_chunk - 1 }) {
 			ChunkRing ring;
 			const std::vector<uint8_t> window = counted(size);
-			ring.push_window(window, 77, max_packet);
+			ring.push_window(window, 77, 0.1, max_packet, 0);
 			CAPTURE(size);
 			CHECK(ring.next() == (size == 0 ? 1 : (size + max_chunk - 1) / max_chunk));
 			std::vector<uint8_t> joined;
@@ -39,15 +41,33 @@ TEST_CASE("chunk ring: a window is split into as few chunks as fit into packets"
 	}
 }
 
-TEST_CASE("chunk ring: it keeps the last RING chunks") {
+TEST_CASE("chunk ring: it keeps as many chunks as are needed") {
+	for (const uint32_t needed : { 0u, ChunkRing::MIN_CHUNKS, ~0u }) {
+		ChunkRing ring;
+		for (uint32_t i = 0; i < ChunkRing::MAX_CHUNKS + 5; ++i) {
+			CHECK(ring.next() == i);
+			ring.push_window({ uint8_t(i), uint8_t(i >> 8) }, uint8_t(i), 0.1, 256, needed);
+		}
+		CHECK(ring.next() - ring.oldest() >= ChunkRing::MIN_CHUNKS);
+		CHECK(ring.oldest() <= std::max(needed, ring.next() - ChunkRing::MAX_CHUNKS));
+		for (uint32_t number = ring.oldest(); number < ring.next(); ++number) {
+			CHECK(ring.chunk(number).bytes[0] == uint8_t(number));
+			CHECK(ring.chunk(number).bytes[1] == uint8_t(number >> 8));
+			CHECK(ring.chunk(number).check == uint8_t(number));
+		}
+	}
+}
+
+TEST_CASE("chunk ring: it knows the size of what follows a chunk, and the rate of the stream") {
 	ChunkRing ring;
-	for (uint32_t i = 0; i < 3 * ChunkRing::RING + 5; ++i) {
-		CHECK(ring.next() == i);
-		ring.push_window({ uint8_t(i), uint8_t(i >> 8) }, uint8_t(i), 256);
+	CHECK(ring.rate() == 0.0);
+	for (int i = 0; i < 300; ++i) {
+		ring.push_window(std::vector<uint8_t>(2000), 0, 0.05, 1100, ring.next());
 	}
-	for (uint32_t number = ring.next() - ChunkRing::RING; number < ring.next(); ++number) {
-		CHECK(ring.chunk(number).bytes[0] == uint8_t(number));
-		CHECK(ring.chunk(number).bytes[1] == uint8_t(number >> 8));
-		CHECK(ring.chunk(number).check == uint8_t(number));
-	}
+	const uint32_t last = ring.next() - 1;
+	CHECK(ring.bytes_from(ring.next()) == 0);
+	CHECK(ring.bytes_from(last) == ring.chunk(last).bytes.size() + CHUNK_HEADER);
+	CHECK(ring.bytes_from(last - 1) == 2000 + 2 * CHUNK_HEADER);
+	CHECK(ring.bytes_from(last - 201) == 101 * (2000 + 2 * CHUNK_HEADER));
+	CHECK(ring.rate() == doctest::Approx((2000 + 2 * CHUNK_HEADER) / 0.05));
 }

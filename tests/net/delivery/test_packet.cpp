@@ -1,5 +1,6 @@
 #include "net/delivery/packet.hpp"
 
+#include "ack_numbers.hpp"
 #include "net/stream/stream_settings.hpp"
 
 #include <doctest/doctest.h>
@@ -38,11 +39,11 @@ Bytes counted(size_t size) {
 Bytes all_items() {
 	Bytes packet;
 	const Bytes bytes = counted(20);
-	put_fragment(packet, { 9, 200, 3, 260, bytes.data(), 17 });
+	put_fragment(packet, { 9, 2000, 3, 260, bytes.data(), 17 });
 	put_round_trip(packet, 0.25);
-	put_ack(packet, { 77, 0 });
-	put_ack(packet, { 78, 0x8001 });
-	put_snapshot_ack(packet, { 9, 3, 0x80000001u });
+	put_ack(packet, { 77, 0, {} });
+	put_ack(packet, { 78, 0, ack_runs({ 1, 300 }) });
+	put_snapshot_ack(packet, { 9, 3, ack_runs({ 1, 32 }) });
 	put_snapshot_request(packet);
 	put_chunk(packet, { 5, true, false, 0, bytes.data(), 20 }, false);
 	put_chunk(packet, { 6, false, true, 11, bytes.data(), 5 }, true);
@@ -54,15 +55,17 @@ Bytes all_items() {
 TEST_CASE("packet: items of every kind have the documented size and round-trip") {
 	const Bytes bytes = counted(300);
 	for (const size_t size : { size_t(0), size_t(1), size_t(300) }) {
-		for (int flags = 0; flags < 4; ++flags) {
+		for (int flags = 0; flags < 8; ++flags) {
 			for (const bool last_item : { true, false }) {
 				Bytes packet;
-				const ChunkItem chunk{ uint8_t(250 + flags), (flags & 1) != 0, (flags & 2) != 0, uint8_t((flags & 2) != 0 ? 0xa7 : 0), bytes.data(), size };
+				const bool is_wide = (flags & 4) != 0;
+				const ChunkItem chunk{ uint16_t((is_wide ? 40000 : 240) + flags), (flags & 1) != 0, (flags & 2) != 0, uint8_t((flags & 2) != 0 ? 0xa7 : 0), bytes.data(), size, false, is_wide };
 				put_chunk(packet, chunk, last_item);
-				CHECK(packet.size() == size + 2 + (chunk.last ? 1 : 0) + (last_item ? 0 : 2));
+				CHECK(packet.size() == size + 2 + (is_wide ? 1 : 0) + (chunk.last ? 1 : 0) + (last_item ? 0 : 2));
 				const PacketContent content = read(packet);
 				REQUIRE(content.chunks.size() == 1);
 				CHECK(content.chunks[0].number == chunk.number);
+				CHECK(content.chunks[0].is_wide == is_wide);
 				CHECK(content.chunks[0].first == chunk.first);
 				CHECK(content.chunks[0].last == chunk.last);
 				CHECK(content.chunks[0].check == chunk.check);
@@ -82,12 +85,12 @@ TEST_CASE("packet: items of every kind have the documented size and round-trip")
 	CHECK(one.chunks[0].size == 4);
 
 	Bytes packet;
-	put_fragment(packet, { 255, 254, 65535, 65535, bytes.data(), 300 });
+	put_fragment(packet, { 255, 25400, 65535, 65535, bytes.data(), 300 });
 	CHECK(packet.size() == 300 + FRAGMENT_HEADER);
 	const PacketContent content = read(packet);
 	REQUIRE(content.fragments.size() == 1);
 	CHECK(content.fragments[0].snapshot == 255);
-	CHECK(content.fragments[0].next_chunk == 254);
+	CHECK(content.fragments[0].next_chunk == 25400);
 	CHECK(content.fragments[0].index == 65535);
 	CHECK(content.fragments[0].count == 65535);
 	CHECK(Bytes(content.fragments[0].bytes, content.fragments[0].bytes + content.fragments[0].size) == bytes);
@@ -97,31 +100,43 @@ TEST_CASE("packet: items of every kind have the documented size and round-trip")
 	CHECK(packet.size() == 1);
 	CHECK(read(packet).requests_snapshot);
 	packet.clear();
-	put_snapshot_ack(packet, { 3, 0x1234, 0xdeadbeefu });
-	CHECK(packet.size() == 8);
+	put_snapshot_ack(packet, { 3, 0x1234, ack_runs({ 1, 2, 300 }) });
+	CHECK(packet.size() == 10);
 	CHECK(read(packet).snapshot_acks[0].snapshot == 3);
 	CHECK(read(packet).snapshot_acks[0].next == 0x1234);
-	CHECK(read(packet).snapshot_acks[0].later == 0xdeadbeefu);
+	CHECK(ack_numbers(read(packet).snapshot_acks[0].later) == AckNumbers{ 1, 2, 300 });
 }
 
-TEST_CASE("packet: an acknowledgement mask takes as many bytes as its highest bit needs") {
+TEST_CASE("packet: an acknowledgement has two numbers for each run of later chunks") {
 	struct Row {
-		uint64_t later;
+		AckNumbers later;
 		size_t size;
 	};
-	for (const Row &row : { Row{ 0, 3 }, Row{ 1, 5 }, Row{ 0x80, 5 }, Row{ 0x100, 6 }, Row{ uint64_t(1) << 56, 12 }, Row{ ~uint64_t(0), 12 } }) {
+	for (const Row &row : { Row{ {}, 4 }, Row{ { 1 }, 7 }, Row{ { 7, 8 }, 7 }, Row{ { 1, 3 }, 9 }, Row{ { 127 }, 7 }, Row{ { 128 }, 8 }, Row{ { 20000, 20001, 60000 }, 13 } }) {
 		Bytes packet;
-		put_ack(packet, { 200, row.later, 17 });
+		put_ack(packet, { 40000, 17, ack_runs(row.later) });
 		CHECK(packet.size() == row.size);
 		const PacketContent content = read(packet);
 		REQUIRE(content.acks.size() == 1);
-		CHECK(content.acks[0].next == 200);
-		CHECK(content.acks[0].later == row.later);
+		CHECK(content.acks[0].next == 40000);
+		CHECK(ack_numbers(content.acks[0].later) == row.later);
 		CHECK(content.acks[0].packets == 17);
 	}
-	for (const uint8_t length : { 0, 9, 255 }) {
-		CHECK(error_of({ 0xc1, 1, 1, length, 1, 1, 1, 1, 1, 1, 1, 1, 1 }) == PacketError::BAD_ACK);
+	AckNumbers odd;
+	for (uint32_t number = 1; number < 3 * AckRuns::MAX_RUNS; number += 2) {
+		odd.push_back(number);
 	}
+	Bytes packet;
+	put_ack(packet, { 0, 0, ack_runs(odd) });
+	odd.resize(AckRuns::MAX_RUNS);
+	CHECK(ack_numbers(read(packet).acks[0].later) == odd);
+
+	CHECK(error_of({ 0xc1, 1, 0, 1, 65, 1, 1 }) == PacketError::BAD_ACK); // too many runs
+	CHECK(error_of({ 0xc1, 1, 0, 1, 1, 0, 1 }) == PacketError::BAD_ACK); // none missing
+	CHECK(error_of({ 0xc1, 1, 0, 1, 1, 1, 0 }) == PacketError::BAD_ACK); // none present
+	CHECK(error_of({ 0xc1, 1, 0, 1, 1, 0xff, 0xff, 0x03, 1 }) == PacketError::BAD_ACK); // beyond all numbers
+	CHECK(error_of({ 0xc1, 1, 0, 1, 1, 0xff, 0xff, 0xff, 1 }) == PacketError::BAD_ACK); // more than 16 bits
+	CHECK(error_of({ 0xc1, 1, 0, 1, 2, 1, 1 }) == PacketError::TRUNCATED);
 }
 
 TEST_CASE("packet: round-trip times are sent in tenths of a millisecond, up to 6.5 s") {
@@ -180,14 +195,14 @@ TEST_CASE("packet: it can have several items in any order; reused content keeps 
 TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item") {
 	const Bytes packet = all_items();
 	// Truncated after an item, it is a valid packet; within the last chunk, a packet with a shorter chunk.
-	const std::vector<size_t> whole = { 26, 29, 32, 38, 46, 47, 71 };
-	CHECK(packet.size() == 79);
+	const std::vector<size_t> whole = { 27, 30, 34, 44, 53, 54, 78 };
+	CHECK(packet.size() == 86);
 	for (size_t size = 0; size < packet.size(); ++size) {
 		const std::optional<PacketError> error = error_of(Bytes(packet.begin(), packet.begin() + ptrdiff_t(size)));
 		CAPTURE(size);
 		if (size == 0) {
 			CHECK(error == PacketError::EMPTY);
-		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 74) {
+		} else if (std::find(whole.begin(), whole.end(), size) != whole.end() || size >= 81) {
 			CHECK(error == std::nullopt);
 		} else {
 			CHECK((error == PacketError::TRUNCATED || error == PacketError::BAD_ACK));
@@ -197,7 +212,7 @@ TEST_CASE("packet: truncated anywhere, it is rejected or ends after a whole item
 
 TEST_CASE("packet: unknown items and packets that are too long are rejected") {
 	for (int kind = 0x80; kind < 0x100; ++kind) {
-		const bool is_chunk = kind < 0xc0 && (kind & 7) == 0;
+		const bool is_chunk = kind < 0xc0 && (kind & 3) == 0;
 		const bool known = is_chunk || (kind >= 0xc0 && kind <= 0xc4) || kind == 0xe0 || kind == 0xe1;
 		const std::optional<PacketError> error = error_of({ uint8_t(kind), 1 });
 		CAPTURE(kind);

@@ -137,7 +137,7 @@ public:
 	[[nodiscard]] net::SessionStatistics statistics(PeerId of, PeerId at) { return session(at).statistics(of, local(at)); }
 	[[nodiscard]] net::SessionStatistics total(PeerId at) { return session(at).total_statistics(local(at)); }
 	/// The time on a peer's clock; clocks are not synchronized.
-	[[nodiscard]] double local(PeerId id) const { return now + 1000.0 * double(id); }
+	[[nodiscard]] double local(PeerId id) const { return now + 1000.0 * double(id) + (clock_jumps.count(id) != 0 ? clock_jumps.at(id) : 0.0); }
 	[[nodiscard]] Link &link(PeerId from, PeerId to) {
 		const auto found = _links.find({ from, to });
 		if (found != _links.end()) {
@@ -145,7 +145,7 @@ public:
 		}
 		LinkSettings reliable = _link;
 		reliable.loss = reliable.duplication = 0.0;
-		const uint64_t seed = uint64_t(from) * 100 + uint64_t(to);
+		const uint64_t seed = link_seed + uint64_t(from) * 100 + uint64_t(to);
 		return _links.emplace(std::pair(from, to), Link{ SimulatedLink(_link, seed), SimulatedLink(reliable, ~seed) }).first->second;
 	}
 
@@ -166,8 +166,10 @@ public:
 	std::vector<SentPacket> sent;
 	std::vector<size_t> refusals; // what packet_refused() returned
 	double now = 100.0;
+	std::map<PeerId, double> clock_jumps; // sum of the jumps of a peer's clock
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
+	uint64_t link_seed = 0;
 	bool is_star = false; // clients are connected to peer 1 only
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header
 

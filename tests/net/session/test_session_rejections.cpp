@@ -64,8 +64,8 @@ TEST_CASE("session: each invalid packet is rejected with its error and changes n
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, uint8_t(link + 1), { 0xff })) == PacketError::STREAM_NOT_REQUESTED);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, Bytes(StreamSettings::MAX_PACKET_SIZE + 1, 0xb0))) == PacketError::TOO_LONG);
 	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 9, 0, 5, 0, 5, 0, 1, 0, 0 })) == PacketError::BAD_FRAGMENT);
-	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 9, 0, 0, 0, 255, 255, 1, 0, 0 })) == PacketError::TOO_MANY_BODIES);
-	CHECK(rejection_of(network, make_packet(PacketKind::ACK, subscription, { 0xc1, 0, 9 })) == PacketError::BAD_ACK);
+	CHECK(rejection_of(network, make_packet(PacketKind::MOTION, link, { 0xe0, 9, 0, 0, 0, 0, 255, 255, 1, 0, 0 })) == PacketError::TOO_MANY_BODIES);
+	CHECK(rejection_of(network, make_packet(PacketKind::ACK, subscription, { 0xc1, 0, 0, 0, 65 })) == PacketError::BAD_ACK);
 	CHECK(rejection_of(network, make_packet(PacketKind::ACK, uint8_t(subscription + 1), { 0xc2 })) == PacketError::NOT_SUBSCRIBED);
 	CHECK(network.error(6, 1) <= 1.3);
 	CHECK(network.error(5, 2) <= 1.3);
