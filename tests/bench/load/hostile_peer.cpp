@@ -12,7 +12,7 @@ namespace {
 constexpr size_t MAX_PAYLOAD = 1000; // bytes of a fragment
 constexpr size_t FRESH_BODIES = 200; // in a snapshot
 constexpr size_t MANY_BODIES = 4128;
-constexpr double LONG_LATENCY = 60.0; // seconds; receivers keep motion for as long
+constexpr double LONG_LATENCY = 10.0; // seconds, the maximum; receivers keep motion for as long
 constexpr size_t WINDOWS_PER_PACKET = 127;
 constexpr size_t WINDOWS = 40 * WINDOWS_PER_PACKET; // after each snapshot
 constexpr size_t FRAGMENTS_PER_PACKET = 64;

@@ -140,7 +140,7 @@ HostileResult run_hostile(const HostileScenario &scenario) {
 	}
 	result.before = run.finish_phase(scenario.seconds);
 	run.begin_phase();
-	const uint64_t rejected = run.server().session().statistics(run.hostile(), run.now()).rejected;
+	const uint64_t rejected = run.server().rejected(run.hostile(), run.now());
 	const double begin = run.now();
 	const double cpu_begin = cpu_seconds();
 	double due = 0.0;
@@ -157,7 +157,7 @@ HostileResult run_hostile(const HostileScenario &scenario) {
 	}
 	result.seconds = run.now() - begin;
 	result.during = run.finish_phase(result.seconds);
-	result.rejected = run.server().session().statistics(run.hostile(), run.now()).rejected - rejected;
+	result.rejected = run.server().rejected(run.hostile(), run.now()) - rejected;
 	return result;
 }
 

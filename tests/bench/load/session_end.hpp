@@ -38,6 +38,8 @@ public:
 
 	[[nodiscard]] net::Session &session() { return _session; }
 	[[nodiscard]] net::PeerId id() const { return _id; }
+	/// The time on this peer's clock; clocks are not synchronized.
+	[[nodiscard]] double local(double time) const { return time + 1000.0 * double(_id); }
 	/// The time of media time 0 of the outgoing stream.
 	[[nodiscard]] double media_begin() const { return _media_begin; }
 	[[nodiscard]] const Histogram &errors() const { return _errors; }
@@ -45,7 +47,8 @@ public:
 	[[nodiscard]] const Histogram &frames() const { return _frames; } ///< processor time of frames, in seconds
 	[[nodiscard]] const Playback &playback(net::PeerId owner) { return _playback[owner]; }
 	[[nodiscard]] Meter &meter() { return _meter; }
-	[[nodiscard]] uint64_t rejections() const { return _rejections; }
+	/// Packets of a peer that were rejected.
+	[[nodiscard]] uint64_t rejected(net::PeerId peer, double time) { return _session.statistics(peer, local(time)).rejected; }
 
 private:
 	struct Arrived {
@@ -53,7 +56,6 @@ private:
 		std::vector<uint8_t> bytes;
 	};
 
-	[[nodiscard]] double local(double time) const { return time + 1000.0 * double(_id); } // clocks are not synchronized
 	void tick(double time);
 
 	net::PeerId _id;
@@ -68,7 +70,6 @@ private:
 	Meter _meter;
 	double _media_begin = 0.0;
 	size_t _next_body = 0;
-	uint64_t _rejections = 0; // reported
 };
 
 } // namespace bench
