@@ -4,21 +4,31 @@
 
 namespace net {
 
-size_t CongestionControl::allowance() const {
-	const double window = _window - double(_in_flight);
-	return window > 0.0 ? size_t(window) : 0;
+size_t CongestionControl::allowance(double time) {
+	const double step = std::clamp(time - _tokens_at, 0.0, MAX_EPOCH);
+	_tokens_at = time;
+	// Whatever the window, one packet may be in flight.
+	const double window = _in_flight == 0 ? std::max(_window, PACKET) : _window - double(_in_flight);
+	if (_is_slow_start) {
+		return size_t(std::max(window, 0.0));
+	}
+	constexpr double PACING = 1.25; // of the rate, so that the window remains the limit
+	_tokens = std::min(_tokens + PACING * rate() * step, std::max(_window, PACKET));
+	return _tokens > 0.0 ? size_t(std::max(std::min(window, std::max(_tokens, PACKET)), 0.0)) : 0;
 }
 
 double CongestionControl::rate() const {
 	return _round_trip > 0.0 ? _window / std::max(_round_trip, MIN_EPOCH / 2.0) : INITIAL_WINDOW / MIN_EPOCH;
 }
 
-void CongestionControl::acknowledged(size_t bytes, double round_trip, double loss, double time) {
+void CongestionControl::acknowledged(size_t bytes, double round_trip, double time) {
 	if (!_is_validated) {
 		_is_validated = true;
 		_epoch = Epoch{ time };
 	}
+	_lost_in_row = 0.0;
 	_epoch.delivered += bytes;
+	_arrived += double(bytes);
 	if (round_trip > 0.0) {
 		_base.add(round_trip, time);
 		_epoch.min_round_trip = _epoch.samples == 0 ? round_trip : std::min(_epoch.min_round_trip, round_trip);
@@ -26,25 +36,17 @@ void CongestionControl::acknowledged(size_t bytes, double round_trip, double los
 	}
 	const double length = time - _epoch.begin;
 	if ((length >= std::max(_round_trip, MIN_EPOCH) && _epoch.samples >= MIN_SAMPLES) || length > MAX_EPOCH) {
-		finish_epoch(loss, time);
+		finish_epoch(time);
 	}
 }
 
-void CongestionControl::finish_epoch(double loss, double time) {
+void CongestionControl::finish_epoch(double time) {
 	if (_epoch.samples > 0) {
 		_round_trip = _epoch.min_round_trip;
-		const double delivered = double(_epoch.delivered) / (time - _epoch.begin);
+		_delivered.add(double(_epoch.delivered) / (time - _epoch.begin), time);
+		const double delivered = _delivered.value();
 		const double base = _base.value();
-		const double max_queue = std::max(MAX_QUEUE, MAX_QUEUE_SHARE * base);
-		_test_epochs -= _test_epochs > 0 ? 1 : 0;
-		if (_test_epochs == 1) {
-			// The loss meter has had time to forget the loss before the reduction.
-			if (loss > 0.6 * _cut_loss) {
-				_background_loss = std::max(_background_loss, loss);
-				_window = std::max(_window, _cut_window);
-			}
-			_test_epochs = 0;
-		}
+		const double max_queue = std::max({ MAX_QUEUE, MAX_QUEUE_SHARE * base, MAX_QUEUE_PACKETS * PACKET / std::max(delivered, PACKET) });
 		if (_round_trip - base > max_queue && is_longer_route()) {
 			_base.clear();
 			_base.add(_round_trip, time);
@@ -53,16 +55,12 @@ void CongestionControl::finish_epoch(double loss, double time) {
 			_cut_round_trip = _cuts == 0 ? _round_trip : _cut_round_trip;
 			++_cuts;
 			reduce(delivered, base + 0.5 * max_queue);
-		} else if (_test_epochs == 0 && loss > _background_loss + LOSS_MARGIN && (_is_limited || _was_limited)) {
-			_cut_loss = loss;
-			_cut_window = _window;
-			_test_epochs = 5;
+		} else if (is_loss_congestion(time)) {
 			reduce(delivered, _round_trip);
 		} else {
 			_cuts = 0;
-			_background_loss = std::max(std::min(_background_loss, loss), _background_loss - 0.002);
-			if (_is_limited && _test_epochs == 0) {
-				_window = std::min(_window + (_is_slow_start ? _window : std::max(GROWTH * _window, PACKET)), MAX_WINDOW);
+			if (_is_limited && _cut_loss == 0.0) {
+				_window = std::min(_window + (_is_slow_start ? _window : std::max(GROWTH * _window, MIN_GROWTH)), MAX_WINDOW);
 			}
 		}
 	}
@@ -71,9 +69,55 @@ void CongestionControl::finish_epoch(double loss, double time) {
 	_epoch = Epoch{ time };
 }
 
+void CongestionControl::lost(size_t bytes) {
+	left(bytes);
+	_lost += double(bytes);
+	_lost_in_row += double(bytes);
+	if (_lost_in_row > _window) {
+		// Nothing arrives (persistent congestion, RFC 9002, section 7.6): begin again with little.
+		_lost_in_row = 0.0;
+		if (_window > MIN_RESTART) {
+			_window = std::max(0.5 * _window, MIN_RESTART);
+			_is_slow_start = true;
+		}
+	}
+}
+
+bool CongestionControl::is_loss_congestion(double time) {
+	if (time < _settled_at) {
+		_lost = _arrived = 0.0;
+		return false;
+	}
+	const double sent = _lost + _arrived;
+	if (sent < std::min(LOSS_SPAN, 4.0 * std::max(_window, PACKET))) {
+		return false;
+	}
+	const double loss = _lost / sent;
+	_lost = _arrived = 0.0;
+	if (_cut_loss > 0.0 && loss > REMAINING * _cut_loss && _window > 2.0 * MIN_WINDOW) {
+		// Sending less has not helped.
+		_background_loss = std::max(_background_loss, loss);
+		_window = std::max(_window, _cut_window);
+		_cut_loss = 0.0;
+		return false;
+	}
+	_cut_loss = 0.0;
+	if (loss <= _background_loss + LOSS_MARGIN || !(_is_limited || _was_limited)) {
+		_background_loss += LOSS_FORGOTTEN * (std::min(loss, _background_loss) - _background_loss);
+		return false;
+	}
+	_cut_loss = loss;
+	_cut_window = _window;
+	_settled_at = time + SETTLING_TIME + 2.0 * _round_trip;
+	return true;
+}
+
 void CongestionControl::reduce(double delivered_rate, double seconds) {
-	_is_slow_start = false;
-	_window = std::clamp(delivered_rate * seconds, MIN_WINDOW, _window);
+	if (_is_slow_start) {
+		_is_slow_start = false;
+		_tokens = 0.0;
+	}
+	_window = std::clamp(delivered_rate * seconds, MIN_WINDOW, std::max(_window, MIN_WINDOW));
 }
 
 } // namespace net

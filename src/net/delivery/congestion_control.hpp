@@ -18,16 +18,21 @@ namespace net {
 /// Times in seconds.
 class CongestionControl {
 public:
-	/// Bytes that may be sent now.
-	[[nodiscard]] size_t allowance() const;
+	/// Bytes that may be sent at `time`. A packet may exceed them if they are not 0.
+	[[nodiscard]] size_t allowance(double time);
 	/// The sender has more to send than the window allows.
 	void set_limited() { _is_limited = true; }
 
-	void sent(size_t bytes) { _in_flight += bytes; }
+	void sent(size_t bytes) {
+		_in_flight += bytes;
+		_tokens -= double(bytes);
+	}
 	/// `bytes` in flight are known to have left the network: acknowledged, or lost.
 	void left(size_t bytes) { _in_flight -= std::min(bytes, _in_flight); }
+	/// `bytes` in flight have probably been lost.
+	void lost(size_t bytes);
 	/// The receiver has acknowledged `bytes`. `round_trip` is that of the newest acknowledged packet, 0 if it is unknown.
-	void acknowledged(size_t bytes, double round_trip, double loss, double time);
+	void acknowledged(size_t bytes, double round_trip, double time);
 
 	/// Bytes per second that the line carries, as far as known: more if the window has not limited the sender lately.
 	[[nodiscard]] double rate() const;
@@ -43,7 +48,9 @@ private:
 		size_t delivered = 0;
 	};
 
-	void finish_epoch(double loss, double time);
+	void finish_epoch(double time);
+	/// Judges the loss since the last call, if enough has been sent. Returns true if it means congestion.
+	bool is_loss_congestion(double time);
 	/// Reduces the window to what was delivered in `seconds`.
 	void reduce(double delivered_rate, double seconds);
 	/// True if the queue remains although less is sent: then it is not ours, or the route has become longer.
@@ -51,22 +58,31 @@ private:
 
 	static constexpr double PACKET = 1200.0;
 	static constexpr double INITIAL_WINDOW = 24 * PACKET;
-	static constexpr double MIN_WINDOW = 4 * PACKET;
+	static constexpr double MIN_WINDOW = 300.0; // less than a packet: then packets are sent at a rate
+	static constexpr double MIN_RESTART = 8 * PACKET; // after a time in which nothing arrived
 	static constexpr double MAX_WINDOW = 16e6;
 	/// Growth per round trip after the first reduction.
 	static constexpr double GROWTH = 0.08;
-	/// Maximum queueing delay, in seconds and as a fraction of the round trip.
+	static constexpr double MIN_GROWTH = 0.25 * PACKET;
+	/// Maximum queueing delay, in seconds, as a fraction of the round trip, and in packets, which a narrow line takes long to send.
 	static constexpr double MAX_QUEUE = 0.05;
 	static constexpr double MAX_QUEUE_SHARE = 0.25;
+	static constexpr double MAX_QUEUE_PACKETS = 2.5;
 	/// Reductions in a row after which a queueing delay that remains counts as a longer route.
 	static constexpr int MAX_CUTS = 3;
 	/// Loss above what the line loses anyway that means congestion.
-	static constexpr double LOSS_MARGIN = 0.08;
+	static constexpr double LOSS_MARGIN = 0.2;
+	/// Bytes over which loss is measured, and the share of a loss that remains if it does not depend on what is sent.
+	static constexpr double LOSS_SPAN = 64 * PACKET;
+	static constexpr double REMAINING = 0.6;
+	static constexpr double SETTLING_TIME = 1.0; // seconds, after a reduction: until its losses are known
+	static constexpr double LOSS_FORGOTTEN = 0.05; // of the background loss, per measurement
 	/// Seconds and samples of an epoch, at least.
 	static constexpr double MIN_EPOCH = 0.1;
 	static constexpr int MIN_SAMPLES = 4;
 	static constexpr double MAX_EPOCH = 1.0;
 	static constexpr double BASE_SPAN = 15.0; // seconds
+	static constexpr double DELIVERED_SPAN = 2.0; // seconds
 
 	bool _is_validated = false;
 	size_t _in_flight = 0;
@@ -75,14 +91,20 @@ private:
 	bool _is_limited = false; // in this epoch
 	bool _was_limited = false; // in the last one
 	RecentExtreme _base{ -1.0, BASE_SPAN }; // round trip
+	RecentExtreme _delivered{ 1.0, DELIVERED_SPAN }; // bytes per second
 	double _round_trip = 0.0; // smallest of the last epoch
 	Epoch _epoch;
 	int _cuts = 0; // reductions in a row
 	double _cut_round_trip = 0.0; // at the first of them
+	double _tokens = 0.0; // bytes that may be sent, after the line has shown its limit
+	double _tokens_at = 0.0; // time
+	double _lost = 0.0; // bytes, since loss was last judged
+	double _arrived = 0.0; // bytes, the same
 	double _background_loss = 0.0; // that does not depend on what is sent
-	double _cut_loss = 0.0; // at the last reduction because of loss; 0: none is being tested
+	double _cut_loss = 0.0; // at the last reduction because of loss; 0: its effect is known
 	double _cut_window = 0.0; // before it
-	int _test_epochs = 0; // left until the effect of that reduction is known
+	double _settled_at = 0.0; // until then, what is acknowledged or lost was sent before that reduction
+	double _lost_in_row = 0.0; // bytes, since the last acknowledgement
 };
 
 } // namespace net

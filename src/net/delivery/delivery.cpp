@@ -112,7 +112,7 @@ void Delivery::note_timeout(Sent &sent, double time) {
 	if (sent.arrived || sent.times == 0 || time - sent.round < rto()) {
 		return;
 	}
-	_congestion.left(sent.in_flight);
+	_congestion.lost(sent.in_flight);
 	sent.in_flight = 0;
 	if (!sent.lost) {
 		sent.lost = true;
@@ -158,7 +158,7 @@ void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) 
 	if (_needs_snapshot) {
 		return;
 	}
-	const size_t allowance = _congestion.allowance();
+	const size_t allowance = _congestion.allowance(time);
 	size_t budget = std::min(allowance, burst);
 	collect_fragments(time, budget);
 	collect_chunks(ring, time, max_size, budget);
@@ -267,7 +267,7 @@ void Delivery::accept(const PacketContent &acks, const ChunkRing &ring, double t
 		take_snapshot_ack(ack, time);
 	}
 	if (_acknowledged > 0) {
-		_congestion.acknowledged(_acknowledged, _sample, _meter.loss(), time);
+		_congestion.acknowledged(_acknowledged, _sample, time);
 	}
 	if (acks.requests_snapshot) {
 		request_snapshot(time);

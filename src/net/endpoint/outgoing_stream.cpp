@@ -17,8 +17,10 @@ constexpr double MAX_WINDOW = 1.0;
 constexpr double MIN_WINDOW = 0.4;
 /// Above this loss, windows are shortened to leave time for a retransmission.
 constexpr double NOTABLE_LOSS = 0.004;
-/// Windows are shortened to about this many chunks, so that few are in flight.
+/// Windows are shortened to about this many chunks, so that few are in flight, but not below this many ticks, as each costs work for each
+/// body.
 constexpr double MAX_WINDOW_CHUNKS = 24.0;
+constexpr double MIN_WINDOW_TICKS = 3.0;
 /// Rounding error of times, in ticks.
 constexpr double SAME_TIME = 1e-5;
 
@@ -75,7 +77,8 @@ bool OutgoingStream::is_window_due(const Flush &flush) const {
 	if (std::any_of(_peers.begin(), _peers.end(), [](const auto &peer) { return peer.second.delivery.needs_snapshot(); })) {
 		return true;
 	}
-	if (_chunks_per_tick * (next - double(_window_begin)) > MAX_WINDOW_CHUNKS) {
+	const double longer = next - double(_window_begin);
+	if (longer > MIN_WINDOW_TICKS + SAME_TIME && _chunks_per_tick * longer > MAX_WINDOW_CHUNKS) {
 		return true;
 	}
 	const double max_ticks = max_window(flush.now);

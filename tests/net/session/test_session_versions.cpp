@@ -108,7 +108,6 @@ TEST_CASE("versions: a stream whose snapshot has another version is closed, and 
 	network.run(1.0);
 	const double begin = network.now;
 	network.run(30.0, [&] {
-		const auto opens = network.packets(1, 2, PacketKind::OPEN);
 		const std::vector<uint8_t> snapshot(40, STREAM_VERSION + 3); // the first byte is the version
 		FragmentItem fragment;
 		fragment.count = 1;
@@ -116,7 +115,7 @@ TEST_CASE("versions: a stream whose snapshot has another version is closed, and 
 		fragment.size = snapshot.size();
 		std::vector<uint8_t> content;
 		put_fragment(content, fragment);
-		network.inject(2, 1, make_packet(PacketKind::MOTION, opens.back().envelope.link, content));
+		network.inject(2, 1, make_packet(PacketKind::MOTION, network.requested_link(1, 2), content));
 	});
 	int reports = 0;
 	for (const auto &[from, report] : network.peers[1].reports) {
@@ -136,12 +135,19 @@ TEST_CASE("versions: a stream whose snapshot has another version is closed, and 
 TEST_CASE("versions: an OPEN without a version is accepted, a malformed one is rejected") {
 	SessionNetwork network = network_of_two();
 	network.run(0.5);
+	const auto challenged = [&] {
+		uint8_t link = 0;
+		for (const SessionNetwork::SentPacket &packet : network.packets(1, 2, PacketKind::OPEN)) {
+			link = packet.is_challenge() ? packet.envelope.link : link;
+		}
+		return link;
+	};
 	network.inject(2, 1, make_packet(PacketKind::OPEN, 200));
 	network.run(0.5);
-	CHECK(network.packets(1, 2, PacketKind::MOTION).back().envelope.link == 200);
-	network.inject(2, 1, make_packet(PacketKind::OPEN, 201, { 2, STREAM_VERSION }));
+	CHECK(challenged() == 200);
+	network.inject(2, 1, make_packet(PacketKind::OPEN, 201, { 8, STREAM_VERSION }));
 	network.run(0.5);
-	CHECK(network.packets(1, 2, PacketKind::MOTION).back().envelope.link == 200);
+	CHECK(challenged() == 200);
 	REQUIRE(network.peers[1].reports.size() == 1);
 	CHECK(network.peers[1].reports[0].second.error == PacketError::MALFORMED_OPEN);
 }
