@@ -193,11 +193,11 @@ struct Result {
 inline std::vector<Result> results() {
 	using cga::Mode;
 	return {
-		{ "separate", 0x8933f2d751ad35f0, sender_hash(Mode::SEPARATE, false, 0.005, 1.0 / 60.0) },
-		{ "separate, fine", 0xd2147667bac47c7e, sender_hash(Mode::SEPARATE, false, 0.0002, 1.0 / 120.0) },
-		{ "separate, planar", 0x878981665ba095bd, sender_hash(Mode::SEPARATE, true, 0.005, 1.0 / 60.0) },
-		{ "screw", 0x4474dea6a8f1ce56, sender_hash(Mode::SCREW, false, 0.005, 1.0 / 60.0) },
-		{ "linear", 0xb20a0ebf934c8f1a, sender_hash(Mode::LINEAR, false, 0.005, 1.0 / 30.0) },
+		{ "separate", 0x7ab790fe3fe6827f, sender_hash(Mode::SEPARATE, false, 0.005, 1.0 / 60.0) },
+		{ "separate, fine", 0xf1087f54b2dd5fea, sender_hash(Mode::SEPARATE, false, 0.0002, 1.0 / 120.0) },
+		{ "separate, planar", 0xff80baaff6937b34, sender_hash(Mode::SEPARATE, true, 0.005, 1.0 / 60.0) },
+		{ "screw", 0xbc90aefe60098a79, sender_hash(Mode::SCREW, false, 0.005, 1.0 / 60.0) },
+		{ "linear", 0xb018e46980fff609, sender_hash(Mode::LINEAR, false, 0.005, 1.0 / 30.0) },
 		{ "codec", 0x9a9356e110b3609d, codec_hash() },
 		{ "functions", 0x3b73c8864ba73070, function_hash() },
 	};

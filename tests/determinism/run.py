@@ -15,8 +15,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BUILD = os.path.join(ROOT, "build", "determinism")
-FOLDERS = ("net/delivery", "net/motion", "net/stream", "net/coding")
-FILES = ("src/net/endpoint/sender.cpp", "src/net/endpoint/receiver.cpp", "src/net/pose_codec.cpp", "src/cga/motor/interpolate.cpp",
+FOLDERS = ("net/endpoint", "net/delivery", "net/motion", "net/stream", "net/coding")
+FILES = ("src/net/pose_codec.cpp", "src/cga/motor/interpolate.cpp",
          "src/cga/platform/processor.cpp", "tests/determinism/main.cpp")
 OPTIONS = ("-std=c++17", "-Isrc", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
 IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")

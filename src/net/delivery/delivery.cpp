@@ -16,6 +16,8 @@ constexpr double INITIAL_RTO = 0.2; // before the first round-trip sample
 constexpr double MIN_RTO = 0.03;
 constexpr double MAX_RTO = 0.5; // raised to 1.25 round trips on slow connections
 constexpr double MIN_DEVIATION = 0.005; // covers the frame and tick intervals at both ends
+constexpr double FIRST_DEVIATION = 0.02; // the same for the first round-trip samples
+constexpr int FIRST_SAMPLES = 8;
 /// A chunk that has not arrived after this many retransmissions, or its first one this many seconds ago, is late.
 constexpr int MAX_RETRANSMISSIONS = 8;
 constexpr double STUCK_TIME = 1.5; // below this, the round trip may merely be longer than estimated
@@ -80,7 +82,9 @@ void Delivery::finish_snapshot() {
 
 double Delivery::rto() const {
 	const double longest = std::max(MAX_RTO, 1.25 * _round_trip);
-	return _round_trip > 0.0 ? std::clamp(_round_trip + 4.0 * std::max(_deviation, MIN_DEVIATION), MIN_RTO, longest) : INITIAL_RTO;
+	// At first, little is known of the deviation.
+	const double deviation = std::max(_deviation, _samples < FIRST_SAMPLES ? FIRST_DEVIATION : MIN_DEVIATION);
+	return _round_trip > 0.0 ? std::clamp(_round_trip + 4.0 * deviation, MIN_RTO, longest) : INITIAL_RTO;
 }
 
 void Delivery::mark_sent(Sent &sent, size_t size, double time) {
@@ -356,6 +360,7 @@ void Delivery::arrived(Sent &sent, double time, bool is_newest) {
 }
 
 void Delivery::measure(double round_trip) {
+	_samples = std::min(_samples + 1, FIRST_SAMPLES);
 	// Jacobson, "Congestion Avoidance and Control", 1988.
 	if (_round_trip == 0.0) {
 		_round_trip = round_trip;

@@ -140,6 +140,7 @@ private:
 	double _sent_at = -1e9; // time of the last call of `send`
 	double _round_trip = 0.0;
 	double _deviation = 0.0;
+	int _samples = 0; // of the round trip, up to FIRST_SAMPLES
 	double _round_trip_sent = -1e9; // time of the last round-trip item
 	double _probed = -1e9; // time of the last probe
 	double _loss = 0.0; // recent fraction of chunks that had not arrived after a timeout

@@ -54,6 +54,7 @@ struct Peer {
 	// The peer's stream to us.
 	uint8_t link = 0; ///< of the stream that we request
 	int opens_sent = 0; ///< with this link
+	double opened_at = -1e9; ///< when the last was sent
 	std::optional<Receiver> stream; ///< from its first packet on
 	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };

@@ -319,6 +319,7 @@ void Session::advance(double now) {
 		if (is_wanted && peer.open.is_due(now)) {
 			peer.open.back_off(now);
 			++peer.opens_sent;
+			peer.opened_at = now;
 			send_open(id, peer, peer.link, 0, 0);
 		}
 	}

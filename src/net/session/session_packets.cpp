@@ -12,6 +12,8 @@ namespace {
 
 /// After this many seconds without a packet, the owner may have lost the subscription: the receiver sends OPEN again.
 constexpr double SILENCE = 1.0;
+/// An OPEN that was sent so recently, in seconds, need not be sent again when the peer sends its own.
+constexpr double RECENT_OPEN = 0.05;
 /// Minimum pause before a stream is requested again that took too much work, in seconds.
 constexpr double MIN_OVERLOAD_PAUSE = 1.0;
 /// A peer that owns no bodies is sent OPEN packets forever. If they were all reliable, those of an outage would accumulate, and
@@ -26,7 +28,9 @@ uint16_t random_token() {
 } // namespace
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	const bool is_reliable = kind == PacketKind::CLOSE || (kind == PacketKind::OPEN && !peer.stream && peer.opens_sent <= MAX_RELIABLE_OPENS);
+	// Challenges and their answers are repeated with the OPEN that causes them.
+	const bool is_request = kind == PacketKind::OPEN && size > 0 && (bytes[0] & (OPEN_CHALLENGE | OPEN_TOKEN)) == 0;
+	const bool is_reliable = kind == PacketKind::CLOSE || (is_request && !peer.stream && peer.opens_sent <= MAX_RELIABLE_OPENS);
 	uint8_t *packet = _outbox.add(id, is_reliable, ENVELOPE_BYTES + size);
 	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
 	if (size > 0) {
@@ -104,7 +108,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 			if (!peer.token || peer.challenged != link) {
 				peer.token = random_token();
 				peer.challenged = link;
-				if (stream(id) == nullptr && !peer.is_refused) {
+				if (stream(id) == nullptr && !peer.is_refused && _now - peer.opened_at > RECENT_OPEN) {
 					// The peer's session may be newer than our last request.
 					peer.open.hasten(_now);
 				}

