@@ -94,6 +94,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 	if ((flags & OPEN_CHALLENGE) != 0) {
 		if (peer.is_open_sent() && peer.link == link) {
 			send_open(id, peer, link, OPEN_TOKEN, token);
+			peer.open.restart(_now + Repetition::FIRST); // soon, in case the token gets lost
 		}
 		return {};
 	}
