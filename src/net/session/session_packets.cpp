@@ -16,9 +16,9 @@ constexpr double SILENCE = 1.0;
 constexpr double RECENT_OPEN = 0.05;
 /// Minimum pause before a stream is requested again that took too much work, in seconds.
 constexpr double MIN_OVERLOAD_PAUSE = 1.0;
-/// A peer that owns no bodies is sent OPEN packets forever. If they were all reliable, those of an outage would accumulate, and
-/// reliable packets of the game would wait for them.
-constexpr int MAX_RELIABLE_OPENS = 8;
+/// Only the first OPEN is reliable: reliable packets of the game would wait for those of an outage, and ENet drops unreliable packets
+/// while the round trips of reliable ones vary.
+constexpr int MAX_RELIABLE_OPENS = 1;
 
 uint16_t random_token() {
 	thread_local std::mt19937 generator{ std::random_device{}() };
