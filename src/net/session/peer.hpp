@@ -55,6 +55,7 @@ struct Peer {
 	uint8_t link = 0; ///< of the stream that we request
 	int opens_sent = 0; ///< with this link
 	double opened_at = -1e9; ///< when the last was sent
+	bool is_request_known = false; ///< the peer has challenged it
 	std::optional<Receiver> stream; ///< from its first packet on
 	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };

@@ -233,6 +233,7 @@ void Session::close_unneeded() {
 void Session::request_stream(Peer &peer) {
 	peer.link = next_link(_now);
 	peer.opens_sent = 0;
+	peer.is_request_known = false;
 	peer.open.restart(_now);
 }
 

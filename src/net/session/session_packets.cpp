@@ -16,9 +16,9 @@ constexpr double SILENCE = 1.0;
 constexpr double RECENT_OPEN = 0.05;
 /// Minimum pause before a stream is requested again that took too much work, in seconds.
 constexpr double MIN_OVERLOAD_PAUSE = 1.0;
-/// Only the first OPEN is reliable: reliable packets of the game would wait for those of an outage, and ENet drops unreliable packets
-/// while the round trips of reliable ones vary.
-constexpr int MAX_RELIABLE_OPENS = 1;
+/// A peer that owns no bodies is sent OPEN packets forever. If they were all reliable, those of an outage would accumulate, and
+/// reliable packets of the game would wait for them. (ENet also drops unreliable packets when the round trips of reliable ones vary.)
+constexpr int MAX_RELIABLE_OPENS = 8;
 
 uint16_t random_token() {
 	thread_local std::mt19937 generator{ std::random_device{}() };
@@ -28,9 +28,9 @@ uint16_t random_token() {
 } // namespace
 
 void Session::send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size) {
-	// Challenges and their answers are repeated with the OPEN that causes them.
-	const bool is_request = kind == PacketKind::OPEN && size > 0 && (bytes[0] & (OPEN_CHALLENGE | OPEN_TOKEN)) == 0;
-	const bool is_reliable = kind == PacketKind::CLOSE || (is_request && !peer.stream && peer.opens_sent <= MAX_RELIABLE_OPENS);
+	// A challenge is repeated with the OPEN that causes it.
+	const bool is_request = kind == PacketKind::OPEN && size > 0 && (bytes[0] & OPEN_CHALLENGE) == 0;
+	const bool is_reliable = kind == PacketKind::CLOSE || (is_request && !peer.stream && !peer.is_request_known && peer.opens_sent <= MAX_RELIABLE_OPENS);
 	uint8_t *packet = _outbox.add(id, is_reliable, ENVELOPE_BYTES + size);
 	write_envelope({ kind, link, ENVELOPE_VERSION }, packet);
 	if (size > 0) {
@@ -94,7 +94,7 @@ PacketResult Session::accept_open(PeerId id, Peer &peer, uint8_t link, const uin
 	if ((flags & OPEN_CHALLENGE) != 0) {
 		if (peer.is_open_sent() && peer.link == link) {
 			send_open(id, peer, link, OPEN_TOKEN, token);
-			peer.open.restart(_now + Repetition::FIRST); // soon, in case the token gets lost
+			peer.is_request_known = true;
 		}
 		return {};
 	}
