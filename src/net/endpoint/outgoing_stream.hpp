@@ -61,7 +61,7 @@ public:
 	[[nodiscard]] Peers &peers() { return _peers; }
 	[[nodiscard]] const Peers &peers() const { return _peers; }
 
-	/// Media time starts again, or nobody receives the stream.
+	/// Media time starts again, or there is no receiver.
 	void set_window_begin(int64_t tick) { _window_begin = tick; }
 	[[nodiscard]] int64_t window_begin() const { return _window_begin; }
 

@@ -99,7 +99,7 @@ private:
 	[[nodiscard]] OutgoingStream &main() { return *_streams.front(); }
 	[[nodiscard]] const OutgoingStream &main() const { return *_streams.front(); }
 	[[nodiscard]] bool is_running() const { return main().is_running(); }
-	/// The stream that a receiver gets; null if it is none.
+	/// The stream that a receiver gets; null for an unknown receiver.
 	[[nodiscard]] OutgoingStream *stream_of(uint32_t receiver) const;
 	/// Calls change(encoder) for the encoder of each stream and returns the result for the first. Requires is_running().
 	template <class Change>

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -68,6 +69,15 @@ struct Peer {
 	/// Limits the work of decoding the peer's streams to that of `bodies` bodies.
 	void limit_work(size_t bodies) { work->set_rate(ReceiverBudget::work_rate(bodies)); }
 
+	/// Requests a new stream from now on. All sessions of a process number their links in one sequence, with a time-dependent start, so
+	/// that packets of an earlier stream are not mistaken for those of a new one.
+	void request_stream(double now) {
+		static std::atomic<uint8_t> last_link = uint8_t(int64_t(now * 1e3)); // sessions may run in several threads
+		link = ++last_link;
+		opens_sent = 0;
+		is_request_known = false;
+		open.restart(now);
+	}
 	[[nodiscard]] bool is_open_sent() const { return opens_sent > 0; }
 	[[nodiscard]] bool is_subscribed(uint8_t to_link) const { return subscribed && subscription == to_link; }
 	void note_end(uint8_t of_link, double now) { ended[next_ended++ % ended.size()] = { of_link, now }; }

@@ -1,7 +1,6 @@
 #include "net/session/session.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <utility>
 
@@ -20,13 +19,6 @@ constexpr double MAX_TICKS_MISSED = 2.5;
 constexpr double MAX_STEP = 0.25;
 /// Maximum time in seconds for which a server that relays holds back acknowledgements.
 constexpr double MAX_ACK_HOLD = 0.05;
-
-/// All sessions of a process share one sequence, with a time-dependent start, so that packets of an earlier stream are not
-/// mistaken for packets of a new one.
-uint8_t next_link(double now) {
-	static std::atomic<uint8_t> last_link = uint8_t(int64_t(now * 1e3)); // sessions may run in several threads
-	return ++last_link;
-}
 
 /// The game does not choose the tick length together with max_latency.
 StreamSettings limited_latency(StreamSettings settings) {
@@ -73,7 +65,7 @@ std::vector<PeerId> Session::set_peers(const std::vector<PeerId> &peers, double 
 	for (const PeerId id : peers) {
 		const auto [entry, is_new] = _peers.try_emplace(id);
 		if (is_new) {
-			request_stream(entry->second);
+			entry->second.request_stream(_now);
 		}
 	}
 	update_relay();
@@ -228,13 +220,6 @@ void Session::close_unneeded() {
 			}
 		}
 	}
-}
-
-void Session::request_stream(Peer &peer) {
-	peer.link = next_link(_now);
-	peer.opens_sent = 0;
-	peer.is_request_known = false;
-	peer.open.restart(_now);
 }
 
 void Session::end_stream(PeerId id, Peer &peer) {

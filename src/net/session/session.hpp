@@ -125,7 +125,6 @@ private:
 	[[nodiscard]] double time() const { return _first_tick + double(_tick) * _settings.tick; } // seconds, outgoing stream
 	void remove_body(uint32_t body, bool freed);
 	[[nodiscard]] StreamSettings sender_settings() const;
-	void request_stream(Peer &peer);
 	void end_stream(PeerId id, Peer &peer);
 	void refuse_stream(PeerId id, Peer &peer);
 	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);

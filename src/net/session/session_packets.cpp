@@ -161,7 +161,7 @@ void Session::refuse_stream(PeerId id, Peer &peer) {
 	const double min_pause = peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
-	request_stream(peer);
+	peer.request_stream(_now);
 	peer.is_refused = true;
 	peer.refused_size = size;
 	peer.refused_at = _now;
@@ -196,7 +196,7 @@ PacketResult Session::accept_close(PeerId id, Peer &peer, uint8_t link, const ui
 	} else if (role == CloseRole::SENDER && peer.link == link && peer.is_open_sent()) {
 		// The sender may return.
 		end_stream(id, peer);
-		request_stream(peer);
+		peer.request_stream(_now);
 		peer.open.hasten(_now);
 	} else if (role == CloseRole::RECEIVER && peer.requested == link) {
 		peer.requested.reset();

@@ -14,7 +14,7 @@ void Session::set_relay(bool relay) {
 		end_stream(id, peer);
 		peer.requested.reset();
 		peer.relay.reset();
-		request_stream(peer);
+		peer.request_stream(_now);
 	}
 	_relay = relay;
 	set_settings(_settings);
@@ -34,7 +34,7 @@ void Session::update_relay() {
 			send_close(id, peer, peer.link, CloseRole::RECEIVER);
 		}
 		end_stream(id, peer);
-		request_stream(peer);
+		peer.request_stream(_now);
 	}
 	_is_link_relayed = is_relayed;
 }
