@@ -71,6 +71,9 @@ void CongestionControl::finish_epoch(double time) {
 
 void CongestionControl::lost(size_t bytes) {
 	left(bytes);
+	if (!_is_validated) {
+		return; // The round trip is unknown: it may merely be longer than the timeout.
+	}
 	_lost += double(bytes);
 	_lost_in_row += double(bytes);
 	if (_lost_in_row > _window) {

@@ -20,6 +20,7 @@ class CongestionControl {
 public:
 	/// Bytes that may be sent at `time`. A packet may exceed them if they are not 0.
 	[[nodiscard]] size_t allowance(double time);
+	[[nodiscard]] bool is_half_full() const { return 2.0 * double(_in_flight) > _window; }
 	/// The sender has more to send than the window allows.
 	void set_limited() { _is_limited = true; }
 

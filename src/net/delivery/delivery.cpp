@@ -78,6 +78,9 @@ void Delivery::finish_snapshot() {
 	}
 	_fragments.clear();
 	_snapshot.reset();
+	for (uint32_t number = _first_missing; number < _unsent; ++number) {
+		sent(number).round = std::max(sent(number).round, _heard); // it could not be acknowledged before
+	}
 }
 
 double Delivery::rto() const {
@@ -155,7 +158,8 @@ void Delivery::collect_due(const ChunkRing &ring, double time, size_t max_size) 
 	for (Sent &fragment : _fragments) {
 		note_timeout(fragment, time);
 	}
-	for (uint32_t number = _first_missing; number < _unsent; ++number) {
+	// Chunks are acknowledged only once the snapshot has arrived.
+	for (uint32_t number = _first_missing; _fragments.empty() && number < _unsent; ++number) {
 		note_timeout(sent(number), time);
 	}
 	request_if_late(ring, time);
@@ -188,6 +192,10 @@ void Delivery::collect_fragments(double time, size_t &budget) {
 }
 
 void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_size, size_t budget) {
+	const bool is_joining = !_fragments.empty();
+	if (is_joining && (_congestion.is_half_full() || std::any_of(_fragments.begin(), _fragments.end(), [](const Sent &sent) { return sent.times == 0; }))) {
+		return; // fragments come first
+	}
 	// Copies before a timeout must not multiply the bytes of a large stream: they only fill one packet.
 	const size_t new_bytes = ring.bytes_from(_unsent);
 	_is_urgent = rto() + 3.0 * _deviation > _max_wait && time - _lost < LOSS_MEMORY;
@@ -195,7 +203,7 @@ void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_siz
 	size_t packet = new_bytes;
 	const uint32_t end = std::min(ring.next(), _first_missing + uint32_t(ChunkBuffer::MAX_AHEAD));
 	make_room(end);
-	for (uint32_t number = _first_missing; number < end; ++number) {
+	for (uint32_t number = is_joining ? _unsent : _first_missing; number < end; ++number) {
 		Sent &sent = this->sent(number);
 		if (number == _unsent) {
 			sent = Sent();

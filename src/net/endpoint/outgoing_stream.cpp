@@ -31,7 +31,7 @@ constexpr double MAX_UNKNOWN_TIME = 1.0;
 constexpr double MAX_WAITING = 0.03;
 constexpr double RELAX = 1.2;
 /// Otherwise they shrink by this factor per second.
-constexpr double TIGHTEN = 0.75;
+constexpr double TIGHTEN = 0.6;
 
 } // namespace
 
