@@ -73,6 +73,9 @@ void Delivery::restart() {
 }
 
 void Delivery::finish_snapshot() {
+	if (_snapshot == nullptr) {
+		return;
+	}
 	for (const Sent &fragment : _fragments) {
 		_congestion.left(fragment.in_flight);
 	}
