@@ -11,6 +11,7 @@ const ACTIONS_PER_FRAME := 4
 var _monkey := Monkey.new()
 var _pools: Array[MotorPool] = []
 var _nodes_of_pools: Array[Node3D] = []
+var _bodies_and_synchronizers: Array[Node] = []
 var _lerps: Array[MultivectorLerp] = []
 var _scenes: Array[GAScene] = []
 var _drawings: Array[GANode3D] = []
@@ -50,6 +51,15 @@ func test_synchronizers_of_two_peers() -> void:
 func free_nodes() -> void:
 	if is_instance_valid(_world):
 		_world.free()
+	# Nodes that were made while there was no world, or while it did not accept children.
+	for nodes: Array in [_nodes_of_pools, _bodies_and_synchronizers, _lerps, _drawings]:
+		for node: Variant in nodes:
+			if is_instance_valid(node):
+				(node as Node).free()
+		nodes.clear()
+	_pools.clear()
+	_scenes.clear()
+	_monkey.actions.clear()
 	for branch in branches:
 		if not branch.api.has_multiplayer_peer():
 			branch.api.multiplayer_peer = OfflineMultiplayerPeer.new()
@@ -247,6 +257,7 @@ func _act_on_synchronizer() -> void:
 		var made := MotorSynchronizer.new()
 		made.name = "Motors%d" % _monkey.count
 		made.target_group = _monkey.pick([&"bodies", &"others"])
+		_bodies_and_synchronizers.append(made)
 		_monkey.watch(
 			made, [&"target_added", &"target_removed", &"target_ended", &"packet_rejected"]
 		)
@@ -294,6 +305,7 @@ func _act_on_body() -> void:
 		var made := _monkey.make_node()
 		made.name = "Body%d" % _monkey.random.randi_range(0, 12)
 		made.add_to_group(&"bodies")
+		_bodies_and_synchronizers.append(made)
 		branch.world.add_child(made)
 		return
 	var body: Node3D = _monkey.pick(bodies)

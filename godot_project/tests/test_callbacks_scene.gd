@@ -126,6 +126,9 @@ func test_a_handler_frees_the_new_label_and_its_node() -> void:
 func free_nodes() -> void:
 	super()
 	_free_unused()
+	# Their handlers keep this test alive.
+	_scene = null
+	_receiver = null
 
 
 func _free_unused() -> void:
