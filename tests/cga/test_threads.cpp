@@ -58,7 +58,7 @@ TEST_CASE("threads: each with its own blocks of poses") {
 }
 
 TEST_CASE("threads: parts of one array of blocks") {
-	constexpr size_t BODIES = 8 * PoseBlock::LANES;
+	constexpr size_t BODIES = size_t(8) * PoseBlock::LANES;
 	Random random(5);
 	std::vector<PoseBlock> blocks(block_count(THREADS * BODIES));
 	for (size_t body = 0; body < THREADS * BODIES; ++body) {

@@ -140,6 +140,7 @@ inline uint64_t sender_hash(cga::Mode mode, bool planar, double tolerance, doubl
 inline uint64_t codec_hash() {
 	Hash hash;
 	std::vector<Walk> bodies;
+	bodies.reserve(200);
 	for (uint32_t i = 0; i < 200; ++i) {
 		bodies.emplace_back(i + 1);
 	}

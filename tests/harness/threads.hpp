@@ -17,6 +17,7 @@ auto run_in_threads(size_t count, const Work &work) {
 	std::vector<Result> results(count);
 	std::atomic<size_t> ready = 0;
 	std::vector<std::thread> threads;
+	threads.reserve(count);
 	for (size_t i = 0; i < count; ++i) {
 		threads.emplace_back([&, i] {
 			++ready;

@@ -11,14 +11,14 @@ void *FreedNodes::begin(void *token, void * /*object*/) {
 }
 
 void FreedNodes::end(void * /*token*/, void * /*object*/, void * /*binding*/) {
-	_count.fetch_add(1, std::memory_order_relaxed);
+	freed_count.fetch_add(1, std::memory_order_relaxed);
 }
 
 void FreedNodes::watch(uint64_t id) {
 	namespace interface = godot::gdextension_interface;
 	static constexpr GDExtensionInstanceBindingCallbacks CALLBACKS = { &begin, &end, nullptr };
 	if (const GDExtensionObjectPtr object = interface::object_get_instance_from_id(id)) {
-		interface::object_get_instance_binding(object, &_count, &CALLBACKS);
+		interface::object_get_instance_binding(object, &freed_count, &CALLBACKS);
 	}
 }
 

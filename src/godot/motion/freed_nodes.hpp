@@ -11,13 +11,13 @@ public:
 	/// Includes a node, by its instance id, in the count. Further calls do nothing.
 	static void watch(uint64_t id);
 	/// The number of watched nodes that were freed.
-	[[nodiscard]] static uint64_t count() { return _count.load(std::memory_order_relaxed); }
+	[[nodiscard]] static uint64_t count() { return freed_count.load(std::memory_order_relaxed); }
 
 private:
 	static void *begin(void *token, void *object);
 	static void end(void *token, void *object, void *binding);
 
-	static inline std::atomic<uint64_t> _count = 0;
+	static inline std::atomic<uint64_t> freed_count = 0;
 };
 
 } // namespace ga_godot

@@ -143,7 +143,8 @@ void Target::release() {
 	const int32_t own_interpolation = target != nullptr ? std::exchange(_own_interpolation, -1) : -1;
 	if (own_interpolation >= 0) {
 		target->set_physics_interpolation_mode(Node::PhysicsInterpolationMode(own_interpolation));
-		if ((target = find_spatial(node)) != nullptr) {
+		target = find_spatial(node);
+		if (target != nullptr) {
 			target->reset_physics_interpolation();
 		}
 	}

@@ -265,7 +265,7 @@ void Delivery::request_if_late(const ChunkRing &ring, double time) {
 	}
 	const Sent &oldest = sent(_first_missing);
 	const bool is_stuck = _first_missing < _unsent && oldest.rounds > MAX_RETRANSMISSIONS && time - oldest.first > STUCK_TIME;
-	const bool is_late = backlog(ring) > 0 && ring.bytes_from(_unsent) > ring.rate() * STUCK_TIME;
+	const bool is_late = backlog(ring) > 0 && double(ring.bytes_from(_unsent)) > ring.rate() * STUCK_TIME;
 	if ((is_stuck || is_late) && ring.bytes_from(_first_missing) > WORTHWHILE * _snapshot_size) {
 		request_snapshot(time);
 	}

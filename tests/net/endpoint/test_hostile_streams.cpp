@@ -191,7 +191,7 @@ TEST_CASE("hostile stream: many segments of all bodies, which playback does not 
 TEST_CASE("hostile stream: all bodies are removed and as many others added in each window") {
 	constexpr uint32_t COUNT = 500;
 	HostileStream stream(COUNT);
-	Victim victim(2 * COUNT);
+	Victim victim(size_t(2) * COUNT);
 	victim.take(stream.snapshot());
 	for (int i = 0; i < 100; ++i) {
 		std::vector<Bytes> packets;

@@ -128,8 +128,8 @@ TEST_CASE("settings: receivers accept exactly the ranges, rounded to float32") {
 			continue; // not transmitted, or not rounded
 		}
 		CAPTURE(setting.name);
-		const float min(setting.range.min);
-		const float max(setting.range.max);
+		const auto min = float(setting.range.min);
+		const auto max = float(setting.range.max);
 		const auto accepts = [&](float value) {
 			SnapshotHeader header;
 			header.settings.*setting.member = double(value);

@@ -135,8 +135,8 @@ public:
 	/// A hostile peer requests streams: every second call requests the next `link`, the calls between prove that it receives replies.
 	void request(PeerId from, PeerId to, uint8_t &link, uint8_t flags) {
 		for (const SentPacket &packet : packets(to, from, net::PacketKind::OPEN)) {
-			if (packet.envelope.link == link && packet.is_challenge() && _answered != link) {
-				_answered = link;
+			if (packet.envelope.link == link && packet.is_challenge() && answered != link) {
+				answered = link;
 				inject(from, to, make_packet(net::PacketKind::OPEN, link, { uint8_t(flags | net::OPEN_TOKEN), net::STREAM_VERSION, packet.bytes[net::ENVELOPE_BYTES + 2], packet.bytes[net::ENVELOPE_BYTES + 3] }));
 				return;
 			}
@@ -201,7 +201,7 @@ public:
 	double tick = 1.0 / 60.0;
 	int frames_per_tick = 1;
 	uint64_t link_seed = 0;
-	int _answered = -1; // link of the last challenge that `request` has answered
+	int answered = -1; // link of the last challenge that `request` has answered
 	bool is_star = false; // clients are connected to peer 1 only
 	std::function<void(PeerId from, PeerId to, std::vector<uint8_t> &bytes)> rewrite; // changes packets on their way
 	size_t transport_limit = size_t(1) << 20; // larger packets are refused, in bytes with the engine's header

@@ -38,8 +38,6 @@ SessionNetwork network_with(PeerId other, bool relay, Change change) {
 /// Checks that peers of two versions have exchanged no motion, and that each has reported nothing but the other's version.
 void check_refused(SessionNetwork &network, PeerId a, PeerId b, PacketError error, uint8_t version_of_b) {
 	for (const auto &[at, of, version] : { std::tuple(a, b, version_of_b), std::tuple(b, a, uint8_t(255)) }) {
-		CAPTURE(at);
-		CAPTURE(of);
 		int reports = 0;
 		for (const auto &[from, report] : network.peers[at].reports) {
 			if (from != of) {

@@ -80,6 +80,7 @@ TEST_CASE("body blocks: lists of one block contain no flags, and the number of b
 	cga_test::Random random(5);
 	uint32_t next = BLOCK - 10;
 	std::vector<uint32_t> ids;
+	ids.reserve(next);
 	for (uint32_t id = 0; id < next; ++id) {
 		ids.push_back(id);
 	}

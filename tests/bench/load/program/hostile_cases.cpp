@@ -63,6 +63,7 @@ void run_attack(const std::string &name, Attack attack, bool is_quick) {
 
 std::vector<std::string> hostile_case_names() {
 	std::vector<std::string> names;
+	names.reserve(size_t(Attack::COUNT));
 	for (size_t attack = 0; attack < size_t(Attack::COUNT); ++attack) {
 		names.push_back(ATTACK_PREFIX + attack_name(Attack(attack)));
 	}
