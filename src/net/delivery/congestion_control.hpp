@@ -20,6 +20,7 @@ class CongestionControl {
 public:
 	/// Bytes that may be sent at `time`. A packet may exceed them if they are not 0.
 	[[nodiscard]] size_t allowance(double time);
+	/// True if more than half of the window is in flight.
 	[[nodiscard]] bool is_half_full() const { return 2.0 * double(_in_flight) > _window; }
 	/// The sender has more to send than the window allows.
 	void set_limited() { _is_limited = true; }
@@ -39,6 +40,7 @@ public:
 	[[nodiscard]] double rate() const;
 	/// True if the line has shown its limit, and the window has limited the sender in the last two round trips.
 	[[nodiscard]] bool is_limiting() const { return !_is_slow_start && (_was_limited || _is_limited); }
+	/// True from the first acknowledgement on.
 	[[nodiscard]] bool is_validated() const { return _is_validated; }
 
 private:
