@@ -23,6 +23,7 @@ struct Plan {
 	StreamGrid grid{ 0.005f, 1.4f };
 	cga::Mode mode = cga::Mode::SEPARATE;
 	int ticks = 12; // of a window
+	double relaxation = 1.0;
 };
 
 /// Plans a path window by window, as an encoder does, and measures all samples against the segments.
@@ -30,6 +31,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	Outcome outcome;
 	REQUIRE(outcome.state.set_pose(path(0.0), plan.grid));
 	MotionPlanner planner(plan.grid, plan.mode);
+	planner.set_relaxation(plan.relaxation);
 	MotionModels models;
 	MotionCode motion;
 	std::vector<uint8_t> bytes;
@@ -95,6 +97,21 @@ TEST_CASE("motion plan: every sample is passed within the tolerance, near the or
 				CHECK(outcome.failed == 0);
 				CHECK(outcome.worst <= max_share(cga::Mode::SEPARATE));
 			}
+		}
+	}
+}
+
+TEST_CASE("motion plan: a relaxation bounds the error by as many tolerances") {
+	for (const cga::Mode mode : { cga::Mode::SEPARATE, cga::Mode::SCREW }) {
+		for (const Motion &motion : motions(Vector3D(0.0))) {
+			Plan plan;
+			plan.mode = mode;
+			plan.ticks = 3;
+			plan.relaxation = 16.0;
+			const Outcome relaxed = planned(motion.path, regular_times(60.0, 4.0), plan);
+			CAPTURE(motion.name);
+			CHECK(relaxed.failed == 0);
+			CHECK(relaxed.worst <= plan.relaxation * max_share(mode));
 		}
 	}
 }
