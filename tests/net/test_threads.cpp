@@ -76,6 +76,7 @@ TEST_CASE("threads: each with its own sender and receiver") {
 TEST_CASE("threads: each with its own codec buffers") {
 	const auto work = [](size_t seed) {
 		std::vector<net::BodyPose> bodies;
+		bodies.reserve(50);
 		for (uint32_t id = 0; id < 50; ++id) {
 			bodies.push_back({ id, cga::pose_cast<float>(turned_at({ double(seed), double(id), 0.0 }, { 0.0, 1.0, 0.0 }, id)) });
 		}

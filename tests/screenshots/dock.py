@@ -18,8 +18,8 @@ LATER_CHAPTERS = ["returning", "looks"]
 COMPARED = ["dark_100_250", "dark_100_250_end", "dark_100_600_coefficients", "light_200_600", "light_200_600_coefficients"]
 # Errors about the invalid files that the chapters open on purpose.
 EXPECTED_ERRORS = [
-    "GAScene.load_json: parts of the text could not be read; the rest was loaded:",
-    "GAScene.load_json: the text is not a document; the scene is unchanged:",
+    "GAScene.load_json_utf8: parts of the text could not be read; the rest was loaded:",
+    "GAScene.load_json_utf8: the text was not loaded; the scene is unchanged:",
 ]
 
 

@@ -25,6 +25,7 @@ template <class Work>
 auto in_threads(const Work &work) {
 	std::vector<decltype(work(0))> results(THREADS);
 	std::vector<std::thread> threads;
+	threads.reserve(THREADS);
 	for (int thread = 0; thread < THREADS; ++thread) {
 		threads.emplace_back([&, thread] { results[size_t(thread)] = work(thread); });
 	}
@@ -60,6 +61,7 @@ std::vector<uint64_t> lives_of_stream(int seed) {
 		(void)sender.accept(1, ack.data(), ack.size(), now);
 		receiver.advance(now);
 	}
+	lives.reserve(BODIES);
 	for (uint32_t id = 0; id < BODIES; ++id) {
 		lives.push_back(receiver.life_at_known_end(id));
 	}
