@@ -65,7 +65,7 @@ void CongestionControl::finish_epoch(double time) {
 		++_cuts;
 		reduce(delivered, base + 0.5 * max_queue, time);
 	} else if (is_loss_congestion()) {
-		reduce(std::max(_smooth_delivered, MIN_DELIVERED_SHARE * delivered), _round_trip, time);
+		reduce(std::max(_smooth_delivered, MIN_DELIVERED_SHARE * delivered), 0.5 * (base + _round_trip), time);
 	} else {
 		_cuts = _epoch.samples > 0 ? 0 : _cuts;
 		if (_is_limited && _cut_loss == 0.0 && recent_loss() <= _background_loss + GROWTH_LOSS_MARGIN) {

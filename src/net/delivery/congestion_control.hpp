@@ -42,6 +42,8 @@ public:
 	[[nodiscard]] double delivered_rate() const { return std::min(rate(), _smooth_delivered); }
 	/// True if the line has shown its limit, and the window has limited the sender in the last two round trips.
 	[[nodiscard]] bool is_limiting() const { return !_is_slow_start && (_was_limited || _is_limited); }
+	/// The part of the bytes that was lost, in the last packets.
+	[[nodiscard]] double recent_loss() const { return _lost > 0.0 ? _lost / (_lost + _arrived) : 0.0; }
 	/// True from the first acknowledgement on.
 	[[nodiscard]] bool is_validated() const { return _is_validated; }
 
@@ -59,8 +61,6 @@ private:
 	bool is_loss_congestion();
 	/// Reduces the window to what was delivered in `seconds`.
 	void reduce(double delivered_rate, double seconds, double time);
-	/// The loss since it was last judged.
-	[[nodiscard]] double recent_loss() const { return _lost > 0.0 ? _lost / (_lost + _arrived) : 0.0; }
 	/// True if the queue remains although less is sent: then it is not ours, or the route has become longer.
 	[[nodiscard]] bool is_longer_route() const { return _cuts >= MAX_CUTS && _epoch.min_round_trip > 0.9 * _cut_round_trip; }
 
@@ -80,9 +80,9 @@ private:
 	static constexpr int MAX_CUTS = 3;
 	/// Loss above what the line loses anyway that means congestion, if the window limits the sender and if it does not; and up to which
 	/// the window grows.
-	static constexpr double LOSS_MARGIN = 0.2;
+	static constexpr double LOSS_MARGIN = 0.1;
 	static constexpr double UNLIMITED_LOSS_MARGIN = 0.35;
-	static constexpr double GROWTH_LOSS_MARGIN = 0.08;
+	static constexpr double GROWTH_LOSS_MARGIN = 0.05;
 	/// Bytes over which loss is measured, and the share of a loss that remains if it does not depend on what is sent.
 	static constexpr double LOSS_SPAN = 64 * PACKET;
 	static constexpr double OBVIOUS_LOSS = 0.5; // for which less is enough

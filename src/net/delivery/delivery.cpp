@@ -242,10 +242,9 @@ void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_siz
 }
 
 bool Delivery::is_losing_snapshot() const {
-	constexpr size_t LARGE_PART = 3;
-	constexpr size_t MIN_REPEATED = 4; // fewer may be chance
-	const auto repeated = size_t(std::count_if(_fragments.begin(), _fragments.end(), [](const Sent &sent) { return sent.times > 1; }));
-	return _congestion.is_validated() && repeated >= MIN_REPEATED && LARGE_PART * repeated > _fragments.size();
+	constexpr double LARGE_PART = 0.3;
+	constexpr ptrdiff_t MIN_REPEATED = 4; // fewer may be chance
+	return _congestion.recent_loss() > LARGE_PART && std::count_if(_fragments.begin(), _fragments.end(), [](const Sent &sent) { return sent.times > 1; }) >= MIN_REPEATED;
 }
 
 void Delivery::make_room(uint32_t end) {
