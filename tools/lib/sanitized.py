@@ -30,6 +30,7 @@ def unit_suite():
     found = unit_programs(MEMORY)
     for program in found:
         program.env.update(UNIT_ENV)
+        program.seconds = SECONDS
     return found
 
 
