@@ -199,8 +199,11 @@ func test_invalid_transforms_return_the_start() -> void:
 	expect_equal(_at(good, mirrored, 0.5, MultivectorLerp.LINEAR), good)
 	expect_error("MultivectorLerp.interpolate_transform: the weight is not finite.")
 	expect_equal(_at(good, good, NAN, MultivectorLerp.SCREW), good)
-	expect_error("MultivectorLerp: mode 3 is invalid; use LINEAR (0), SCREW (1) or SEPARATE (2).")
-	expect_equal(_at(good, good, 0.5, 3 as MultivectorLerp.Mode), good)
+	for mode: int in [3, (1 << 32) + 1]:
+		expect_error(
+			"MultivectorLerp: mode %d is invalid; use LINEAR (0), SCREW (1) or SEPARATE (2)." % mode
+		)
+		expect_equal(_at(good, good, 0.5, mode as MultivectorLerp.Mode), good)
 
 
 func test_invalid_motors_return_null() -> void:

@@ -1,6 +1,9 @@
 extends "res://tests/framework/network_test.gd"
 ## MotorSynchronizer: properties, and errors that name the node.
 
+## A cast to 32 bits would make a valid value of it.
+const WIDE := (1 << 32) + 1
+
 
 func test_defaults() -> void:
 	var node := MotorSynchronizer.new()
@@ -34,8 +37,14 @@ func test_invalid_values_change_nothing() -> void:
 	node.max_latency = INF
 	expect_error("MotorSynchronizer: send_rate is nan, but must be 0.01 to 10000 Hz.")
 	node.send_rate = NAN
-	expect_error("MotorSynchronizer: mode is 3, but must be LINEAR (0), SCREW (1) or SEPARATE (2).")
-	node.set(&"mode", 3)
+	for value: int in [3, -1, WIDE]:
+		expect_error(
+			(
+				"MotorSynchronizer: mode is %d, but must be LINEAR (0), SCREW (1) or SEPARATE (2)."
+				% value
+			)
+		)
+		node.set(&"mode", value)
 	expect_error("MotorSynchronizer: channel is 256, but must be 0 to 255.")
 	node.channel = 256
 	expect_error("MotorSynchronizer: min_delay is -0.5, but must be 0 to 10 seconds.")
@@ -53,13 +62,17 @@ func test_invalid_values_change_nothing() -> void:
 			"MotorSynchronizer: max_packet_size is %d, but must be 256 to 65000 bytes." % size
 		)
 		node.max_packet_size = size
-	expect_error(
-		(
-			"MotorSynchronizer: latency_preset is 4, but must be LATENCY_CUSTOM (0), "
-			+ "LATENCY_RESPONSIVE (1), LATENCY_BALANCED (2) or LATENCY_ECONOMICAL (3)."
+	for value: int in [4, -1, WIDE]:
+		expect_error(
+			(
+				(
+					"MotorSynchronizer: latency_preset is %d, but must be LATENCY_CUSTOM (0), "
+					+ "LATENCY_RESPONSIVE (1), LATENCY_BALANCED (2) or LATENCY_ECONOMICAL (3)."
+				)
+				% value
+			)
 		)
-	)
-	node.set(&"latency_preset", 4)
+		node.set(&"latency_preset", value)
 	expect_near(node.position_tolerance, 0.005, 1e-9)
 	expect_near(node.max_latency, 0.1, 1e-9)
 	expect_equal(node.channel, 0)

@@ -61,7 +61,7 @@ private:
 
 	template <auto METHOD, auto FALLBACK, class C, class R, class S, class... Args>
 	static R enter(S &self, Args &&...args) {
-		const typename Guard::Entry entry(self);
+		typename Guard::Entry entry(self); // the method may destroy self
 		if (likely(entry.is_allowed())) {
 			C &target = self;
 			const auto method = METHOD; // GCC 12 warns of strict aliasing if it is called as a constant
@@ -84,22 +84,22 @@ class OneThread : public GuardedCalls<Self, OneThread<Self>> {
 public:
 	class Entry {
 	public:
-		explicit Entry(const OneThread &object) :
-				_user(object._user) {
-			const void *const user = _user.load(std::memory_order_relaxed);
+		explicit Entry(const OneThread &object) {
+			const void *const user = object._user.load(std::memory_order_relaxed);
 			const void *const self = current_thread();
-			_is_first = user == nullptr;
-			_is_allowed = _is_first || user == self;
-			if (_is_first) {
-				_user.store(self, std::memory_order_relaxed);
+			_is_allowed = user == nullptr || user == self;
+			if (user == nullptr) {
+				_object = &object;
+				object._user.store(self, std::memory_order_relaxed);
+				object._entry.store(this, std::memory_order_relaxed);
 			}
 			if (unlikely(!_is_allowed)) {
 				ERR_PRINT(godot::vformat("%s: two threads call methods of one object at the same time. This call did nothing. Use one object for each thread, or a Mutex.", Self::get_class_static()));
 			}
 		}
 		~Entry() {
-			if (_is_first) {
-				_user.store(nullptr, std::memory_order_relaxed);
+			if (_object != nullptr) {
+				_object->_user.store(nullptr, std::memory_order_relaxed);
 			}
 		}
 		Entry(const Entry &) = delete;
@@ -108,13 +108,25 @@ public:
 		[[nodiscard]] bool is_allowed() const { return _is_allowed; }
 
 	private:
-		std::atomic<const void *> &_user;
-		bool _is_first;
+		friend OneThread;
+
+		const OneThread *_object = nullptr; // for the first of nested calls
 		bool _is_allowed;
 	};
 
+	OneThread() = default;
+	/// A callback may release the last reference to the object that is calling.
+	~OneThread() {
+		if (_user.load(std::memory_order_relaxed) != nullptr) {
+			_entry.load(std::memory_order_relaxed)->_object = nullptr;
+		}
+	}
+	OneThread(const OneThread &) = delete;
+	OneThread &operator=(const OneThread &) = delete;
+
 private:
 	mutable std::atomic<const void *> _user = nullptr; // the thread that is in a call
+	mutable std::atomic<Entry *> _entry = nullptr; // the first of that thread's nested calls
 };
 
 /// For nodes that only the main thread may use while they are in the tree; with a process group, also the sub-thread that

@@ -10,6 +10,15 @@ namespace {
 uint64_t count = 0;
 size_t live = 0;
 
+void *allocate(size_t size) noexcept {
+	void *memory = std::malloc(size == 0 ? 1 : size);
+	if (memory != nullptr) {
+		++count;
+		live += malloc_usable_size(memory);
+	}
+	return memory;
+}
+
 } // namespace
 
 namespace harness {
@@ -24,15 +33,25 @@ size_t live_bytes() {
 
 } // namespace harness
 
-// The standard library's array and nothrow forms call these.
+// All forms but the aligned ones. The standard library's array and nothrow forms would call these, the address sanitizer's not.
 void *operator new(size_t size) {
-	void *memory = std::malloc(size == 0 ? 1 : size);
+	void *memory = allocate(size);
 	if (memory == nullptr) {
 		throw std::bad_alloc();
 	}
-	++count;
-	live += malloc_usable_size(memory);
 	return memory;
+}
+
+void *operator new(size_t size, const std::nothrow_t &) noexcept {
+	return allocate(size);
+}
+
+void *operator new[](size_t size) {
+	return operator new(size);
+}
+
+void *operator new[](size_t size, const std::nothrow_t &) noexcept {
+	return allocate(size);
 }
 
 void operator delete(void *memory) noexcept {
@@ -41,5 +60,21 @@ void operator delete(void *memory) noexcept {
 }
 
 void operator delete(void *memory, size_t) noexcept {
+	operator delete(memory);
+}
+
+void operator delete(void *memory, const std::nothrow_t &) noexcept {
+	operator delete(memory);
+}
+
+void operator delete[](void *memory) noexcept {
+	operator delete(memory);
+}
+
+void operator delete[](void *memory, size_t) noexcept {
+	operator delete(memory);
+}
+
+void operator delete[](void *memory, const std::nothrow_t &) noexcept {
 	operator delete(memory);
 }

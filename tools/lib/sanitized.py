@@ -5,7 +5,6 @@ sanitizer runs the C++ tests that use threads. It is of no use in the engine: th
 how the engine's threads are synchronized, and reports races that are none.
 """
 
-import glob
 import os
 import shutil
 import subprocess
@@ -31,6 +30,7 @@ def unit_suite():
     found = unit_programs(MEMORY)
     for program in found:
         program.env.update(UNIT_ENV)
+        program.seconds = SECONDS
     return found
 
 
@@ -57,13 +57,18 @@ def thread_program():
     return os.path.join(checkout.variant(THREAD), "tests", THREAD_PROGRAM)
 
 
+def library():
+    """Path of the library with the sanitizers of memory."""
+    return os.path.join(checkout.variant(MEMORY), f"libga_godot.{os.path.basename(checkout.variant())}.so")
+
+
 def make_ready():
     """Installs missing dependencies, builds each sanitized variant once, and prepares the project with the plain library."""
     checkout.setup("build", "unit", "engine", "ccache")
     os.environ["GODOT"] = checkout.setup_path("engine")
     build(LIBRARY)
     project.prepare(checkout.PROJECT)
-    build(os.path.relpath(checkout.variant(MEMORY), checkout.ROOT), "tests", sanitizer=MEMORY)
+    build(os.path.relpath(library(), checkout.ROOT), "tests", sanitizer=MEMORY)
     build(os.path.relpath(thread_program(), checkout.ROOT), sanitizer=THREAD)
 
 
@@ -79,8 +84,7 @@ def copy_project():
     libraries = os.path.join(folder, ADDON_LIBRARIES)
     shutil.rmtree(libraries)
     os.mkdir(libraries)
-    for path in glob.glob(os.path.join(checkout.variant(MEMORY), "libga_godot.*")):
-        shutil.copy2(path, libraries)
+    shutil.copy2(library(), libraries)
     return folder
 
 

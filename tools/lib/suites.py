@@ -33,8 +33,7 @@ def unit_programs(sanitizer=""):
     names = [name for name in sorted(os.listdir(os.path.join(checkout.ROOT, "src")))
              if glob.glob(os.path.join(tests, name, "**", "*.cpp"), recursive=True)]
     programs = [f"{name}_tests" for name in [*names, "network_bench", "load_bench", "engine_bench", "threads"]]
-    return [Program([os.path.join(place, program)], seconds=600 if sanitizer else 120, engine=False)
-            for program in programs]
+    return [Program([os.path.join(place, program)], seconds=120, engine=False) for program in programs]
 
 
 def cpp_programs():

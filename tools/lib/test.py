@@ -7,6 +7,7 @@ stop the next.
 
 import argparse
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -73,9 +74,9 @@ def make_ready(suites):
 
 
 def run_suite(suite):
-    """Runs the programs of a suite; returns its (passed, failed)."""
+    """Runs the programs of a suite; returns its (passed, failed, seconds, seconds of processor time)."""
     print(f"\n== {suite.name} ==", flush=True)
-    started = time.monotonic()
+    started, worked = time.monotonic(), work_seconds()
     passed = failed = 0
     problems = []
     try:
@@ -94,7 +95,13 @@ def run_suite(suite):
     failed += len(problems)
     for problem in problems:
         print(f"{suite.name}: {problem}", flush=True)
-    return passed, failed, time.monotonic() - started
+    return passed, failed, time.monotonic() - started, work_seconds() - worked
+
+
+def work_seconds():
+    """Processor time of the programs that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def main():
@@ -111,8 +118,8 @@ def main():
         make_ready(suites)
     results = [(suite.name, *run_suite(suite)) for suite in suites]
     print()
-    for name, passed, failed, seconds in results:
-        print(f"{name:<17} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s")
+    for name, passed, failed, seconds, work in results:
+        print(f"{name:<17} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s, processor {work:>7.1f} s")
     all_passed = sum(result[1] for result in results)
     all_failed = sum(result[2] for result in results)
     print(f"{all_passed} passed, {all_failed} failed", flush=True)

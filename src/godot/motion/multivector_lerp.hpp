@@ -22,8 +22,8 @@ class MultivectorLerp : public godot::Node, public MainThread<MultivectorLerp, t
 	GDCLASS(MultivectorLerp, godot::Node)
 
 public:
-	/// The values of cga::Mode. The underlying type is fixed, so that it can hold any int that a script passes.
-	enum Mode : int {
+	/// The values of cga::Mode. The underlying type holds any integer that a script passes.
+	enum Mode : int64_t {
 		LINEAR,
 		SCREW,
 		SEPARATE,

@@ -29,7 +29,8 @@ class MotorSynchronizer : public godot::Node, public StreamProperties<MotorSynch
 	friend class PlaybackProperties<MotorSynchronizer>;
 
 public:
-	enum LatencyPreset {
+	/// The underlying type holds any integer that a script passes.
+	enum LatencyPreset : int64_t {
 		LATENCY_CUSTOM,
 		LATENCY_RESPONSIVE,
 		LATENCY_BALANCED,
