@@ -12,7 +12,7 @@ tools/bench playground
                       a drag in a document of 200 objects, compared with a full evaluation;
                       opening documents of 16 MiB of every kind; 1,000 drawn objects, compared with the engine's primitives
 tools/bench robustness
-                      large documents, jumps of the clock, invalid settings, callbacks that free their
+                      large documents, jumps of the clock, invalid settings, damaged files, callbacks that free their
                       callers, random calls, the first import: times, values accepted, crashes
 tools/bench all       all suites
 

@@ -21,15 +21,15 @@ SCRIPT = "res://tests/bench/robustness.gd"
 VALUE = re.compile(r"^\[value\] (\S+)$", re.MULTILINE)
 # Cases of the script, their units, and what they measure.
 MEASURES = (
-    ("refused_entries_20000", "ms", "GAScene.load_json, 20,000 invalid entries"),
+    ("refused_entries_20000", "ms", "GAScene.load_json (processor time): 20,000 invalid entries"),
     ("refused_entries_16_mib", "ms", "16 MiB of invalid entries"),
     ("valid_entries_70000", "ms", "70,000 valid entries, which are more than a document may have"),
     ("valid_entries_65536", "ms", "65,536 valid entries"),
     ("cycle_65536", "ms", "65,536 entries that form a cycle"),
     ("cycle_16_mib", "ms", "16 MiB of entries that refer to the next one"),
     ("attributes_1000000", "ms", "1,000,000 attributes, which are more than a document may have"),
-    ("flush_after_a_day", "ms", "MotorSender.flush, one day after the last"),
-    ("flush_after_1e9_s", "ms", "MotorSender.flush, 1e9 s after the last"),
+    ("flush_after_a_day", "ms", "MotorSender.flush for 100 bodies, one day after the last"),
+    ("flush_after_1e9_s", "ms", "MotorSender.flush for 100 bodies, 1e9 s after the last"),
     ("invalid_settings", "taken", "values outside the range that settings take"),
     ("codec_tolerance_1e300", "bytes", "a pose encoded by a MotorCodec whose position_tolerance was set to 1e300"),
     ("internal_methods", "methods", "methods for internal use that scripts can call"),
@@ -38,6 +38,7 @@ MEASURE_SECONDS = 60
 # Groups of engine tests: the files whose name begins so, and what the tests do.
 TESTS = (
     ("callbacks", "test_callback", "callbacks that free or change what called them"),
+    ("files", "test_safe_file", "files written to a full disk, and files cut short"),
     ("reflective_calls", "test_reflective_calls", "every method, property and signal with invalid arguments"),
 )
 TEST_SECONDS = 100

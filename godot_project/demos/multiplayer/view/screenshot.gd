@@ -12,6 +12,12 @@ static func save(viewport: Viewport, path: String) -> void:
 	viewport.disable_3d = false
 	for frame: int in SETTLING_FRAMES:
 		await RenderingServer.frame_post_draw
-	var error := SafeFile.write(path, viewport.get_texture().get_image().save_png_to_buffer())
+	store(viewport.get_texture().get_image(), path)
+
+
+## Writes an image as PNG, completely or not at all. Prints an error if that fails.
+static func store(image: Image, path: String) -> Error:
+	var error := SafeFile.write(path, image.save_png_to_buffer())
 	if error != OK:
 		printerr("Cannot write the screenshot %s: %s." % [path, error_string(error)])
+	return error
