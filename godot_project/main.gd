@@ -2,7 +2,8 @@ extends Node
 ## The main scene: shows the menu, opens a demo or runs a task, depending on the arguments after
 ## `--`.
 ##
-## --test, --test=NAME     runs the engine tests, or those whose file or method name contains NAME
+## --test, --test=NAME     runs the engine tests, or those whose file or method name contains NAME,
+##                         or the one test whose file and method are "FILE METHOD"
 ## --demo=NAME             opens a demo, which parses its own arguments
 ## --dump-poses=FILE       writes interpolated pose pairs for the oracle (tests/oracle)
 ## --gallery-pictures=DIR  renders the gallery's documents for the documentation

@@ -17,7 +17,7 @@ func test_the_expressions_guide() -> void:
 
 
 func test_the_playground_guide() -> void:
-	_expect_no_faults(_samples("docs/guides/playground.md"), 1)
+	_expect_no_faults(_samples("docs/guides/playground.md"), 2)
 	# The guide lists every example, with its picture and title.
 	for example in Gallery.list():
 		var path := _repository().path_join("docs/images/gallery/%s.png" % example)

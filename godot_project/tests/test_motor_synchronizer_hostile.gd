@@ -207,6 +207,64 @@ func test_unauthorized_bodies_of_a_stream_are_ignored() -> void:
 	)
 
 
+func test_the_server_cannot_move_bodies_of_clients() -> void:
+	for relay: bool in [false, true]:
+		await connect_peers(2, 3)
+		for branch in branches:
+			branch.synchronizer.relay = relay
+		# The server takes all bodies for its own, and sends them.
+		for branch: NetworkBranch in branches.slice(1):
+			for i in 2:
+				branch.get_body(i + 1).set_multiplayer_authority(
+					branches[i + 1].api.get_unique_id()
+				)
+		await expect_motion_of_one(0.3)
+		for branch: NetworkBranch in branches.slice(1):
+			for i in 2:
+				expect_equal(branch.get_body(i + 1).position, Vector3.ZERO, "position of a body")
+		free_nodes()
+
+
+## Expects the motion of the server's first body at all clients.
+func expect_motion_of_one(seconds: float) -> void:
+	await move(branches[0], SETTLE + 0.5)
+	var worst := 0.0
+	for tick in roundi(seconds * Engine.physics_ticks_per_second):
+		await move(branches[0], 1.0 / Engine.physics_ticks_per_second)
+		for branch: NetworkBranch in branches.slice(1):
+			worst = maxf(worst, distance_from_path(branch.get_body(0)))
+	expect_true(worst < 0.008, "%.1f mm from the path are less than 8 mm" % (worst * 1000.0))
+
+
+## Peers exchange nothing before both have completed the authentication.
+func test_peers_that_are_not_authenticated_exchange_nothing() -> void:
+	var server := make_branch("Server")
+	var client := make_branch("Client")
+	var pending: Array[int] = []
+	for branch in branches:
+		branch.api.auth_timeout = 0.0
+		branch.api.auth_callback = func(_peer: int, _data: PackedByteArray) -> void: pass
+		branch.add_bodies(2)
+	server.api.peer_authenticating.connect(func(peer: int) -> void: pending.append(peer))
+	var received := PackedInt32Array()
+	for branch in branches:
+		branch.api.peer_packet.connect(
+			func(peer: int, _packet: PackedByteArray) -> void: received.append(peer)
+		)
+	client.join(server.host())
+	server.start()
+	client.start()
+	await wait_until(func() -> bool: return not pending.is_empty(), "the client to connect")
+	await move(server, 1.0)
+	expect_equal(received, PackedInt32Array(), "the senders of packets")
+	expect_equal(server.synchronizer.get_statistics()["sent_bytes_per_second"], 0.0, "bytes sent")
+	expect_equal(client.get_body(1).position, Vector3.ZERO, "position at the client")
+	server.api.complete_auth(pending[0])
+	client.api.complete_auth(1)
+	await wait_until(client.is_joined, "the client to join")
+	await expect_motion(0.3, [client])
+
+
 ## 10,000 invalid packets must take less than 50 ms.
 func test_rejecting_is_cheap() -> void:
 	await connect_peers(1, 1)

@@ -16,7 +16,9 @@ func _init() -> void:
 
 
 func test_a_full_disk_loses_nothing_that_was_saved() -> void:
-	var names: Array[String] = ["config", "json", "motion", "picture.png", "scene.tres", "short"]
+	var names: Array[String] = [
+		"config", "json", "motion", "picture.png", "scene.tres", "screenshot.png", "short"
+	]
 	for name in names:
 		_put(name, SAVED)
 	var outcomes := _save_with_full_disk()
@@ -32,6 +34,7 @@ func test_a_full_disk_loses_nothing_that_was_saved() -> void:
 		),
 		"saving a picture"
 	)
+	expect_equal(outcomes.get("screenshot.png"), float(ERR_FILE_CANT_WRITE), "a screenshot")
 	expect_equal(outcomes.get("motion"), [0.0, float(ERR_FILE_CANT_WRITE)], "recording")
 	for name in names:
 		expect_equal(_content(name), SAVED, name)

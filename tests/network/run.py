@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Multi-process tests: the multiplayer demo and situations of games (situations/*.gd), over ENet on this machine.
 
 Usage: tests/network/run.py [--engine COMMAND] [--case NAME] [--long]

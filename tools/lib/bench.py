@@ -11,6 +11,9 @@ tools/bench load      up to 40,000 bodies or 64 receivers over long, lossy and n
 tools/bench playground
                       a drag in a document of 200 objects, compared with a full evaluation;
                       opening documents of 16 MiB of every kind; 1,000 drawn objects, compared with the engine's primitives
+tools/bench robustness
+                      large documents, jumps of the clock, invalid settings, damaged files, callbacks that free their
+                      callers, random calls, the first import: times, values accepted, crashes
 tools/bench all       all suites
 
 A row is the result of one subject. Compare only rows of the same run.
@@ -27,10 +30,11 @@ import bench_kernels
 import bench_load
 import bench_network
 import bench_playground
+import bench_robustness
 import checkout
 
 SUITES = {"kernels": bench_kernels, "engine": bench_engine, "network": bench_network, "load": bench_load,
-          "playground": bench_playground}
+          "playground": bench_playground, "robustness": bench_robustness}
 
 
 def machine():

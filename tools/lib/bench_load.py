@@ -58,7 +58,7 @@ NAME_WIDTH = 28
 
 def add_options(parser):
     """Adds the options of this suite."""
-    parser.add_argument("--case", metavar="NAME", action="append", dest="load_cases", default=[],
+    parser.add_argument("--case", metavar="NAME", action="append", dest="cases", default=[],
                         help="case to run; repeatable (all; with options of the line or the scene, what they describe)")
     parser.add_argument("--quick", action="store_true", help="short runs, for a first look")
     for name, kind, unit, meaning in NUMBERS:
@@ -68,7 +68,7 @@ def add_options(parser):
 def measure(options):
     """Builds and runs the benchmark and prints its table; returns the rows."""
     build("bench")
-    command = [os.path.join(checkout.variant(), "bench", "load_bench")] + [f"--case={name}" for name in options.load_cases]
+    command = [os.path.join(checkout.variant(), "bench", "load_bench")] + [f"--case={name}" for name in options.cases]
     command += ["--quick"] if options.quick else []
     command += [f"--{name}={value:g}" for name, value in changes(options).items()]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as program:

@@ -2,7 +2,8 @@
 
 With clang they are programs of libFuzzer; without it, they try random edits of their corpus (tests/fuzz/standalone.cpp).
 Inputs that reach new code are kept in build/fuzz/corpus/TARGET, where the next run continues; findings are written to
-build/fuzz/findings.
+build/fuzz/findings. Each run is recorded in build/fuzz/runs.tsv: its end, target, executions, seconds, and "done" or "finding".
+Without --fuzz, `python3 tools/lib/fuzzing.py` prints the sums of all recorded runs.
 """
 
 import glob
@@ -11,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 import checkout
 from build import build
@@ -22,6 +24,56 @@ LIMITS = ("-timeout=20", "-rss_limit_mb=3000", "-max_len=4096", "-print_funcs=0"
 ENV = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1"}
 # What libFuzzer prints about its progress and its dictionary.
 PROGRESS = re.compile(r'^(#\d+\s|INFO: |#{6} |"\S*" # Uses: )')
+EXECUTIONS = re.compile(r"^(?:#|Done )(\d+)\b")
+DONE = re.compile(r"^Done \d+ runs in ")
+RUNS = os.path.join(checkout.BUILD, "fuzz", "runs.tsv")
+
+
+class RunRecord:
+    """Counts the executions of one run of a target, and records the run when it ends."""
+
+    def __init__(self, target):
+        self._target = target
+        self._executions = 0
+        self._end = "finding"
+        self._start = None
+
+    def feed(self, line):
+        """Reads a line of the target's output."""
+        self._start = self._start or time.monotonic()
+        found = EXECUTIONS.match(line)
+        if found:
+            self._executions = int(found.group(1))
+        if DONE.match(line):
+            self._end = "done"
+
+    def end(self):
+        """Records the run, if the target has started."""
+        if self._start is not None:
+            seconds = round(time.monotonic() - self._start)
+            fields = (time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()), self._target, self._executions, seconds, self._end)
+            with open(RUNS, "a", encoding="utf-8") as file:
+                file.write("\t".join(map(str, fields)) + "\n")
+
+
+def recorded():
+    """The sums of the recorded runs: {target: [executions, seconds, runs with a finding]}."""
+    sums = {}
+    if os.path.exists(RUNS):
+        with open(RUNS, encoding="utf-8") as file:
+            for line in file:
+                _, target, executions, seconds, end = line.rstrip("\n").split("\t")
+                total = sums.setdefault(target, [0, 0, 0])
+                for index, value in enumerate((int(executions), int(seconds), int(end != "done"))):
+                    total[index] += value
+    return sums
+
+
+def print_recorded():
+    """Prints the sums of all recorded runs, one line for each target."""
+    print(f"\n{'target':<16} {'executions':>12} {'hours':>7} {'findings':>9}   (all recorded runs)")
+    for target, (executions, seconds, findings) in sorted(recorded().items()):
+        print(f"{target:<16} {executions:>12,} {seconds / 3600:>7.2f} {findings:>9}")
 
 
 def targets():
@@ -52,7 +104,7 @@ def program(path, seconds):
     argv = [path, f"-max_total_time={seconds}", *LIMITS, f"-artifact_prefix={findings}/", grown, corpus(target)]
     symbolizer = shutil.which("llvm-symbolizer-19") or shutil.which("llvm-symbolizer")
     env = {**ENV, **({"ASAN_SYMBOLIZER_PATH": symbolizer} if symbolizer else {})}
-    return Program(argv, seconds=seconds + 120, env=env, engine=False, hidden=PROGRESS)
+    return Program(argv, seconds=seconds + 120, env=env, engine=False, hidden=PROGRESS, listener=RunRecord(target))
 
 
 def make_ready():
@@ -71,3 +123,7 @@ def make_ready():
 def find_clang():
     """The command of clang for C++, as tools/lib/system.sh finds it; None if there is none."""
     return next((name for name in ("clang++-19", "clang++") if shutil.which(name)), None)
+
+
+if __name__ == "__main__":
+    print_recorded()

@@ -32,6 +32,8 @@ class Program:
     engine: bool = True
     # Lines that are not shown.
     hidden: re.Pattern = None
+    # Gets each line of the output by feed(line), and end() after the last.
+    listener: object = None
 
 
 @dataclass
@@ -58,12 +60,16 @@ def run(program):
     try:
         for line in process.stdout:
             watch.heard()
+            if program.listener:
+                program.listener.feed(line)
             if (log.feed(line) or not program.engine) and not (program.hidden and program.hidden.match(line)):
                 print(line, end="", flush=True)
             counts = read_counts(line) or counts
         process.wait()
     finally:
         watch.end()
+        if program.listener:
+            program.listener.end()
     outcome = Outcome(*(counts or (0, 0)))
     if watch.timed_out:
         outcome.problems.append(f"did not end within {program.seconds:g} s")

@@ -39,8 +39,10 @@ def unit_programs(sanitizer=""):
 def cpp_programs():
     """The doctest programs, then each fuzz target: its corpus and some random edits of it."""
     place = os.path.join(checkout.variant(), "fuzz")
-    return unit_programs() + [Program([os.path.join(place, target), "-runs=2000", "-timeout=20", fuzzing.corpus(target)],
-                                      seconds=120, engine=False) for target in fuzzing.targets()]
+    findings = os.path.join(checkout.BUILD, "fuzz", "findings")
+    os.makedirs(findings, exist_ok=True)
+    return unit_programs() + [Program([os.path.join(place, target), "-runs=2000", "-timeout=20", f"-artifact_prefix={findings}/{target}-",
+                                       fuzzing.corpus(target)], seconds=120, engine=False) for target in fuzzing.targets()]
 
 
 def engine_programs():

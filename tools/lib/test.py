@@ -117,6 +117,8 @@ def main():
         suites = chosen_suites(arguments)
         make_ready(suites)
     results = [(suite.name, *run_suite(suite)) for suite in suites]
+    if arguments.fuzz:
+        fuzzing.print_recorded()
     print()
     for name, passed, failed, seconds, work in results:
         print(f"{name:<17} {passed:>5} passed {failed:>4} failed {seconds:>7.1f} s, processor {work:>7.1f} s")

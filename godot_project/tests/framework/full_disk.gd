@@ -6,6 +6,7 @@ const MotionRecorder := preload("res://demos/recording/motion_recorder.gd")
 const PictureExport := preload("res://addons/ga_godot/playground/picture/picture_export.gd")
 const Recording := preload("res://demos/recording/recording.gd")
 const SafeFile := preload("res://addons/ga_godot/playground/document/safe_file.gd")
+const Screenshot := preload("res://demos/multiplayer/view/screenshot.gd")
 
 const FOLDER := "user://full_disk"
 const MARK := "OUTCOMES "
@@ -36,5 +37,6 @@ func _outcomes() -> Dictionary[String, Variant]:
 		"config": SafeFile.save_config(FOLDER.path_join("config"), config),
 		"scene.tres": SafeFile.save_resource(FOLDER.path_join("scene.tres"), scene),
 		"picture.png": PictureExport.save(picture, FOLDER.path_join("picture.png")),
+		"screenshot.png": Screenshot.store(picture, FOLDER.path_join("screenshot.png")),
 		"motion": [recorder.close(), recorder.error],
 	}

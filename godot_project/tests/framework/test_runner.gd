@@ -11,7 +11,8 @@ const FOLDER := "res://tests"
 const TEST_LIMIT := 60.0
 const BLOCK_LIMIT := 90.0
 
-## Runs only tests whose file or method name contains this; empty for all.
+## Runs only tests whose file or method name contains this, or the one test "FILE METHOD"; empty for
+## all.
 var argument := ""
 
 var _log := ErrorLog.new()
@@ -55,7 +56,10 @@ func _run_file(file: String) -> void:
 	for method in script.get_script_method_list():
 		var method_name: String = method["name"]
 		var wanted := (
-			argument.is_empty() or file.contains(argument) or method_name.contains(argument)
+			argument.is_empty()
+			or file.contains(argument)
+			or method_name.contains(argument)
+			or argument == "%s %s" % [file.trim_suffix(".gd"), method_name]
 		)
 		if method_name.begins_with("test_") and wanted and not methods.has(method_name):
 			methods.append(method_name)

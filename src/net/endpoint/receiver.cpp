@@ -35,6 +35,11 @@ constexpr size_t USUAL_WINDOW_BYTES = 32768;
 constexpr double MAX_TICK = double(uint64_t(1) << (8 * SnapshotHeader::TICK_BYTES));
 /// Known motion may be so many seconds further ahead of playback than its maximum delay.
 constexpr double MAX_AHEAD = 10.0;
+/// The same in ticks: then a track holds all motion from playback on, and the next window.
+constexpr double MAX_TICKS_AHEAD = double(MotionTrack::MAX_SEGMENTS - MAX_TICKS);
+/// Maximum of the playback delay, in ticks. The rest of MAX_TICKS_AHEAD is for playback that is behind its target.
+constexpr double MAX_DELAY_TICKS = MAX_TICKS_AHEAD - 1.5 * 1024.0;
+static_assert(MAX_DELAY_TICKS > MAX_LATENCY_TICKS);
 
 } // namespace
 
@@ -131,7 +136,7 @@ PacketResult Receiver::refuse(double now) {
 }
 
 bool Receiver::must_wait(double now) const {
-	return _budget.must_wait() || known_time() - _clock.media_time_at(now) > max_delay() + MAX_AHEAD;
+	return _budget.must_wait() || known_time() - _clock.media_time_at(now) > std::min(max_delay() + MAX_AHEAD, MAX_TICKS_AHEAD * tick());
 }
 
 void Receiver::set_max_bodies(size_t max_bodies) {
@@ -301,7 +306,7 @@ void Receiver::encode_snapshot(std::vector<uint8_t> &bytes) {
 
 double Receiver::max_delay() const {
 	const double latency = _header.settings.max_latency;
-	return std::max(latency, double(_header.window)) + (_max_margin < 0.0 ? latency : _max_margin);
+	return std::min(std::max(latency, double(_header.window)) + (_max_margin < 0.0 ? latency : _max_margin), MAX_DELAY_TICKS * tick());
 }
 
 void Receiver::set_limits() {

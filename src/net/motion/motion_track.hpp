@@ -11,8 +11,9 @@ namespace net {
 /// The jitter buffer of one body: its segments in chronological order, starting with the one being shown.
 class MotionTrack {
 public:
-	/// Maximum number of segments. If more arrive, the oldest is dropped.
-	static constexpr size_t MAX_SEGMENTS = size_t(4) * MAX_TICKS;
+	/// Maximum number of segments. If more arrive, the oldest is dropped. A segment has at least one tick: so many ticks are known
+	/// in any case.
+	static constexpr size_t MAX_SEGMENTS = size_t(64) * MAX_TICKS;
 	/// Minimum and maximum of the number of segments for which memory is allocated.
 	static constexpr size_t MIN_CAPACITY = 2;
 	static constexpr size_t MAX_CAPACITY = 2 * MAX_SEGMENTS;

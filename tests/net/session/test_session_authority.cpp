@@ -277,6 +277,52 @@ TEST_CASE("authority: motion of bodies that the sender does not own is counted a
 	}
 }
 
+TEST_CASE("authority: bodies of clients in the server's own stream are counted and not used") {
+	for (const bool relay : { false, true }) {
+		SessionNetwork network = network_of_four(relay);
+		for (const uint32_t body : { 2u, 3u }) {
+			network.set_owner(SERVER, body, SERVER);
+		}
+		network.run(2.0);
+		CAPTURE(relay);
+		for (const PeerId at : { 2, 3, 4 }) {
+			CAPTURE(at);
+			CHECK(network.statistics(SERVER, at).unauthorized == 2);
+			for (const uint32_t body : { 1u, 2u, 3u }) {
+				// A server that relays can withhold the motion of clients, but not replace it in its own stream.
+				CHECK((body == uint32_t(at) || (relay && body != 1) || network.error(body, at) <= 1.3));
+			}
+		}
+	}
+}
+
+TEST_CASE("authority: only a server that relays aligns the windows of clients") {
+	// The times of client 2's packets to `to`, if `from` requests another alignment in each tick.
+	const auto times = [](bool relay, PeerId from, PeerId to) {
+		SessionNetwork network = network_of_four(relay);
+		const double begin = network.now;
+		uint8_t number = 0;
+		network.run(3.0, [&] {
+			Bytes content;
+			put_alignment(content, { ++number, 0.1, 0.03 });
+			if (from != 0) {
+				network.inject(from, 2, make_packet(PacketKind::ACK, link_of(network, 2, from, PacketKind::MOTION), content));
+			}
+		});
+		std::vector<double> result;
+		for (const auto &packet : network.packets(2, to, PacketKind::MOTION, begin)) {
+			result.push_back(packet.time);
+		}
+		return result;
+	};
+	const std::vector<double> undisturbed = times(false, 0, 3);
+	REQUIRE(undisturbed.size() > 8);
+	CHECK(times(false, SERVER, 3) == undisturbed);
+	CHECK(times(false, HOSTILE, 3) == undisturbed);
+	CHECK(times(true, HOSTILE, SERVER) == times(true, 0, SERVER));
+	CHECK(times(true, SERVER, SERVER) != times(true, 0, SERVER)); // the requests are well-formed
+}
+
 TEST_CASE("authority: a peer id that is given to another peer starts anew") {
 	SessionNetwork network = network_of_two();
 	network.set_owner(2, 6, 2);

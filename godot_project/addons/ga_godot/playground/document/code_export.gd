@@ -128,14 +128,20 @@ static func _variable(entry: String) -> String:
 ## error.
 static func _in_order(scene: GAScene, entries: PackedStringArray) -> PackedStringArray:
 	var order := PackedStringArray()
-	for entry in entries:
-		_append(scene, entry, order)
+	# Whether an entry is in `order`; false while its dependencies are not.
+	var is_placed: Dictionary[String, bool] = {}
+	var open := entries.duplicate()
+	open.reverse()
+	while not open.is_empty():
+		var entry := open[-1]
+		if not is_placed.has(entry) and scene.get_value(entry) != null:
+			is_placed[entry] = false
+			var dependencies := scene.get_dependencies(entry)
+			dependencies.reverse()
+			open.append_array(dependencies)
+			continue
+		open.remove_at(open.size() - 1)
+		if not is_placed.get(entry, true):
+			is_placed[entry] = true
+			order.append(entry)
 	return order
-
-
-static func _append(scene: GAScene, entry: String, order: PackedStringArray) -> void:
-	if order.has(entry) or scene.get_value(entry) == null:
-		return
-	for dependency in scene.get_dependencies(entry):
-		_append(scene, dependency, order)
-	order.append(entry)

@@ -93,12 +93,13 @@ func set_slider_range(entry: String, values: Dictionary[String, float]) -> void:
 
 ## Returns the other entries that would lose their values if `entries` were removed.
 func dependents(entries: PackedStringArray) -> PackedStringArray:
-	var found := PackedStringArray()
+	var found: Dictionary[String, bool] = {}
 	for entry in entries:
 		for dependent in _document.scene.get_dependents(entry):
-			if not found.has(dependent) and not entries.has(dependent):
-				found.append(dependent)
-	return found
+			found[dependent] = true
+	for entry in entries:
+		found.erase(entry)
+	return PackedStringArray(found.keys())
 
 
 ## The expression that combines two entries; empty if they cannot be combined this way.
