@@ -139,8 +139,9 @@ void PlaybackClock::advance(double now) {
 	}
 	close_batch();
 	const double next = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
-	// After a backlog has arrived, the line is too steep for a while.
-	const double last = now - _known_at < MAX_INTERVAL + SILENT_TIME ? std::max(_known + MAX_UNKNOWN, _position) : next;
+	// While a backlog arrives, and for a while after it, the line is too steep.
+	const double max_unknown = _line.rate() > 1.0 + NEW_RATE ? 0.0 : MAX_UNKNOWN;
+	const double last = now - _known_at < MAX_INTERVAL + SILENT_TIME ? std::max(_known + max_unknown, _position) : next;
 	_position = std::min(next, last);
 	_last = std::max(now, _last);
 }
