@@ -149,8 +149,8 @@ private:
 	void free_unusual_memory();
 	/// Refuses a stream that exceeds the budget.
 	PacketResult refuse(double now);
-	/// Decodes what has arrived, as far as the budget allows.
-	PacketResult decode(double now);
+	/// Decodes what has arrived, as far as the budget allows. `is_prompt`: more packets of this frame may follow.
+	PacketResult decode(double now, bool is_prompt);
 	[[nodiscard]] bool must_wait(double now) const;
 	[[nodiscard]] size_t body_count() const { return _decoder ? _decoder->body_count() : 0; }
 	PacketResult check_fragments();

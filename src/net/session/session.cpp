@@ -214,12 +214,19 @@ void Session::close_unneeded() {
 	} else if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency) {
 		for (auto &[id, peer] : _peers) {
 			if (peer.subscribed && !peer.relay_link) {
-				send_close(id, peer, peer.subscription, CloseRole::SENDER);
-				peer.requested.reset();
-				unsubscribe(id, peer);
+				close_subscription(id, peer);
 			}
 		}
 	}
+}
+
+/// Ends our stream to a peer that may request it again.
+void Session::close_subscription(PeerId id, Peer &peer) {
+	if (peer.subscribed || peer.relay_link) {
+		send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
+	}
+	peer.requested.reset();
+	unsubscribe(id, peer);
 }
 
 void Session::end_stream(PeerId id, Peer &peer) {
@@ -285,6 +292,7 @@ void Session::advance(double now) {
 	const bool has_forwarded = std::exchange(_has_forwarded, false);
 	for (auto &[id, peer] : _peers) {
 		if (peer.stream) {
+			peer.limit_work(expected_bodies(id), now);
 			peer.stream->advance(now);
 			peer.unauthorized_bodies += _owners.count_unauthorized(id, *peer.stream);
 		}

@@ -59,6 +59,13 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	now = set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
+	const PacketBudget::Verdict verdict = peer.packets.take(size, expected_bodies(id), now);
+	if (verdict != PacketBudget::Verdict::ACCEPTED) {
+		if (verdict == PacketBudget::Verdict::FLOOD_BEGINS) {
+			refuse_flood(id, peer);
+		}
+		return;
+	}
 	bytes += ENVELOPE_BYTES;
 	size -= ENVELOPE_BYTES;
 	PacketResult result;
@@ -135,15 +142,14 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 			_relayer.add_stream(id, *peer.stream, _running_time);
 		}
 	}
-	// The server may send whatever clients do not know yet.
-	peer.limit_work(id == RelayedStreams::SERVER ? MAX_BODIES : _owners.count(id));
+	peer.limit_work(expected_bodies(id), now);
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, _running_time);
 	if (!result && result.error() == PacketError::OTHER_STREAM_VERSION) {
 		peer.stream_version = peer.stream->other_version();
-		refuse_stream(id, peer);
+		refuse_stream(id, peer, 0.0);
 	} else if (peer.stream->is_refused()) {
-		refuse_stream(id, peer);
+		refuse_stream(id, peer, peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0);
 	} else if (result) {
 		peer.open.restart(now + SILENCE);
 		if (peer.stream->is_ready()) {
@@ -155,10 +161,25 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 	return result;
 }
 
+/// The number of bodies that a peer's stream may have without being unusual.
+size_t Session::expected_bodies(PeerId id) const {
+	// The server may send whatever clients do not know yet.
+	return id == RelayedStreams::SERVER ? MAX_BODIES : _owners.count(id);
+}
+
+/// A peer that sends too many packets loses its stream to us and ours to it. Both may begin again after the flood.
+void Session::refuse_flood(PeerId id, Peer &peer) {
+	peer.rejections.add(PacketError::TOO_MANY_PACKETS);
+	++_rejected;
+	close_subscription(id, peer);
+	if (peer.stream) {
+		refuse_stream(id, peer, MIN_OVERLOAD_PAUSE);
+	}
+}
+
 /// Closes a stream with too many bodies or of another version, or one that takes too much work, and requests it again later.
-void Session::refuse_stream(PeerId id, Peer &peer) {
+void Session::refuse_stream(PeerId id, Peer &peer, double min_pause) {
 	const size_t size = peer.stream->stream_size();
-	const double min_pause = peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
 	peer.request_stream(_now);
