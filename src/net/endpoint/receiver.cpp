@@ -334,12 +334,15 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 	_ack_due = false;
 }
 
-void Receiver::advance(double now) {
+PacketResult Receiver::decode_waiting(double now) {
 	now = _local_clock.advance(now);
 	_budget.refill(now, body_count());
-	if (_budget.is_waiting()) {
-		(void)decode(now, false);
-	}
+	return _budget.is_waiting() ? decode(now, false) : PacketResult();
+}
+
+void Receiver::advance(double now) {
+	(void)decode_waiting(now);
+	now = _local_clock.advance(now);
 	if (!is_ready()) {
 		return;
 	}

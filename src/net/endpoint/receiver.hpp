@@ -61,6 +61,8 @@ public:
 
 	/// True once a snapshot has arrived.
 	[[nodiscard]] bool is_ready() const { return _decoder.has_value(); }
+	/// Decodes what has waited for the budget or the end of the frame, as `advance` does. Fails as `accept` does.
+	PacketResult decode_waiting(double now);
 	/// Advances playback to `now`. Media time runs backwards only after the sender stood still.
 	void advance(double now);
 	/// The media time shown: seconds on the sender's clock since its stream began.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace net {
 
@@ -34,8 +35,8 @@ public:
 			_is_flooded = false;
 			return Verdict::ACCEPTED;
 		}
-		const bool was_flooded = _is_flooded;
-		_is_flooded = true;
+		const bool was_flooded = std::exchange(_is_flooded, true);
+		_left = was_flooded ? _left : -_capacity;
 		return was_flooded ? Verdict::IGNORED : Verdict::FLOOD_BEGINS;
 	}
 	/// True if so many packets have arrived at once that they should not be decoded before it is known whether this is a flood.

@@ -31,6 +31,8 @@ struct Peer {
 	/// move cost 700,000.
 	static constexpr double MIN_WORK = 1e6;
 	static constexpr double BURST = 0.05;
+	/// A snapshot is decoded at once if it takes no more work than this for each body that we know.
+	static constexpr double MAX_PROMPT_WORK = 4096.0;
 	struct EndedStream {
 		uint8_t link = 0;
 		double time = -1e9;
@@ -74,9 +76,8 @@ struct Peer {
 
 	/// Limits the work of decoding the peer's streams to that of `bodies` bodies. Decoding waits while packets arrive that may be a flood.
 	void limit_work(size_t bodies, double now) {
-		const double rate = ReceiverBudget::work_rate(bodies) - ReceiverBudget::MIN_WORK + MIN_WORK;
-		work->set_rate(rate);
-		work->set_max_prompt(BURST * rate);
+		work->set_rate(ReceiverBudget::work_rate(bodies) - ReceiverBudget::MIN_WORK + MIN_WORK);
+		work->set_max_prompt(BURST * MIN_WORK + MAX_PROMPT_WORK * double(bodies));
 		work->hold(packets.is_busy(bodies, now));
 	}
 
