@@ -7,9 +7,10 @@ namespace net {
 /// The quantization steps of a stream. Sender and receivers derive them from the same float32 tolerances.
 ///
 /// A step of rotation moves a point at the lever arm as far as a step of position moves the body, so that one bound covers
-/// both: if d is the error of the center and r that of the rotation vector, |d| and |d + lever_arm (r x e_i)| stay within the
-/// position tolerance for the three axes e_i. For at least one axis, |r x e_i| >= sqrt(2/3) |r|. Therefore, with
-/// lever_arm = sqrt(3/2) position_tolerance / rotation_tolerance, |r| stays within the rotation tolerance.
+/// both: if d is the error of the center and r that of the rotation vector, then |d|, |d + lever_arm (r x e_i)| for the three axes
+/// e_i, and sqrt(2/3) lever_arm |r| stay within the position tolerance. With lever_arm = sqrt(3/2) position_tolerance /
+/// rotation_tolerance, the last means that |r| stays within the rotation tolerance. It rarely matters: for d = 0 it follows from
+/// the others, as |r x e_i| >= sqrt(2/3) |r| for at least one axis.
 struct StreamGrid {
 	/// Quantization of the end of a segment, in steps: COARSE by default, FINE in segments marked fine.
 	static constexpr int COARSE = 8;

@@ -42,6 +42,7 @@ void OutgoingStream::start(double begin, double now) {
 		peer.second.delivery.restart(now);
 	}
 	_changed_since = -1;
+	_relaxation = 1.0;
 	_is_starting = true;
 }
 
@@ -121,7 +122,8 @@ void OutgoingStream::adapt(double seconds, double now) {
 		waiting = peer.second.delivery.is_silent(now) || peer.second.delivery.needs_snapshot() ? waiting : std::max(waiting, waiting_time(peer.second));
 	}
 	const double factor = waiting > seconds + MAX_WAITING ? RELAX : std::pow(TIGHTEN, seconds);
-	_encoder->set_relaxation(std::clamp(_encoder->relaxation() * factor, 1.0, MAX_RELAXATION));
+	_relaxation = std::clamp(_relaxation * factor, 1.0, MAX_RELAXATION);
+	_encoder->set_coarseness(std::ilogb(_relaxation));
 }
 
 void OutgoingStream::start_snapshots(const Flush &flush) {

@@ -81,8 +81,8 @@ public:
 	/// Bytes per second.
 	[[nodiscard]] double rate() const { return _ring.rate(); }
 	/// The factor by which errors may exceed the tolerances, 1 or more.
-	[[nodiscard]] double relaxation() const { return _encoder ? _encoder->relaxation() : 1.0; }
-	static constexpr double MAX_RELAXATION = 256.0;
+	[[nodiscard]] double relaxation() const { return _encoder ? double(1 << _encoder->coarseness()) : 1.0; }
+	static constexpr double MAX_RELAXATION = 1 << BodyState::MAX_COARSENESS;
 
 private:
 	[[nodiscard]] bool is_window_due(const Flush &flush) const;
@@ -100,6 +100,7 @@ private:
 	std::vector<uint8_t> _window;
 	int64_t _window_begin = 0;
 	int64_t _changed_since = -1; // -1: nothing has changed
+	double _relaxation = 1.0;
 	double _chunks_per_tick = 0.0; // in the last window
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr int64_t MAX_SPEED = int64_t(1) << 30;
 constexpr int64_t MAX_CURVATURE = int64_t(1) << 28;
 constexpr int64_t MAX_RUNNING_ERROR = 4000;
+constexpr int32_t MAX_REST_CORRECTION = 16 << BodyState::MAX_COARSENESS;
 constexpr double MAX_ANGLE = 16.0; // of a segment, in radians, as the sum of three components
 
 double scale_of(int32_t level) {
@@ -56,6 +57,7 @@ void BodyState::reset_motion() {
 	at_rest._scale = _scale;
 	at_rest.planar = planar;
 	at_rest.rest_corrected = rest_corrected;
+	at_rest.coarseness = coarseness;
 	*this = at_rest;
 }
 
@@ -89,7 +91,7 @@ SegmentSteps BodyState::steps(const SegmentCode &code) const {
 	for (int i = 0; i < 6; ++i) {
 		ends[i] = predicted(i, code.ticks);
 	}
-	return SegmentSteps(ends, code);
+	return SegmentSteps(ends, code, coarseness);
 }
 
 MotionSegment BodyState::segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const {
@@ -164,7 +166,7 @@ bool BodyState::apply(const SegmentCode &code, const SegmentSteps &steps, const 
 
 bool BodyState::correct_rest(const int32_t correction[6], const StreamGrid &grid) {
 	for (int i = 0; i < 3; ++i) {
-		if (std::abs(_position[i] + correction[i]) > MAX_STEPS || std::abs(correction[3 + i]) > MeanMagnitude::MAX) {
+		if (std::abs(_position[i] + correction[i]) > MAX_STEPS || std::abs(correction[3 + i]) > MAX_REST_CORRECTION) {
 			return false;
 		}
 	}
@@ -174,6 +176,7 @@ bool BodyState::correct_rest(const int32_t correction[6], const StreamGrid &grid
 	const cga::Vector3<double> vector(correction[3], correction[4], correction[5]);
 	_rotation = LatticeRotation::nearest(_rotation.value() * exp_rotation(vector * grid.rotation_step));
 	rest_corrected = true;
+	coarseness = 0;
 	return true;
 }
 
@@ -186,7 +189,7 @@ bool BodyState::is_valid() const {
 	};
 	const bool is_in_plane = _position[2] == 0 && _rotation.dropped >= 2 && _rotation.level[0] == 0 && _rotation.level[1] == 0;
 	return (!planar || is_in_plane) && are_within(_position, MAX_STEPS) && are_within(_velocity, MAX_SPEED) && are_within(_curvature, MAX_CURVATURE) && are_means(_residual_mean) && are_means(_curvature_mean) &&
-			_rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && _ticks >= 1 && _ticks <= 64;
+			_rotation.is_valid() && std::abs(_scale) <= MAX_SCALE && coarseness <= MAX_COARSENESS && finer <= MAX_COARSENESS && _ticks >= 1 && _ticks <= 64;
 }
 
 uint32_t BodyState::hash() const {

@@ -15,7 +15,7 @@ namespace net {
 /// body's axes at the start of the segment; they form the groups 0 and 1. Of a planar body, 2, 3 and 4 are zero and not coded.
 struct SegmentCode {
 	int ticks = 1;
-	bool fine = false; ///< the residuals are in units of StreamGrid::FINE instead of COARSE
+	bool fine = false; ///< the residuals are in units of StreamGrid::FINE instead of COARSE; see also BodyState::coarseness
 	int32_t residual[6] = { 0, 0, 0, 0, 0, 0 }; ///< actual end minus predicted end
 	bool curved[2] = { false, false }; ///< per group: the curvature is not zero
 	int32_t curvature[6] = { 0, 0, 0, 0, 0, 0 }; ///< in units of StreamGrid::CURVATURE
@@ -29,11 +29,13 @@ struct SegmentSteps {
 	int64_t curvature[6] = { 0, 0, 0, 0, 0, 0 };
 
 	SegmentSteps() = default;
-	/// Decodes a code, given the predicted end.
-	SegmentSteps(const int64_t predicted[6], const SegmentCode &code) {
+	/// Decodes a code, given the predicted end and BodyState::coarseness.
+	SegmentSteps(const int64_t predicted[6], const SegmentCode &code, int coarseness) {
+		const int64_t step = int64_t(code.fine ? StreamGrid::FINE : StreamGrid::COARSE) << coarseness;
+		const int64_t curvature_step = int64_t(StreamGrid::CURVATURE) << coarseness;
 		for (int i = 0; i < 6; ++i) {
-			end[i] = predicted[i] + int64_t(code.residual[i]) * (code.fine ? StreamGrid::FINE : StreamGrid::COARSE);
-			curvature[i] = code.curved[i / 3] ? int64_t(code.curvature[i]) * StreamGrid::CURVATURE : 0;
+			end[i] = predicted[i] + code.residual[i] * step;
+			curvature[i] = code.curved[i / 3] ? code.curvature[i] * curvature_step : 0;
 		}
 	}
 };
@@ -52,6 +54,8 @@ struct MotionModels {
 	AdaptiveBit scaled[2] = { AdaptiveBit(65000), AdaptiveBit(10000) };
 	AdaptiveBit rest_correction{ 50000 };
 	AdaptiveBit same_length{ 10000 };
+	AdaptiveBit same_coarseness{ 2000 };
+	AdaptiveBit same_finer{ 2000 };
 	AdaptiveBit has_events{ 60000 };
 
 	template <class Visit>
@@ -72,6 +76,8 @@ struct MotionModels {
 		visit(fine);
 		visit(rest_correction);
 		visit(same_length);
+		visit(same_coarseness);
+		visit(same_finer);
 		visit(has_events);
 	}
 };
@@ -105,6 +111,11 @@ public:
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
 	/// Advances to the end of a segment. Returns false and changes nothing if the end is out of range.
 	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
+	/// The quantization steps of a window of `window_coarseness` for a body whose steps are 2^finer times smaller.
+	void set_coarseness(int window_coarseness, int finer) {
+		this->finer = uint8_t(finer);
+		coarseness = uint8_t(std::max(window_coarseness - finer, 0));
+	}
 	/// Adds `correction`, the remaining quantization error in steps, to the pose of a body at rest. Returns false and
 	/// changes nothing if the result is out of range.
 	[[nodiscard]] bool correct_rest(const int32_t correction[6], const StreamGrid &grid);
@@ -125,8 +136,14 @@ public:
 	bool planar = false; ///< moves in the plane z = 0 and rotates about z only
 	bool active = false; ///< moved in the last window
 	bool rest_corrected = true; ///< at rest, and its last sample is matched to within a step
+	uint8_t coarseness = 0; ///< of its last segment: the steps of its code were 2^coarseness times larger
+	uint8_t finer = 0; ///< the coarseness of the last coarse window minus its own
+
+	static constexpr int MAX_COARSENESS = 8;
 
 private:
+	static constexpr int COARSENESS_BITS = 5; // of the signed number
+
 	enum Predictor {
 		HOLD,
 		CONSTANT_VELOCITY,
@@ -207,6 +224,9 @@ void BodyState::visit(Visit &&visit) {
 	visit(_scale, 20);
 	visit(active, 2);
 	visit(rest_corrected, 2);
+	if (!rest_corrected) {
+		visit(coarseness, COARSENESS_BITS);
+	}
 	if (!active) {
 		return;
 	}
@@ -217,6 +237,7 @@ void BodyState::visit(Visit &&visit) {
 		}
 	}
 	visit(_ticks, 8);
+	visit(finer, COARSENESS_BITS);
 	visit(_scaled, 2);
 	for (int group = 0; group < 2; ++group) {
 		for (int32_t &value : _running_error[group]) {

@@ -41,11 +41,13 @@ void MotionPlanner::plan(const BodyState &state, double begin, int ticks, const 
 	const double full_tolerance = StreamGrid::TOLERANCE * _grid.position_step;
 	const cga::Pose<double> &last = samples[count - 1].pose;
 	const bool has_stopped = (state.active || !state.rest_corrected) && std::all_of(samples, samples + count, [&](const MotionSample &sample) { return pose_distance(sample.pose, last, _grid.lever_arm) <= MAX_STOPPED_MOTION * full_tolerance; });
-	const double tolerance = full_tolerance * (has_stopped ? STOPPED : (state.active ? COMES_TO_REST : STAYS_AT_REST * _relaxation));
+	BodyState relaxed = state;
+	relaxed.set_coarseness(motion.coarseness, motion.finer);
+	const double tolerance = full_tolerance * (has_stopped ? STOPPED * (1 << state.coarseness) : (state.active ? COMES_TO_REST : STAYS_AT_REST * (1 << relaxed.coarseness)));
 	const cga::Pose<double> held = state.pose(_grid);
 	for (size_t i = count; i > 0; --i) {
 		if (pose_distance(held, samples[i - 1].pose, _grid.lever_arm) > tolerance) {
-			plan_moving(state, begin, ticks, samples, count, available, models, motion);
+			plan_moving(relaxed, begin, ticks, samples, count, available, models, motion);
 			return;
 		}
 	}
@@ -59,9 +61,10 @@ void MotionPlanner::plan_resting(const BodyState &state, const MotionSample &las
 	const cga::Pose<double> held = state.pose(_grid);
 	const cga::Vector3<double> translation = (last.pose.translation - held.translation) / _grid.position_step;
 	const cga::Vector3<double> rotation = log_rotation(glm::conjugate(held.rotation) * last.pose.rotation) / _grid.rotation_step;
+	const double limit = double(1 << (MotionCode::REST_BITS - 1 + state.coarseness));
 	for (int i = 0; i < 3; ++i) {
-		motion.rest_correction[i] = int32_t(std::clamp(std::nearbyint(translation[i]), -16.0, 15.0));
-		motion.rest_correction[3 + i] = int32_t(std::clamp(std::nearbyint(rotation[i]), -16.0, 15.0));
+		motion.rest_correction[i] = int32_t(std::clamp(std::nearbyint(translation[i]), -limit, limit - 1.0));
+		motion.rest_correction[3 + i] = int32_t(std::clamp(std::nearbyint(rotation[i]), -limit, limit - 1.0));
 	}
 	motion.has_rest_correction = true;
 }
@@ -70,10 +73,7 @@ void MotionPlanner::plan_moving(const BodyState &state, double begin, int ticks,
 	BodyState moving = state;
 	while (ticks > 0) {
 		_fit.begin(moving, begin, samples, count, available);
-		std::optional<SegmentCode> code = _relaxation > 1.0 && moving.active ? _fit.predict(moving, ticks, count, _relaxation) : std::nullopt;
-		if (!code) {
-			code = _fit.fit(moving, ticks, count, true, models);
-		}
+		std::optional<SegmentCode> code = _fit.fit(moving, ticks, count, true, models);
 		if (!code) {
 			code = longest_segment(moving, begin, ticks, samples, count, models);
 		}

@@ -12,11 +12,8 @@ public:
 	MotionPlanner(const StreamGrid &grid, cga::Mode mode) :
 			_grid(grid), _fit(grid, mode) {}
 
-	/// Lets errors exceed the tolerances by a factor of 1 or more. A body then continues its predicted motion for as long as the error
-	/// allows, which costs next to nothing.
-	void set_relaxation(double relaxation) { _relaxation = relaxation; }
-	[[nodiscard]] double relaxation() const { return _relaxation; }
-	/// Replaces `motion`. The first `count` samples have times in (begin, begin + ticks]; those up to `available` are
+	/// Replaces `motion`, except for its `coarseness` and `finer`: tolerances and quantization steps of a moving body are larger by a factor
+	/// of 2^coarseness, reduced by 2^finer. The first `count` samples have times in (begin, begin + ticks]; those up to `available` are
 	/// look-ahead. Sets `motion.must_jump` if the motion is out of range.
 	void plan(const BodyState &state, double begin, int ticks, const MotionSample *samples, size_t count, size_t available, MotionModels &models, MotionCode &motion);
 
@@ -27,7 +24,6 @@ private:
 
 	StreamGrid _grid;
 	SegmentFit _fit;
-	double _relaxation = 1.0;
 };
 
 } // namespace net

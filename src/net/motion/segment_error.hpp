@@ -19,7 +19,7 @@ struct SegmentErrorInput {
 	float curvature[6];
 };
 
-/// The maximum error of the body's center and of the points at the lever arm, over all samples, in steps. If it exceeds `limit`,
+/// The maximum error of the body's center, of the points at the lever arm and of the rotation (see StreamGrid), over all samples, in steps. If it exceeds `limit`,
 /// the result may be any lower bound above `limit` (early exit). All machines compute the same bits.
 [[nodiscard]] float segment_error(const SegmentErrorInput &input, float limit) noexcept;
 

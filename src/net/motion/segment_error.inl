@@ -44,7 +44,10 @@ inline float max_error(const SegmentErrorInput &input, float limit) noexcept {
 			const float e3 = (bx + rb) * (bx + rb) + (by - ra) * (by - ra) + zz;
 			const float m1 = e0 > e1 ? e0 : e1;
 			const float m2 = e2 > e3 ? e2 : e3;
-			const float m = m1 > m2 ? m1 : m2;
+			// See StreamGrid: |r| within the rotation tolerance.
+			const float e4 = (ra * ra + rb * rb + rc * rc) * (2.0f / 3.0f);
+			const float m3 = m1 > m2 ? m1 : m2;
+			const float m = m3 > e4 ? m3 : e4;
 			const float squared = u > 0.0f ? m : 0.0f; // u is 0 in the padding
 			lane_max[lane] = lane_max[lane] > squared ? lane_max[lane] : squared;
 		}

@@ -15,6 +15,8 @@ namespace {
 /// sample and the next one or, without a next one, the last sample, with LAST_SAMPLE_WEIGHT.
 constexpr double MAX_UNOBSERVED_END = 0.25;
 constexpr double LAST_SAMPLE_WEIGHT = 0.2;
+/// Share of the tolerance that a verified path may have: it is computed in double precision, the search in single.
+constexpr double VERIFIED = 1.02;
 constexpr double MAX_ROTATION = 6.0; // of a segment, in radians
 constexpr float NO_LIMIT = 1e18f;
 constexpr int32_t MAX_CODE = ResidualModel::MAX_MAGNITUDE / 2;
@@ -111,6 +113,7 @@ void SegmentFit::set_end_target(int ticks) {
 }
 
 bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
+	_coarseness = state.coarseness;
 	_count = int(std::min(count, _loaded));
 	_padded = (_count + 7) / 8 * 8;
 	const double ratio = _samples[_count - 1].pose.scale / _start.scale;
@@ -130,7 +133,7 @@ bool SegmentFit::set_length(const BodyState &state, int ticks, size_t count) {
 		_predicted[i] = state.predicted(i, ticks);
 	}
 	set_end_target(ticks);
-	_tolerance = float(StreamGrid::TOLERANCE - scale_error * _grid.lever_arm / _grid.position_step);
+	_tolerance = float(StreamGrid::TOLERANCE * (1 << _coarseness) - scale_error * _grid.lever_arm / _grid.position_step);
 	const size_t last = size_t(_count - 1);
 	const double max_component = double(std::max({ std::fabs(_target[3][last]), std::fabs(_target[4][last]), std::fabs(_target[5][last]) })) * _grid.rotation_step;
 	return max_component < MAX_ROTATION;
@@ -159,7 +162,7 @@ SegmentCode SegmentFit::blank_code(int ticks) const {
 }
 
 void SegmentFit::round_end(const double end[6], SegmentCode &code) const {
-	const double step = code.fine ? StreamGrid::FINE : StreamGrid::COARSE;
+	const double step = (code.fine ? StreamGrid::FINE : StreamGrid::COARSE) << _coarseness;
 	for (int i = 0; i < 6; ++i) {
 		const double value = (end[i] - double(_predicted[i])) / step;
 		code.residual[i] = int32_t(std::clamp(std::nearbyint(value), double(-MAX_CODE - 1), double(MAX_CODE + 1)));
@@ -172,7 +175,7 @@ SegmentFit::Candidate SegmentFit::evaluate(const SegmentCode &code, float limit)
 		const int32_t *curvature = code.curvature + ptrdiff_t(3) * group;
 		candidate.code.curved[group] = (curvature[0] | curvature[1] | curvature[2]) != 0;
 	}
-	const SegmentSteps steps(_predicted, candidate.code);
+	const SegmentSteps steps(_predicted, candidate.code, _coarseness);
 	SegmentErrorInput input = { _target, _to_body, _jacobian, _u, _w, size_t(_padded), {}, {} };
 	for (int i = 0; i < 6; ++i) {
 		input.end[i] = float(steps.end[i]);
@@ -270,10 +273,10 @@ void SegmentFit::search_curved(const BodyState &state, const SegmentCode &straig
 		end[i] = (sums.uy[i] * sums.ww - sums.wy[i] * sums.uw) / determinant;
 	}
 	round_end(end, curved);
-	const SegmentSteps steps(_predicted, curved);
+	const SegmentSteps steps(_predicted, curved, _coarseness);
 	for (int i = 0; i < 6; ++i) {
 		const double curvature = (sums.wy[i] - double(steps.end[i]) * sums.uw) / sums.ww;
-		curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / StreamGrid::CURVATURE), double(-MAX_CODE), double(MAX_CODE)));
+		curved.curvature[i] = int32_t(std::clamp(std::nearbyint(curvature / (StreamGrid::CURVATURE << _coarseness)), double(-MAX_CODE), double(MAX_CODE)));
 	}
 	uint32_t min_cost = 0;
 	// Bits of `groups`: 1 for curvature of the translation, 2 for curvature of the rotation.
@@ -322,23 +325,13 @@ std::optional<SegmentCode> SegmentFit::fit(const BodyState &state, int ticks, si
 	subtract_base_path(state, ticks, straight);
 	std::optional<SegmentCode> code = search(state, ticks, thorough, models);
 	std::memcpy(_target, _saved_target, sizeof(_target));
-	if (code) {
-		if (!passes_samples(state, *code, size_t(_count), 1.02)) {
-			return std::nullopt;
-		}
-	}
-	return code;
+	return code && passes_samples(state, *code) ? code : std::nullopt;
 }
 
-bool SegmentFit::passes_samples(const BodyState &state, const SegmentCode &code, size_t count, double relaxation) const {
+bool SegmentFit::passes_samples(const BodyState &state, const SegmentCode &code) const {
 	const MotionSegment segment = state.segment(code, state.steps(code), _grid, _begin, _mode);
-	const double max_error = StreamGrid::TOLERANCE * _grid.position_step * relaxation;
-	return std::all_of(_samples, _samples + count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= max_error; });
-}
-
-std::optional<SegmentCode> SegmentFit::predict(const BodyState &state, int ticks, size_t count, double relaxation) const {
-	const SegmentCode code{ ticks };
-	return passes_samples(state, code, count, relaxation) ? std::optional(code) : std::nullopt;
+	const double max_error = VERIFIED * StreamGrid::TOLERANCE * _grid.position_step * (1 << _coarseness);
+	return std::all_of(_samples, _samples + _count, [&](const MotionSample &sample) { return pose_distance(segment.pose_at(sample.time), sample.pose, _grid.lever_arm) <= max_error; });
 }
 
 std::optional<SegmentCode> SegmentFit::reach(const BodyState &state, int ticks, size_t index) {

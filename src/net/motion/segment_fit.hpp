@@ -27,8 +27,6 @@ public:
 	/// Finds a code that passes the first `count` samples, at times in (begin, begin + ticks], within the tolerance; std::nullopt
 	/// if there is none. A search that is not `thorough` is faster, succeeds less often, and does not minimize the cost.
 	std::optional<SegmentCode> fit(const BodyState &state, int ticks, size_t count, bool thorough, MotionModels &models);
-	/// The code of the predicted motion, if its error at the first `count` samples is at most `relaxation` times the tolerance.
-	[[nodiscard]] std::optional<SegmentCode> predict(const BodyState &state, int ticks, size_t count, double relaxation) const;
 	/// Returns the code that ends nearest to sample `index`, ignoring all other samples; std::nullopt if the end is out of
 	/// range.
 	std::optional<SegmentCode> reach(const BodyState &state, int ticks, size_t index);
@@ -40,8 +38,8 @@ private:
 	};
 	struct LeastSquares;
 
-	/// True if the segment is at most `relaxation` times the tolerance from the first `count` samples.
-	[[nodiscard]] bool passes_samples(const BodyState &state, const SegmentCode &code, size_t count, double relaxation) const;
+	/// True if the segment is at most the tolerance, and a bit for rounding, from all samples.
+	[[nodiscard]] bool passes_samples(const BodyState &state, const SegmentCode &code) const;
 	void set_end_target(int ticks);
 	/// False if the segment rotates too far.
 	bool set_length(const BodyState &state, int ticks, size_t count);
@@ -86,6 +84,7 @@ private:
 	int64_t _predicted[6];
 	double _end_weight = 0.0; // weight of _end_target in the least squares, relative to a sample
 	double _end_target[6]; // estimated end, in steps, for a segment that ends after its last sample
+	int _coarseness = 0;
 	float _tolerance = 0.0f; // in steps, reduced by the error of the scale
 	int32_t _scale_change = 0;
 };

@@ -15,6 +15,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
 	const uint32_t ticks = coder.read_bits(7);
+	const uint32_t coarseness = coder.read_bits(COARSENESS_BITS);
 	const uint32_t check = coder.read_bits(32);
 	MotionModels models;
 	code_models(coder, models);
@@ -24,7 +25,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	code_body_count(coder, count, block_model);
 	_work = SNAPSHOT_WORK + size / BYTES_PER_WORK;
 	// A short snapshot cannot make the decoder allocate many bodies.
-	if (ticks > MAX_TICKS || count > size / MIN_BODY_BYTES) {
+	if (ticks > MAX_TICKS || coarseness > BodyState::MAX_COARSENESS || count > size / MIN_BODY_BYTES) {
 		return PacketError::UNREADABLE_SNAPSHOT;
 	}
 	_declared_count = count;
@@ -52,6 +53,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	_bodies.swap(bodies);
 	std::swap(_blocks, blocks);
 	_last_ticks = int(ticks);
+	_last_coarseness = int(coarseness);
 	_check = check;
 	_hash_sum = hash_sum;
 	return {};
@@ -61,6 +63,7 @@ void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
 	coder.bits(uint32_t(_last_ticks), 7);
+	coder.bits(uint32_t(_last_coarseness), COARSENESS_BITS);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
 	auto count = uint32_t(_bodies.size());
@@ -85,8 +88,10 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	bool same_length = true;
 	coder.bit(_models.same_length, same_length);
 	const int ticks = same_length ? _last_ticks : int(coder.read_bits(6)) + 1;
+	int coarseness = _last_coarseness;
+	code_coarseness(coder, _models, coarseness, _motion.coarseness);
 	const uint32_t hash_sum = _hash_sum;
-	bool is_valid = ticks >= 1 && ticks <= MAX_TICKS && decode_events(coder, ticks) && decode_bodies(coder, begin, ticks, mode, motions);
+	bool is_valid = coarseness <= BodyState::MAX_COARSENESS && ticks >= 1 && ticks <= MAX_TICKS && decode_events(coder, ticks) && decode_bodies(coder, begin, ticks, mode, motions);
 	const uint32_t new_check = next_check(_check, _hash_sum);
 	is_valid = is_valid && ((check_bits(new_check) ^ check.value) & check.mask) == 0;
 	if (!is_valid) {
@@ -97,6 +102,7 @@ std::optional<int> StreamDecoder::decode_window(const uint8_t *bytes, size_t siz
 	}
 	_check = new_check;
 	_last_ticks = ticks;
+	_last_coarseness = coarseness;
 	remove_bodies();
 	return ticks;
 }

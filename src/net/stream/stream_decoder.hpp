@@ -87,6 +87,7 @@ private:
 	MotionCode _motion;
 	bool _previous_active = false; // the previous body in the list moves in this window
 	int _last_ticks = 0;
+	int _last_coarseness = 0;
 	uint32_t _check = 0;
 	uint32_t _hash_sum = 0; // over all bodies
 	size_t _work = 0;

@@ -194,6 +194,15 @@ bool StreamEncoder::observe(Body &body, double time) {
 	return true;
 }
 
+bool StreamEncoder::set_priority(uint32_t id, int priority) {
+	const auto found = _index.find(id);
+	if (found == _index.end()) {
+		return false;
+	}
+	_bodies[found->second].priority = uint8_t(std::clamp(priority, 0, BodyState::MAX_COARSENESS));
+	return true;
+}
+
 bool StreamEncoder::is_changed(const Body &body, const cga::Pose<double> &pose) const {
 	return body.state.active || !body.state.rest_corrected || pose_distance(body.state.pose(_grid), pose, _grid.lever_arm) > MAX_REST_DEVIATION * StreamGrid::TOLERANCE * _grid.position_step;
 }
@@ -206,6 +215,7 @@ void StreamEncoder::encode_window(double begin, int ticks, std::vector<uint8_t> 
 		coder.bits(uint32_t(ticks - 1), 6);
 	}
 	_last_ticks = ticks;
+	code_coarseness(coder, _models, _last_coarseness, _motion.coarseness);
 	find_gaps(begin, ticks);
 	const double end = begin + ticks + SAME_TIME;
 	const size_t first_added = _known;
@@ -355,6 +365,7 @@ void StreamEncoder::encode_span(RangeEncoder &coder, Body &body, double begin, i
 	if (ticks <= 0) {
 		return;
 	}
+	_motion.finer = body.priority;
 	const MotionSample *samples = body.samples.data() + first;
 	while (count > 0 && samples->time <= begin + SAME_TIME) {
 		++samples;
@@ -382,6 +393,7 @@ void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
 	coder.bits(uint32_t(_last_ticks), 7);
+	coder.bits(uint32_t(_last_coarseness), COARSENESS_BITS);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
 	auto count = uint32_t(_known);

@@ -42,9 +42,13 @@ public:
 		}
 	}
 
-	/// Lets errors exceed the tolerances, see MotionPlanner.
-	void set_relaxation(double relaxation) { _planner.set_relaxation(relaxation); }
-	[[nodiscard]] double relaxation() const { return _planner.relaxation(); }
+	/// Makes tolerances and quantization steps of moving bodies 2^coarseness times larger in the windows that follow; 0 to
+	/// BodyState::MAX_COARSENESS.
+	void set_coarseness(int coarseness) { _motion.coarseness = coarseness; }
+	[[nodiscard]] int coarseness() const { return _motion.coarseness; }
+	/// In coarse windows, a body of a priority from 0 to BodyState::MAX_COARSENESS has an error 2^priority times smaller than one of
+	/// priority 0, but not below the tolerance. Returns false if the body does not exist.
+	bool set_priority(uint32_t id, int priority);
 
 	/// True if, since the last window, a body moved or was added, removed or jumped.
 	[[nodiscard]] bool has_changes() const { return _changed; }
@@ -72,6 +76,7 @@ private:
 		bool jumped = false; // pending, at `event_time`
 		bool removed = false;
 		bool freed = false; // if removed
+		uint8_t priority = 0;
 		double event_time = 0.0;
 		double removal_time = 0.0;
 		double encoded_until = 0.0; // time of the last encoded sample
@@ -110,6 +115,7 @@ private:
 	BodyBlocks _blocks; // of these
 	std::unordered_map<uint32_t, size_t> _index; // into _bodies
 	int _last_ticks = 0;
+	int _last_coarseness = 0;
 	size_t _moving = 0;
 	uint32_t _check = 0;
 	uint32_t _hash_sum = 0; // over the bodies that receivers know

@@ -13,6 +13,9 @@ namespace net {
 /// Bits of a body's index in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
 
+/// Bits of a window's coarseness.
+inline constexpr int COARSENESS_BITS = 4;
+
 /// The checksum received with a window. Only the bits in `mask` were sent.
 struct WindowCheck {
 	uint8_t value = 0;
@@ -68,6 +71,18 @@ public:
 private:
 	Coder &_coder;
 };
+
+/// Codes the coarseness of a window and stores it as the last.
+template <class Coder>
+void code_coarseness(Coder &coder, MotionModels &models, int &last, int &coarseness) {
+	bool is_same = coarseness == last;
+	coder.bit(models.same_coarseness, is_same);
+	uint32_t coded = uint32_t(is_same ? last : coarseness);
+	if (!is_same) {
+		coder.bits(coded, COARSENESS_BITS);
+	}
+	last = coarseness = int(coded);
+}
 
 /// Codes the models: for each adaptive bit a flag and, if it differs from its initial state, its state.
 template <class Coder>

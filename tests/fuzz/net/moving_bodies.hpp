@@ -19,9 +19,8 @@ public:
 	/// The events of one body are at least this many ticks apart, more than a window has: of two jumps in one window only the
 	/// last is sent.
 	static constexpr int64_t EVENT_INTERVAL = 70;
-	/// In rotation tolerances. If the errors of position and rotation cancel at the lever arm, StreamGrid's bounds permit up to
-	/// 4/3 of the usable share, 0.95.
-	static constexpr double MAX_ANGLE = 1.267;
+	/// In rotation tolerances.
+	static constexpr double MAX_ANGLE = 1.0;
 
 	/// Observes all bodies at tick 0 or a later one.
 	void step(net::Sender &sender, int64_t tick, Input &input) {

@@ -183,7 +183,7 @@ TEST_CASE("body state: motions out of range are rejected without a change") {
 	CHECK_FALSE(state.apply(code, steps, GRID));
 	const int32_t far[6] = { 11, 0, 0, 0, 0, 0 };
 	CHECK_FALSE(state.correct_rest(far, GRID));
-	const int32_t turned[6] = { 0, 0, 0, 2000, 0, 0 };
+	const int32_t turned[6] = { 0, 0, 0, (16 << BodyState::MAX_COARSENESS) + 1, 0, 0 };
 	CHECK_FALSE(state.correct_rest(turned, GRID));
 	CHECK(numbers(state) == before);
 	code.scale_change = BodyState::MAX_SCALE;

@@ -23,7 +23,8 @@ struct Plan {
 	StreamGrid grid{ 0.005f, 1.4f };
 	cga::Mode mode = cga::Mode::SEPARATE;
 	int ticks = 12; // of a window
-	double relaxation = 1.0;
+	int coarseness = 0;
+	int finer = 0;
 };
 
 /// Plans a path window by window, as an encoder does, and measures all samples against the segments.
@@ -31,9 +32,9 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 	Outcome outcome;
 	REQUIRE(outcome.state.set_pose(path(0.0), plan.grid));
 	MotionPlanner planner(plan.grid, plan.mode);
-	planner.set_relaxation(plan.relaxation);
 	MotionModels models;
 	MotionCode motion;
+	motion.coarseness = plan.coarseness;
 	std::vector<uint8_t> bytes;
 	RangeEncoder coder(bytes);
 	std::vector<MotionSample> samples;
@@ -52,6 +53,7 @@ Outcome planned(const Path &path, const std::vector<double> &times, const Plan &
 		while (first + count < samples.size() && samples[first + count].time <= begin + plan.ticks + 1e-6) {
 			++count;
 		}
+		motion.finer = plan.finer;
 		planner.plan(outcome.state, begin, plan.ticks, samples.data() + first, count, samples.size() - first, models, motion);
 		outcome.failed += motion.must_jump ? 1 : 0;
 		const PoseD held = outcome.state.pose(plan.grid);
@@ -101,18 +103,42 @@ TEST_CASE("motion plan: every sample is passed within the tolerance, near the or
 	}
 }
 
-TEST_CASE("motion plan: a relaxation bounds the error by as many tolerances") {
+TEST_CASE("motion plan: in coarse windows, errors are larger by at most the factor of the steps, and bodies cost less") {
 	for (const cga::Mode mode : { cga::Mode::SEPARATE, cga::Mode::SCREW }) {
-		for (const Motion &motion : motions(Vector3D(0.0))) {
-			Plan plan;
-			plan.mode = mode;
-			plan.ticks = 3;
-			plan.relaxation = 16.0;
-			const Outcome relaxed = planned(motion.path, regular_times(60.0, 4.0), plan);
-			CAPTURE(motion.name);
-			CHECK(relaxed.failed == 0);
-			CHECK(relaxed.worst <= plan.relaxation * max_share(mode));
+		double bytes = 0.0;
+		for (int coarseness = 0; coarseness <= 5; ++coarseness) {
+			double coarse_bytes = 0.0;
+			for (const Motion &motion : motions(Vector3D(0.0))) {
+				Plan plan;
+				plan.mode = mode;
+				plan.ticks = 3;
+				plan.coarseness = coarseness;
+				const Outcome outcome = planned(motion.path, regular_times(60.0, 4.0), plan);
+				CAPTURE(motion.name);
+				CAPTURE(coarseness);
+				CHECK(outcome.failed == 0);
+				// Errors of rotations of many degrees are not quite linear.
+				CHECK(outcome.worst <= (1 << coarseness) * (coarseness > 3 ? 1.15 : max_share(mode)));
+				coarse_bytes += outcome.bytes;
+			}
+			CHECK(coarse_bytes < (coarseness == 0 ? 1e9 : 0.95 * bytes));
+			bytes = coarse_bytes;
 		}
+	}
+}
+
+TEST_CASE("motion plan: a priority divides the error in coarse windows, and costs nothing in others") {
+	for (const Motion &motion : motions(Vector3D(0.0))) {
+		Plan plan;
+		plan.coarseness = 4;
+		plan.finer = 3;
+		const Outcome outcome = planned(motion.path, regular_times(60.0, 4.0), plan);
+		CAPTURE(motion.name);
+		CHECK(outcome.failed == 0);
+		CHECK(outcome.worst <= 2.0 * max_share(plan.mode));
+		plan.coarseness = 0;
+		const double bytes = planned(motion.path, regular_times(60.0, 4.0), plan).bytes;
+		CHECK(bytes == planned(motion.path, regular_times(60.0, 4.0), Plan()).bytes);
 	}
 }
 
@@ -218,9 +244,9 @@ TEST_CASE("motion plan: simple motions take few segments and bytes") {
 	}
 }
 
-TEST_CASE("motion plan: a body that stops comes to rest and settles to within a grid step") {
+TEST_CASE("motion plan: a body that stops comes to rest and settles to within a grid step, after coarse windows too") {
 	cga_test::Random random(61);
-	for (int i = 0; i < 40; ++i) {
+	for (int i = 0; i < 90; ++i) {
 		const PoseD last = random.rigid_pose(10.0);
 		const Vector3D displacement = random.vector(3.0);
 		const Path path = [&](double t) {
@@ -228,8 +254,10 @@ TEST_CASE("motion plan: a body that stops comes to rest and settles to within a 
 			pose.translation += displacement * std::min(t - 0.5, 0.0);
 			return pose;
 		};
-		const Plan plan;
+		Plan plan;
+		plan.coarseness = i % 9;
 		const Outcome outcome = planned(path, regular_times(60.0, 2.0), plan);
+		CAPTURE(plan.coarseness);
 		CHECK_FALSE(outcome.state.active);
 		CHECK(outcome.state.rest_corrected);
 		const PoseD shown = outcome.state.pose(plan.grid);
