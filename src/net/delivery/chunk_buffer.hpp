@@ -33,6 +33,8 @@ public:
 	[[nodiscard]] bool is_broken() const { return _is_broken; }
 	/// Acknowledges all chunks that have arrived; AckItem::packets is left to the caller.
 	[[nodiscard]] AckItem ack() const;
+	/// Number of chunks that have arrived without a gap and are not part of a window that was taken.
+	[[nodiscard]] size_t present() const { return _present; }
 	/// Size of the chunks kept, in bytes.
 	[[nodiscard]] size_t size() const { return _bytes; }
 

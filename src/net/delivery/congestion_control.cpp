@@ -26,42 +26,50 @@ void CongestionControl::acknowledged(size_t bytes, double round_trip, double tim
 		_is_validated = true;
 		_epoch = Epoch{ time };
 	}
+	if (time - _acknowledged_at > OUTAGE) {
+		_lost = _arrived = 0.0; // an outage says nothing of the rate
+	}
+	_acknowledged_at = time;
 	_lost_in_row = 0.0;
 	_epoch.delivered += bytes;
-	_arrived += double(bytes);
+	++_epoch.acknowledgements;
+	_arrived += time - _round_trip >= _cut_at ? double(bytes) : 0.0;
 	if (round_trip > 0.0) {
 		_base.add(round_trip, time);
 		_epoch.min_round_trip = _epoch.samples == 0 ? round_trip : std::min(_epoch.min_round_trip, round_trip);
 		++_epoch.samples;
 	}
 	const double length = time - _epoch.begin;
-	if ((length >= std::max(_round_trip, MIN_EPOCH) && _epoch.samples >= MIN_SAMPLES) || length > MAX_EPOCH) {
+	if ((length >= std::max(_round_trip, MIN_EPOCH) && _epoch.acknowledgements >= MIN_ACKNOWLEDGEMENTS) || length > MAX_EPOCH) {
 		finish_epoch(time);
 	}
 }
 
 void CongestionControl::finish_epoch(double time) {
-	if (_epoch.samples > 0) {
-		_round_trip = _epoch.min_round_trip;
-		_delivered.add(double(_epoch.delivered) / (time - _epoch.begin), time);
-		const double delivered = _delivered.value();
-		const double base = _base.value();
-		const double max_queue = std::max({ MAX_QUEUE, MAX_QUEUE_SHARE * base, MAX_QUEUE_PACKETS * PACKET / std::max(delivered, PACKET) });
-		if (_round_trip - base > max_queue && is_longer_route()) {
-			_base.clear();
-			_base.add(_round_trip, time);
-			_cuts = 0;
-		} else if (_round_trip - base > max_queue) {
-			_cut_round_trip = _cuts == 0 ? _round_trip : _cut_round_trip;
-			++_cuts;
-			reduce(delivered, base + 0.5 * max_queue);
-		} else if (is_loss_congestion(time)) {
-			reduce(delivered, _round_trip);
-		} else {
-			_cuts = 0;
-			if (_is_limited && _cut_loss == 0.0) {
-				_window = std::min(_window + (_is_slow_start ? _window : std::max(GROWTH * _window, MIN_GROWTH)), MAX_WINDOW);
-			}
+	// Repeated packets give no round-trip samples, but tell what is delivered and lost.
+	_round_trip = _epoch.samples > 0 ? _epoch.min_round_trip : _round_trip;
+	const double length = std::max(time - _epoch.begin, 1e-6);
+	const double rate_now = double(_epoch.delivered) / length;
+	_smooth_delivered += (rate_now - _smooth_delivered) * (_delivered.is_empty() ? 1.0 : std::min(length / SMOOTH_SPAN, 1.0));
+	_delivered.add(rate_now, time);
+	const double delivered = _delivered.value();
+	const double base = _base.is_empty() ? _round_trip : _base.value();
+	const double max_queue = std::max({ MAX_QUEUE, MAX_QUEUE_SHARE * base, MAX_QUEUE_PACKETS * PACKET / std::max(delivered, PACKET) });
+	const bool is_queue_long = _epoch.samples > 0 && _round_trip - base > max_queue;
+	if (is_queue_long && is_longer_route()) {
+		_base.clear();
+		_base.add(_round_trip, time);
+		_cuts = 0;
+	} else if (is_queue_long) {
+		_cut_round_trip = _cuts == 0 ? _round_trip : _cut_round_trip;
+		++_cuts;
+		reduce(delivered, base + 0.5 * max_queue, time);
+	} else if (is_loss_congestion()) {
+		reduce(std::max(_smooth_delivered, MIN_DELIVERED_SHARE * delivered), _round_trip, time);
+	} else {
+		_cuts = _epoch.samples > 0 ? 0 : _cuts;
+		if (_is_limited && _cut_loss == 0.0 && recent_loss() <= _background_loss + GROWTH_LOSS_MARGIN) {
+			_window = std::min(_window + (_is_slow_start ? _window : std::max(GROWTH * _window, MIN_GROWTH)), MAX_WINDOW);
 		}
 	}
 	_was_limited = _is_limited;
@@ -69,12 +77,12 @@ void CongestionControl::finish_epoch(double time) {
 	_epoch = Epoch{ time };
 }
 
-void CongestionControl::lost(size_t bytes) {
+void CongestionControl::lost(size_t bytes, double sent_at) {
 	left(bytes);
 	if (!_is_validated) {
 		return; // The round trip is unknown: it may merely be longer than the timeout.
 	}
-	_lost += double(bytes);
+	_lost += sent_at >= _cut_at ? double(bytes) : 0.0;
 	_lost_in_row += double(bytes);
 	if (_lost_in_row > _window) {
 		// Nothing arrives (persistent congestion, RFC 9002, section 7.6): begin again with little.
@@ -86,16 +94,12 @@ void CongestionControl::lost(size_t bytes) {
 	}
 }
 
-bool CongestionControl::is_loss_congestion(double time) {
-	if (time < _settled_at) {
-		_lost = _arrived = 0.0;
-		return false;
-	}
+bool CongestionControl::is_loss_congestion() {
 	const double sent = _lost + _arrived;
-	if (sent < std::min(LOSS_SPAN, 4.0 * std::max(_window, PACKET))) {
+	const double loss = recent_loss();
+	if (sent < (loss > OBVIOUS_LOSS ? OBVIOUS_LOSS_SPAN : std::min(LOSS_SPAN, 4.0 * std::max(_window, PACKET)))) {
 		return false;
 	}
-	const double loss = _lost / sent;
 	_lost = _arrived = 0.0;
 	if (_cut_loss > 0.0 && loss > REMAINING * _cut_loss && _window > 2.0 * MIN_WINDOW) {
 		// Sending less has not helped.
@@ -105,17 +109,18 @@ bool CongestionControl::is_loss_congestion(double time) {
 		return false;
 	}
 	_cut_loss = 0.0;
-	if (loss <= _background_loss + LOSS_MARGIN || !(_is_limited || _was_limited)) {
+	if (loss <= _background_loss + (_is_limited || _was_limited ? LOSS_MARGIN : UNLIMITED_LOSS_MARGIN)) {
 		_background_loss += LOSS_FORGOTTEN * (std::min(loss, _background_loss) - _background_loss);
 		return false;
 	}
 	_cut_loss = loss;
 	_cut_window = _window;
-	_settled_at = time + SETTLING_TIME + 2.0 * _round_trip;
 	return true;
 }
 
-void CongestionControl::reduce(double delivered_rate, double seconds) {
+void CongestionControl::reduce(double delivered_rate, double seconds, double time) {
+	_cut_at = time;
+	_lost = _arrived = 0.0;
 	if (_is_slow_start) {
 		_is_slow_start = false;
 		_tokens = 0.0;

@@ -40,6 +40,8 @@ constexpr double LOSS_MEMORY = 30.0;
 constexpr double EARLY_COPY = 0.5;
 /// After this many consecutive ambiguous acknowledgements, an ambiguous one is used as a round-trip sample.
 constexpr int MAX_AMBIGUOUS = 8;
+/// Seconds; longer times since the first of several transmissions are no round trips.
+constexpr double MAX_AMBIGUOUS_SAMPLE = 2.0;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;
 
@@ -122,7 +124,7 @@ void Delivery::note_timeout(Sent &sent, double time) {
 	if (sent.arrived || sent.times == 0 || time - sent.round < rto()) {
 		return;
 	}
-	_congestion.lost(sent.in_flight);
+	_congestion.lost(sent.in_flight, sent.time);
 	sent.in_flight = 0;
 	if (!sent.lost) {
 		sent.lost = true;
@@ -196,8 +198,8 @@ void Delivery::collect_fragments(double time, size_t &budget) {
 
 void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_size, size_t budget) {
 	const bool is_joining = !_fragments.empty();
-	if (is_joining && (_congestion.is_half_full() || std::any_of(_fragments.begin(), _fragments.end(), [](const Sent &sent) { return sent.times == 0; }))) {
-		return; // fragments come first
+	if (is_joining && (_congestion.is_half_full() || std::any_of(_fragments.begin(), _fragments.end(), [this](const Sent &sent) { return sent.times == 0 || (sent.times > 1 && _congestion.is_validated()); }))) {
+		return; // fragments come first, and nothing else while the line loses them
 	}
 	// Copies before a timeout must not multiply the bytes of a large stream: they only fill one packet.
 	const size_t new_bytes = ring.bytes_from(_unsent);
@@ -237,6 +239,13 @@ void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_siz
 			mark_sent(sent, size, time);
 		}
 	}
+}
+
+bool Delivery::is_losing_snapshot() const {
+	constexpr size_t LARGE_PART = 3;
+	constexpr size_t MIN_REPEATED = 4; // fewer may be chance
+	const auto repeated = size_t(std::count_if(_fragments.begin(), _fragments.end(), [](const Sent &sent) { return sent.times > 1; }));
+	return _congestion.is_validated() && repeated >= MIN_REPEATED && LARGE_PART * repeated > _fragments.size();
 }
 
 void Delivery::make_room(uint32_t end) {
@@ -305,13 +314,14 @@ void Delivery::take_ack(const AckItem &ack, const ChunkRing &ring, double time) 
 	if (end > _unsent) {
 		return;
 	}
+	const bool has_waited = !_fragments.empty(); // for the snapshot, so that the time is no round trip
 	ack.later.visit([&](uint32_t run_begin, uint32_t run_end) {
 		for (uint32_t number = next + run_begin; number < next + run_end; ++number) {
-			arrived(sent(number), time, number + 1 == end);
+			arrived(sent(number), time, number + 1 == end && !has_waited);
 		}
 	});
 	for (uint32_t number = _first_missing; number < next; ++number) {
-		arrived(sent(number), time, number + 1 == end);
+		arrived(sent(number), time, number + 1 == end && !has_waited);
 	}
 	_first_missing = next;
 	while (_first_missing < _unsent && sent(_first_missing).arrived) {
@@ -351,16 +361,19 @@ void Delivery::arrived(Sent &sent, double time, bool is_newest) {
 	_congestion.left(sent.in_flight);
 	sent.in_flight = 0;
 	// Karn's algorithm: a retransmitted chunk gives no round-trip sample, unless its acknowledgement comes too soon to belong to
-	// the retransmission. A long run of ambiguous ones means that the RTO is too short: most belong to the first transmission.
+	// the retransmission, and not long after the first. A long run of ambiguous ones means that the RTO is too short: most belong to the
+	// first transmission.
 	if (is_newest) {
-		const bool is_unambiguous = sent.times == 1 || time - sent.second < (sent.rounds == 1 ? 0.8 : 0.5) * _round_trip;
-		_ambiguous = is_unambiguous ? 0 : _ambiguous + 1;
-		if (_ambiguous == MAX_AMBIGUOUS) {
+		const double sample = std::max(time - sent.first, 1e-4);
+		const bool is_plausible = sent.times == 1 || sample < MAX_AMBIGUOUS_SAMPLE;
+		const bool is_unambiguous = sent.times == 1 || (is_plausible && time - sent.second < (sent.rounds == 1 ? 0.8 : 0.5) * _round_trip);
+		_ambiguous = is_unambiguous ? 0 : _ambiguous + (is_plausible ? 1 : 0);
+		if (is_plausible && _ambiguous == MAX_AMBIGUOUS) {
 			_ambiguous = 0;
 			_round_trip = 0.0;
 		}
-		if (is_unambiguous || _round_trip == 0.0) {
-			_sample = std::max(time - sent.first, 1e-4);
+		if (is_unambiguous || (is_plausible && _round_trip == 0.0)) {
+			_sample = sample;
 			measure(_sample);
 		}
 	}

@@ -68,6 +68,8 @@ public:
 	[[nodiscard]] uint64_t retransmissions() const { return _retransmissions; }
 
 	[[nodiscard]] const CongestionControl &congestion() const { return _congestion; }
+	/// True if a large part of the snapshot in flight had to be sent again.
+	[[nodiscard]] bool is_losing_snapshot() const;
 	/// Bytes of the stream that have not been sent to the receiver yet.
 	[[nodiscard]] size_t backlog(const ChunkRing &ring) const { return _needs_snapshot ? 0 : ring.bytes_from(_unsent); }
 	/// The first chunk that has not been sent to it.

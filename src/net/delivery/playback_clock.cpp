@@ -14,6 +14,8 @@ constexpr double MAX_SPEEDUP = 0.15;
 constexpr double MAX_SLOWDOWN = 0.4;
 /// If playback is farther behind its target than this, in seconds, it jumps to the target.
 constexpr double MAX_BEHIND = 0.75;
+/// Playback passes what is known by at most this, in seconds, while something arrives: a window in which nothing moves and a part of the next.
+constexpr double MAX_UNKNOWN = 0.6;
 /// Arrivals closer together than this, in seconds, are one.
 constexpr double SAME_INSTANT = 0.001;
 /// Silence is unusual beyond this many mean intervals between packets, and this many seconds more.
@@ -136,7 +138,10 @@ void PlaybackClock::advance(double now) {
 		return;
 	}
 	close_batch();
-	_position = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
+	const double next = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
+	// After a backlog has arrived, the line is too steep for a while.
+	const double last = now - _known_at < MAX_INTERVAL + SILENT_TIME ? std::max(_known + MAX_UNKNOWN, _position) : next;
+	_position = std::min(next, last);
 	_last = std::max(now, _last);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace net {
 
@@ -27,11 +28,21 @@ constexpr double SAME_TIME = 1e-5;
 /// Windows are short for this many seconds after a peer has joined, until its line is known.
 constexpr double MAX_UNKNOWN_TIME = 1.0;
 
-/// If what waits for a line takes longer than a window and this, in seconds, errors grow by RELAX per window.
-constexpr double MAX_WAITING = 0.03;
-constexpr double RELAX = 1.2;
-/// Otherwise they shrink by this factor per second.
-constexpr double TIGHTEN = 0.6;
+/// The part of a line's rate that the stream uses, and the part that it uses at least, even if much waits to be sent.
+constexpr double USABLE_RATE = 0.9;
+constexpr double MIN_RATE_SHARE = 0.4;
+/// Bytes per second of a line whose rate is not known yet, but which loses much of its first snapshot.
+constexpr double LOSING_RATE = 5e3;
+/// Seconds in which what waits to be sent is to be sent.
+constexpr double DRAIN_TIME = 1.0;
+/// Above so many octaves, windows become longer with each, as errors would grow much for few bytes.
+constexpr double UNSTRETCHED_OCTAVES = 5.0;
+constexpr double STRETCH_PER_OCTAVE = 0.5;
+/// How fast errors grow and shrink, in octaves per second: proportionally to the octaves by which the stream's rate is too high, at most RELAX
+/// and TIGHTEN.
+constexpr double RELAX_PER_OCTAVE = 3.0;
+constexpr double RELAX = 6.0;
+constexpr double TIGHTEN = 1.0;
 
 } // namespace
 
@@ -42,7 +53,7 @@ void OutgoingStream::start(double begin, double now) {
 		peer.second.delivery.restart(now);
 	}
 	_changed_since = -1;
-	_relaxation = 1.0;
+	_relaxation = 0.0;
 	_is_starting = true;
 }
 
@@ -56,7 +67,7 @@ double OutgoingStream::network_time(const Peer &peer, double now) const {
 
 double OutgoingStream::waiting_time(const Peer &peer) const {
 	const CongestionControl &congestion = peer.delivery.congestion();
-	return congestion.is_validated() && congestion.is_limiting() ? double(peer.delivery.backlog(_ring)) / congestion.rate() : 0.0;
+	return congestion.is_validated() && congestion.is_limiting() ? double(peer.delivery.backlog(_ring)) / congestion.delivered_rate() : 0.0;
 }
 
 double OutgoingStream::max_window(double now) const {
@@ -67,7 +78,8 @@ double OutgoingStream::max_window(double now) const {
 	// While the chunks of a window are sent, the next window begins.
 	const double spread = _ring.rate() / (_ring.rate() + Delivery::MAX_BURST / _settings.tick);
 	const double longest = std::max((_settings.max_latency - network) / (1.0 + spread), _settings.max_latency * MIN_WINDOW);
-	return std::clamp(std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
+	const double stretch = 1.0 + STRETCH_PER_OCTAVE * std::max(_relaxation - UNSTRETCHED_OCTAVES, 0.0);
+	return std::clamp(stretch * std::min(1.0 / _settings.send_rate, _settings.max_latency), std::min(stretch * longest, MAX_WINDOW), MAX_WINDOW) / _settings.tick;
 }
 
 bool OutgoingStream::is_window_due(const Flush &flush) const {
@@ -115,15 +127,31 @@ void OutgoingStream::close_window(int64_t end, double now) {
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;
 }
 
-/// Lets errors grow while a line does not carry the stream, after a window of `seconds`.
-void OutgoingStream::adapt(double seconds, double now) {
-	double waiting = 0.0;
-	for (const auto &peer : _peers) {
-		waiting = peer.second.delivery.is_silent(now) || peer.second.delivery.needs_snapshot() ? waiting : std::max(waiting, waiting_time(peer.second));
+/// Bytes per second that the stream should have, so that all lines carry it and what waits for them is sent; infinite if no line limits it.
+double OutgoingStream::carried_rate(double now) const {
+	double carried = std::numeric_limits<double>::infinity();
+	for (const auto &entry : _peers) {
+		const Delivery &delivery = entry.second.delivery;
+		const CongestionControl &line = delivery.congestion();
+		if (delivery.is_silent(now)) {
+			continue;
+		}
+		if (!line.is_validated() || !line.is_limiting()) {
+			carried = delivery.is_losing_snapshot() ? std::min(carried, LOSING_RATE) : carried;
+			continue;
+		}
+		const double spare = USABLE_RATE * line.delivered_rate() - double(delivery.backlog(_ring)) / DRAIN_TIME;
+		carried = std::min(carried, std::max(spare, MIN_RATE_SHARE * line.delivered_rate()));
 	}
-	const double factor = waiting > seconds + MAX_WAITING ? RELAX : std::pow(TIGHTEN, seconds);
-	_relaxation = std::clamp(_relaxation * factor, 1.0, MAX_RELAXATION);
-	_encoder->set_coarseness(std::ilogb(_relaxation));
+	return carried;
+}
+
+/// Lets errors grow or shrink, after a window of `seconds`, so that the lines carry the stream.
+void OutgoingStream::adapt(double seconds, double now) {
+	const double carried = carried_rate(now);
+	const double excess = _ring.rate() > 0.0 && carried > 0.0 ? std::log2(_ring.rate() / carried) : 0.0;
+	_relaxation = std::clamp(_relaxation + std::clamp(excess * RELAX_PER_OCTAVE, -TIGHTEN, RELAX) * seconds, 0.0, double(BodyState::MAX_COARSENESS) + 0.9);
+	_encoder->set_coarseness(int(_relaxation));
 }
 
 void OutgoingStream::start_snapshots(const Flush &flush) {

@@ -82,13 +82,13 @@ public:
 	[[nodiscard]] double rate() const { return _ring.rate(); }
 	/// The factor by which errors may exceed the tolerances, 1 or more.
 	[[nodiscard]] double relaxation() const { return _encoder ? double(1 << _encoder->coarseness()) : 1.0; }
-	static constexpr double MAX_RELAXATION = 1 << BodyState::MAX_COARSENESS;
 
 private:
 	[[nodiscard]] bool is_window_due(const Flush &flush) const;
 	/// The first chunk that a receiver may still need.
 	[[nodiscard]] uint32_t oldest_needed(double now) const;
 	void close_window(int64_t end, double now);
+	[[nodiscard]] double carried_rate(double now) const;
 	void adapt(double seconds, double now);
 	void start_snapshots(const Flush &flush);
 
@@ -100,7 +100,7 @@ private:
 	std::vector<uint8_t> _window;
 	int64_t _window_begin = 0;
 	int64_t _changed_since = -1; // -1: nothing has changed
-	double _relaxation = 1.0;
+	double _relaxation = 0.0; // octaves by which errors may exceed the tolerances
 	double _chunks_per_tick = 0.0; // in the last window
 };
 

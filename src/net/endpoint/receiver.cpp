@@ -9,6 +9,7 @@ namespace {
 
 /// After this many seconds without progress, the receiver requests a snapshot every REQUEST_INTERVAL.
 constexpr double SILENCE = 1.5;
+constexpr double LONG_SILENCE = 4.0;
 constexpr double REQUEST_INTERVAL = 0.25;
 /// The receiver waits for the rest of a snapshot while the gaps between its fragments are shorter than this.
 constexpr double FRAGMENT_TIMEOUT = 0.75;
@@ -70,11 +71,16 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	}
 	const auto newest_window = std::find_if(_content.chunks.rbegin(), _content.chunks.rend(), [](const ChunkItem &chunk) { return chunk.first; });
 	const auto copies = _content.chunks.rend() - newest_window; // chunks up to the newest window's first
+	const size_t present = _chunks.present();
 	for (const ChunkItem &chunk : _content.chunks) {
 		_ack_due = true;
+		_chunk_time = now;
 		if (const auto number = _chunks.add(chunk)) {
 			count_loss(*number, &chunk - _content.chunks.data() + 1 < copies, now);
 		}
+	}
+	if (_chunks.present() > present) {
+		_progress_time = now; // over a slow line, a window takes long
 	}
 	for (const FragmentItem &fragment : _content.fragments) {
 		_snapshot_ack_due = true;
@@ -312,7 +318,10 @@ bool Receiver::needs_snapshot(double now) const {
 	if (_fragments.is_open() && now - _fragment_time < FRAGMENT_TIMEOUT) {
 		return false;
 	}
-	return _broken || (_has_heard && now - _progress_time > (!is_ready() && !_fragments.is_open() ? REQUEST_INTERVAL : SILENCE));
+	// While later chunks arrive, the sender knows what is missing, and repeats it.
+	const bool is_alive = _chunks.size() > 0 && now - _chunk_time < SILENCE;
+	const double patience = !is_ready() && !_fragments.is_open() ? REQUEST_INTERVAL : (is_alive ? LONG_SILENCE : SILENCE);
+	return _broken || (_has_heard && now - _progress_time > patience);
 }
 
 void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {

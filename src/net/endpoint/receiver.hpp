@@ -195,6 +195,7 @@ private:
 	bool _snapshot_ack_due = false;
 	bool _has_heard = false;
 	double _progress_time = 0.0; // when a window was last decoded or a new fragment arrived; initially the first packet
+	double _chunk_time = -1e9; // when a chunk last arrived
 	double _fragment_time = -1e9; // when the last new fragment arrived
 	double _request_time = -1e9;
 	uint16_t _newest_chunk = 0;

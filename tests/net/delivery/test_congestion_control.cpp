@@ -48,7 +48,7 @@ struct BusyLine {
 			for (; !packets.empty() && packets.front().done <= now; packets.pop_front()) {
 				const Packet &packet = packets.front();
 				if (packet.is_lost) {
-					congestion.lost(PACKET);
+					congestion.lost(PACKET, packet.sent);
 				} else {
 					congestion.left(PACKET);
 					congestion.acknowledged(PACKET, now - packet.sent, now);
@@ -90,7 +90,7 @@ TEST_CASE("congestion control: timeouts before the first acknowledgement say not
 	const size_t before = congestion.allowance(0.0);
 	for (int i = 0; i < 100; ++i) {
 		congestion.sent(PACKET);
-		congestion.lost(PACKET);
+		congestion.lost(PACKET, 0.0);
 	}
 	CHECK(congestion.allowance(1.0) == before);
 }
