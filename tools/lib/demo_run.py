@@ -117,10 +117,10 @@ class DemoRun:
             if process is not None:
                 process.kill()
 
-    def start_server(self, *arguments):
+    def start_server(self, *arguments, script=None):
         """Starts the server; if another process has taken the port, on another one."""
         for attempt in range(PORT_ATTEMPTS):
-            self.server = self._start("server", ["--role=server", *arguments])
+            self.server = self._start("server", ["--role=server", *arguments], script=script)
             try:
                 self.server.wait_for_line(LISTENING, START_SECONDS)
                 return

@@ -172,6 +172,7 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 	content.requests_snapshot = false;
 	content.alignment.reset();
 	content.round_trip = 0.0;
+	content.ack_count = 0;
 	if (size == 0) {
 		return PacketError::EMPTY;
 	}
@@ -194,7 +195,10 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 			if (kind == ACK_WITH_LATER && !read_runs(reader, ack.later)) {
 				return PacketError::BAD_ACK;
 			}
-			content.acks.push_back(ack);
+			++content.ack_count;
+			if (content.acks.size() < PacketContent::MAX_ACKS) {
+				content.acks.push_back(ack);
+			}
 		} else if (kind == SNAPSHOT_REQUEST) {
 			content.requests_snapshot = true;
 		} else if (kind == ALIGN) {
@@ -207,7 +211,10 @@ PacketResult read_packet(const uint8_t *packet, size_t size, PacketContent &cont
 			if (!read_runs(reader, ack.later)) {
 				return PacketError::BAD_ACK;
 			}
-			content.snapshot_acks.push_back(ack);
+			++content.ack_count;
+			if (content.snapshot_acks.size() < PacketContent::MAX_ACKS) {
+				content.snapshot_acks.push_back(ack);
+			}
 		} else {
 			return PacketError::UNKNOWN_ITEM;
 		}

@@ -96,13 +96,17 @@ struct AlignItem {
 
 /// The items of one packet. Pointers point into the packet's bytes.
 struct PacketContent {
+	/// Receivers send one acknowledgement of each kind in a packet.
+	static constexpr size_t MAX_ACKS = 8;
+
 	std::vector<ChunkItem> chunks;
 	std::vector<FragmentItem> fragments;
-	std::vector<AckItem> acks;
-	std::vector<SnapshotAckItem> snapshot_acks;
+	std::vector<AckItem> acks; ///< the first MAX_ACKS
+	std::vector<SnapshotAckItem> snapshot_acks; ///< the first MAX_ACKS
 	bool requests_snapshot = false;
 	std::optional<AlignItem> alignment;
 	double round_trip = 0.0; ///< seconds; 0 if the packet does not contain it
+	size_t ack_count = 0; ///< number of all acknowledgements, including those left out
 };
 
 /// Maximum size of the header of a chunk and of a fragment, in bytes.

@@ -27,6 +27,8 @@ constexpr size_t MIN_FRAGMENT_BYTES = 200;
 /// Maximum size of a body in a snapshot and of the models.
 constexpr size_t BODY_BYTES = 96;
 constexpr size_t MODEL_BYTES = 8192;
+/// Work of decoding a snapshot, for each of its bytes, if its bodies have two.
+constexpr size_t SNAPSHOT_WORK_PER_BYTE = NEW_BODY_WORK / 2;
 /// Bytes of a usual body in a snapshot.
 constexpr size_t USUAL_BODY_BYTES = 32;
 /// Numbers of items in a packet and of bytes in a window of few bodies that are usual.
@@ -51,7 +53,7 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	}
 	free_unusual_memory();
 	PacketResult result = read_packet(packet, size, _content);
-	_budget.spend_items(1 + _content.chunks.size() + _content.fragments.size() + _content.acks.size() + _content.snapshot_acks.size());
+	_budget.spend_items(1 + _content.chunks.size() + _content.fragments.size() + _content.ack_count);
 	if (_budget.is_exceeded()) {
 		return refuse(now);
 	}
@@ -92,13 +94,14 @@ PacketResult Receiver::accept(const uint8_t *packet, size_t size, double now) {
 	if (_budget.is_exceeded()) {
 		return refuse(now);
 	}
-	return decode(now);
+	return decode(now, true);
 }
 
-PacketResult Receiver::decode(double now) {
+PacketResult Receiver::decode(double now, bool is_prompt) {
 	bool waits = false;
 	if (_fragments.is_complete()) {
-		waits = _budget.must_wait();
+		// A costly snapshot waits for the end of the frame: if its packets are part of a flood, it is not decoded at all.
+		waits = _budget.must_wait() || (is_prompt && _budget.is_costly(SNAPSHOT_WORK_PER_BYTE * _fragments.size()));
 		if (const PacketResult result = waits ? PacketResult() : finish_snapshot(now); !result) {
 			++_statistics.packets_rejected;
 			return result;
@@ -115,7 +118,7 @@ PacketResult Receiver::decode(double now) {
 
 /// Frees what an unusual packet or window has made buffers allocate.
 void Receiver::free_unusual_memory() {
-	if (std::max(_content.chunks.capacity(), std::max(_content.acks.capacity(), _content.fragments.capacity())) > USUAL_ITEMS) {
+	if (std::max(_content.chunks.capacity(), _content.fragments.capacity()) > USUAL_ITEMS) {
 		_content = PacketContent();
 	}
 	if (_motions.capacity() > USUAL_ITEMS + 4 * body_count()) {
@@ -345,14 +348,17 @@ void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {
 	_ack_due = false;
 }
 
+PacketResult Receiver::decode_waiting(double now) {
+	now = _local_clock.advance(now);
+	_budget.refill(now, body_count());
+	return _budget.is_waiting() ? decode(now, false) : PacketResult();
+}
+
 void Receiver::advance(double now) {
+	(void)decode_waiting(now);
 	now = _local_clock.advance(now);
 	if (!is_ready()) {
 		return;
-	}
-	_budget.refill(now, body_count());
-	if (_budget.is_waiting()) {
-		(void)decode(now);
 	}
 	_clock.advance(now);
 	_bodies.advance(media_time() / tick(), END_MEMORY / tick());

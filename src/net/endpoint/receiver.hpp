@@ -61,6 +61,8 @@ public:
 
 	/// True once a snapshot has arrived.
 	[[nodiscard]] bool is_ready() const { return _decoder.has_value(); }
+	/// Decodes what has waited for the budget or the end of the frame, as `advance` does. Fails as `accept` does.
+	PacketResult decode_waiting(double now);
 	/// Advances playback to `now`. Media time runs backwards only after the sender stood still.
 	void advance(double now);
 	/// The media time shown: seconds on the sender's clock since its stream began.
@@ -149,8 +151,8 @@ private:
 	void free_unusual_memory();
 	/// Refuses a stream that exceeds the budget.
 	PacketResult refuse(double now);
-	/// Decodes what has arrived, as far as the budget allows.
-	PacketResult decode(double now);
+	/// Decodes what has arrived, as far as the budget allows. `is_prompt`: more packets of this frame may follow.
+	PacketResult decode(double now, bool is_prompt);
 	[[nodiscard]] bool must_wait(double now) const;
 	[[nodiscard]] size_t body_count() const { return _decoder ? _decoder->body_count() : 0; }
 	PacketResult check_fragments();

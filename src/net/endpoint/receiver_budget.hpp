@@ -39,6 +39,8 @@ public:
 	/// Counts a snapshot that begins. Returns false if it must be ignored, as too many have begun.
 	[[nodiscard]] bool begin_snapshot();
 	[[nodiscard]] bool must_wait() const { return _work.is_spent() || (_shared != nullptr && _shared->is_spent()); }
+	/// True if `work` should not be done before the frame ends.
+	[[nodiscard]] bool is_costly(size_t work) const { return _shared != nullptr && double(work) > _shared->max_prompt(); }
 	/// Records whether something waits to be decoded since the last call.
 	void note_waiting(bool is_waiting, double now);
 	[[nodiscard]] bool is_waiting() const { return _is_waiting; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 namespace net {
 
@@ -18,7 +19,12 @@ public:
 		_time = now;
 	}
 	void spend(double amount) { _left -= amount; }
-	[[nodiscard]] bool is_spent() const { return _left <= 0.0; }
+	/// While held, the budget counts as spent.
+	void hold(bool is_held) { _is_held = is_held; }
+	[[nodiscard]] bool is_spent() const { return _is_held || _left <= 0.0; }
+	/// Sets how much may be spent at once before a frame ends; by default, everything.
+	void set_max_prompt(double amount) { _max_prompt = amount; }
+	[[nodiscard]] double max_prompt() const { return _max_prompt; }
 	/// True if more than `amount` has been spent beyond what was left.
 	[[nodiscard]] bool is_overdrawn(double amount) const { return _left < -amount; }
 	/// Forgets what was spent beyond what was left.
@@ -29,6 +35,8 @@ private:
 	double _burst;
 	double _left;
 	double _time = 0.0;
+	double _max_prompt = std::numeric_limits<double>::infinity();
+	bool _is_held = false;
 };
 
 } // namespace net

@@ -2,6 +2,7 @@
 
 #include "net/endpoint/receiver.hpp"
 #include "net/session/outbox.hpp"
+#include "net/session/relayed_streams.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,6 +41,9 @@ public:
 		const auto found = _counts.find(owner);
 		return found != _counts.end() ? found->second : 0;
 	}
+
+	/// Number of bodies that a peer's stream may have without being unusual: the server may send whatever clients do not know yet.
+	[[nodiscard]] size_t expected(PeerId sender) const { return sender == RelayedStreams::SERVER ? RelayedStreams::MAX_STREAM_BODIES : count(sender); }
 
 	[[nodiscard]] bool exists(uint32_t body) const { return _owners.count(body) != 0; }
 	/// True if the body belongs to another peer. False if the body does not exist here.

@@ -2,6 +2,7 @@
 
 #include "net/endpoint/receiver.hpp"
 #include "net/endpoint/sender.hpp"
+#include "net/session/packet_budget.hpp"
 #include "net/session/rejections.hpp"
 #include "net/session/repetition.hpp"
 #include "net/session/session_statistics.hpp"
@@ -26,6 +27,12 @@ struct Peer {
 	static constexpr double REFUSAL_MEMORY = 120.0;
 	/// For this many seconds after a stream has ended, its late packets are ignored instead of rejected.
 	static constexpr double LATE_PACKET_TIME = 2.0;
+	/// Work of decoding per second for a peer of which we know no bodies, and seconds of it that can be done at once. 2,000 bodies that
+	/// move cost 700,000.
+	static constexpr double MIN_WORK = 1e6;
+	static constexpr double BURST = 0.05;
+	/// A snapshot is decoded at once if it takes no more work than this for each body that we know.
+	static constexpr double MAX_PROMPT_WORK = 4096.0;
 	struct EndedStream {
 		uint8_t link = 0;
 		double time = -1e9;
@@ -58,7 +65,8 @@ struct Peer {
 	double opened_at = -1e9; ///< when the last was sent
 	bool is_request_known = false; ///< the peer has challenged it
 	std::optional<Receiver> stream; ///< from its first packet on
-	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(ReceiverBudget::MIN_WORK, ReceiverBudget::BURST); ///< of all its streams
+	PacketBudget packets; ///< of all kinds
+	std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>(MIN_WORK, BURST); ///< of decoding all its streams
 	Repetition open{ MAX_OPEN_INTERVAL };
 	bool is_refused = false; ///< the last stream was refused
 	size_t refused_size = 0; ///< number of its bodies
@@ -66,8 +74,12 @@ struct Peer {
 	double refusal_pause = Repetition::FIRST; ///< seconds from the next refusal to the next OPEN
 	uint64_t unauthorized_bodies = 0;
 
-	/// Limits the work of decoding the peer's streams to that of `bodies` bodies.
-	void limit_work(size_t bodies) { work->set_rate(ReceiverBudget::work_rate(bodies)); }
+	/// Limits the work of decoding the peer's streams to that of `bodies` bodies. Decoding waits while packets arrive that may be a flood.
+	void limit_work(size_t bodies, double now) {
+		work->set_rate(ReceiverBudget::work_rate(bodies) - ReceiverBudget::MIN_WORK + MIN_WORK);
+		work->set_max_prompt(BURST * MIN_WORK + MAX_PROMPT_WORK * double(bodies));
+		work->hold(packets.is_busy(bodies, now));
+	}
 
 	/// Requests a new stream from now on. All sessions of a process number their links in one sequence, with a time-dependent start, so
 	/// that packets of an earlier stream are not mistaken for those of a new one.

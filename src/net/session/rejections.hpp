@@ -28,6 +28,8 @@ public:
 			_is_version_due = is_version;
 		}
 	}
+	/// Counts a packet of a flood, which has been reported.
+	void add_ignored() { ++_count; }
 	[[nodiscard]] uint64_t count() const { return _count; }
 	/// Returns the unreported rejections, at most once per INTERVAL.
 	[[nodiscard]] std::optional<Report> take_report(double now) {

@@ -189,7 +189,13 @@ void Session::end_tick() {
 	}
 	if (_sender) {
 		send_motion();
-		close_unneeded();
+		_owned_at = _owned > 0 ? _now : _owned_at;
+		// Receivers then request new streams.
+		for (auto &[id, peer] : _peers) {
+			if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency && peer.subscribed && !peer.relay_link) {
+				close_subscription(id, peer);
+			}
+		}
 	}
 	send_relayed();
 }
@@ -207,19 +213,13 @@ void Session::send_motion() {
 	}
 }
 
-/// Closes the outgoing streams some time after the last own body was removed. Their receivers then request new ones.
-void Session::close_unneeded() {
-	if (_owned > 0) {
-		_owned_at = _now;
-	} else if (_now - _owned_at > LINGER + 2.0 * _settings.max_latency) {
-		for (auto &[id, peer] : _peers) {
-			if (peer.subscribed && !peer.relay_link) {
-				send_close(id, peer, peer.subscription, CloseRole::SENDER);
-				peer.requested.reset();
-				unsubscribe(id, peer);
-			}
-		}
+/// Ends our stream to a peer that may request it again.
+void Session::close_subscription(PeerId id, Peer &peer) {
+	if (peer.subscribed || peer.relay_link) {
+		send_close(id, peer, peer.relay_link.value_or(peer.subscription), CloseRole::SENDER);
 	}
+	peer.requested.reset();
+	unsubscribe(id, peer);
 }
 
 void Session::end_stream(PeerId id, Peer &peer) {
@@ -284,6 +284,15 @@ void Session::advance(double now) {
 	now = set_now(now);
 	const bool has_forwarded = std::exchange(_has_forwarded, false);
 	for (auto &[id, peer] : _peers) {
+		if (peer.stream) {
+			peer.limit_work(_owners.expected(id), now);
+			const PacketResult result = peer.stream->decode_waiting(now);
+			if (!result) {
+				peer.rejections.add(result.error(), peer.stream->other_version());
+				++_rejected;
+			}
+			end_if_refused(id, peer, result);
+		}
 		if (peer.stream) {
 			peer.stream->advance(now);
 			peer.unauthorized_bodies += _owners.count_unauthorized(id, *peer.stream);

@@ -126,11 +126,11 @@ private:
 	void remove_body(uint32_t body, bool freed);
 	[[nodiscard]] StreamSettings sender_settings() const;
 	void end_stream(PeerId id, Peer &peer);
-	void refuse_stream(PeerId id, Peer &peer);
+	void end_if_refused(PeerId id, Peer &peer, const PacketResult &result);
 	PacketResult accept_open(PeerId id, Peer &peer, uint8_t link, const uint8_t *bytes, size_t size);
 	void start_requested();
 	void start_stream(PeerId id, Peer &peer);
-	void close_unneeded();
+	void close_subscription(PeerId id, Peer &peer);
 	void unsubscribe(PeerId id, Peer &peer);
 	void send(PeerId id, Peer &peer, PacketKind kind, uint8_t link, const uint8_t *bytes, size_t size);
 	void send_open(PeerId id, Peer &peer, uint8_t link, uint8_t flags, uint16_t token);

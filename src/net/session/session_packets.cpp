@@ -59,10 +59,21 @@ void Session::accept(PeerId id, const uint8_t *bytes, size_t size, double now) {
 	now = set_now(now);
 	Peer &peer = found->second;
 	peer.received.add(size, now);
+	const PacketBudget::Verdict verdict = peer.packets.take(size, _owners.expected(id), now);
+	if (verdict == PacketBudget::Verdict::IGNORED) {
+		peer.rejections.add_ignored();
+		++_rejected;
+		return;
+	}
 	bytes += ENVELOPE_BYTES;
 	size -= ENVELOPE_BYTES;
 	PacketResult result;
-	if (envelope->version != ENVELOPE_VERSION) {
+	if (verdict == PacketBudget::Verdict::FLOOD_BEGINS) {
+		// Both streams may begin again after the flood.
+		result = PacketError::TOO_MANY_PACKETS;
+		close_subscription(id, peer);
+		end_if_refused(id, peer, result);
+	} else if (envelope->version != ENVELOPE_VERSION) {
 		result = PacketError::OTHER_SESSION_VERSION;
 	} else if (envelope->kind == PacketKind::OPEN) {
 		result = accept_open(id, peer, envelope->link, bytes, size);
@@ -135,30 +146,35 @@ PacketResult Session::accept_motion(PeerId id, Peer &peer, uint8_t link, const u
 			_relayer.add_stream(id, *peer.stream, _running_time);
 		}
 	}
-	// The server may send whatever clients do not know yet.
-	peer.limit_work(id == RelayedStreams::SERVER ? MAX_BODIES : _owners.count(id));
+	peer.limit_work(_owners.expected(id), now);
 	const PacketResult result = is_relayed(id) ? _relayed.accept(_self, bytes, size, now, *peer.stream) : peer.stream->accept(bytes, size, now);
 	_relayer.note_arrival(id, _running_time);
-	if (!result && result.error() == PacketError::OTHER_STREAM_VERSION) {
-		peer.stream_version = peer.stream->other_version();
-		refuse_stream(id, peer);
-	} else if (peer.stream->is_refused()) {
-		refuse_stream(id, peer);
-	} else if (result) {
+	if (result) {
 		peer.open.restart(now + SILENCE);
-		if (peer.stream->is_ready()) {
-			peer.is_refused = false;
-			peer.refused_size = 0;
-			peer.refusal_pause = now - peer.refused_at > Peer::REFUSAL_MEMORY ? Repetition::FIRST : peer.refusal_pause;
-		}
 	}
+	end_if_refused(id, peer, result);
 	return result;
 }
 
-/// Closes a stream with too many bodies or of another version, or one that takes too much work, and requests it again later.
-void Session::refuse_stream(PeerId id, Peer &peer) {
+/// Takes the result of a packet of a peer's stream, or of decoding what has waited. Closes a stream with too many bodies or of another
+/// version, or one that takes too much work or comes in a flood, and requests it again later.
+void Session::end_if_refused(PeerId id, Peer &peer, const PacketResult &result) {
+	if (!peer.stream) {
+		return;
+	}
+	const bool is_flood = !result && result.error() == PacketError::TOO_MANY_PACKETS;
+	const bool is_other_version = !result && result.error() == PacketError::OTHER_STREAM_VERSION;
+	if (!is_flood && !is_other_version && !peer.stream->is_refused()) {
+		if (result && peer.stream->is_ready()) {
+			peer.is_refused = false;
+			peer.refused_size = 0;
+			peer.refusal_pause = _now - peer.refused_at > Peer::REFUSAL_MEMORY ? Repetition::FIRST : peer.refusal_pause;
+		}
+		return;
+	}
+	peer.stream_version = is_other_version ? peer.stream->other_version() : peer.stream_version;
 	const size_t size = peer.stream->stream_size();
-	const double min_pause = peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
+	const double min_pause = is_flood || peer.stream->budget().is_refused() ? MIN_OVERLOAD_PAUSE : 0.0;
 	send_close(id, peer, peer.link, CloseRole::RECEIVER);
 	end_stream(id, peer);
 	peer.request_stream(_now);

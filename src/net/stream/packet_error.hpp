@@ -37,6 +37,7 @@ enum class PacketError : uint8_t {
 	RELAY_DIFFERS,
 	MALFORMED_OPEN,
 	ABSENT_BODIES,
+	TOO_MANY_PACKETS,
 };
 
 /// Describes the reason as a clause without a period.
@@ -67,8 +68,9 @@ enum class PacketError : uint8_t {
 		"`relay` is on at one of the two peers and off at the other; set it to the same value on all peers",
 		"the open packet is malformed",
 		"its stream contains more than 64 bodies that do not exist at the server, so it is not relayed until it no longer does",
+		"the peer sends more packets than its number of bodies allows; all of them are ignored until it sends fewer",
 	};
-	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::ABSENT_BODIES) + 1);
+	static_assert(std::size(DESCRIPTIONS) == size_t(PacketError::TOO_MANY_PACKETS) + 1);
 	return DESCRIPTIONS[size_t(error)];
 }
 

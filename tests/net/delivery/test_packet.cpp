@@ -1,5 +1,6 @@
 #include "net/delivery/packet.hpp"
 
+#include "../../harness/allocation_counter.hpp"
 #include "ack_numbers.hpp"
 #include "net/stream/stream_settings.hpp"
 
@@ -247,4 +248,21 @@ TEST_CASE("packet: items of random bytes lie within the packet") {
 			CHECK(is_inside(fragment.bytes, fragment.size));
 		}
 	}
+}
+
+TEST_CASE("packet: of many acknowledgements, the first ones are kept and all are counted") {
+	PacketContent content;
+	Bytes packet;
+	for (uint16_t i = 0; i < 7000; ++i) {
+		put_ack(packet, { i, 0, {} });
+		put_snapshot_ack(packet, { 1, i, {} });
+	}
+	put_snapshot_request(packet);
+	const size_t before = harness::live_bytes();
+	REQUIRE(read_packet(packet.data(), packet.size(), content));
+	CHECK(content.acks.size() == PacketContent::MAX_ACKS);
+	CHECK(content.snapshot_acks.size() == PacketContent::MAX_ACKS);
+	CHECK(content.acks.back().next == PacketContent::MAX_ACKS - 1);
+	CHECK(content.ack_count == 14000);
+	CHECK(harness::live_bytes() - before < 8000);
 }

@@ -2,6 +2,8 @@
 #include "../hostile_stream.hpp"
 #include "session_network.hpp"
 
+#include <utility>
+
 // Peers whose streams want too much memory or work, among honest ones.
 
 using namespace net;
@@ -101,10 +103,16 @@ TEST_CASE("hostile peer: streams that it closes and opens again share one budget
 	HostileNetwork test(3);
 	HostileStream stream(COUNT);
 	const std::vector<Bytes> packets = stream.snapshot();
+	constexpr size_t PACKETS_PER_FRAME = 20; // fewer than a flood
+	size_t sent = 0;
+	uint8_t link = test.link;
 	int decoded = 0;
 	double worst = 0.0;
 	test.run_frames(300, [&] {
-		test.send(packets);
+		sent = std::exchange(link, test.link) == link ? sent : 0;
+		const size_t end = std::min(sent + PACKETS_PER_FRAME, packets.size());
+		test.send({ packets.begin() + ptrdiff_t(sent), packets.begin() + ptrdiff_t(end) });
+		sent = end;
 		if (test.network.session(1).stream(3) != nullptr) {
 			++decoded;
 			test.network.inject(3, 1, make_packet(PacketKind::CLOSE, test.link, { uint8_t(CloseRole::SENDER) }));
@@ -159,4 +167,80 @@ TEST_CASE("hostile peer: an owner of thousands of bodies is decoded without a wa
 		CHECK(worst <= 1.3);
 		CHECK(network.total(1).rejected == 0);
 	}
+}
+
+TEST_CASE("hostile peer: 10,000 packets a second are a flood, which costs neither decoding nor memory and is reported once") {
+	HostileStream stream(4000);
+	std::vector<Bytes> windows = stream.snapshot();
+	for (int i = 0; i < 2000; ++i) {
+		stream.add_window(1, windows);
+	}
+	HostileStream small(100);
+	const std::vector<std::pair<PacketKind, std::vector<Bytes>>> kinds = { { PacketKind::MOTION, windows }, { PacketKind::MOTION, small.snapshot() }, { PacketKind::MOTION, { Bytes(1000, 0xff) } }, { PacketKind::ACK, { Bytes{ 0xc2 } } }, { PacketKind::ACK, { Bytes(8000, 0xc0) } }, { PacketKind::OPEN, { Bytes{} } }, { PacketKind::CLOSE, { Bytes{ 0 } } } };
+	for (size_t kind = 0; kind < kinds.size(); ++kind) {
+		CAPTURE(kind);
+		HostileNetwork test(3);
+		size_t next = 0;
+		double worst = 0.0;
+		uint64_t late_allocations = 0;
+		const auto flood = [&](int frames, bool is_late) {
+			test.run_frames(frames, [&] {
+				for (int i = 0; i < 167; ++i) {
+					const std::vector<Bytes> &packets = kinds[kind].second;
+					const Bytes packet = make_packet(kinds[kind].first, test.link, packets[next++ % packets.size()]);
+					const uint64_t made = harness::allocation_count();
+					test.network.inject(3, 1, packet);
+					late_allocations += is_late ? harness::allocation_count() - made : 0;
+				}
+				worst = std::max(worst, test.network.error(5, 1));
+			});
+		};
+		flood(30, false);
+		CHECK(test.network.session(1).stream(3) == nullptr);
+		flood(120, true);
+		CHECK(late_allocations == 0);
+		CHECK(test.reported(PacketError::TOO_MANY_PACKETS) == 1);
+		CHECK(test.network.total(1).rejected > 120 * 167);
+		CHECK(test.network.session(1).stream(3) == nullptr);
+		CHECK(worst <= 1.3);
+		// After the flood, the stream is requested again and decoded.
+		test.run_frames(300, [] {});
+		HostileStream later(10);
+		test.send(later.snapshot());
+		CHECK(test.network.session(1).stream(3) != nullptr);
+	}
+}
+
+TEST_CASE("hostile peer: a costly snapshot of a peer that owns one body waits for the end of the frame, and is not decoded in a flood") {
+	HostileStream stream(4000);
+	const std::vector<Bytes> snapshot = stream.snapshot();
+	for (const bool is_flood : { false, true }) {
+		CAPTURE(is_flood);
+		HostileNetwork test(3);
+		test.send(snapshot);
+		CHECK(test.network.session(1).stream(3) == nullptr);
+		for (int i = 0; i < (is_flood ? 167 : 0); ++i) {
+			test.send({ Bytes{ 0xe1, 1, 0 } });
+		}
+		test.run_frames(1, [] {});
+		CHECK((test.network.session(1).stream(3) == nullptr) == is_flood);
+	}
+}
+
+TEST_CASE("hostile peer: the packets that have waited while the server stood still are no flood") {
+	HostileNetwork test(3);
+	HostileStream stream(1);
+	std::vector<Bytes> packets = stream.snapshot();
+	for (int i = 0; i < 600; ++i) { // 10 s
+		std::vector<Bytes> window;
+		stream.observe(1, true);
+		stream.add_window(1, window);
+		packets.push_back(window.at(0));
+	}
+	test.send(packets);
+	test.run_frames(60, [] {});
+	REQUIRE(test.network.session(1).stream(3) != nullptr);
+	CHECK(test.network.session(1).stream(3)->known_time() >= 10.0);
+	CHECK(test.network.total(1).rejected == 0);
+	CHECK(test.closed == 0);
 }
