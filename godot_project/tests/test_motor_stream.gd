@@ -91,7 +91,7 @@ func test_statistics() -> void:
 
 
 func test_a_priority_divides_the_error_over_a_line_that_carries_less() -> void:
-	const COUNT := 60
+	const COUNT := 100
 	const BYTES_PER_TICK := 50.0
 	for id in COUNT:
 		_sender.add_body(id, _fast_pose(id, 0.0))
