@@ -1,5 +1,6 @@
 #include "net/endpoint/outgoing_stream.hpp"
 
+#include "net/coding/portable_math.hpp"
 #include "net/stream/snapshot_header.hpp"
 
 #include <algorithm>
@@ -148,9 +149,11 @@ double OutgoingStream::carried_rate(double now) const {
 
 /// Lets errors grow or shrink, after a window of `seconds`, so that the lines carry the stream.
 void OutgoingStream::adapt(double seconds, double now) {
-	const double carried = carried_rate(now);
-	const double excess = _ring.rate() > 0.0 && carried > 0.0 ? std::log2(_ring.rate() / carried) : 0.0;
-	_relaxation = std::clamp(_relaxation + std::clamp(excess * RELAX_PER_OCTAVE, -TIGHTEN, RELAX) * seconds, 0.0, double(BodyState::MAX_COARSENESS) + 0.9);
+	constexpr double MAX_RELAXATION = BodyState::MAX_COARSENESS + 0.9;
+	constexpr double MAX_RATIO = 1e6;
+	// All machines compute the same coarseness from the same acknowledgements.
+	const double excess = portable_log2(std::clamp(_ring.rate() / std::max(carried_rate(now), 1.0), 1.0 / MAX_RATIO, MAX_RATIO));
+	_relaxation = std::clamp(_relaxation + std::clamp(excess * RELAX_PER_OCTAVE, -TIGHTEN, RELAX) * seconds, 0.0, MAX_RELAXATION);
 	_encoder->set_coarseness(int(_relaxation));
 }
 
