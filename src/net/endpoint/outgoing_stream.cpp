@@ -30,7 +30,7 @@ constexpr double SAME_TIME = 1e-5;
 constexpr double MAX_UNKNOWN_TIME = 1.0;
 
 /// The part of a line's rate that the stream uses, and the part that it uses at least, even if much waits to be sent.
-constexpr double USABLE_RATE = 0.9;
+constexpr double USABLE_RATE = 0.8;
 constexpr double MIN_RATE_SHARE = 0.4;
 /// Bytes per second of a line whose rate is not known yet, but which loses much of its first snapshot.
 constexpr double LOSING_RATE = 5e3;
