@@ -4,7 +4,7 @@ extends "res://tests/framework/network_test.gd"
 const NarrowPeer := preload("res://tests/framework/narrow_peer.gd")
 
 const BODIES := 100
-const BYTES_PER_SECOND := 3000.0
+const BYTES_PER_SECOND := 2200.0
 ## Seconds until the line is known and errors have grown.
 const ADAPT := 8.0
 const MEASURE := 4.0

@@ -44,6 +44,8 @@ public:
 	[[nodiscard]] bool is_limiting() const { return !_is_slow_start && (_was_limited || _is_limited); }
 	/// The part of the bytes that was lost, in the last packets.
 	[[nodiscard]] double recent_loss() const { return _lost > 0.0 ? _lost / (_lost + _arrived) : 0.0; }
+	/// True if packets wait in a queue of a line that has shown its limit: more bytes would delay all.
+	[[nodiscard]] bool has_queue() const { return !_is_slow_start && !_base.is_empty() && _round_trip - _base.value() > NOTABLE_QUEUE; }
 	/// True from the first acknowledgement on.
 	[[nodiscard]] bool is_validated() const { return _is_validated; }
 
@@ -73,6 +75,7 @@ private:
 	static constexpr double GROWTH = 0.08;
 	static constexpr double MIN_GROWTH = 0.05 * PACKET;
 	/// Maximum queueing delay, in seconds, as a fraction of the round trip, and in packets, which a narrow line takes long to send.
+	static constexpr double NOTABLE_QUEUE = 0.025;
 	static constexpr double MAX_QUEUE = 0.05;
 	static constexpr double MAX_QUEUE_SHARE = 0.25;
 	static constexpr double MAX_QUEUE_PACKETS = 2.5;

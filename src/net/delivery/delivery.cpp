@@ -128,7 +128,7 @@ void Delivery::note_timeout(Sent &sent, double time) {
 	sent.in_flight = 0;
 	if (!sent.lost) {
 		sent.lost = true;
-		_lost = time;
+		_lost = _congestion.has_queue() ? _lost : time; // more copies would not help
 		_loss += (1.0 - _loss) * LOSS_WEIGHT;
 	}
 }
@@ -201,7 +201,9 @@ void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_siz
 	if (is_joining && (_congestion.is_half_full() || std::any_of(_fragments.begin(), _fragments.end(), [this](const Sent &sent) { return sent.times == 0 || (sent.times > 1 && _congestion.is_validated()); }))) {
 		return; // fragments come first, and nothing else while the line loses them
 	}
-	// Copies before a timeout must not multiply the bytes of a large stream: they only fill one packet.
+	// Copies before a timeout must not multiply the bytes of a large stream: they only fill one packet. Over a line that is full they would
+	// cause what they are to prevent.
+	const bool may_copy = !_congestion.is_limiting() && !_congestion.has_queue();
 	const size_t new_bytes = ring.bytes_from(_unsent);
 	_is_urgent = rto() + 3.0 * _deviation > _max_wait && time - _lost < LOSS_MEMORY;
 	const double interval = copy_interval() * (new_bytes > 0 ? EARLY_COPY : 1.0);
@@ -214,7 +216,7 @@ void Delivery::collect_chunks(const ChunkRing &ring, double time, size_t max_siz
 			sent = Sent();
 		}
 		const size_t size = CHUNK_HEADER + ring.chunk(number).bytes.size();
-		const bool is_copy = !sent.arrived && sent.times > 0 && time - sent.time >= interval && packet + size <= max_size;
+		const bool is_copy = may_copy && !sent.arrived && sent.times > 0 && time - sent.time >= interval && packet + size <= max_size;
 		if (!is_due(sent, time) && !is_pair_due(sent, time) && !is_copy) {
 			continue;
 		}

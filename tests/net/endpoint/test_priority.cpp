@@ -23,7 +23,7 @@ struct NarrowSession : SimulatedSession {
 		}
 	}
 
-	void connect() { add_receiver(1).down.settings().bytes_per_second = 3000.0; }
+	void connect() { add_receiver(1).down.settings().bytes_per_second = 2200.0; }
 
 	/// The mean error of the other bodies relative to that of the important one, after the line is known.
 	double error_ratio() {

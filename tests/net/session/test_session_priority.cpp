@@ -17,7 +17,7 @@ SessionNetwork narrow_network() {
 	SessionNetwork network;
 	network.join(1);
 	network.join(2);
-	network.link(1, 2).unreliable.settings().bytes_per_second = 3000.0;
+	network.link(1, 2).unreliable.settings().bytes_per_second = 2200.0;
 	for (uint32_t body = 0; body < BODIES; ++body) {
 		network.paths[body] = [body](double time) {
 			const double phase = 4.0 * time + double(body);
