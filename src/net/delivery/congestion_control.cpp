@@ -95,9 +95,9 @@ void CongestionControl::lost(size_t bytes, double sent_at) {
 }
 
 bool CongestionControl::is_loss_congestion() {
-	const double sent = _lost + _arrived;
 	const double loss = recent_loss();
-	if (sent < (loss > OBVIOUS_LOSS ? OBVIOUS_LOSS_SPAN : std::min(LOSS_SPAN, 4.0 * std::max(_window, PACKET)))) {
+	const double span = loss > OBVIOUS_LOSS ? OBVIOUS_LOSS_SPAN : std::min(LOSS_SPAN, 4.0 * std::max(_window, PACKET));
+	if (_lost + _arrived < span) {
 		return false;
 	}
 	_lost = _arrived = 0.0;

@@ -12,8 +12,8 @@ namespace net {
 ///
 /// It grows while it limits the sender: doubled per round trip at first, later by a fixed part. If the queueing delay (the round trip above
 /// its minimum) exceeds a bound, the window falls to what has just been delivered in the minimum round trip, so that the queue drains, as in
-/// Copa (Arun and Balakrishnan, 2018). The same if much is lost, unless that does not help: a line that loses a part of all packets is
-/// not congested.
+/// Copa (Arun and Balakrishnan, 2018). If much is lost, the window falls too. If the loss then remains, the window returns to its value:
+/// a line that loses a part of all packets is not congested.
 ///
 /// Times in seconds.
 class CongestionControl {
@@ -42,7 +42,7 @@ public:
 	[[nodiscard]] double delivered_rate() const { return std::min(rate(), _smooth_delivered); }
 	/// True if the line has shown its limit, and the window has limited the sender in the last two round trips.
 	[[nodiscard]] bool is_limiting() const { return !_is_slow_start && (_was_limited || _is_limited); }
-	/// The part of the bytes that was lost, in the last packets.
+	/// The share of bytes lost since the loss was last judged.
 	[[nodiscard]] double recent_loss() const { return _lost > 0.0 ? _lost / (_lost + _arrived) : 0.0; }
 	/// True if packets wait in a queue of a line that has shown its limit: more bytes would delay all.
 	[[nodiscard]] bool has_queue() const { return !_is_slow_start && !_base.is_empty() && _round_trip - _base.value() > NOTABLE_QUEUE; }
@@ -61,7 +61,7 @@ private:
 	void finish_epoch(double time);
 	/// Judges the loss since the last call, if enough has been sent. Returns true if it means congestion.
 	bool is_loss_congestion();
-	/// Reduces the window to what was delivered in `seconds`.
+	/// Reduces the window, at `time`, to what is delivered in `seconds`.
 	void reduce(double delivered_rate, double seconds, double time);
 	/// True if the queue remains although less is sent: then it is not ours, or the route has become longer.
 	[[nodiscard]] bool is_longer_route() const { return _cuts >= MAX_CUTS && _epoch.min_round_trip > 0.9 * _cut_round_trip; }
@@ -75,10 +75,11 @@ private:
 	static constexpr double GROWTH = 0.08;
 	static constexpr double MIN_GROWTH = 0.05 * PACKET;
 	/// Maximum queueing delay, in seconds, as a fraction of the round trip, and in packets, which a narrow line takes long to send.
-	static constexpr double NOTABLE_QUEUE = 0.025;
 	static constexpr double MAX_QUEUE = 0.05;
 	static constexpr double MAX_QUEUE_SHARE = 0.25;
 	static constexpr double MAX_QUEUE_PACKETS = 2.5;
+	/// Queueing delay, in seconds, from which packets wait in a queue.
+	static constexpr double NOTABLE_QUEUE = 0.025;
 	/// Reductions in a row after which a queueing delay that remains counts as a longer route.
 	static constexpr int MAX_CUTS = 3;
 	/// Loss above what the line loses anyway that means congestion, if the window limits the sender and if it does not; and up to which
@@ -86,12 +87,14 @@ private:
 	static constexpr double LOSS_MARGIN = 0.1;
 	static constexpr double UNLIMITED_LOSS_MARGIN = 0.35;
 	static constexpr double GROWTH_LOSS_MARGIN = 0.05;
-	/// Bytes over which loss is measured, and the share of a loss that remains if it does not depend on what is sent.
+	/// Bytes over which loss is measured: fewer suffice for a loss above OBVIOUS_LOSS.
 	static constexpr double LOSS_SPAN = 64 * PACKET;
-	static constexpr double OBVIOUS_LOSS = 0.5; // for which less is enough
 	static constexpr double OBVIOUS_LOSS_SPAN = 12 * PACKET;
+	static constexpr double OBVIOUS_LOSS = 0.5;
+	/// The share of a loss that remains after a reduction if the loss does not depend on what is sent.
 	static constexpr double REMAINING = 0.6;
-	static constexpr double OUTAGE = 1.0; // seconds without an acknowledgement
+	/// After so many seconds without an acknowledgement, the line was interrupted.
+	static constexpr double OUTAGE = 1.0;
 	static constexpr double LOSS_FORGOTTEN = 0.2; // of the background loss, per measurement
 	/// Seconds and acknowledgements of an epoch, at least.
 	static constexpr double MIN_EPOCH = 0.1;

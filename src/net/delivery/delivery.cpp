@@ -40,7 +40,7 @@ constexpr double LOSS_MEMORY = 30.0;
 constexpr double EARLY_COPY = 0.5;
 /// After this many consecutive ambiguous acknowledgements, an ambiguous one is used as a round-trip sample.
 constexpr int MAX_AMBIGUOUS = 8;
-/// Seconds; longer times since the first of several transmissions are no round trips.
+/// If a chunk was sent several times, an acknowledgement more than this many seconds after the first transmission is not for that one.
 constexpr double MAX_AMBIGUOUS_SAMPLE = 2.0;
 /// Weight of one chunk in the moving average of the loss.
 constexpr double LOSS_WEIGHT = 1.0 / 32.0;

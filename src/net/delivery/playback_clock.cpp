@@ -14,7 +14,7 @@ constexpr double MAX_SPEEDUP = 0.15;
 constexpr double MAX_SLOWDOWN = 0.4;
 /// If playback is farther behind its target than this, in seconds, it jumps to the target.
 constexpr double MAX_BEHIND = 0.75;
-/// Playback passes what is known by at most this, in seconds, while something arrives: a window in which nothing moves and a part of the next.
+/// While motion arrives, playback runs at most this many seconds past the known motion: if nothing moves, windows last 0.5 s.
 constexpr double MAX_UNKNOWN = 0.6;
 /// Arrivals closer together than this, in seconds, are one.
 constexpr double SAME_INSTANT = 0.001;
@@ -139,7 +139,7 @@ void PlaybackClock::advance(double now) {
 	}
 	close_batch();
 	const double next = target(now) - position_at(now) > MAX_BEHIND ? target(now) : position_at(now);
-	// While a backlog arrives, and for a while after it, the line is too steep.
+	// While a backlog arrives, and for a while after it, the line is too steep: playback then stays within the known motion.
 	const double max_unknown = _line.rate() > 1.0 + NEW_RATE ? 0.0 : MAX_UNKNOWN;
 	const double last = now - _known_at < MAX_INTERVAL + SILENT_TIME ? std::max(_known + max_unknown, _position) : next;
 	_position = std::min(next, last);

@@ -29,14 +29,14 @@ constexpr double SAME_TIME = 1e-5;
 /// Windows are short for this many seconds after a peer has joined, until its line is known.
 constexpr double MAX_UNKNOWN_TIME = 1.0;
 
-/// The part of a line's rate that the stream uses, and the part that it uses at least, even if much waits to be sent.
+/// The share of a line's rate that the stream uses, and its minimum while a backlog is sent.
 constexpr double USABLE_RATE = 0.8;
 constexpr double MIN_RATE_SHARE = 0.4;
-/// Bytes per second of a line whose rate is not known yet, but which loses much of its first snapshot.
+/// Assumed rate, in bytes per second, of a line that loses much of its first snapshot, until its rate is known.
 constexpr double LOSING_RATE = 5e3;
-/// Seconds in which what waits to be sent is to be sent.
+/// A backlog should be sent within this many seconds.
 constexpr double DRAIN_TIME = 1.0;
-/// Above so many octaves, windows become longer with each, as errors would grow much for few bytes.
+/// Above this many octaves of relaxation, each makes windows longer too: larger errors alone would save few bytes.
 constexpr double UNSTRETCHED_OCTAVES = 5.0;
 constexpr double STRETCH_PER_OCTAVE = 0.5;
 /// How fast errors grow and shrink, in octaves per second: proportionally to the octaves by which the stream's rate is too high, at most RELAX
@@ -128,7 +128,7 @@ void OutgoingStream::close_window(int64_t end, double now) {
 	_changed_since = _encoder->has_changes() ? _window_begin : -1;
 }
 
-/// Bytes per second that the stream should have, so that all lines carry it and what waits for them is sent; infinite if no line limits it.
+/// The rate, in bytes per second, at which all lines carry the stream and their backlogs; infinite if no line limits it.
 double OutgoingStream::carried_rate(double now) const {
 	double carried = std::numeric_limits<double>::infinity();
 	for (const auto &entry : _peers) {

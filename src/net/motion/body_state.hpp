@@ -111,10 +111,10 @@ public:
 	[[nodiscard]] MotionSegment segment(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid, double begin, cga::Mode mode) const;
 	/// Advances to the end of a segment. Returns false and changes nothing if the end is out of range.
 	[[nodiscard]] bool apply(const SegmentCode &code, const SegmentSteps &steps, const StreamGrid &grid);
-	/// The quantization steps of a window of `window_coarseness` for a body whose steps are 2^finer times smaller.
-	void set_coarseness(int window_coarseness, int finer) {
-		this->finer = uint8_t(finer);
-		coarseness = uint8_t(std::max(window_coarseness - finer, 0));
+	/// Sets `coarseness` and `finer` for a window of `window_coarseness`, in which this body's steps are 2^octaves_finer times smaller.
+	void set_coarseness(int window_coarseness, int octaves_finer) {
+		finer = uint8_t(octaves_finer);
+		coarseness = uint8_t(std::max(window_coarseness - octaves_finer, 0));
 	}
 	/// Adds `correction`, the remaining quantization error in steps, to the pose of a body at rest. Returns false and
 	/// changes nothing if the result is out of range.
@@ -137,13 +137,12 @@ public:
 	bool active = false; ///< moved in the last window
 	bool rest_corrected = true; ///< at rest, and its last sample is matched to within a step
 	uint8_t coarseness = 0; ///< of its last segment: the steps of its code were 2^coarseness times larger
-	uint8_t finer = 0; ///< the coarseness of the last coarse window minus its own
+	uint8_t finer = 0; ///< in the last coarse window, its steps were 2^finer times smaller than those of other bodies
 
 	static constexpr int MAX_COARSENESS = 8;
+	static constexpr int COARSENESS_BITS = 4; ///< of a coarseness, and of `finer`
 
 private:
-	static constexpr int COARSENESS_BITS = 5; // of the signed number
-
 	enum Predictor {
 		HOLD,
 		CONSTANT_VELOCITY,
@@ -225,7 +224,7 @@ void BodyState::visit(Visit &&visit) {
 	visit(active, 2);
 	visit(rest_corrected, 2);
 	if (!rest_corrected) {
-		visit(coarseness, COARSENESS_BITS);
+		visit(coarseness, COARSENESS_BITS + 1); // signed
 	}
 	if (!active) {
 		return;
@@ -237,7 +236,7 @@ void BodyState::visit(Visit &&visit) {
 		}
 	}
 	visit(_ticks, 8);
-	visit(finer, COARSENESS_BITS);
+	visit(finer, COARSENESS_BITS + 1);
 	visit(_scaled, 2);
 	for (int group = 0; group < 2; ++group) {
 		for (int32_t &value : _running_error[group]) {

@@ -61,7 +61,7 @@ bool code_motion(Coder &coder, MotionModels &models, BodyState &state, const Str
 		coder.bit(models.same_finer, is_same);
 		uint32_t finer = uint32_t(is_same ? state.finer : motion.finer);
 		if (!is_same) {
-			coder.bits(finer, 4);
+			coder.bits(finer, BodyState::COARSENESS_BITS);
 		}
 		motion.finer = std::min(int(finer), BodyState::MAX_COARSENESS);
 	}

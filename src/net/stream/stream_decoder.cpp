@@ -15,7 +15,7 @@ PacketResult StreamDecoder::read_snapshot(const uint8_t *bytes, size_t size) {
 	RangeDecoder coder(bytes, size);
 	StateCoder<RangeDecoder> state_coder(coder);
 	const uint32_t ticks = coder.read_bits(7);
-	const uint32_t coarseness = coder.read_bits(COARSENESS_BITS);
+	const uint32_t coarseness = coder.read_bits(BodyState::COARSENESS_BITS);
 	const uint32_t check = coder.read_bits(32);
 	MotionModels models;
 	code_models(coder, models);
@@ -63,7 +63,7 @@ void StreamDecoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
 	coder.bits(uint32_t(_last_ticks), 7);
-	coder.bits(uint32_t(_last_coarseness), COARSENESS_BITS);
+	coder.bits(uint32_t(_last_coarseness), BodyState::COARSENESS_BITS);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
 	auto count = uint32_t(_bodies.size());

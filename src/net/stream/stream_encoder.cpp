@@ -213,7 +213,7 @@ void StreamEncoder::encode_snapshot(std::vector<uint8_t> &bytes) {
 	RangeEncoder coder(bytes);
 	StateCoder<RangeEncoder> state_coder(coder);
 	coder.bits(uint32_t(_last_ticks), 7);
-	coder.bits(uint32_t(_last_coarseness), COARSENESS_BITS);
+	coder.bits(uint32_t(_last_coarseness), BodyState::COARSENESS_BITS);
 	coder.bits(_check, 32);
 	code_models(coder, _models);
 	auto count = uint32_t(_known);

@@ -13,9 +13,6 @@ namespace net {
 /// Bits of a body's index in the stream's list, as a signed number.
 inline constexpr int INDEX_BITS = 24;
 
-/// Bits of a window's coarseness.
-inline constexpr int COARSENESS_BITS = 4;
-
 /// The checksum received with a window. Only the bits in `mask` were sent.
 struct WindowCheck {
 	uint8_t value = 0;
@@ -79,7 +76,7 @@ void code_coarseness(Coder &coder, MotionModels &models, int &last, int &coarsen
 	coder.bit(models.same_coarseness, is_same);
 	uint32_t coded = uint32_t(is_same ? last : coarseness);
 	if (!is_same) {
-		coder.bits(coded, COARSENESS_BITS);
+		coder.bits(coded, BodyState::COARSENESS_BITS);
 	}
 	last = coarseness = int(coded);
 }
