@@ -28,6 +28,13 @@ def version():
     return config["plugin"]["version"].strip('"')
 
 
+def oldest_engine():
+    """The oldest version of Godot that loads the addon, such as "4.6"."""
+    config = configparser.ConfigParser()
+    config.read(FOLDER + "/ga_godot.gdextension", encoding="utf-8")
+    return config["configuration"]["compatibility_minimum"].strip('"')
+
+
 def contents():
     """The bytes of every file of the installed addon, by its path relative to addons/ga_godot; sorted."""
     moved = {FOLDER + "/" + path: path for path in paths_below(FOLDER)}

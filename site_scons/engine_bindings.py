@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 
+import addon_files
 import engine_dump
 import requirements
 
@@ -87,7 +88,8 @@ def build_godot_cpp(env, root, archive):
         requirements.fail("{} contains no {} and no SConstruct to build it with".format(root, os.path.basename(archive)))
     print("Building godot-cpp in {}".format(root), flush=True)
     options = ["{}={}".format(name, env[name]) for name in ("platform", "target", "arch")]
-    options.append("build_profile=" + os.path.abspath(PROFILE))
+    # Versions of godot-cpp before 10 have one API, and ignore api_version.
+    options += ["build_profile=" + os.path.abspath(PROFILE), "api_version=" + addon_files.oldest_engine()]
     if subprocess.call([sys.executable, "-m", "SCons", "-Q", "-C", root, "-j", str(os.cpu_count() or 1)] + options) != 0 or not os.path.isfile(archive):
         requirements.fail("building godot-cpp in {} failed, see above".format(root))
 
