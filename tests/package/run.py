@@ -111,6 +111,7 @@ CHECKS = (
 
 def main():
     """Runs all checks, even after failures."""
+    os.chdir(ROOT)  # as SCons, whose modules have paths relative to it
     failed = 0
     for name, check in CHECKS:
         try:
