@@ -11,7 +11,7 @@ PLUGIN = "plugin.cfg"
 ROOT_FILES = ("LICENSE", "CHANGELOG.md", "SECURITY.md")
 PAGES = "docs"
 # Pages for those who have the sources.
-SOURCE_PAGES = ("docs/architecture.md", "docs/asset_library.md", "docs/building.md", "docs/demos.md")
+SOURCE_PAGES = ("docs/asset_library.md", "docs/demos.md")
 # Written by the editor beside the files that it imports or saves.
 EDITOR_FILES = (".import", ".tmp", "~")
 # A link or picture in Markdown. The text of a link can contain a picture.

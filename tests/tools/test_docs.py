@@ -44,6 +44,13 @@ class DocsTest(unittest.TestCase):
             linked |= linked_paths(page, read(page))
         self.assertEqual([page for page in listed if page not in linked], [])
 
+    def test_the_readme_is_one_screen(self):
+        text = read("README.md")
+        self.assertLessEqual(len(text.splitlines()), 60)
+        self.assertEqual(text.count("!["), 2)
+        for heading in ("## Installation", "## Quick start", "## Contributing", "## License"):
+            self.assertIn(heading + "\n", text)
+
     def test_links_and_anchors_are_found(self):
         text = "[![a](b.png)](c.md) and [d `e`](f.md#g) `[no](h.md)`\n```\n[no](i.md)\n```\n"
         self.assertEqual(targets(text), {"b.png", "c.md", "f.md#g"})
