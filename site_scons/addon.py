@@ -46,7 +46,7 @@ def install(env, built, destination):
 
 
 def package(env, built):
-    """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum, as sha256sum -c reads it."""
+    """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum for sha256sum -c."""
 
     def pack(target, source, env):
         path = str(target[0])

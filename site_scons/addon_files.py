@@ -56,7 +56,8 @@ def paths_below(top):
     """Paths of the files in a folder, relative to it, without those of the editor."""
     found = []
     for folder, _, names in os.walk(top):
-        found += [os.path.relpath(os.path.join(folder, name), top).replace(os.sep, "/") for name in names if not name.endswith(EDITOR_FILES)]
+        below = os.path.relpath(folder, top).replace(os.sep, "/")
+        found += [posixpath.normpath(below + "/" + name) for name in names if not name.endswith(EDITOR_FILES)]
     return found
 
 

@@ -90,7 +90,8 @@ def build_godot_cpp(env, root, archive):
     options = ["{}={}".format(name, env[name]) for name in ("platform", "target", "arch")]
     # Versions of godot-cpp before 10 have one API, and ignore api_version.
     options += ["build_profile=" + os.path.abspath(PROFILE), "api_version=" + addon_files.oldest_engine()]
-    if subprocess.call([sys.executable, "-m", "SCons", "-Q", "-C", root, "-j", str(os.cpu_count() or 1)] + options) != 0 or not os.path.isfile(archive):
+    command = [sys.executable, "-m", "SCons", "-Q", "-C", root, "-j", str(os.cpu_count() or 1)]
+    if subprocess.call(command + options) != 0 or not os.path.isfile(archive):
         requirements.fail("building godot-cpp in {} failed, see above".format(root))
 
 

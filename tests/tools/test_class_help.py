@@ -10,7 +10,8 @@ import checkout
 
 GUIDE = os.path.join(checkout.ROOT, "docs", "guides", "expressions.md")
 ROW = re.compile(r"^\| (`.*?) \| (.*?) \|$", re.M)
-SECTION = re.compile(r"^#{2,3} (Constants|Operators|Objects|Motion|Interpolation|Products and grades|Numbers)\n(.*?)(?=^#{2,3} |\Z)", re.M | re.S)
+TITLES = "Constants|Operators|Objects|Motion|Interpolation|Products and grades|Numbers"
+SECTION = re.compile(rf"^#{{2,3}} ({TITLES})\n(.*?)(?=^#{{2,3}} |\Z)", re.M | re.S)
 FILE = re.compile(r"\b(?:docs|src|tests)/|\.md\b")
 
 

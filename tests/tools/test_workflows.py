@@ -31,7 +31,7 @@ def actionlint():
         return found
     folder = os.path.join(checkout.BUILD, "actionlint", ACTIONLINT.rpartition("@")[2])
     if not os.path.isfile(os.path.join(folder, "actionlint")):
-        built = subprocess.run(["go", "install", ACTIONLINT], env={**os.environ, "GOBIN": folder}, stdin=subprocess.DEVNULL, check=False)
+        built = subprocess.run(["go", "install", ACTIONLINT], env={**os.environ, "GOBIN": folder}, check=False)
         if built.returncode != 0:
             return None
     return os.path.join(folder, "actionlint")
@@ -62,8 +62,7 @@ class WorkflowsTest(unittest.TestCase):
                         self.assertTrue(command.startswith(("scons ", *INSTALLATION)), command)
 
     def test_the_options_of_scons_exist(self):
-        options = subprocess.run(["scons", "-Q", "-h"], cwd=checkout.ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True,
-                                 check=True).stdout
+        options = subprocess.run(["scons", "-Q", "-h"], cwd=checkout.ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout
         for name in os.listdir(FOLDER):
             for command in RUN.findall(read(name)):
                 for word in shlex.split(re.sub(r"\$\{\{.*?\}\}", "x", command))[1:] if command.startswith("scons ") else []:
