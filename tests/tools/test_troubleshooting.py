@@ -40,6 +40,17 @@ class TroubleshootingTest(unittest.TestCase):
             self.assertTrue(pieces, message)
             self.assertEqual([piece for piece in pieces if piece not in sources], [], message)
 
+    def test_messages_of_godot_are_in_the_engine(self):
+        with open(os.path.realpath(checkout.setup_path("engine")), "rb") as file:
+            program = file.read()
+        if not program.startswith(b"\x7fELF"):
+            self.skipTest("the engine is started by a script")
+        cited = [message for message, engine, _ in rows() if engine]
+        self.assertGreater(len(cited), 3)
+        for message in cited:
+            pieces = [piece.strip() for piece in re.split(r"\.\.\.|(?<=\")\w+(?=\")", message) if len(piece.strip()) > 2]
+            self.assertEqual([piece for piece in pieces if piece.encode() not in program], [], message)
+
     def test_every_row_says_what_to_do(self):
         for message, _, advice in rows():
             self.assertGreater(len(advice), 30, message)
