@@ -1,24 +1,18 @@
 """The targets install and package: copy the addon into a project, or pack it into a zip."""
 
-import configparser
+import hashlib
 import os
 import shutil
 import zipfile
 
+import addon_files
 import requirements
 from SCons.Script import Action
 
-FOLDER = "godot_project/addons/ga_godot"
-
-
-def files():
-    """Every file of the addon, relative to its folder; without the files that the editor writes beside them."""
-    found = []
-    for folder, _, names in os.walk(FOLDER):
-        for name in names:
-            if not name.endswith((".import", ".tmp", "~")):
-                found.append(os.path.relpath(os.path.join(folder, name), FOLDER))
-    return sorted(found)
+FOLDER = addon_files.FOLDER
+EXECUTABLE = (".so", ".dylib", ".dll")
+# Of every file in the archive, so that equal files give an equal archive.
+ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 
 
 def install_destination(project):
@@ -38,10 +32,12 @@ def install(env, built, destination):
 
     def copy(target, source, env):
         shutil.rmtree(destination, ignore_errors=True)
-        for name in files():
+        for name, data in addon_files.contents().items():
             path = os.path.join(destination, name)
             os.makedirs(os.path.dirname(path), exist_ok=True)
-            shutil.copy2(os.path.join(FOLDER, name), path)
+            with open(path, "wb") as file:
+                file.write(data)
+            os.chmod(path, mode_of(name))
         print("scons: installed into {}".format(destination))
 
     node = env.Command("install_into_project", built, Action(copy, None))
@@ -50,17 +46,25 @@ def install(env, built, destination):
 
 
 def package(env, built):
-    """Node of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it."""
-    config = configparser.ConfigParser()
-    config.read("plugin.cfg")
-    version = config["plugin"]["version"].strip('"')
+    """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum for sha256sum -c."""
 
     def pack(target, source, env):
-        with zipfile.ZipFile(str(target[0]), "w", zipfile.ZIP_DEFLATED) as archive:
-            for name in files():
-                archive.write(os.path.join(FOLDER, name), "addons/ga_godot/" + name)
-            archive.write("LICENSE", "addons/ga_godot/LICENSE")
+        path = str(target[0])
+        with zipfile.ZipFile(path, "w") as archive:
+            for name, data in addon_files.contents().items():
+                entry = zipfile.ZipInfo("addons/ga_godot/" + name, ARCHIVE_TIME)
+                entry.compress_type = zipfile.ZIP_DEFLATED
+                entry.external_attr = (0o100000 | mode_of(name)) << 16
+                archive.writestr(entry, data, compresslevel=9)
+        with open(str(target[1]), "w", encoding="utf-8") as file:
+            file.write("{}  {}\n".format(hashlib.sha256(addon_files.read(path)).hexdigest(), os.path.basename(path)))
 
-    node = env.Command("dist/ga_godot-{}.zip".format(version), built, Action(pack, "Packing $TARGET"))
-    env.AlwaysBuild(node)
-    return node
+    path = "dist/ga_godot-{}.zip".format(addon_files.version())
+    nodes = env.Command([path, path + ".sha256"], built, Action(pack, "Packing $TARGET"))
+    env.AlwaysBuild(nodes)
+    return nodes
+
+
+def mode_of(name):
+    """Permissions of an installed file."""
+    return 0o755 if name.endswith(EXECUTABLE) else 0o644

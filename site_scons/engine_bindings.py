@@ -1,4 +1,4 @@
-"""Provides the engine's classes to C++: bindings/ and the engine's API dump, or a built godot-cpp."""
+"""Provides the engine's classes to C++: godot-cpp where there is one, else bindings/ and the engine's API dump."""
 
 import glob
 import hashlib
@@ -7,23 +7,66 @@ import shutil
 import subprocess
 import sys
 
+import addon_files
 import engine_dump
 import requirements
 
 PROFILE = "bindings/build_profile.json"
 GENERATOR = "bindings/generate.py"
 DESCRIPTION = "bindings/engine_api.py"
+# A file that every godot-cpp has.
+HEADER = "include/godot_cpp/godot.hpp"
 
 
-def use_godot_cpp(env):
-    """Configures env for the godot-cpp in godot_cpp=DIR and returns its archive."""
-    root = os.path.abspath(os.path.expanduser(env["godot_cpp"]))
-    if not os.path.isfile(os.path.join(root, "include/godot_cpp/godot.hpp")):
-        requirements.fail("godot_cpp={} is not a godot-cpp folder: it contains no include/godot_cpp/godot.hpp".format(env["godot_cpp"]))
+def find_godot_cpp(option, environment, checkout="."):
+    """The folder of the godot-cpp to use and what selected it, or None and why bindings/ is used.
+
+    The first of: godot_cpp=DIR (`option`), the variable GODOT_CPP of `environment`, and a folder godot-cpp inside or beside the
+    checkout. godot_cpp=no selects bindings/.
+    """
+    if option in ("no", "none"):
+        return None, "godot_cpp=" + option
+    if option:
+        return godot_cpp_folder(option, "godot_cpp=" + option), "godot_cpp=" + option
+    if environment.get("GODOT_CPP"):
+        source = "GODOT_CPP=" + environment["GODOT_CPP"]
+        return godot_cpp_folder(environment["GODOT_CPP"], source), source
+    for place in ("godot-cpp", os.path.join("..", "godot-cpp")):
+        root = os.path.join(os.path.abspath(checkout), place)
+        if is_godot_cpp(root):
+            return os.path.normpath(root), "the folder " + place
+        # git makes an empty folder of a submodule that is not checked out.
+        if os.path.isdir(root) and not os.listdir(root):
+            return None, "the folder {} is empty: run git submodule update --init".format(place)
+    return None, "no godot-cpp found; see CONTRIBUTING.md"
+
+
+def godot_cpp_folder(path, source):
+    """The absolute path of a named godot-cpp; fails if it is none."""
+    root = os.path.abspath(os.path.expanduser(path))
+    if not is_godot_cpp(root):
+        requirements.fail("{} is not a godot-cpp folder: it contains no {}".format(source, HEADER))
+    return root
+
+
+def is_godot_cpp(root):
+    """True for a checkout of godot-cpp, built or not, and for an installed one."""
+    return os.path.isfile(os.path.join(root, HEADER))
+
+
+def describe(root, source):
+    """The line that says which bindings a build uses."""
+    return "Bindings: {} ({})".format("godot-cpp in " + root if root else "bindings/", source)
+
+
+def use_godot_cpp(env, root, builds):
+    """Configures env for the godot-cpp in the folder `root`, and returns its archive, which is built if it does not exist."""
     name = "libgodot-cpp.{}.{}.{}.a".format(env["platform"], env["target"], env["arch"])
     found = [path for path in (os.path.join(root, place, name) for place in ("bin", "lib", "lib64")) if os.path.isfile(path)]
     if not found:
-        requirements.fail("godot_cpp={} contains no {}: build it there with scons target={}".format(root, name, env["target"]))
+        found = [os.path.join(root, "bin", name)]
+        if builds:
+            build_godot_cpp(env, root, found[0])
     for place in ("include", "gen/include"):
         path = os.path.join(root, place)
         if os.path.isdir(path):
@@ -37,6 +80,19 @@ def use_godot_cpp(env):
     archive = env.File(found[0])
     env.Append(LIBS=[archive])
     return archive
+
+
+def build_godot_cpp(env, root, archive):
+    """Builds the classes of the build profile in a checkout of godot-cpp."""
+    if not os.path.isfile(os.path.join(root, "SConstruct")):
+        requirements.fail("{} contains no {} and no SConstruct to build it with".format(root, os.path.basename(archive)))
+    print("Building godot-cpp in {}".format(root), flush=True)
+    options = ["{}={}".format(name, env[name]) for name in ("platform", "target", "arch")]
+    # Versions of godot-cpp before 10 have one API, and ignore api_version.
+    options += ["build_profile=" + os.path.abspath(PROFILE), "api_version=" + addon_files.oldest_engine()]
+    command = [sys.executable, "-m", "SCons", "-Q", "-C", root, "-j", str(os.cpu_count() or 1)]
+    if subprocess.call(command + options) != 0 or not os.path.isfile(archive):
+        requirements.fail("building godot-cpp in {} failed, see above".format(root))
 
 
 def generate(env, output):

@@ -39,6 +39,10 @@ func test_the_readme() -> void:
 	_expect_no_faults(_samples("README.md"), 1)
 
 
+func test_the_readme_of_the_addon() -> void:
+	_expect_no_faults(_samples("godot_project/addons/ga_godot/README.md"), 1)
+
+
 func _expect_no_faults(samples: PackedStringArray, count: int) -> void:
 	expect_equal(samples.size(), count, "number of samples")
 	for sample in samples:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds and runs examples/core with the CMake package, installed and by add_subdirectory, and checks the objects.
+"""Checks the archive for users, and examples/core with the CMake package, installed and by add_subdirectory.
 
 Prints "[package] N passed, N failed" as the last line; the exit code is 0 only if every check passed.
 """
@@ -24,6 +24,7 @@ IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")
 IGNORED_SYMBOLS = ("DW.ref.__gxx_personality_v0", "__clang_call_terminate")
 sys.path.insert(0, os.path.join(ROOT, "site_scons"))
 
+import archive  # noqa: E402
 import instruction_sets  # noqa: E402
 
 
@@ -104,16 +105,18 @@ CHECKS = (
     ("unoptimized objects for AVX2 share no code", lambda: no_shared_code("core")),
     ("optimized objects for AVX2 share no code", lambda: no_shared_code("example_of_sources")),
     ("CMake and SCons use the same options for each instruction set", same_options),
+    *archive.CHECKS,
 )
 
 
 def main():
     """Runs all checks, even after failures."""
+    os.chdir(ROOT)  # as SCons, whose modules have paths relative to it
     failed = 0
     for name, check in CHECKS:
         try:
             check()
-        except (RuntimeError, OSError) as error:
+        except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
             failed += 1
             print(f"FAIL {name}: {error}")
     print(f"[package] {len(CHECKS) - failed} passed, {failed} failed")

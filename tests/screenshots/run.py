@@ -37,7 +37,7 @@ REFERENCES = os.path.join(HERE, "reference")
 DOCS_IMAGES = os.path.join(ROOT, "docs", "images")
 OUTPUT = os.path.join(ROOT, "build", "screenshots")
 REFERENCE_SIZE = "1152x648"
-DOCS_SIZE = "1920x1080"
+DOCS_SIZE = "1280x720"
 # The pictures for the documentation.
 DOCS_PICTURES = ("interpolation.png", "interpolation_lab_frames.png")
 # A picture of each document of the gallery, and one of all of them.
@@ -133,6 +133,7 @@ def write_documentation(engine):
         os.makedirs(DOCS_IMAGES, exist_ok=True)
         for name in DOCS_PICTURES:
             shutil.copyfile(os.path.join(folder, name), os.path.join(DOCS_IMAGES, name))
+            indexed_png.shrink(os.path.join(DOCS_IMAGES, name))
             print(f"wrote {os.path.relpath(os.path.join(DOCS_IMAGES, name), ROOT)}")
     return code
 

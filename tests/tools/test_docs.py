@@ -1,16 +1,11 @@
 """Links in the documentation lead to files and headings that exist, and every page is linked."""
 
 import os
-import re
 import unittest
 
 import checkout
+from markdown_links import anchors, dead_links, linked_paths, targets
 
-LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\]\([^)]*\))*\]\(([^)\s]+)\)")
-FENCE = re.compile(r"^```.*?^```", re.M | re.S)
-CODE = re.compile(r"`[^`\n]*`")
-HEADING = re.compile(r"^#{1,6} (.*?)\s*$", re.M)
-EXTERNAL = re.compile(r"^[a-z]+:")
 BUILT = ("build", "dist")
 
 
@@ -28,37 +23,8 @@ def read(page):
         return file.read()
 
 
-def anchors(text):
-    """Fragments by which the headings of a page are reached, as GitHub derives them."""
-    found = set()
-    for title in HEADING.findall(FENCE.sub("", text)):
-        slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
-        count = sum(1 for anchor in found if re.fullmatch(re.escape(slug) + r"(-\d+)?", anchor))
-        found.add(f"{slug}-{count}" if count else slug)
-    return found
-
-
-def targets(text):
-    """Targets of all links and images of a page, those within links included."""
-    text = CODE.sub("", FENCE.sub("", text))
-    outer = LINK.findall(text)
-    inner = re.findall(r"!\[[^\]]*\]\(([^)\s]+)\)", text)
-    return set(outer + inner)
-
-
-def dead_links(page):
-    """Links of a page to files or headings that do not exist."""
-    dead = []
-    for target in targets(read(page)):
-        if EXTERNAL.match(target):
-            continue
-        path, _, fragment = target.partition("#")
-        linked = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
-        if linked.startswith("..") or not os.path.exists(os.path.join(checkout.ROOT, linked)):
-            dead.append(f"{page}: {target}: there is no {linked}")
-        elif fragment and fragment not in anchors(read(linked)):
-            dead.append(f"{page}: {target}: there is no such heading in {linked}")
-    return dead
+def exists(path):
+    return os.path.exists(os.path.join(checkout.ROOT, path))
 
 
 class DocsTest(unittest.TestCase):
@@ -68,16 +34,22 @@ class DocsTest(unittest.TestCase):
         self.assertIn(os.path.join("docs", "architecture.md"), listed)
         links = sum(len(targets(read(page))) for page in listed)
         self.assertGreater(links, 60)
-        self.assertEqual([link for page in listed for link in dead_links(page)], [])
+        self.assertEqual([link for page in listed for link in dead_links(page, read, exists)], [])
 
     def test_every_page_is_linked(self):
         listed = pages()
         linked = {"README.md", os.path.join(".github", "pull_request_template.md"),
                   os.path.join("godot_project", "addons", "ga_godot", "README.md")}
         for page in listed:
-            for target in targets(read(page)):
-                linked.add(os.path.normpath(os.path.join(os.path.dirname(page), target.partition("#")[0])))
+            linked |= linked_paths(page, read(page))
         self.assertEqual([page for page in listed if page not in linked], [])
+
+    def test_the_readme_is_one_screen(self):
+        text = read("README.md")
+        self.assertLessEqual(len(text.splitlines()), 60)
+        self.assertEqual(text.count("!["), 2)
+        for heading in ("## Installation", "## Quick start", "## Contributing", "## License"):
+            self.assertIn(heading + "\n", text)
 
     def test_links_and_anchors_are_found(self):
         text = "[![a](b.png)](c.md) and [d `e`](f.md#g) `[no](h.md)`\n```\n[no](i.md)\n```\n"

@@ -1,4 +1,4 @@
-"""The first headless import of a new project with the addon, by the lines of the READMEs."""
+"""The first headless import of a new project with the addon, by the lines of the addon's README and of the troubleshooting page."""
 
 import os
 import re
@@ -10,7 +10,8 @@ import unittest
 import checkout
 import engine_log
 
-PAGES = (os.path.join(checkout.ROOT, "README.md"), os.path.join(checkout.PROJECT, "addons", "ga_godot", "README.md"))
+PAGES = (os.path.join(checkout.ROOT, "docs", "troubleshooting.md"),
+         os.path.join(checkout.PROJECT, "addons", "ga_godot", "README.md"))
 LINES = re.compile(r"^```sh\n(mkdir -p \.godot .*?)^```$", re.M | re.S)
 IMPORT_SECONDS = 120
 SCRIPT = "extends Node\n\n\nfunc value() -> Multivector:\n\treturn Multivector.point(Vector3.ONE)\n"

@@ -67,7 +67,7 @@ SUITES = (
     Suite("tools", ("build", "display", "engine"), (LIBRARY,), lambda: runner("tools", seconds=300, engine=False)),
     Suite("cpp", ("build", "unit"), ("tests", "fuzz"), cpp_programs),
     Suite("determinism", ("build",), (), lambda: runner("determinism", seconds=900, engine=False)),
-    Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
+    Suite("package", ("build", "package", "engine"), (LIBRARY,), lambda: runner("package", seconds=600, engine=False)),
     Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,), lambda: runner("bindings", seconds=300)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),

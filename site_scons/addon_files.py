@@ -1,0 +1,96 @@
+"""The files that users get: those of the addon, and the license, changelog and pages that it contains for reading offline."""
+
+import configparser
+import os
+import posixpath
+import re
+
+FOLDER = "godot_project/addons/ga_godot"
+PLUGIN = "plugin.cfg"
+# Files of the repository's root that are in the addon too.
+ROOT_FILES = ("LICENSE", "CHANGELOG.md", "SECURITY.md")
+PAGES = "docs"
+# Pages for those who have the sources.
+SOURCE_PAGES = ("docs/asset_library.md", "docs/demos.md")
+# Written by the editor beside the files that it imports or saves.
+EDITOR_FILES = (".import", ".tmp", "~")
+# A link or picture in Markdown. The text of a link can contain a picture.
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\))*)\]\(([^)\s]+)\)")
+EXTERNAL = re.compile(r"^[a-z]+:")
+# The editor shows the originals of these pictures: the examples of the playground.
+LEFT_OUT = re.compile(r"^docs/images/gallery/(?!all\.png)")
+
+
+def version():
+    """The version in plugin.cfg."""
+    config = configparser.ConfigParser()
+    config.read(PLUGIN, encoding="utf-8")
+    return config["plugin"]["version"].strip('"')
+
+
+def oldest_engine():
+    """The oldest version of Godot that loads the addon, such as "4.6"."""
+    config = configparser.ConfigParser()
+    config.read(FOLDER + "/ga_godot.gdextension", encoding="utf-8")
+    return config["configuration"]["compatibility_minimum"].strip('"')
+
+
+def contents():
+    """The bytes of every file of the installed addon, by its path relative to addons/ga_godot; sorted."""
+    moved = {FOLDER + "/" + path: path for path in paths_below(FOLDER)}
+    moved.update({path: path for path in ROOT_FILES})
+    pages = [PAGES + "/" + path for path in paths_below(PAGES) if path.endswith(".md")]
+    moved.update({path: path for path in pages if path not in SOURCE_PAGES})
+    # The editor imports nothing from docs/.
+    found = {"docs/.gdignore": b""}
+    for source, path in sorted(moved.items()):
+        found[path] = read(source)
+        if path.endswith(".md"):
+            text, pictures = offline_page(found[path].decode("utf-8"), source, moved)
+            found[path] = text.encode("utf-8")
+            found.update({picture: read(picture) for picture in pictures})
+    return dict(sorted(found.items()))
+
+
+def paths_below(top):
+    """Paths of the files in a folder, relative to it, without those of the editor."""
+    found = []
+    for folder, _, names in os.walk(top):
+        below = os.path.relpath(folder, top).replace(os.sep, "/")
+        found += [posixpath.normpath(below + "/" + name) for name in names if not name.endswith(EDITOR_FILES)]
+    return found
+
+
+def offline_page(text, source, moved):
+    """A page as it is in the addon, and the pictures that it shows.
+
+    `source` is its path in the repository; `moved` maps paths in the repository to those in the addon. A link to what the addon
+    does not contain becomes its text.
+    """
+    pictures = set()
+
+    def replace(match):
+        mark, label, target = match.groups()
+        if not mark:
+            label = LINK.sub(replace, label)
+        path, separator, fragment = target.partition("#")
+        if EXTERNAL.match(target) or not path:
+            return "{}[{}]({})".format(mark, label, target)
+        linked = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
+        if linked.startswith("docs/images/") and not LEFT_OUT.match(linked):
+            pictures.add(linked)
+            place = linked
+        elif linked in moved:
+            place = moved[linked]
+        else:
+            return "" if mark else label
+        start = posixpath.dirname(moved[source]) or "."
+        return "{}[{}]({})".format(mark, label, posixpath.relpath(place, start) + separator + fragment)
+
+    return LINK.sub(replace, text), pictures
+
+
+def read(path):
+    """The bytes of a file."""
+    with open(path, "rb") as file:
+        return file.read()
