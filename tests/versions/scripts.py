@@ -13,6 +13,7 @@ TYPED = re.compile(r"\b(\w+)\s*:\s*([A-Z]\w*)\b|\b(\w+)\s*:?=\s*([A-Z]\w*)\.new\
 RECEIVED = re.compile(r"(?<![\w.)\]])(\w+)\.(\w+)")
 BARE = re.compile(r"(?<![\w.@$%])([A-Za-z]\w*)")
 EXTENDS = re.compile(r"^extends\s+(\w+)", re.M)
+OVERRIDE = re.compile(r"^func (_\w+)", re.M)
 CALL = re.compile(r"\.(\w+)\(")
 # Calls and other uses by name. They need one of the guards in the same file.
 BY_NAME = re.compile(r'\b(?:call|call_deferred|set|get|connect|instantiate|class_call_static)\(\s*&?"(\w+)"')
@@ -34,8 +35,9 @@ class Checker:
         self._later = set().union(*(version.names() for version in newer)) - self._old_names
         self._old_counts = old.argument_counts()
 
-    def check_script(self, text):
-        """(line, what) of each use that the old version lacks."""
+    def check_script(self, text, base=None):
+        """(line, what) of each use that the old version lacks. `base` is the engine class that the script extends, if it
+        extends another script."""
         found = {(line_of(text, match), match[1]) for match in BY_NAME.finditer(text)
                  if match[1] in self._later and not GUARD.search(text)}
         code = without_comments(text)
@@ -43,7 +45,8 @@ class Checker:
         found |= {(line_of(code, match), "...") for match in REST_PARAMETER.finditer(code)}
         declared = {name for match in DECLARED.finditer(code) for name in re.findall(r"\w+", " ".join(filter(None, match.groups())))}
         found |= self._new_names(code, declared)
-        found |= self._new_members(code, declared)
+        found |= self._new_members(code, declared, base or base_of(code))
+        found |= self._new_ancestors(code)
         found |= self._more_arguments(code)
         return sorted(found)
 
@@ -52,7 +55,7 @@ class Checker:
         return {(line_of(code, match), match[0]) for match in re.finditer(r"\b[A-Za-z_]\w*", code)
                 if match[0] in self._later and match[0] not in known}
 
-    def _new_members(self, code, declared):
+    def _new_members(self, code, declared, base):
         types = {}
         for match in TYPED.finditer(code):
             types.setdefault(match[1] or match[3], set()).add(match[2] or match[4])
@@ -61,10 +64,23 @@ class Checker:
             for owner in types.get(match[1], {match[1]}):
                 if self._is_later(owner, match[2]):
                     found.add((line_of(code, match), f"{owner}.{match[2]}"))
-        base = EXTENDS.search(code)
-        for match in BARE.finditer(code) if base else []:
-            if match[1] not in declared | self._own and self._is_later(base[1], match[1]):
-                found.add((line_of(code, match), f"{base[1]}.{match[1]}"))
+        for match in BARE.finditer(code):
+            if match[1] not in declared | self._own and self._is_later(base, match[1]):
+                found.add((line_of(code, match), f"{base}.{match[1]}"))
+        for match in OVERRIDE.finditer(code):
+            if self._is_later(base, match[1]):
+                found.add((line_of(code, match), f"{base}.{match[1]}"))
+        return found
+
+    def _new_ancestors(self, code):
+        """Classes that a newer version derives from another class of the script, to which it may be assigned."""
+        words = set(re.findall(r"\w+", code))
+        found = set()
+        for match in re.finditer(r"\b[A-Z]\w*", code):
+            old = {entry["name"] for entry in self._old.lineage(match[0])}
+            for version in self._newer if old else []:
+                later = {entry["name"] for entry in version.lineage(match[0])} - old
+                found |= {(line_of(code, match), f"{match[0]} as {name}") for name in later & words}
         return found
 
     def _is_later(self, owner, member):
@@ -89,6 +105,12 @@ class Checker:
             elif owner and SCENE_PROPERTY.match(line) and self._is_later(owner, SCENE_PROPERTY.match(line)[1]):
                 found.append((number, f"{owner}.{SCENE_PROPERTY.match(line)[1]}"))
         return found
+
+
+def base_of(text):
+    """The engine class that a script names after `extends`; empty if it extends another script."""
+    base = EXTENDS.search(text)
+    return base[1] if base else ""
 
 
 def declarations(text):
