@@ -53,21 +53,19 @@ func test_both_kinds_of_svg_texture_have_the_same_size() -> void:
 		expect_equal(SvgTexture.make_image(SVG, scale).get_size(), size, "of an image")
 
 
-func test_saving_keeps_the_uid() -> void:
-	var path := "user://keeps_uid.tres"
+func test_the_uid_of_a_file_is_replaced() -> void:
+	var path := "user://uid.tres"
 	var scene := GAScene.new()
-	scene.set_expression("a", "point(1, 2, 3)")
-	var id := ResourceUID.create_id()
-	var uid := ResourceUID.id_to_text(id)
-	var header := '[gd_resource type="GAScene" format=3 uid="%s"]' % uid
-	var file := FileAccess.open(path, FileAccess.WRITE)
-	file.store_string(header + "\n\n[resource]\n")
-	file.close()
-	expect_equal(ResourceLoader.get_resource_uid(path), id, "before")
+	scene.add_entry("a", "point(1, 2, 3)")
+	expect_equal(SafeFile.save_resource(path, scene), OK, "saving")
+	var without_uid := FileAccess.get_file_as_string(path)
 	for count in 2:
-		expect_equal(SafeFile.save_resource(path, scene), OK, "saving")
-		expect_equal(ResourceLoader.get_resource_uid(path), id, "after saving")
-		expect_equal(FileAccess.get_file_as_string(path).count("uid="), 1, "number of UIDs")
+		var uid := ResourceUID.create_id()
+		expect_equal(SafeFile.set_uid(path, uid), OK, "setting the UID")
+		var attribute := ' uid="%s"' % ResourceUID.id_to_text(uid)
+		var text := FileAccess.get_file_as_string(path)
+		expect_true(text.get_slice("\n", 0).ends_with(attribute + "]"), "the UID in " + text)
+		expect_equal(text.replace(attribute, ""), without_uid, "the rest of the file")
 	var loaded: GAScene = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
 	expect_equal(loaded.get_expression("a"), "point(1, 2, 3)")
 	DirAccess.remove_absolute(path)
