@@ -16,13 +16,13 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(HERE)), "tools",
 
 import checkout  # noqa: E402
 import native_calls  # noqa: E402
+import older_engine  # noqa: E402
 import scripts  # noqa: E402
 from descriptions import Description, interface_functions, numbers, versions  # noqa: E402
 
 EXTENSION = os.path.join(checkout.PROJECT, "addons", "ga_godot", "ga_godot.gdextension")
 # The tests run in the engine that the project is developed with.
 SCRIPT_FOLDERS = ("addons", "demos", "menu", "theme")
-LAST_KNOWN = "4.7"
 
 
 def read(path):
@@ -197,6 +197,30 @@ class ScriptTest(unittest.TestCase):
     def test_scenes_are_read(self):
         scene = '[node name="A" type="HSplitContainer"]\nsplit_offset = 1\nsplit_offsets = [1]\n[node name="B" type="FoldableContainer"]\n'
         self.assertEqual(self.checker.check_scene(scene), [(3, "HSplitContainer.split_offsets"), (4, "FoldableContainer")])
+
+
+class OlderEngineTest(unittest.TestCase):
+    """Tests of the engine suite with a library that is refused what the older version lacks."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.calls = native_calls.LibraryCalls()
+        cls.folder = older_engine.make_project()
+
+    def passes(self, version, tests, asked):
+        """The tests pass, and the library asked for these in vain."""
+        lacks = [name for name, since in APIS.interface.items() if since > numbers(version)]
+        lacks += [".".join(method) for method in self.calls.missing_methods(APIS.versions[version])]
+        passed, failed, in_vain, output = older_engine.run(self.folder, lacks, tests)
+        self.assertTrue(passed > 0 and failed == 0, output)
+        self.assertNotIn("does not have", output)
+        self.assertLessEqual(set(asked), in_vain, output)
+
+    def test_threads_in_4_4(self):
+        self.passes("4.4", "threads", ["mem_alloc2", "mem_free2", "classdb_register_extension_class5", "WorkerThreadPool.get_caller_group_id"])
+
+    def test_monitors_in_4_5(self):
+        self.passes("4.5", "test_monitors", ["mem_alloc2", "mem_free2"])
 
 
 def print_table():

@@ -70,7 +70,7 @@ SUITES = (
     Suite("package", ("build", "package"), (), lambda: runner("package", seconds=600, engine=False)),
     Suite("algebra", ("build", "unit", "oracle", "engine"), (LIBRARY, "tests"), algebra_programs),
     Suite("bindings", ("build", "engine"), (LIBRARY,),
-          lambda: runner("bindings", seconds=300) + runner("versions", seconds=120, engine=False)),
+          lambda: runner("bindings", seconds=300) + runner("versions", seconds=300, engine=False)),
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
           lambda: runner("screenshots", seconds=360), display=True),
