@@ -38,7 +38,8 @@ class LibraryCalls:
             sys.exit(f"{build} has no objects: run scons")
         own = symbols(os.path.join(build, "src"))
         generated = symbols(os.path.join(build, "generated"))
-        self.interface = set(re.findall(r"\bgdextension_interface::(\w+)", "\n".join(own | generated))) - {"load", "library", "token"}
+        self.interface = set(re.findall(r"\bgdextension_interface::(\w+)", "\n".join(own | generated)))
+        self.interface -= {"load", "library", "token"}
         named = set(re.findall(r"\bgodot::(\w+)::(\w+)", "\n".join(own)))
         description = newest_dump()
         self.built_from = Description(description)
@@ -112,12 +113,19 @@ def arguments(constructor):
 def symbols(folder):
     """The demangled symbols that objects in the folder use or instantiate."""
     paths = glob.glob(os.path.join(folder, "**", "*.os"), recursive=True)
-    paths = [path for path in paths if os.path.basename(path) != "interface.os"]
+    paths = [path for path in paths if os.path.basename(path) != "interface.os" and has_source(path, folder)]
     if not paths:
         return set()
     done = subprocess.run(["nm", "-C", *paths], stdout=subprocess.PIPE, text=True, check=True)
     lines = re.findall(r"^[0-9a-f ]* ([UVWwvu]) (.*)$", done.stdout, re.M)
     return {name for _, name in lines}
+
+
+def has_source(path, folder):
+    """Whether the source of an object exists; a build folder may contain objects of sources that were removed."""
+    source = os.path.splitext(os.path.relpath(path, folder))[0] + ".cpp"
+    places = ("src", "bindings/src", "build/bindings/generated")
+    return any(os.path.exists(os.path.join(checkout.ROOT, place, source)) for place in places)
 
 
 def code():

@@ -40,7 +40,8 @@ class Apis:
     """The downloaded descriptions."""
 
     def __init__(self):
-        done = subprocess.run([os.path.join(checkout.TOOLS, "setup"), "--print", "apis"], stdout=subprocess.PIPE, text=True, check=False)
+        command = [os.path.join(checkout.TOOLS, "setup"), "--print", "apis"]
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
         if done.returncode != 0:
             sys.exit("[versions] 0 passed, 1 failed")
         folder = done.stdout.strip()
@@ -163,7 +164,8 @@ class ScriptTest(unittest.TestCase):
                 self.assertEqual(self.checker.check_scene(read(path)), [])
 
     def test_samples_of_the_guides(self):
-        for path in glob.glob(os.path.join(checkout.ROOT, "docs", "**", "*.md"), recursive=True) + [os.path.join(checkout.ROOT, "README.md")]:
+        pages = glob.glob(os.path.join(checkout.ROOT, "docs", "**", "*.md"), recursive=True)
+        for path in pages + [os.path.join(checkout.ROOT, "README.md")]:
             for sample in re.findall(r"```gdscript\n(.*?)```", read(path), re.S):
                 with self.subTest(path=os.path.relpath(path, checkout.ROOT)):
                     self.assertEqual(self.checker.check_script(sample), [])
@@ -175,9 +177,11 @@ class ScriptTest(unittest.TestCase):
         self.finds('func f() -> void:\n\tif ClassDB.class_exists(&"EditorDock"):\n\t\tClassDB.instantiate(&"EditorDock")\n')
 
     def test_later_members_are_found(self):
-        self.finds("extends EditorPlugin\nfunc f(x: Control) -> void:\n\tremove_dock(x)\n", "EditorPlugin.remove_dock", "remove_dock")
+        call = "extends EditorPlugin\nfunc f(x: Control) -> void:\n\tremove_dock(x)\n"
+        self.finds(call, "EditorPlugin.remove_dock", "remove_dock")
         self.finds("func f() -> void:\n\tOS.add_logger(null)\n", "OS.add_logger", "add_logger")
-        self.finds("func f(s: HSplitContainer) -> void:\n\ts.split_offsets = []\n", "HSplitContainer.split_offsets", "split_offsets")
+        call = "func f(s: HSplitContainer) -> void:\n\ts.split_offsets = []\n"
+        self.finds(call, "HSplitContainer.split_offsets", "split_offsets")
         # The name is in Godot 4.4, but not in this class.
         self.finds("var files: FileDialog\nfunc f() -> void:\n\tfiles.popup_file_dialog()\n", "FileDialog.popup_file_dialog")
         self.finds("func f() -> FileDialog:\n\treturn EditorFileDialog.new()\n", "EditorFileDialog as FileDialog")
@@ -195,7 +199,8 @@ class ScriptTest(unittest.TestCase):
         self.finds('# FoldableContainer\nvar a := "EditorDock # add_dock"\nvar folded := 1\nvar image := folded\n')
 
     def test_scenes_are_read(self):
-        scene = '[node name="A" type="HSplitContainer"]\nsplit_offset = 1\nsplit_offsets = [1]\n[node name="B" type="FoldableContainer"]\n'
+        scene = '[node name="A" type="HSplitContainer"]\nsplit_offset = 1\nsplit_offsets = [1]\n'
+        scene += '[node name="B" type="FoldableContainer"]\n'
         self.assertEqual(self.checker.check_scene(scene), [(3, "HSplitContainer.split_offsets"), (4, "FoldableContainer")])
 
 
@@ -217,7 +222,8 @@ class OlderEngineTest(unittest.TestCase):
         self.assertLessEqual(set(asked), in_vain, output)
 
     def test_threads_in_4_4(self):
-        self.passes("4.4", "threads", ["mem_alloc2", "mem_free2", "classdb_register_extension_class5", "WorkerThreadPool.get_caller_group_id"])
+        asked = ["mem_alloc2", "mem_free2", "classdb_register_extension_class5", "WorkerThreadPool.get_caller_group_id"]
+        self.passes("4.4", "threads", asked)
 
     def test_monitors_in_4_5(self):
         self.passes("4.5", "test_monitors", ["mem_alloc2", "mem_free2"])

@@ -43,7 +43,8 @@ class Checker:
         code = without_comments(text)
         found |= {(line_of(code, match), match[1]) for match in ANNOTATION.finditer(code) if match[1] in LATER_ANNOTATIONS}
         found |= {(line_of(code, match), "...") for match in REST_PARAMETER.finditer(code)}
-        declared = {name for match in DECLARED.finditer(code) for name in re.findall(r"\w+", " ".join(filter(None, match.groups())))}
+        groups = " ".join(text for match in DECLARED.finditer(code) for text in match.groups() if text)
+        declared = set(groups.replace(",", " ").split())
         found |= self._new_names(code, declared)
         found |= self._new_members(code, declared, base or base_of(code))
         found |= self._new_ancestors(code)
@@ -90,8 +91,12 @@ class Checker:
         return any(member in version.members(owner) for version in self._newer if version.lineage(owner))
 
     def _more_arguments(self, code):
-        return {(line_of(code, match), f"{match[1]} with {count_arguments(code, match.end())} arguments") for match in CALL.finditer(code)
-                if match[1] not in self._own and count_arguments(code, match.end()) > self._old_counts.get(match[1], float("inf"))}
+        found = set()
+        for match in CALL.finditer(code):
+            count = count_arguments(code, match.end())
+            if match[1] not in self._own and count > self._old_counts.get(match[1], float("inf")):
+                found.add((line_of(code, match), f"{match[1]} with {count} arguments"))
+        return found
 
     def check_scene(self, text):
         """(line, what) of each class and property of a scene or resource that the old version lacks."""
@@ -121,7 +126,7 @@ def declarations(text):
 def without_comments(text):
     """The script without comments and without what is in strings; lines keep their numbers."""
     both = re.compile(f"{STRING.pattern}|{COMMENT.pattern}")
-    return both.sub(lambda match: "\n" * match[0].count("\n") if match[0].startswith("#") else '""' + "\n" * match[0].count("\n"), text)
+    return both.sub(lambda match: ("" if match[0].startswith("#") else '""') + "\n" * match[0].count("\n"), text)
 
 
 def line_of(text, match):
