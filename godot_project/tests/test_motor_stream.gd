@@ -90,6 +90,50 @@ func test_statistics() -> void:
 	expect_equal(_sender.flush(_tick * TICK + TICK).size(), 0, "packets without receivers")
 
 
+func test_a_priority_divides_the_error_over_a_line_that_carries_less() -> void:
+	const COUNT := 100
+	const BYTES_PER_TICK := 50.0
+	for id in COUNT:
+		_sender.add_body(id, _fast_pose(id, 0.0))
+	expect_true(_sender.set_priority(0, 3), "the priority of body 0 is set")
+	_sender.add_receiver(7, 0.0)
+	var waiting: Array[Array] = []  # [tick of arrival, packet]
+	var free_at := 0.0  # tick at which the line is free
+	var ranked := 0.0
+	var others := 0.0
+	var relaxation := 1.0
+	for tick in 1200:
+		var now := tick * TICK
+		for id in COUNT:
+			_sender.observe(id, now, _fast_pose(id, now))
+		for packet in _sender.flush(now):
+			var bytes: PackedByteArray = packet["bytes"]
+			var arrival := maxf(tick, free_at) + bytes.size() / BYTES_PER_TICK
+			if arrival - tick < 30.0:
+				free_at = arrival
+				waiting.append([arrival, bytes])
+		while not waiting.is_empty() and waiting[0][0] <= tick:
+			_receiver.accept(waiting.pop_front()[1] as PackedByteArray, now)
+		_receiver.advance(now)
+		var ack := _receiver.take_ack(now)
+		if not ack.is_empty():
+			_sender.accept(7, ack, now)
+		var shown := _receiver.get_media_time()
+		if tick < 600 or shown > _receiver.get_known_time():
+			continue
+		var statistics := _sender.get_statistics(7)
+		relaxation = maxf(relaxation, statistics["relaxation"] as float)
+		for id in COUNT:
+			var error := _receiver.get_transform(id).origin.distance_to(
+				_fast_pose(id, shown).origin
+			)
+			ranked += error if id == 0 else 0.0
+			others += error / (COUNT - 1) if id > 0 else 0.0
+	expect_true(relaxation >= 4.0, "errors are up to %s times the tolerances" % relaxation)
+	expect_equal(nearest_po2(int(relaxation)), int(relaxation), "a power of two")
+	expect_true(others > 2.5 * ranked, "errors are %s times those of body 0" % (others / ranked))
+
+
 func test_teleport() -> void:
 	_start(1)
 	for i in 40:
@@ -136,6 +180,12 @@ func test_invalid_packets_and_arguments_are_rejected() -> void:
 	)
 	expect_error("MotorSender.teleport: body 5 does not exist.")
 	_sender.teleport(5)
+	expect_error("MotorSender.set_priority: body 5 does not exist.")
+	expect_true(not _sender.set_priority(5, 1), "a body that does not exist has no priority")
+	for priority: int in [-1, 9, 1 << 32]:
+		expect_error("MotorSender.set_priority: the priority is %d, but must be 0 to 8." % priority)
+		expect_true(not _sender.set_priority(0, priority), "priority %d is refused" % priority)
+	expect_true(_sender.set_priority(0, 8), "priority 8 is accepted")
 	expect_error("MotorSender.flush: the time is nan, but must be -1e12 to 1e12 seconds.")
 	_sender.flush(NAN)
 	expect_error("MotorSender.get_statistics: receiver 8 does not exist.")
@@ -195,3 +245,9 @@ func _pose(id: int, seconds: float) -> Transform3D:
 		Basis(Vector3(1, id, 0.5).normalized(), seconds),
 		Vector3(id * 3.0 + cos(seconds), 0.5, sin(seconds))
 	)
+
+
+func _fast_pose(id: int, seconds: float) -> Transform3D:
+	var angle := seconds * 4.0 + id
+	var place := Vector3(sin(angle) + 0.3 * sin(3.7 * angle), id, cos(1.3 * angle))
+	return Transform3D(Basis(Vector3(0.6, 0.0, 0.8), angle * 0.7), place)

@@ -17,6 +17,7 @@ func test_defaults() -> void:
 	expect_equal(node.target_group, &"", "target_group")
 	expect_equal(node.targets, [] as Array[NodePath], "targets")
 	expect_equal(node.channel, 0, "channel")
+	expect_equal(node.priority, 0, "priority")
 	expect_near(node.min_delay, 0.0, 1e-9, "min_delay")
 	expect_near(node.jitter_allowance, 0.2, 1e-9, "jitter_allowance")
 	expect_near(node.blend_time, 0.15, 1e-9, "blend_time")
@@ -47,6 +48,9 @@ func test_invalid_values_change_nothing() -> void:
 		node.set(&"mode", value)
 	expect_error("MotorSynchronizer: channel is 256, but must be 0 to 255.")
 	node.channel = 256
+	for value: int in [9, -1, WIDE]:
+		expect_error("MotorSynchronizer: priority is %d, but must be 0 to 8." % value)
+		node.priority = value
 	expect_error("MotorSynchronizer: min_delay is -0.5, but must be 0 to 10 seconds.")
 	node.min_delay = -0.5
 	expect_error("MotorSynchronizer: jitter_allowance is nan, but must be 0 to 10 seconds.")
@@ -76,6 +80,9 @@ func test_invalid_values_change_nothing() -> void:
 	expect_near(node.position_tolerance, 0.005, 1e-9)
 	expect_near(node.max_latency, 0.1, 1e-9)
 	expect_equal(node.channel, 0)
+	expect_equal(node.priority, 0)
+	node.priority = 8
+	expect_equal(node.priority, 8, "priority")
 	expect_near(node.blend_time, 0.15, 1e-9)
 	expect_near(node.position_tolerance_2d, 0.5, 1e-9)
 	expect_equal(node.max_packet_size, 1100)

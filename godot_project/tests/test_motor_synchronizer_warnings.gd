@@ -208,6 +208,12 @@ func test_synchronizers_with_different_settings_warn_once() -> void:
 		+ "one of them has it, apply to all of them. Give them the same settings."
 	)
 	await _settle()
+	var ranked := MotorSynchronizer.new()
+	ranked.name = "Ranked"
+	ranked.priority = 3
+	node.get_parent().add_child(ranked)
+	await _settle()
+	expect_true(not node.get_setup_warnings().has(warning), "different priorities are not a fault")
 	for i in 3:
 		var other := MotorSynchronizer.new()
 		other.name = "Other%d" % i

@@ -98,15 +98,18 @@ public:
 	}
 
 	[[nodiscard]] double sender_now() const { return now + sender_clock; }
-	/// The largest error of the bodies as the receiver shows them now, relative to the tolerance; 1e9 if one is not shown.
-	[[nodiscard]] double error(const RemoteEnd &end) const {
+	/// The error of a body as the receiver shows it now, relative to the tolerance; 1e9 if it is not shown.
+	[[nodiscard]] double error(const RemoteEnd &end, uint32_t id) const {
 		const net::StreamSettings &settings = end.receiver->settings();
 		const net::StreamGrid grid(float(settings.position_tolerance), float(settings.rotation_tolerance));
-		const double time = origin + end.receiver->media_time();
+		const std::optional<PoseD> shown = end.receiver->pose(id);
+		return shown ? error_share(*shown, bodies.at(id).path(origin + end.receiver->media_time()), grid) : 1e9;
+	}
+	/// The largest error of the bodies.
+	[[nodiscard]] double error(const RemoteEnd &end) const {
 		double worst = 0.0;
 		for (const auto &body : bodies) {
-			const std::optional<PoseD> shown = end.receiver->pose(body.first);
-			worst = std::max(worst, shown ? error_share(*shown, body.second.path(time), grid) : 1e9);
+			worst = std::max(worst, error(end, body.first));
 		}
 		return worst;
 	}

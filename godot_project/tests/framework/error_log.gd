@@ -24,7 +24,7 @@ func _log_error(
 	if error_type == Logger.ERROR_TYPE_WARNING:
 		message = WARNING + message
 	_mutex.lock()
-	var index := _expected.find(message)
+	var index := _find_expected(message)
 	if index >= 0:
 		_expected.remove_at(index)
 	else:
@@ -37,7 +37,8 @@ func _log_error(
 	_mutex.unlock()
 
 
-## Expects one error with exactly this message; for a warning, prefixed with [constant WARNING].
+## Expects one error with exactly this message, or, if it ends in "...", one that begins with it;
+## for a warning, prefixed with [constant WARNING].
 func expect(message: String) -> void:
 	_mutex.lock()
 	_expected.append(message)
@@ -54,6 +55,17 @@ func take_faults() -> PackedStringArray:
 	_unexpected.clear()
 	_mutex.unlock()
 	return faults
+
+
+func _find_expected(message: String) -> int:
+	for i in _expected.size():
+		var beginning := _expected[i].trim_suffix("...")
+		if (
+			message == _expected[i]
+			or (beginning != _expected[i] and message.begins_with(beginning))
+		):
+			return i
+	return -1
 
 
 func _script_line(backtraces: Array[ScriptBacktrace]) -> String:

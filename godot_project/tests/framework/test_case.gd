@@ -97,7 +97,7 @@ func expect_error(message: String, times := 1) -> void:
 		error_log.expect(message)
 
 
-## Expects the code that follows to log exactly this warning.
+## Expects the code that follows to log this warning; see [method ErrorLog.expect].
 func expect_warning(message: String) -> void:
 	_expectations += 1
 	error_log.expect(ErrorLog.WARNING + message)

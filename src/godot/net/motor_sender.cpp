@@ -57,6 +57,12 @@ bool MotorSender::teleport(int64_t id) {
 	return _sender.teleport(uint32_t(id));
 }
 
+bool MotorSender::set_priority(int64_t id, int64_t priority) {
+	ERR_FAIL_COND_V_MSG(!has_body(id), false, vformat("MotorSender.set_priority: body %d does not exist.", id));
+	ERR_FAIL_COND_V_MSG(!net::PRIORITY_RANGE.contains(double(priority)), false, vformat("MotorSender.set_priority: the priority is %d, but must be 0 to 8.", priority));
+	return _sender.set_priority(uint32_t(id), int(priority));
+}
+
 void MotorSender::add_receiver(int64_t receiver, double time) {
 	ERR_FAIL_COND_MSG(!is_receiver(receiver), vformat("MotorSender.add_receiver: the receiver is %d, but must be 0 to 4294967295.", receiver));
 	ERR_FAIL_COND_MSG(!net::is_valid_time(time), time_message("MotorSender.add_receiver", time));
@@ -121,6 +127,7 @@ void MotorSender::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), guarded<&MotorSender::get_body_count>());
 	ClassDB::bind_method(D_METHOD("observe", "id", "time", "transform"), guarded<&MotorSender::observe>());
 	ClassDB::bind_method(D_METHOD("teleport", "id"), guarded<&MotorSender::teleport>());
+	ClassDB::bind_method(D_METHOD("set_priority", "id", "priority"), guarded<&MotorSender::set_priority>());
 	ClassDB::bind_method(D_METHOD("add_receiver", "receiver", "time"), guarded<&MotorSender::add_receiver>());
 	ClassDB::bind_method(D_METHOD("remove_receiver", "receiver"), guarded<&MotorSender::remove_receiver>());
 	ClassDB::bind_method(D_METHOD("has_receiver", "receiver"), guarded<&MotorSender::has_receiver>());

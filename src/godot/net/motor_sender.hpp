@@ -29,6 +29,7 @@ public:
 	int64_t get_body_count() const { return int64_t(_sender.body_count()); }
 	bool observe(int64_t id, double time, const godot::Transform3D &transform);
 	bool teleport(int64_t id);
+	bool set_priority(int64_t id, int64_t priority);
 
 	void add_receiver(int64_t receiver, double time);
 	void remove_receiver(int64_t receiver);

@@ -51,6 +51,8 @@ public:
 	bool is_relay() const { return _relay; }
 	void set_channel(int64_t channel);
 	int64_t get_channel() const { return _channel; }
+	void set_priority(int64_t priority);
+	int64_t get_priority() const { return _priority; }
 	void set_hide_until_known(bool hides) { _hide_until_known = hides; }
 	bool is_hide_until_known() const { return _hide_until_known; }
 	void set_blend_time(double seconds);
@@ -101,6 +103,7 @@ private:
 
 	TargetSelection _selection;
 	int64_t _channel = 0;
+	int64_t _priority = 0;
 	bool _relay = false;
 	bool _hide_until_known = true;
 	double _blend_time = 0.15;

@@ -69,6 +69,14 @@ void MotorSynchronizer::set_channel(int64_t channel) {
 	_channel = channel;
 }
 
+void MotorSynchronizer::set_priority(int64_t priority) {
+	ERR_FAIL_COND_MSG(!net::PRIORITY_RANGE.contains(double(priority)), vformat("MotorSynchronizer: priority is %d, but must be 0 to 8.", priority));
+	_priority = priority;
+	if (_replicator != nullptr) {
+		_replicator->update_priorities(this);
+	}
+}
+
 void MotorSynchronizer::set_blend_time(double seconds) {
 	ERR_FAIL_COND_MSG(!net::DELAY_RANGE.contains(seconds), range_message("MotorSynchronizer", "blend_time", seconds, net::DELAY_RANGE, "seconds"));
 	_blend_time = seconds;
@@ -100,6 +108,7 @@ void MotorSynchronizer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_channel", "channel"), guarded<&MotorSynchronizer::set_channel>());
 	ClassDB::bind_method(D_METHOD("get_channel"), guarded<&MotorSynchronizer::get_channel>());
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "channel", godot::PROPERTY_HINT_RANGE, "0,255,1"), "set_channel", "get_channel");
+	bind_property("priority", guarded<&MotorSynchronizer::set_priority>(), guarded<&MotorSynchronizer::get_priority>(), PropertyInfo(Variant::INT, "priority", godot::PROPERTY_HINT_RANGE, "0,8,1"));
 
 	bind_property("hides", guarded<&MotorSynchronizer::set_hide_until_known>(), guarded<&MotorSynchronizer::is_hide_until_known>(), PropertyInfo(Variant::BOOL, "hide_until_known"));
 	bind_property("seconds", guarded<&MotorSynchronizer::set_blend_time>(), guarded<&MotorSynchronizer::get_blend_time>(), PropertyInfo(Variant::FLOAT, "blend_time", godot::PROPERTY_HINT_RANGE, "0,1,0.01,or_greater,suffix:s"));

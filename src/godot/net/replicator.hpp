@@ -40,6 +40,7 @@ public:
 	void remove(MotorSynchronizer *synchronizer);
 	/// Applies changed properties of a synchronizer.
 	void update_settings();
+	void update_priorities(const MotorSynchronizer *synchronizer);
 
 	/// The path of a node relative to the MultiplayerAPI's root: the same on all peers.
 	[[nodiscard]] godot::String relative_path(const godot::Node *node) const;

@@ -84,6 +84,7 @@ void Replicator::change_authority(Target &target, int32_t authority, double now)
 	target.is_ended = false;
 	_session.set_owner(target.body, authority);
 	if (authority == _session.self()) {
+		_session.set_priority(target.body, int(target.synchronizer->get_priority()));
 		target.release();
 		return;
 	}

@@ -229,6 +229,14 @@ void Replicator::node_renamed(const Node *renamed) {
 	}
 }
 
+void Replicator::update_priorities(const MotorSynchronizer *synchronizer) {
+	for (const Target &target : _targets) {
+		if (target.synchronizer == synchronizer) {
+			_session.set_priority(target.body, int(synchronizer->get_priority()));
+		}
+	}
+}
+
 void Replicator::free_target(Target &target) {
 	const Busy busy(*this);
 	target.is_freed = true;

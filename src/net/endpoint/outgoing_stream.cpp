@@ -1,5 +1,6 @@
 #include "net/endpoint/outgoing_stream.hpp"
 
+#include "net/coding/portable_math.hpp"
 #include "net/stream/snapshot_header.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ constexpr double SAME_TIME = 1e-5;
 constexpr double MAX_UNKNOWN_TIME = 1.0;
 
 /// The part of a line's rate that the stream uses, and the part that it uses at least, even if much waits to be sent.
-constexpr double USABLE_RATE = 0.9;
+constexpr double USABLE_RATE = 0.8;
 constexpr double MIN_RATE_SHARE = 0.4;
 /// Bytes per second of a line whose rate is not known yet, but which loses much of its first snapshot.
 constexpr double LOSING_RATE = 5e3;
@@ -148,9 +149,11 @@ double OutgoingStream::carried_rate(double now) const {
 
 /// Lets errors grow or shrink, after a window of `seconds`, so that the lines carry the stream.
 void OutgoingStream::adapt(double seconds, double now) {
-	const double carried = carried_rate(now);
-	const double excess = _ring.rate() > 0.0 && carried > 0.0 ? std::log2(_ring.rate() / carried) : 0.0;
-	_relaxation = std::clamp(_relaxation + std::clamp(excess * RELAX_PER_OCTAVE, -TIGHTEN, RELAX) * seconds, 0.0, double(BodyState::MAX_COARSENESS) + 0.9);
+	constexpr double MAX_RELAXATION = BodyState::MAX_COARSENESS + 0.9;
+	constexpr double MAX_RATIO = 1e6;
+	// All machines compute the same coarseness from the same acknowledgements.
+	const double excess = portable_log2(std::clamp(_ring.rate() / std::max(carried_rate(now), 1.0), 1.0 / MAX_RATIO, MAX_RATIO));
+	_relaxation = std::clamp(_relaxation + std::clamp(excess * RELAX_PER_OCTAVE, -TIGHTEN, RELAX) * seconds, 0.0, MAX_RELAXATION);
 	_encoder->set_coarseness(int(_relaxation));
 }
 

@@ -325,8 +325,8 @@ bool Receiver::needs_snapshot(double now) const {
 	}
 	// While later chunks arrive, the sender knows what is missing, and repeats it.
 	const bool is_alive = _chunks.size() > 0 && now - _chunk_time < SILENCE;
-	const double patience = !is_ready() && !_fragments.is_open() ? REQUEST_INTERVAL : (is_alive ? LONG_SILENCE : SILENCE);
-	return _broken || (_has_heard && now - _progress_time > patience);
+	const double max_silence = !is_ready() && !_fragments.is_open() ? REQUEST_INTERVAL : (is_alive ? LONG_SILENCE : SILENCE);
+	return _broken || (_has_heard && now - _progress_time > max_silence);
 }
 
 void Receiver::take_ack(std::vector<uint8_t> &packet, double now) {

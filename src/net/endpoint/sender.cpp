@@ -82,6 +82,18 @@ bool Sender::observe(uint32_t id, double time) {
 	return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.observe(id, ticks(_observed)); }) : _idle_bodies.count(id) != 0;
 }
 
+bool Sender::set_priority(uint32_t id, int priority) {
+	if (is_running()) {
+		return for_each_encoder([&](StreamEncoder &encoder) { return encoder.set_priority(id, priority); });
+	}
+	const auto found = _idle_bodies.find(id);
+	if (found == _idle_bodies.end()) {
+		return false;
+	}
+	found->second.priority = priority;
+	return true;
+}
+
 void Sender::add_receiver(uint32_t receiver, double time, double now) {
 	(void)follow(time);
 	_now = _network_clock.advance(now);
@@ -209,13 +221,14 @@ void Sender::start_encoder(int64_t last_flush) {
 	for (const uint32_t id : ids) {
 		const IdleBody &body = _idle_bodies[id];
 		(void)main().encoder().add_body(id, begin, body.pose, body.planar);
+		(void)main().encoder().set_priority(id, body.priority);
 	}
 	_idle_bodies.clear();
 }
 
 void Sender::stop_encoder() {
 	if (is_running()) {
-		main().encoder().visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar) { _idle_bodies.emplace(id, IdleBody{ pose, planar }); });
+		main().encoder().visit_bodies([this](uint32_t id, const cga::Pose<double> &pose, bool planar, int priority) { _idle_bodies.emplace(id, IdleBody{ pose, planar, priority }); });
 		main().stop();
 		if (_streams.size() > 1) {
 			main().peers().merge(_streams[1]->peers());

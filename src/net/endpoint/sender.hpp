@@ -59,6 +59,10 @@ public:
 	bool teleport(uint32_t id) {
 		return is_running() ? for_each_encoder([&](StreamEncoder &encoder) { return encoder.jump(id); }) : has_body(id);
 	}
+	/// If a line carries less than the motion needs, errors grow up to 2^BodyState::MAX_COARSENESS tolerances; that of a body is 2^priority
+	/// times smaller than one of priority 0, but not below the tolerance. Clamps the priority to PRIORITY_RANGE. Returns false if the body
+	/// does not exist.
+	bool set_priority(uint32_t id, int priority);
 
 	void add_receiver(uint32_t receiver, double time, double now);
 	void add_receiver(uint32_t receiver, double time) { add_receiver(receiver, time, time); }
@@ -94,6 +98,7 @@ private:
 	struct IdleBody {
 		cga::Pose<double> pose; // the last one
 		bool planar = false;
+		int priority = 0;
 	};
 
 	[[nodiscard]] OutgoingStream &main() { return *_streams.front(); }

@@ -18,23 +18,30 @@ class BodyOwners {
 public:
 	[[nodiscard]] std::optional<PeerId> find(uint32_t body) const {
 		const auto found = _owners.find(body);
-		return found != _owners.end() ? std::optional(found->second) : std::nullopt;
+		return found != _owners.end() ? std::optional(found->second.peer) : std::nullopt;
 	}
+	/// Its priority is then 0.
 	void set(uint32_t body, PeerId owner) {
 		remove(body);
-		_owners[body] = owner;
+		_owners[body].peer = owner;
 		++_counts[owner];
 	}
 	void remove(uint32_t body) {
 		const auto found = _owners.find(body);
 		if (found != _owners.end()) {
-			--_counts[found->second];
+			--_counts[found->second.peer];
 			_owners.erase(found);
 		}
 	}
 	void clear() {
 		_owners.clear();
 		_counts.clear();
+	}
+	/// See Sender::set_priority. The body must exist.
+	void set_priority(uint32_t body, int priority) { _owners.at(body).priority = priority; }
+	[[nodiscard]] int priority(uint32_t body) const {
+		const auto found = _owners.find(body);
+		return found != _owners.end() ? found->second.priority : 0;
 	}
 	/// Number of bodies of an owner.
 	[[nodiscard]] size_t count(PeerId owner) const {
@@ -56,7 +63,12 @@ public:
 	}
 
 private:
-	std::unordered_map<uint32_t, PeerId> _owners; // by body
+	struct Owner {
+		PeerId peer = 0;
+		int priority = 0;
+	};
+
+	std::unordered_map<uint32_t, Owner> _owners; // by body
 	std::unordered_map<PeerId, size_t> _counts; // by owner
 	std::vector<BodyEvent> _events;
 };

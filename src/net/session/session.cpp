@@ -166,8 +166,14 @@ void Session::begin_tick(double now, double length) {
 }
 
 bool Session::observe(uint32_t body, const cga::Pose<double> &pose, bool planar) {
-	if (!_sender || (!_sender->has_body(body) && !_sender->add_body(body, pose, planar, time()))) {
+	if (!_sender) {
 		return false;
+	}
+	if (!_sender->has_body(body)) {
+		if (!_sender->add_body(body, pose, planar, time())) {
+			return false;
+		}
+		_sender->set_priority(body, _owners.priority(body));
 	}
 	return _sender->observe(body, time(), pose) || (_sender->observe(body, time()), false);
 }
@@ -176,6 +182,17 @@ void Session::teleport(uint32_t body) {
 	if (_sender) {
 		_sender->teleport(body);
 	}
+}
+
+bool Session::set_priority(uint32_t body, int priority) {
+	if (_owners.find(body) != _self) {
+		return false;
+	}
+	_owners.set_priority(body, priority);
+	if (_sender) {
+		_sender->set_priority(body, priority);
+	}
+	return true;
 }
 
 void Session::end_tick() {

@@ -84,6 +84,8 @@ public:
 	bool observe(uint32_t body) { return _sender && _sender->observe(body, time()); }
 	/// Makes an owned body jump to its next pose without interpolation.
 	void teleport(uint32_t body);
+	/// See Sender::set_priority. It lasts until the body is removed or changes its owner. Returns false if this peer does not own the body.
+	bool set_priority(uint32_t body, int priority);
 	/// Ends the tick: queues the packets that are due, or closes the outgoing streams if they have not been needed for a while.
 	void end_tick();
 

@@ -24,6 +24,7 @@ inline constexpr SettingRange SEND_RATE_RANGE{ 0.01, 10000.0 }; ///< windows per
 inline constexpr SettingRange TICK_RANGE{ 1e-4, 1.0 }; ///< seconds
 inline constexpr SettingRange TICK_RATE_RANGE{ 1.0, 10000.0 }; ///< 1 / TICK_RANGE, in hertz
 inline constexpr SettingRange PACKET_SIZE_RANGE{ 256.0, 65000.0 }; ///< bytes
+inline constexpr SettingRange PRIORITY_RANGE{ 0.0, 8.0 }; ///< of a body, in octaves of its error, see StreamEncoder::set_priority
 inline constexpr SettingRange DELAY_RANGE{ 0.0, 10.0 }; ///< seconds; limits of a receiver's playback delay, and the blend time
 inline constexpr SettingRange MAX_BODIES_RANGE{ 1.0, 16777215.0 }; ///< a snapshot has 24 bits for their number
 /// Of MotorCodec. The minimum is 2 sqrt(6) / (2^24 - 2) radians: below it, float32 is too coarse.

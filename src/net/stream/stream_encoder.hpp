@@ -33,12 +33,12 @@ public:
 	bool observe(uint32_t id, double time);
 	/// Makes the body jump to its next pose without interpolation. Returns false if the body does not exist.
 	bool jump(uint32_t id);
-	/// Calls visit(id, last pose, planar) for each body.
+	/// Calls visit(id, last pose, planar, priority) for each body.
 	template <class Visit>
 	void visit_bodies(Visit &&visit) const {
 		for (const auto &entry : _index) {
 			const Body &body = _bodies[entry.second];
-			visit(entry.first, body.latest, body.state.planar);
+			visit(entry.first, body.latest, body.state.planar, int(body.priority));
 		}
 	}
 
@@ -46,8 +46,8 @@ public:
 	/// BodyState::MAX_COARSENESS.
 	void set_coarseness(int coarseness) { _motion.coarseness = coarseness; }
 	[[nodiscard]] int coarseness() const { return _motion.coarseness; }
-	/// In coarse windows, a body of a priority from 0 to BodyState::MAX_COARSENESS has an error 2^priority times smaller than one of
-	/// priority 0, but not below the tolerance. Returns false if the body does not exist.
+	/// In coarse windows, a body has an error 2^priority times smaller than one of priority 0, but not below the tolerance. Clamps the
+	/// priority to PRIORITY_RANGE. Returns false if the body does not exist.
 	bool set_priority(uint32_t id, int priority);
 
 	/// True if, since the last window, a body moved or was added, removed or jumped.
@@ -86,6 +86,12 @@ private:
 		[[nodiscard]] bool has_event_by(double time) const { return added || is_jumped_by(time) || is_removed_by(time); }
 	};
 
+	/// Times that differ from a whole tick by less, in ticks, are rounded to it.
+	static constexpr double SAME_TICK = 0.01;
+	/// Rounding error of times, in ticks.
+	static constexpr double SAME_TIME = 1e-6;
+
+	[[nodiscard]] static int tick_in_window(double time, double begin, int ticks);
 	/// Sets the latest pose. Returns false and changes nothing if it is not finite or out of range.
 	bool set_latest(Body &body, const cga::Pose<double> &pose) const;
 	bool observe(Body &body, double time);

@@ -17,7 +17,7 @@ constexpr double MAX_ERROR_P99 = 0.010; // meters
 constexpr double MAX_BURST = 4000.0; // bytes in one tick above the mean per tick
 constexpr double MAX_STALL = 0.1; // seconds
 constexpr double MAX_JOIN_RATIO = 1.6; // while what has accumulated during the join is sent: on long lines a join takes seconds
-constexpr double MAX_LINE_RATIO = 2.5; // of what a narrow line carries, as its limit is found by exceeding it
+constexpr double MAX_LINE_RATIO = 2.0; // of what a narrow line carries, as its limit is found by exceeding it
 constexpr double MAX_OTHERS_RATIO = 1.05; // of the bytes of receivers beside a bad one
 
 LoadCase find_case(const std::string &name) {
@@ -76,6 +76,22 @@ TEST_CASE("load: a line that carries less than the need is not flooded") {
 		CHECK(group.bytes_per_second > 0.0);
 		CHECK(group.bytes_per_second <= MAX_LINE_RATIO * rate);
 		CHECK(group.burst <= MAX_BURST);
+	}
+}
+
+TEST_CASE("load: over a narrow line errors grow, not the queue") {
+	struct Row {
+		std::string name;
+		double max_error_p99; // meters; the bodies move at 1.8 m/s
+		double max_stall; // seconds
+		double max_delay;
+	};
+	for (const Row &row : { Row{ "half_1k", 0.6, 0.15, 0.6 }, Row{ "half_long_queue_1k", 0.3, 0.2, 0.8 }, Row{ "half_policed_1k", 0.6, 0.25, 1.0 }, Row{ "rate100_10k", 1.0, 0.25, 0.7 } }) {
+		CAPTURE(row.name);
+		const GroupResult group = run_case(row.name).groups[0];
+		CHECK(group.error_p99 <= row.max_error_p99);
+		CHECK(group.longest_stall <= row.max_stall);
+		CHECK(group.delay_max <= row.max_delay);
 	}
 }
 
