@@ -102,11 +102,15 @@ func _open_dock() -> void:
 
 
 func _show_dock() -> void:
-	var tabs := _dock.get_parent() as TabContainer
 	if _dock.is_class(DOCK_CLASS):
 		_dock.call(&"make_visible")
-	elif tabs != null:
-		tabs.current_tab = tabs.get_tab_idx_from_control(_dock)
+		return
+	var tab: Control = _dock
+	while tab != null and not tab.get_parent() is TabContainer:
+		tab = tab.get_parent_control()
+	if tab != null:
+		var tabs: TabContainer = tab.get_parent()
+		tabs.current_tab = tabs.get_tab_idx_from_control(tab)
 
 
 func _report_missing_library() -> void:
