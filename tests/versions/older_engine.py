@@ -10,6 +10,8 @@ import checkout
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXTENSION = os.path.join("addons", "ga_godot", "ga_godot.gdextension")
+# What the addon's scripts look for by name.
+LATER = re.compile(r'&"(EditorDock|FoldableContainer|DPITexture|popup_file_dialog)"')
 DESCRIPTION = """[configuration]
 entry_symbol = "older_engine_init"
 compatibility_minimum = "4.4"
@@ -51,13 +53,53 @@ def make_project():
     return folder
 
 
+def hide_later_classes(folder):
+    """Makes the addon's scripts look for other classes than those that an older version lacks, and installs the probe."""
+    addon = os.path.join(folder, "addons", "ga_godot")
+    for name in ("editor", "playground"):
+        source = os.path.realpath(os.path.join(addon, name))
+        os.remove(os.path.join(addon, name))
+        shutil.copytree(source, os.path.join(addon, name))
+    for place, _, names in os.walk(addon):
+        for path in [os.path.join(place, name) for name in names if name.endswith(".gd")]:
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            hidden = LATER.sub(r'&"Later\1"', text)
+            if hidden != text:
+                replace(path, hidden)
+    shutil.copytree(os.path.join(HERE, "probe"), os.path.join(folder, "addons", "versions_probe"))
+    path = os.path.join(folder, "project.godot")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    replace(path, text.replace("enabled=PackedStringArray(", 'enabled=PackedStringArray("res://addons/versions_probe/plugin.cfg", '))
+
+
+def replace(path, text):
+    """Writes a file in place of a link."""
+    os.remove(path)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def run_editor(folder, lacks):
+    """Runs the editor until the probe ends it; returns the output."""
+    home = {name: folder for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    return start(folder, lacks, ["--editor"], home)
+
+
 def run(folder, lacks, test):
     """Runs the tests of one name; returns (passed, failed, what the library asked for in vain, the output)."""
-    library, = glob.glob(os.path.join(checkout.PROJECT, "addons", "ga_godot", "bin", "libga_godot.*.template_debug.*"))
-    env = {**os.environ, "OLDER_ENGINE_LACKS": " ".join(lacks), "OLDER_ENGINE_LIBRARY": library}
-    command = [checkout.ENGINE, "--headless", "--path", folder, "--", f"--test={test}" if test else "--test"]
-    done = subprocess.run(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                          timeout=600, check=False)
-    counts = re.search(r"^\[engine\] (\d+) passed, (\d+) failed", done.stdout, re.M)
+    output = start(folder, lacks, ["--", f"--test={test}" if test else "--test"])
+    counts = re.search(r"^\[engine\] (\d+) passed, (\d+) failed", output, re.M)
     passed, failed = map(int, counts.groups()) if counts else (0, 1)
-    return passed, failed, set(re.findall(r"^\[lacks\] (\S+)$", done.stdout, re.M)), done.stdout
+    return passed, failed, set(re.findall(r"^\[lacks\] (\S+)$", output, re.M)), output
+
+
+def start(folder, lacks, arguments, env=None):
+    """Runs the engine in the copy of the project; returns its output."""
+    library, = glob.glob(os.path.join(checkout.PROJECT, "addons", "ga_godot", "bin", "libga_godot.*.template_debug.*"))
+    env = {**os.environ, **(env or {}), "OLDER_ENGINE_LACKS": " ".join(lacks), "OLDER_ENGINE_LIBRARY": library}
+    command = [checkout.ENGINE, "--headless", "--path", folder, *arguments]
+    done = subprocess.run(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                          timeout=280, check=False)
+    return done.stdout

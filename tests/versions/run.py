@@ -229,6 +229,20 @@ class OlderEngineTest(unittest.TestCase):
         self.passes("4.5", "test_monitors", ["mem_alloc2", "mem_free2"])
 
 
+class OlderEditorTest(unittest.TestCase):
+    """The dock in an editor where the addon's scripts do not find the classes of later versions."""
+
+    def test_the_dock(self):
+        folder = older_engine.make_project()
+        older_engine.hide_later_classes(folder)
+        lacks = [name for name, since in APIS.interface.items() if since > numbers(minimum())]
+        output = older_engine.run_editor(folder, lacks)
+        self.assertNotRegex(output, "ERROR|WARNING: GA", output)
+        probed = re.findall(r"^\[probe\] (.*)$", output, re.M)
+        expected = ["dock visible", "Coefficients unfolded", "Interpolation unfolded", "dock removed"]
+        self.assertEqual(probed, [f"{what}: true" for what in expected], output)
+
+
 def print_table():
     """What the library calls that a version lacks, and what takes its place."""
     calls = native_calls.LibraryCalls()
