@@ -37,6 +37,7 @@ func _init(uses_engine_class := ClassDB.class_exists(ENGINE_CLASS)) -> void:
 	if uses_engine_class:
 		_engine_panel = ClassDB.instantiate(ENGINE_CLASS)
 		_engine_panel.connect(&"folding_changed", func(value: bool) -> void: folded = value)
+		_engine_panel.size_flags_vertical = Control.SIZE_EXPAND_FILL
 		add_child(_engine_panel)
 	else:
 		_make_parts()
@@ -78,6 +79,7 @@ func _make_parts() -> void:
 	_button.pressed.connect(func() -> void: folded = not folded)
 	_bar.add_child(_button)
 	_contents = PanelContainer.new()
+	_contents.size_flags_vertical = Control.SIZE_EXPAND_FILL
 	add_child(_contents)
 
 
