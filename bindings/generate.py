@@ -12,7 +12,8 @@ import sys
 
 from engine_api import EXTRA_MEMBERS, HANDLES, HAND_WRITTEN, OPERATORS, UTILITY_FUNCTIONS, Api, snake_case, variant_type
 
-NEWEST_INTERFACE = (4, 6)  # functions of later engines are omitted, so that the library loads in 4.6
+OLDEST_ENGINE = (4, 4)  # the library loads in this engine and later ones; it checks for functions that came later
+NEWEST_INTERFACE = (4, 6)  # functions of later engines are omitted
 
 
 def include(*paths):
@@ -66,18 +67,22 @@ def write_interface(output, header):
         name = re.search(r"@name (\w+)", comment)
         since = re.search(r"@since (\d+)\.(\d+)", comment)
         pointer = re.search(r"\(\*(\w+)\)", definition)
-        if name and since and pointer and tuple(map(int, since.groups())) <= NEWEST_INTERFACE:
-            functions.append((name[1], pointer[1]))
+        version = tuple(map(int, since.groups())) if since else NEWEST_INTERFACE
+        if name and since and pointer and version <= NEWEST_INTERFACE:
+            functions.append((name[1], pointer[1], version <= OLDEST_ENGINE))
     if not functions:
         sys.exit("generate.py: the interface header declares no functions; pass the gdextension_interface.h of the engine")
 
     load = "const char *load(GDExtensionInterfaceGetProcAddress p_get_proc_address)"
-    declarations = "".join(f"extern {pointer} {name};\n" for name, pointer in functions)
-    definitions = "".join(f"{pointer} {name} = nullptr;\n" for name, pointer in functions)
+    declarations = "".join(f"extern {pointer} {name};\n" for name, pointer, _ in functions)
+    definitions = "".join(f"{pointer} {name} = nullptr;\n" for name, pointer, _ in functions)
     loads = "".join(
-        f'\tif (({name} = reinterpret_cast<{pointer}>(p_get_proc_address("{name}"))) == nullptr) {{\n'
-        f'\t\treturn "{name}";\n\t}}\n' for name, pointer in functions)
-    contract = "// Sets all pointers above. Returns null, or the name of a function that this engine does not have.\n"
+        f'\t{name} = reinterpret_cast<{pointer}>(p_get_proc_address("{name}"));\n'
+        + (f'\tif ({name} == nullptr) {{\n\t\treturn "{name}";\n\t}}\n' if required else "")
+        for name, pointer, required in functions)
+    oldest = ".".join(map(str, OLDEST_ENGINE))
+    contract = f"// Sets all pointers above; in older engines, those to functions that are newer than Godot {oldest} remain null.\n"
+    contract += f"// Returns null, or the name of a function of Godot {oldest} that this engine does not have.\n"
     namespace = "godot::gdextension_interface"
     path = "core/gdextension_interface_loader"
     output.write("include/gdextension_interface.h", header)

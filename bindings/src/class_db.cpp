@@ -64,7 +64,9 @@ ClassInfo *ClassDB::register_extension_class(const StringName &p_name, const Str
 	r_info.free_instance_func = &free_instance;
 	r_info.get_virtual_func = &get_virtual;
 	r_info.class_userdata = added;
-	gdextension_interface::classdb_register_extension_class5(gdextension_interface::library, p_name._native_ptr(), p_parent._native_ptr(), &r_info);
+	// Godot 4.4 has only the older function, with the same structure by another name.
+	const GDExtensionInterfaceClassdbRegisterExtensionClass5 register_class = gdextension_interface::classdb_register_extension_class5 ? gdextension_interface::classdb_register_extension_class5 : gdextension_interface::classdb_register_extension_class4;
+	register_class(gdextension_interface::library, p_name._native_ptr(), p_parent._native_ptr(), &r_info);
 	return added;
 }
 

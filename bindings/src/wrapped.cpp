@@ -11,11 +11,18 @@ namespace godot {
 namespace internal {
 
 void *allocate(size_t p_size) {
-	return gdextension_interface::mem_alloc2(p_size, false);
+	if (likely(gdextension_interface::mem_alloc2)) {
+		return gdextension_interface::mem_alloc2(p_size, false);
+	}
+	return gdextension_interface::mem_alloc(p_size); // Godot 4.4 and 4.5
 }
 
 void release(void *p_memory) {
-	gdextension_interface::mem_free2(p_memory, false);
+	if (likely(gdextension_interface::mem_free2)) {
+		gdextension_interface::mem_free2(p_memory, false);
+	} else {
+		gdextension_interface::mem_free(p_memory); // Godot 4.4 and 4.5
+	}
 }
 
 static thread_local Construction *innermost_construction = nullptr;

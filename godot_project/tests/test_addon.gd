@@ -36,7 +36,7 @@ func test_the_project_enables_the_plugin() -> void:
 func test_the_extension_file() -> void:
 	var description := _load_description()
 	expect_equal(description.get_value("configuration", "entry_symbol"), "ga_godot_init")
-	expect_equal(description.get_value("configuration", "compatibility_minimum"), "4.6")
+	expect_equal(description.get_value("configuration", "compatibility_minimum"), "4.4")
 	expect_equal(description.get_value("configuration", "reloadable"), false)
 	expect_true(
 		description.get_section_keys("libraries").has("linux.debug.x86_64"), "an entry for Linux"

@@ -3,6 +3,7 @@ extends "res://tests/framework/playground_test.gd"
 ## coefficients, sliders, files.
 
 const DragField := preload("res://addons/ga_godot/playground/panel/drag_field.gd")
+const FoldPanel := preload("res://addons/ga_godot/playground/panel/fold_panel.gd")
 const NumberField := preload("res://addons/ga_godot/playground/panel/number_field.gd")
 
 const SAVED := "user://test_playground.json"
@@ -56,7 +57,7 @@ func test_keys_rename_move_and_delete_the_selection() -> void:
 func test_coefficients_are_dragged_and_typed() -> void:
 	await _open_with({"v": "e1 + 2 e2"})
 	_demo.panel.list.select(["v"])
-	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
+	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldPanel
 	panel.expand()
 	await wait_frames(3)
 	var field := panel.find_child("e1", true, false) as NumberField
@@ -82,7 +83,7 @@ func test_coefficients_are_dragged_and_typed() -> void:
 
 func test_coefficients_scroll_to_the_grade_of_the_entry() -> void:
 	await _open_with({"S": "sphere(point(1, 0, 0), 2)"})
-	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer
+	var panel := _demo.panel.bottom.get_node(^"Coefficients") as FoldPanel
 	panel.expand()
 	_demo.panel.list.select(["S"])
 	await wait_frames(4)

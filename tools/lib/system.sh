@@ -80,6 +80,9 @@ missing_for() {
         ccache)
             command -v ccache >/dev/null || echo ccache
             ;;
+        cargo)
+            command -v cargo >/dev/null || echo cargo
+            ;;
         bench)
             has_header benchmark/benchmark.h || echo libbenchmark-dev
             ;;

@@ -9,12 +9,14 @@ extends EditorPlugin
 const EXTENSION_PATH := "res://addons/ga_godot/ga_godot.gdextension"
 const ENTRY_CLASS := &"Multivector"
 const SCENE_CLASS := "GAScene"
+const DOCK_CLASS := &"EditorDock"
 ## Loaded once the classes of the extension exist.
 const DOCK_SCRIPT := "res://addons/ga_godot/editor/playground_dock.gd"
 const EXPORT_SCRIPT := "res://addons/ga_godot/editor/playground_export.gd"
 const TOOL_SCRIPT := "res://addons/ga_godot/editor/viewport_tool.gd"
 
-var _dock: EditorDock
+## An EditorDock if the engine has that class, from Godot 4.6.
+var _dock: MarginContainer
 var _export: EditorExportPlugin
 ## Shows the document of the dock in the 3D viewports.
 var _tool: Node3D
@@ -42,7 +44,10 @@ func _exit_tree() -> void:
 		_tool = null
 	if _dock != null:
 		_dock.call(&"save_session")
-		remove_dock(_dock)
+		if _dock.is_class(DOCK_CLASS):
+			call(&"remove_dock", _dock)
+		else:
+			remove_control_from_docks(_dock)
 		_dock.queue_free()
 		_dock = null
 
@@ -54,7 +59,7 @@ func _handles(object: Object) -> bool:
 func _edit(object: Object) -> void:
 	if object != null and _dock != null:
 		_dock.call(&"show_scene", object)
-		_dock.make_visible()
+		_show_dock()
 
 
 func _forward_3d_gui_input(viewport_camera: Camera3D, event: InputEvent) -> int:
@@ -77,9 +82,14 @@ func _save_external_data() -> void:
 
 func _open_dock() -> void:
 	var script: GDScript = load(DOCK_SCRIPT)
-	_dock = script.new()
+	var has_docks := ClassDB.class_exists(DOCK_CLASS)
+	_dock = ClassDB.instantiate(DOCK_CLASS) if has_docks else MarginContainer.new()
+	_dock.set_script(script)
 	_dock.call(&"set_up", get_undo_redo())
-	add_dock(_dock)
+	if has_docks:
+		call(&"add_dock", _dock)
+	else:
+		add_control_to_dock(DOCK_SLOT_RIGHT_UL, _dock)
 	scene_saved.connect(Callable(_dock, &"on_scene_saved"))
 	scene_closed.connect(Callable(_dock, &"on_scene_closed"))
 	var export_script: GDScript = load(EXPORT_SCRIPT)
@@ -89,6 +99,18 @@ func _open_dock() -> void:
 	_tool = tool_script.new()
 	add_child(_tool)
 	_tool.call(&"set_up", self, _dock)
+
+
+func _show_dock() -> void:
+	if _dock.is_class(DOCK_CLASS):
+		_dock.call(&"make_visible")
+		return
+	var tab: Control = _dock
+	while tab != null and not tab.get_parent() is TabContainer:
+		tab = tab.get_parent_control()
+	if tab != null:
+		var tabs: TabContainer = tab.get_parent()
+		tabs.current_tab = tabs.get_tab_idx_from_control(tab)
 
 
 func _report_missing_library() -> void:

@@ -1,4 +1,3 @@
-@abstract
 extends Node
 ## The connection of a client: joins the server, through an impaired network if requested, and
 ## notices when the server is lost. The scenes extend it.
@@ -126,7 +125,8 @@ func _update_connection() -> bool:
 
 
 ## The server has described its scene.
-@abstract func _on_welcomed(scene: String, cubes: int, p_method: String, session: String) -> void
+func _on_welcomed(_scene: String, _cubes: int, _method: String, _session_name: String) -> void:
+	assert(false, "_on_welcomed() is not overridden")
 
 
 ## Checks the description of the scene. Returns whether this client takes part in it; if not, closes
@@ -191,4 +191,5 @@ func _close(reason: String) -> void:
 
 
 ## The connection is closed: the scene ends.
-@abstract func _stop() -> void
+func _stop() -> void:
+	assert(false, "_stop() is not overridden")

@@ -74,7 +74,7 @@ func _ready() -> void:
 	_camera.moved.connect(_on_camera_moved)
 	_on_camera_moved()
 	set_light(_state.get_setting(LIGHT, false) as bool)
-	_split.split_offsets = [_state.get_setting(WIDTH, PANEL_WIDTH) as int]
+	_split.split_offset = _state.get_setting(WIDTH, PANEL_WIDTH) as int
 	if _state.has_document():
 		_state.restore(panel.document)
 		_frame_scene()
@@ -83,7 +83,7 @@ func _ready() -> void:
 
 
 func _exit_tree() -> void:
-	_state.save(panel.document, {LIGHT: _is_light, WIDTH: _split.split_offsets[0]})
+	_state.save(panel.document, {LIGHT: _is_light, WIDTH: _split.split_offset})
 
 
 ## Switches between the light and the dark theme.

@@ -3,6 +3,7 @@ extends RefCounted
 
 const DrawnObjects := preload("res://tests/pictures/drawn_objects.gd")
 const DrawnScene := preload("res://tests/pictures/drawn_scene.gd")
+const FoldPanel := preload("res://addons/ga_godot/playground/panel/fold_panel.gd")
 const InterpolationLab := preload("res://tests/pictures/interpolation_lab.gd")
 const Interpolation := preload("res://demos/interpolation/interpolation.gd")
 const Playground := preload("res://demos/playground/playground.gd")
@@ -76,5 +77,5 @@ static func playground(parent: Node, light: bool) -> Playground:
 	demo.set_light(light)
 	demo.panel.select("S" if light else "A")
 	if light:
-		(demo.panel.bottom.get_node(^"Coefficients") as FoldableContainer).expand()
+		(demo.panel.bottom.get_node(^"Coefficients") as FoldPanel).expand()
 	return demo

@@ -15,9 +15,19 @@ static uint32_t processor_count() {
 	return COUNT;
 }
 
+/// Godot 4.4 does not report the task of the calling thread.
+static bool engine_knows_caller() {
+	static const bool KNOWS = WorkerThreadPool::get_singleton()->has_method("get_caller_group_id");
+	return KNOWS;
+}
+
 bool RowSplit::can_share() {
 	if (processor_count() < 2) {
 		return false;
+	}
+	if (!engine_knows_caller()) {
+		// Tasks run in other threads than the main one.
+		return OS::get_singleton()->get_thread_caller_id() == OS::get_singleton()->get_main_thread_id();
 	}
 	const WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	return pool->get_caller_task_id() == WorkerThreadPool::INVALID_TASK_ID && pool->get_caller_group_id() == WorkerThreadPool::INVALID_TASK_ID;

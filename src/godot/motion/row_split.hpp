@@ -31,7 +31,8 @@ private:
 	RowSplit(uint32_t rows, const void *job, Call call) :
 			_rows(rows), _job(job), _call(call) {}
 
-	/// False on a single processor, and within a task of the pool, where waiting for other tasks could deadlock.
+	/// False on a single processor, and within a task of the pool, where waiting for other tasks could deadlock; in Godot
+	/// 4.4 also in every other thread than the main one.
 	static bool can_share();
 	void share();
 	void take_pieces();

@@ -40,7 +40,8 @@ void StatisticsMonitors::add(const String &node_name, const Callable &read) {
 		_prefix = vformat("ga_godot/%s %d/", node_name, number);
 	}
 	for (const char *key : MONITORED) {
-		performance->add_custom_monitor(_prefix + String(key), read, Array{ StringName(key) });
+		// By name, because Godot 4.6 added a parameter: an older engine does not have the newer signature.
+		performance->call("add_custom_monitor", _prefix + String(key), read, Array{ StringName(key) });
 	}
 }
 

@@ -4,6 +4,7 @@ extends RefCounted
 ## The base of all chapters: access to the dock, waiting, and expectations.
 
 const Hands := preload("res://tests/framework/hands.gd")
+const FoldPanel := preload("res://addons/ga_godot/playground/panel/fold_panel.gd")
 
 const SETTLING_FRAMES := 6
 
@@ -95,7 +96,7 @@ func words_of(entry: String) -> String:
 	return (row_part(entry, "Message") as Label).text
 
 
-func coefficients() -> FoldableContainer:
+func coefficients() -> FoldPanel:
 	return dock().find_child("Coefficients", true, false)
 
 

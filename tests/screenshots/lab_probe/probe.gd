@@ -4,6 +4,8 @@ extends "step_probe.gd"
 ## [probe] FAIL. The user arguments --lab-picture=FILE and --wide-picture=FILE save pictures of the
 ## dock.
 
+const FoldPanel := preload("res://addons/ga_godot/playground/panel/fold_panel.gd")
+
 const WIDE := Vector2i(600, 760)
 
 var _before := ""
@@ -242,7 +244,7 @@ func _setting(key: String) -> Variant:
 	return _scene().get_scene_attribute("interpolation/" + key)
 
 
-func _lab_panel() -> FoldableContainer:
+func _lab_panel() -> FoldPanel:
 	return _panel().find_child("Interpolation", true, false)
 
 

@@ -6,6 +6,8 @@ const EditorHistory := preload("editor_history.gd")
 const EditorNumberField := preload("editor_number_field.gd")
 const NodeCreation := preload("node_creation.gd")
 
+const DIALOG_CLASS := &"EditorFileDialog"
+
 var _nodes: NodeCreation
 
 
@@ -19,7 +21,9 @@ func make_number_field(step: float) -> NumberField:
 
 
 func make_file_dialog() -> FileDialog:
-	var files := EditorFileDialog.new()
+	# Before Godot 4.6, EditorFileDialog is not derived from FileDialog.
+	var is_derived := ClassDB.is_parent_class(DIALOG_CLASS, &"FileDialog")
+	var files: FileDialog = ClassDB.instantiate(DIALOG_CLASS) if is_derived else FileDialog.new()
 	files.access = FileDialog.ACCESS_RESOURCES
 	return files
 

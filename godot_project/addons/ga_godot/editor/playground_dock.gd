@@ -1,6 +1,7 @@
 @tool
-extends EditorDock
-## The dock "GA Playground": named expressions of geometric algebra.
+extends MarginContainer
+## The dock "GA Playground": named expressions of geometric algebra. From Godot 4.6, the object is
+## an EditorDock; in older versions, it is a control in a dock slot of the editor.
 
 const PlaygroundDocument := preload("../playground/document/playground_document.gd")
 const PlaygroundIcons := preload("../playground/theme/playground_icons.gd")
@@ -12,6 +13,8 @@ const EmbeddedScenes := preload("embedded_scenes.gd")
 const Session := preload("session.gd")
 const UndoKeys := preload("undo_keys.gd")
 
+const DOCK_CLASS := &"EditorDock"
+const TITLE := "GA Playground"
 const WIDTH := 220.0
 
 var document: PlaygroundDocument
@@ -21,12 +24,10 @@ var embedded: EmbeddedScenes
 
 ## Call this before adding the dock to the editor.
 func set_up(undo_redo: EditorUndoRedoManager) -> void:
-	name = "GAPlayground"
-	title = "GA Playground"
-	layout_key = "ga_playground"
-	default_slot = DOCK_SLOT_RIGHT_UL
-	available_layouts = DOCK_LAYOUT_VERTICAL | DOCK_LAYOUT_FLOATING
-	closable = true
+	if is_class(DOCK_CLASS):
+		_set_up_dock()
+	else:
+		name = TITLE
 	custom_minimum_size.x = WIDTH * PlaygroundStyle.scale()
 	panel = PlaygroundPanel.new(EditorHost.new(undo_redo))
 	document = panel.document
@@ -38,7 +39,8 @@ func set_up(undo_redo: EditorUndoRedoManager) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_inside_tree():
-		dock_icon = PlaygroundIcons.make(&"intersect", self)
+		if is_class(DOCK_CLASS):
+			set(&"dock_icon", PlaygroundIcons.make(&"intersect", self))
 
 
 func show_scene(scene: GAScene) -> void:
@@ -64,3 +66,15 @@ func save_all() -> void:
 
 func save_session() -> void:
 	Session.save(document)
+
+
+func _set_up_dock() -> void:
+	name = "GAPlayground"
+	set(&"title", TITLE)
+	set(&"layout_key", "ga_playground")
+	set(&"default_slot", EditorPlugin.DOCK_SLOT_RIGHT_UL)
+	var layouts := 0
+	for layout: StringName in [&"DOCK_LAYOUT_VERTICAL", &"DOCK_LAYOUT_FLOATING"]:
+		layouts |= ClassDB.class_get_integer_constant(DOCK_CLASS, layout)
+	set(&"available_layouts", layouts)
+	set(&"closable", true)

@@ -117,7 +117,7 @@ func _is_dock_open() -> bool:
 
 func _is_outside_gizmo(camera: Camera3D, point: Vector2) -> bool:
 	var reach: float = EditorInterface.get_editor_settings().get_setting(MANIPULATOR_SIZE)
-	for node in EditorInterface.get_selection().get_top_selected_nodes():
+	for node in EditorInterface.get_selection().get_transformable_selected_nodes():
 		var selected := node as Node3D
 		if selected != null and not camera.is_position_behind(selected.global_position):
 			if (

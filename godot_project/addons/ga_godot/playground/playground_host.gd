@@ -1,5 +1,4 @@
 @tool
-@abstract
 extends RefCounted
 ## The environment of the panel: the editor or a running game.
 
@@ -9,13 +8,21 @@ const ViewPoint := preload("picture/view_point.gd")
 
 var history: EditHistory
 
-@abstract func make_number_field(step: float) -> NumberField
+
+func make_number_field(_step: float) -> NumberField:
+	assert(false, "make_number_field() is not overridden")
+	return null
+
 
 ## A dialog for scene files.
-@abstract func make_file_dialog() -> FileDialog
+func make_file_dialog() -> FileDialog:
+	assert(false, "make_file_dialog() is not overridden")
+	return null
+
 
 ## Shows a warning to the user.
-@abstract func warn(message: String) -> void
+func warn(_message: String) -> void:
+	assert(false, "warn() is not overridden")
 
 
 ## Called after a file was written.

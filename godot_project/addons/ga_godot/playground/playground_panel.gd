@@ -8,6 +8,7 @@ const PlaygroundHost := preload("playground_host.gd")
 const EntryEdits := preload("document/entry_edits.gd")
 const EntryList := preload("entries/entry_list.gd")
 const EntryMenu := preload("entries/entry_menu.gd")
+const FoldPanel := preload("panel/fold_panel.gd")
 const FileMenu := preload("panel/file_menu.gd")
 const ObjectButtons := preload("panel/object_buttons.gd")
 const CombinationButtons := preload("panel/combination_buttons.gd")
@@ -67,7 +68,7 @@ func _init(p_host: PlaygroundHost) -> void:
 	top.add_child(_description)
 	_top_scroll.name = "Upper"
 	_bottom_scroll.name = "Lower"
-	for part: FoldableContainer in bottom.get_children():
+	for part: FoldPanel in bottom.get_children():
 		part.folding_changed.connect(_on_folding_changed.bind(part))
 	_picture_dialog = PictureDialog.new(host.make_file_dialog())
 	add_child(_picture_dialog)
@@ -141,7 +142,7 @@ func _on_picture_requested() -> void:
 		_picture_dialog.ask(document.scene, view, host.get_view_size(), _draw_lab)
 
 
-func _on_folding_changed(is_folded: bool, part: FoldableContainer) -> void:
+func _on_folding_changed(is_folded: bool, part: FoldPanel) -> void:
 	if not is_folded and is_visible_in_tree():
 		_bottom_scroll.ensure_control_visible.call_deferred(part)
 

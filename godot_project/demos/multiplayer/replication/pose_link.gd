@@ -1,4 +1,3 @@
-@abstract
 extends Node
 ## Interface of the replication methods, which send poses from the server to clients.
 ## Bodies are nodes with IDs from 0.
@@ -23,19 +22,28 @@ func open(body_count: int) -> void:
 
 ## Both sides: sets the tolerance in meters and the interpolation mode. A method without these
 ## ignores them.
-@abstract func tune(tolerance: float, mode: MultivectorLerp.Mode) -> void
+func tune(_tolerance: float, _mode: MultivectorLerp.Mode) -> void:
+	assert(false, "tune() is not overridden")
+
 
 ## Server: adds a body.
-@abstract func add_body(id: int, pose: Transform3D) -> void
+func add_body(_id: int, _pose: Transform3D) -> void:
+	assert(false, "add_body() is not overridden")
+
 
 ## Server: removes a body.
-@abstract func remove_body(id: int) -> void
+func remove_body(_id: int) -> void:
+	assert(false, "remove_body() is not overridden")
+
 
 ## Server: starts sending to a client.
-@abstract func add_receiver(peer: int) -> void
+func add_receiver(_peer: int) -> void:
+	assert(false, "add_receiver() is not overridden")
+
 
 ## Server: stops sending to a client, which may have left.
-@abstract func remove_receiver(peer: int) -> void
+func remove_receiver(_peer: int) -> void:
+	assert(false, "remove_receiver() is not overridden")
 
 
 ## Server: publishes the poses of all bodies at a physics tick.
@@ -45,22 +53,40 @@ func publish(poses: Dictionary[int, Transform3D]) -> void:
 
 
 ## Server: the tick of the last published poses on the clock of the clients, or [constant NO_TICK].
-@abstract func get_sent_tick() -> float
+func get_sent_tick() -> float:
+	assert(false, "get_sent_tick() is not overridden")
+	return 0.0
+
 
 ## Client: starts receiving. The first [param present_count] bodies always exist.
-@abstract func begin(present_count: int) -> void
+func begin(_present_count: int) -> void:
+	assert(false, "begin() is not overridden")
+
 
 ## Client: stops receiving.
-@abstract func end() -> void
+func end() -> void:
+	assert(false, "end() is not overridden")
+
 
 ## Client: true once there are poses to show.
-@abstract func is_ready() -> bool
+func is_ready() -> bool:
+	assert(false, "is_ready() is not overridden")
+	return false
+
 
 ## Client: the shown server tick, or [constant NO_TICK].
-@abstract func get_shown_tick() -> float
+func get_shown_tick() -> float:
+	assert(false, "get_shown_tick() is not overridden")
+	return 0.0
+
 
 ## Client: the playback delay in seconds, in addition to the minimum network delay.
-@abstract func get_delay() -> float
+func get_delay() -> float:
+	assert(false, "get_delay() is not overridden")
+	return 0.0
+
 
 ## Both sides: the counts "late" and "rejected" for the report.
-@abstract func get_counts() -> Dictionary[String, int]
+func get_counts() -> Dictionary[String, int]:
+	assert(false, "get_counts() is not overridden")
+	return {}

@@ -29,6 +29,16 @@ static func save_resource(path: String, scene: GAScene) -> Error:
 	return outcome
 
 
+## Sets the UID in the first line of a resource file, as ResourceSaver.set_uid from Godot 4.5.
+static func set_uid(path: String, id: int) -> Error:
+	var text := FileAccess.get_file_as_string(path)
+	var header := text.get_slice("\n", 0)
+	var pattern := RegEx.create_from_string(' uid="[^"]*"')
+	var new_header := pattern.sub(header, "").trim_suffix("]")
+	new_header += ' uid="%s"]' % ResourceUID.id_to_text(id)
+	return _store(path, (new_header + text.substr(header.length())).to_utf8_buffer())
+
+
 # Calls `store` with the path of the temporary file, then renames that file to `path`. `store`
 # returns an error unless the file is complete.
 static func _replace(path: String, temporary: String, store: Callable) -> Error:
@@ -71,7 +81,9 @@ static func _store_resource(path: String, final_path: String, scene: GAScene) ->
 	if outcome != OK:
 		return outcome
 	if id != ResourceUID.INVALID_ID:
-		ResourceSaver.set_uid(path, id)
+		outcome = set_uid(path, id)
+		if outcome != OK:
+			return outcome
 	var text := FileAccess.get_file_as_string(path)
 	var is_complete := text.ends_with("\n") and text.contains(var_to_str(scene.document) + "\n")
 	return OK if is_complete or scene.document.is_empty() else ERR_FILE_CANT_WRITE

@@ -1,5 +1,5 @@
 @tool
-extends FoldableContainer
+extends "../panel/fold_panel.gd"
 ## The panel "Interpolation": two poses of the document and three interpolations between them. The
 ## interpolations are drawn while the panel is unfolded.
 
@@ -27,6 +27,7 @@ var _add_entry := MenuButton.new()
 
 
 func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> void:
+	super()
 	name = "Interpolation"
 	title = "Interpolation"
 	folded = true
@@ -35,7 +36,7 @@ func _init(p_lab: InterpolationLab, list: EntryList, host: PlaygroundHost) -> vo
 	_player = LabPlayer.new(lab)
 	_shown = LabDisplay.new(lab, host)
 	_column.name = "Column"
-	add_child(_column)
+	add_content(_column)
 	_column.add_child(_ends)
 	_details.name = "Details"
 	_column.add_child(_details)

@@ -1,5 +1,5 @@
 @tool
-extends FoldableContainer
+extends "fold_panel.gd"
 ## The 32 coefficients of the selected entry, which can be edited if it depends on no other entry.
 
 const PlaygroundDocument := preload("../document/playground_document.gd")
@@ -33,6 +33,7 @@ var _fields: Array[NumberField] = []
 
 
 func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) -> void:
+	super()
 	name = "Coefficients"
 	title = "Coefficients"
 	folded = true
@@ -55,7 +56,7 @@ func _init(document: PlaygroundDocument, list: EntryList, host: PlaygroundHost) 
 	var scroll := _scroll
 	scroll.horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
 	scroll.custom_minimum_size.y = HEIGHT * PlaygroundStyle.scale()
-	add_child(scroll)
+	add_content(scroll)
 	var grades := VBoxContainer.new()
 	grades.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	scroll.add_child(grades)

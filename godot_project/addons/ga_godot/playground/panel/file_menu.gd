@@ -12,9 +12,16 @@ const EntryEdits := preload("../document/entry_edits.gd")
 const PlaygroundHost := preload("../playground_host.gd")
 const SafeFile := preload("../document/safe_file.gd")
 const SceneFile := preload("../document/scene_file.gd")
+const PlaygroundStyle := preload("../theme/playground_style.gd")
 
 ## A scene or a ganja.js element, which is an array of 32 numbers or an object with keys 0 to 31.
 const PASTED_TYPES: Array[Variant.Type] = [TYPE_ARRAY, TYPE_DICTIONARY]
+
+## From Godot 4.6. In older versions, the dialog is centered at this size, at most at this share of
+## the window.
+const POPUP_METHOD := &"popup_file_dialog"
+const DIALOG_SIZE := Vector2(1050.0, 700.0)
+const MAX_SCREEN_SHARE := 0.8
 
 var _document: PlaygroundDocument
 var _edits: EntryEdits
@@ -196,7 +203,10 @@ func _discard() -> void:
 
 func _ask_for_file(mode: FileDialog.FileMode) -> void:
 	_files.file_mode = mode
-	_files.popup_file_dialog()
+	if _files.has_method(POPUP_METHOD):
+		_files.call(POPUP_METHOD)
+	else:
+		_files.popup_centered_clamped(DIALOG_SIZE * PlaygroundStyle.scale(), MAX_SCREEN_SHARE)
 
 
 func _on_file_selected(path: String) -> void:

@@ -1,5 +1,4 @@
 @tool
-@abstract
 extends MarginContainer
 ## A labeled number that the user can drag or type.
 
@@ -9,13 +8,25 @@ signal edited(number: float)
 signal grabbed
 signal ungrabbed
 
-@abstract func get_number() -> float
+
+func get_number() -> float:
+	assert(false, "get_number() is not overridden")
+	return 0.0
+
 
 ## Sets the displayed number without emitting `edited`.
-@abstract func show_number(number: float) -> void
+func show_number(_number: float) -> void:
+	assert(false, "show_number() is not overridden")
 
-@abstract func show_label(text: String) -> void
 
-@abstract func set_read_only(read_only: bool) -> void
+func show_label(_text: String) -> void:
+	assert(false, "show_label() is not overridden")
 
-@abstract func is_read_only() -> bool
+
+func set_read_only(_read_only: bool) -> void:
+	assert(false, "set_read_only() is not overridden")
+
+
+func is_read_only() -> bool:
+	assert(false, "is_read_only() is not overridden")
+	return false

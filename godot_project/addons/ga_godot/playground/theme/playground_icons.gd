@@ -3,6 +3,7 @@ extends RefCounted
 ## Icons that the editor does not have, drawn in the theme's color.
 
 const PlaygroundStyle := preload("playground_style.gd")
+const SvgTexture := preload("svg_texture.gd")
 
 const SIZE := 16
 # gdlint: disable=max-line-length
@@ -54,4 +55,4 @@ static func make(icon: StringName, control: Control, color_name := &"font_color"
 		'<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>'
 		% [SIZE, SIZE, body]
 	)
-	return DPITexture.create_from_string(source, PlaygroundStyle.scale())
+	return SvgTexture.make(source, PlaygroundStyle.scale())

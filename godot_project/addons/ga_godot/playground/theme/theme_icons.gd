@@ -3,6 +3,8 @@ extends RefCounted
 ## Icons for the theme of a running game: replacements for the editor's icons, and icons of
 ## controls.
 
+const SvgTexture := preload("svg_texture.gd")
+
 const SIZE := 16
 # gdlint: disable=max-line-length
 ## Contents of <svg>. TEXT, ACCENT, BASE and ERROR stand for colors of the palette.
@@ -89,7 +91,7 @@ static func add_to(theme: Theme, colors: Dictionary[String, Color]) -> void:
 static func _draw(body: String, colors: Dictionary[String, Color]) -> Texture2D:
 	for color in colors:
 		body = body.replace(color, "#" + colors[color].to_html(false))
-	return DPITexture.create_from_string(
+	return SvgTexture.make(
 		(
 			'<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d">%s</svg>'
 			% [SIZE, SIZE, body]

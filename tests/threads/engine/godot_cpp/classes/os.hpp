@@ -12,6 +12,8 @@ public:
 	}
 
 	[[nodiscard]] int get_processor_count() const { return 4; }
+	[[nodiscard]] int get_thread_caller_id() const { return 1; }
+	[[nodiscard]] int get_main_thread_id() const { return 1; }
 };
 
 } // namespace godot

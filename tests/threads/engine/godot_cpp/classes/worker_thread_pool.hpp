@@ -22,6 +22,7 @@ public:
 		return &pool;
 	}
 
+	[[nodiscard]] bool has_method(const char *) const { return true; }
 	[[nodiscard]] TaskID get_caller_task_id() const { return INVALID_TASK_ID; }
 	[[nodiscard]] GroupID get_caller_group_id() const { return INVALID_TASK_ID; }
 

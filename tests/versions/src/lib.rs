@@ -1,0 +1,1 @@
+//! Empty: Cargo.toml names the API descriptions that tools/setup downloads.
