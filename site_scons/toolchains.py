@@ -6,6 +6,7 @@ this machine.
 """
 
 import collections
+import functools
 import os
 import re
 import shutil
@@ -80,6 +81,7 @@ def use_zig(env, builds):
         env["PROGSUFFIX"] = ".exe"
 
 
+@functools.lru_cache(maxsize=None)
 def find_zig():
     """Path of zig: the variable ZIG, else what tools/setup keeps in its cache."""
     if os.environ.get("ZIG"):
@@ -163,8 +165,11 @@ def merge(env, target, libraries):
 
 
 def llvm_tool(name):
-    """Path of a tool of LLVM, with its version in its name, as on Debian, or without."""
-    found = shutil.which(name + "-19") or shutil.which(name)
-    if not found:
-        requirements.fail("{} not found: run tools/setup cross (Debian: apt-get install lld-19 llvm-19)".format(name))
-    return found
+    """Path of a tool of LLVM, with its version in its name, as on Debian, or without; tools/setup installs it if it is missing."""
+    for install in (False, True):
+        if install and subprocess.call(["tools/setup", "cross"]) != 0:
+            break
+        found = shutil.which(name + "-19") or shutil.which(name)
+        if found:
+            return found
+    return requirements.fail("{} not found, see above".format(name))
