@@ -18,7 +18,6 @@ func check_properties() -> void:
 	var note: Dictionary = property_of("SampleNode", "note")
 	same(note["type"], TYPE_OBJECT)
 	same(note["class_name"], &"SampleNote")
-	same(property_of("SampleNote", "Numbers")["usage"], PROPERTY_USAGE_GROUP)
 	var node := SampleNode.new()
 	same(node.note, null)
 	node.note = SampleNote.make("kept")
@@ -41,7 +40,7 @@ func check_types_of_methods() -> void:
 	)
 	same(method("new_note")["return"]["class_name"], &"SampleNote")
 	same(method("keep")["return"]["type"], TYPE_NIL)
-	same(method("measure")["return"]["type"], TYPE_ARRAY)
+	same(method("inspect")["return"]["type"], TYPE_ARRAY)
 
 
 func property_of(type: StringName, property: String) -> Dictionary:

@@ -32,24 +32,17 @@ public:
 	/// Calls a method of another object by name, with two arguments.
 	godot::Variant call_other(godot::Object *other, const godot::StringName &method, const godot::Variant &a, const godot::Variant &b) const;
 
-	/// Connects a signal of another object to _heard(), with "bound" as the last argument.
-	void listen(godot::Object *source, const godot::StringName &signal);
-	void stop_listening(godot::Object *source, const godot::StringName &signal);
-	godot::Callable callable_of(const godot::StringName &method);
-	/// Like listen() and stop_listening(), to a method that is not bound.
+	/// Connects a signal of another object to overheard(), with "overheard" as the last argument.
 	void overhear(godot::Object *source, const godot::StringName &signal);
 	void stop_overhearing(godot::Object *source, const godot::StringName &signal);
 	/// Callables of methods that are not bound: overheard(what, bound), count(node) and add(a, b) const.
 	godot::Array private_callables();
-	godot::Variant call_it(const godot::Callable &callable, const godot::Array &arguments) const;
 	/// The class of the node's MultiplayerAPI, its root path, this peer's id, the number of other peers, and the
 	/// connection status.
 	godot::Array describe_multiplayer() const;
 	/// Sends bytes to a peer. Returns the Error.
 	int64_t send(const godot::PackedByteArray &bytes, int64_t peer) const;
 	godot::PackedStringArray names_in_group(const godot::StringName &group) const;
-	/// Adds or removes a monitor of the number of frames. Returns whether it exists afterwards.
-	bool monitor_frames(const godot::StringName &name, bool on);
 	/// The properties that a MultiplayerSynchronizer replicates.
 	godot::PackedStringArray sent_properties(godot::Node *node) const;
 
@@ -57,7 +50,6 @@ protected:
 	static void _bind_methods();
 	void _notification(int what);
 	void record(const godot::String &what);
-	void _heard(const godot::Variant &what, const godot::String &bound);
 
 private:
 	void overheard(const godot::Variant &what, const godot::String &bound);

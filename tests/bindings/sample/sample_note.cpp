@@ -55,7 +55,7 @@ Ref<SampleNote> SampleNote::copied() const {
 }
 
 String SampleNote::_to_string() const {
-	return "note:" + _text;
+	return String("note:") + _text;
 }
 
 void SampleNote::_bind_methods() {
@@ -74,7 +74,6 @@ void SampleNote::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("itself"), &SampleNote::itself);
 	ClassDB::bind_method(D_METHOD("copied"), &SampleNote::copied);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "text"), "set_text", "get_text");
-	ADD_GROUP("Numbers", "");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT64_ARRAY, "values"), "set_values", "get_values");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "weight"), "", "get_weight");
 }

@@ -20,8 +20,6 @@ public:
 		BLUE = 40,
 	};
 
-	static constexpr int64_t LIMIT = 1000;
-
 	SampleValues() { _alive++; }
 	~SampleValues() { _alive--; }
 	/// The number of objects of this class.
@@ -36,20 +34,20 @@ public:
 	int64_t count_bytes(const godot::String &text) const;
 	godot::StringName prefixed(const godot::StringName &name) const;
 	godot::NodePath child_path(const godot::NodePath &path) const;
-	godot::Vector3 cross(const godot::Vector3 &a, const godot::Vector3 &b) const;
-	godot::Quaternion turn_twice(const godot::Quaternion &rotation) const;
-	godot::Basis to_basis(const godot::Quaternion &rotation) const;
-	godot::Quaternion to_quaternion(const godot::Basis &basis) const;
-	godot::Vector2 halfway(const godot::Vector2 &a, const godot::Vector2 &b) const;
+	godot::Vector2 sum(const godot::Vector2 &a, const godot::Vector2 &b) const;
+	/// 2 (a - b) + b (a . b), with its x and y swapped.
+	godot::Vector3 combine(const godot::Vector3 &a, const godot::Vector3 &b) const;
+	godot::Quaternion conjugate(const godot::Quaternion &rotation) const;
+	/// The last column, the image of a vector, the product with itself, and a basis with the columns in reverse order.
+	godot::Array inspect(const godot::Basis &basis, const godot::Vector3 &vector) const;
 	godot::AABB moved_box(const godot::AABB &box, const godot::Vector3 &offset) const;
 	godot::Color without_red(const godot::Color &color) const;
 	/// Creates and frees an RID of the rendering server. Returns whether it was valid.
 	bool make_rid() const;
-	/// Concatenates the elements of all arrays.
-	godot::Array pack(const godot::PackedVector2Array &flat, const godot::PackedVector3Array &vectors, const godot::PackedColorArray &colors) const;
-	godot::Transform3D chain(const godot::Transform3D &a, const godot::Transform3D &b) const;
-	/// a . b, |a|, |a - b|, the determinant, whether all are finite, whether a is approximately b, and b normalized.
-	godot::Array measure(const godot::Vector3 &a, const godot::Vector3 &b, const godot::Basis &basis) const;
+	/// The product, and the image of a's origin under b.
+	godot::Array chain(const godot::Transform3D &a, const godot::Transform3D &b) const;
+	/// Whether both are equal, of values that have an operator ==.
+	bool equal(const godot::Vector2 &a, const godot::Vector2 &b, const godot::Color &c, const godot::Color &d, const godot::Transform3D &e, const godot::Transform3D &f) const;
 	Hue mix(Hue a, Hue b) const;
 	godot::Variant echo(const godot::Variant &value) const;
 	godot::String type_of(const godot::Variant &value) const;
@@ -59,6 +57,7 @@ public:
 	godot::Array keys_and_values(const godot::Dictionary &entries) const;
 	godot::PackedByteArray bytes(const godot::PackedByteArray &bytes) const;
 	godot::PackedInt32Array ints(const godot::PackedInt32Array &ints) const;
+	godot::PackedVector3Array vectors(const godot::PackedVector3Array &vectors) const;
 	godot::PackedFloat32Array floats(const godot::PackedFloat32Array &floats) const;
 	godot::PackedFloat64Array doubles(const godot::PackedFloat64Array &doubles) const;
 	godot::PackedStringArray strings(const godot::PackedStringArray &strings) const;
@@ -81,7 +80,7 @@ public:
 
 	static godot::String join(const godot::String &a, const godot::String &b, int64_t number);
 	static bool is_editor();
-	/// Prints the text as a message, a warning and an error.
+	/// Prints the text as an error and as a warning.
 	static void say(const godot::String &text);
 	static void fail_with(const godot::String &message);
 
