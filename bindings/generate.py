@@ -275,11 +275,8 @@ const int ENGINE_CLASS_COUNT = {len(api.classes)};
 
 def main():
     parser = argparse.ArgumentParser(
-        description=__doc__.splitlines()[0], formatter_class=argparse.RawDescriptionHelpFormatter, epilog="""
-It writes DIR/include (gdextension_interface.h, godot_cpp/core/gdextension_interface_loader.hpp,
-godot_cpp/classes/*.hpp, godot_cpp/variant/*.hpp) and DIR/src (interface.cpp, builtin_types.cpp, engine_classes.cpp).
-Compile DIR/src/*.cpp and bindings/src/*.cpp with bindings/include and DIR/include as include paths.
-Only single precision on 64 bits (float_64) is supported.""")
+        description=__doc__.splitlines()[0],
+        epilog="Compile DIR/src/*.cpp and bindings/src/*.cpp with bindings/include and DIR/include as include paths.")
     parser.add_argument("--api", required=True, metavar="JSON", help="extension_api.json (--dump-extension-api)")
     parser.add_argument("--interface", required=True, metavar="HEADER", help="gdextension_interface.h of that engine")
     parser.add_argument("--profile", required=True, metavar="JSON", help="build profile: the engine classes to generate")

@@ -36,6 +36,14 @@ func expect_error(message: String) -> void:
 	print("[expect] %s" % message)
 
 
+## The description of a method of SampleValues.
+func method_of(method: StringName) -> Dictionary:
+	for entry: Dictionary in ClassDB.class_get_method_list("SampleValues", true):
+		if entry["name"] == method:
+			return entry
+	return {}
+
+
 func _is_same(value: Variant, expected: Variant) -> bool:
 	return typeof(value) == typeof(expected) and (value == expected or _close(value, expected))
 

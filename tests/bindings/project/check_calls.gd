@@ -24,7 +24,7 @@ func check_defaults() -> void:
 	same(SampleValues.join("a", "c"), "ac3")
 	same(SampleValues.join("a", "c", 4), "ac4")
 	same(SampleNote.make("a").weight, 2.5)
-	var method: Dictionary = method_of("SampleValues", "repeat")
+	var method: Dictionary = method_of("repeat")
 	same(method["default_args"], [2, "-"])
 
 
@@ -38,13 +38,13 @@ func check_enums_and_constants() -> void:
 	)
 	same(ClassDB.class_get_integer_constant_enum("SampleValues", "GREEN"), &"Hue")
 	same(ClassDB.class_get_enum_list("SampleValues", true), PackedStringArray(["Hue"]))
-	same(method_of("SampleValues", "mix")["args"][0]["class_name"], &"SampleValues.Hue")
+	same(method_of("mix")["args"][0]["class_name"], &"SampleValues.Hue")
 
 
 func check_statics() -> void:
 	same(ClassDB.class_call_static("SampleValues", "join", "p", "q", 1), "pq1")
-	same(method_of("SampleValues", "join")["flags"] & METHOD_FLAG_STATIC, METHOD_FLAG_STATIC)
-	same(method_of("SampleValues", "negate")["flags"] & METHOD_FLAG_CONST, METHOD_FLAG_CONST)
+	same(method_of("join")["flags"] & METHOD_FLAG_STATIC, METHOD_FLAG_STATIC)
+	same(method_of("negate")["flags"] & METHOD_FLAG_CONST, METHOD_FLAG_CONST)
 
 
 func check_wrong_numbers_of_arguments() -> void:
@@ -140,10 +140,3 @@ class Listener:
 				]
 			)
 		)
-
-
-func method_of(type: StringName, method: StringName) -> Dictionary:
-	for entry: Dictionary in ClassDB.class_get_method_list(type, true):
-		if entry["name"] == method:
-			return entry
-	return {}
