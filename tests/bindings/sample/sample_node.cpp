@@ -31,30 +31,6 @@ PackedStringArray SampleNode::_get_configuration_warnings() const {
 	return warnings;
 }
 
-void SampleNode::set_target(const NodePath &path) {
-	_target = path;
-}
-
-NodePath SampleNode::get_target() const {
-	return _target;
-}
-
-void SampleNode::set_note(const Ref<SampleNote> &note) {
-	_note = note;
-}
-
-Ref<SampleNote> SampleNode::get_note() const {
-	return _note;
-}
-
-PackedStringArray SampleNode::get_log() const {
-	return _log;
-}
-
-int64_t SampleNode::get_frames() const {
-	return _frames;
-}
-
 String SampleNode::find_target() const {
 	const Node3D *target = Object::cast_to<Node3D>(get_node_or_null(_target));
 	return target ? String(target->get_name()) : String("none");
@@ -79,10 +55,6 @@ int64_t SampleNode::prune() {
 	return count;
 }
 
-Variant SampleNode::call_other(Object *other, const StringName &method, const Variant &a, const Variant &b) const {
-	return other ? other->call(method, a, b) : Variant();
-}
-
 void SampleNode::overhear(Object *source, const StringName &signal) {
 	source->connect(signal, callable_mp(this, &SampleNode::overheard).bindv(Array{ "overheard" }));
 }
@@ -98,10 +70,6 @@ void SampleNode::overheard(const Variant &what, const String &bound) {
 int64_t SampleNode::count(Node *node) {
 	record("counted");
 	return node != nullptr ? node->get_child_count() : -1;
-}
-
-double SampleNode::add(double a, int64_t b) const {
-	return a + double(b);
 }
 
 Array SampleNode::private_callables() {
@@ -158,10 +126,6 @@ void SampleNode::_notification(int what) {
 	}
 }
 
-void SampleNode::record(const String &what) {
-	_log.push_back(what);
-}
-
 void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_target", "path"), &SampleNode::set_target);
 	ClassDB::bind_method(D_METHOD("get_target"), &SampleNode::get_target);
@@ -189,10 +153,6 @@ void SampleNode::_bind_methods() {
 void SampleChild::_process(double delta) {
 	SampleNode::_process(delta);
 	_time += delta;
-}
-
-double SampleChild::get_time() const {
-	return _time;
 }
 
 void SampleChild::_notification(int what) {

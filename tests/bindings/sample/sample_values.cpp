@@ -13,10 +13,6 @@ using namespace godot;
 
 int64_t SampleValues::_alive = 0;
 
-int64_t SampleValues::count_alive() {
-	return _alive;
-}
-
 void SampleValues::make_and_drop(int64_t count) {
 	for (int64_t i = 0; i < count; i++) {
 		Ref<SampleValues> dropped;
@@ -24,18 +20,6 @@ void SampleValues::make_and_drop(int64_t count) {
 		const Ref<SampleValues> also = memnew(SampleValues);
 		dropped = also;
 	}
-}
-
-bool SampleValues::negate(bool value) const {
-	return !value;
-}
-
-int64_t SampleValues::add_up(int8_t a, uint16_t b, int32_t c, int64_t d) const {
-	return a + b + c + d;
-}
-
-double SampleValues::halve(float value) const {
-	return value / 2;
 }
 
 String SampleValues::repeat(const String &text, int times, const String &separator) const {
@@ -53,18 +37,6 @@ int64_t SampleValues::count_bytes(const String &text) const {
 	return text == String::utf8(text.utf8().get_data()) ? text.utf8().length() : -1;
 }
 
-StringName SampleValues::prefixed(const StringName &name) const {
-	return StringName(String("pre_") + String(name));
-}
-
-NodePath SampleValues::child_path(const NodePath &path) const {
-	return NodePath(String(path) + String("/child"));
-}
-
-Vector2 SampleValues::sum(const Vector2 &a, const Vector2 &b) const {
-	return a + b;
-}
-
 Vector3 SampleValues::combine(const Vector3 &a, const Vector3 &b) const {
 	const Vector3 combined = (a - b) * 2 + b * a.dot(b);
 	Vector3 swapped = combined;
@@ -73,20 +45,8 @@ Vector3 SampleValues::combine(const Vector3 &a, const Vector3 &b) const {
 	return swapped;
 }
 
-Quaternion SampleValues::conjugate(const Quaternion &rotation) const {
-	return Quaternion(-rotation.x, -rotation.y, -rotation.z, rotation.w);
-}
-
 Array SampleValues::inspect(const Basis &basis, const Vector3 &vector) const {
 	return Array{ basis.get_column(2), basis.xform(vector), basis * basis, Basis(basis.get_column(2), basis.get_column(1), basis.get_column(0)) };
-}
-
-AABB SampleValues::moved_box(const AABB &box, const Vector3 &offset) const {
-	return AABB(box.position + offset, box.size);
-}
-
-Color SampleValues::without_red(const Color &color) const {
-	return Color(0, color.g, color.b, color.a);
 }
 
 bool SampleValues::make_rid() const {
@@ -98,25 +58,9 @@ bool SampleValues::make_rid() const {
 	return valid;
 }
 
-Array SampleValues::chain(const Transform3D &a, const Transform3D &b) const {
-	return Array{ a * b, b.xform(a.origin) };
-}
-
 bool SampleValues::equal(const Vector2 &a, const Vector2 &b, const Color &c, const Color &d, const Transform3D &e, const Transform3D &f) const {
 	const bool all_equal = a == b && c == d && e == f;
 	return all_equal == !(a != b || c != d || e != f) && all_equal;
-}
-
-SampleValues::Hue SampleValues::mix(Hue a, Hue b) const {
-	return a == b ? a : BLUE;
-}
-
-Variant SampleValues::echo(const Variant &value) const {
-	return value;
-}
-
-String SampleValues::type_of(const Variant &value) const {
-	return Variant::get_type_name(value.get_type());
 }
 
 Dictionary SampleValues::summarize(const Array &numbers) const {
@@ -239,20 +183,8 @@ int64_t SampleValues::convert_often(const Array &values, int64_t times) const {
 	return size;
 }
 
-String SampleValues::describe_object(Object *object) const {
-	return object ? object->get_class() : String("null");
-}
-
-String SampleValues::describe_node(Node3D *node) const {
-	return node ? String(node->get_name()) : String("null");
-}
-
 String SampleValues::describe_note(const Ref<SampleNote> &note) const {
 	return note.is_valid() ? vformat("%s %d", note->get_text(), note->get_reference_count()) : String("null");
-}
-
-void SampleValues::keep(const Variant &object) {
-	_kept = object;
 }
 
 String SampleValues::describe_kept() const {
@@ -285,10 +217,6 @@ void SampleValues::fill_multimesh(const Ref<MultiMesh> &multimesh, const PackedF
 	multimesh->set_transform_format(MultiMesh::TRANSFORM_3D);
 	multimesh->set_instance_count(int32_t(buffer.size() / 12));
 	multimesh->set_buffer(buffer);
-}
-
-String SampleValues::join(const String &a, const String &b, int64_t number) {
-	return a + b + String::num_int64(number);
 }
 
 bool SampleValues::is_editor() {
