@@ -57,6 +57,11 @@ def fault(line):
     return None
 
 
+def missing_program(name):
+    """The same about the name of a program."""
+    return missing_file(name) if name.startswith(("tools/", "tests/")) else None
+
+
 def _fault_of(words):
     if ">" in words:
         words = words[:words.index(">")]

@@ -4,23 +4,8 @@ import os
 import unittest
 
 import checkout
+from code_samples import pages, read
 from markdown_links import anchors, dead_links, linked_paths, targets
-
-BUILT = ("build", "dist")
-
-
-def pages():
-    """Paths of all Markdown files of the checkout, relative to it."""
-    found = []
-    for folder, folders, names in os.walk(checkout.ROOT):
-        folders[:] = [name for name in folders if name == ".github" or name not in BUILT and not name.startswith(".")]
-        found += [os.path.relpath(os.path.join(folder, name), checkout.ROOT) for name in names if name.endswith(".md")]
-    return sorted(found)
-
-
-def read(page):
-    with open(os.path.join(checkout.ROOT, page), encoding="utf-8") as file:
-        return file.read()
 
 
 def exists(path):
