@@ -25,7 +25,7 @@ def first_import_by_the_documented_lines(newcomer):
     os.chmod(program, 0o755)
     for page in PAGES:
         shutil.rmtree(newcomer.path(".godot"), ignore_errors=True)
-        lines = [sample.text for sample in newcomer.page(page) if sample.language == "sh"]
+        lines = [sample.text for sample in newcomer.page(page) if "--import" in sample.text]
         assert len(lines) == 1 and len(lines[0].splitlines()) == 2, f"{page} has other lines than the two for the import: {lines}"
         environment = {**newcomer.environment, "PATH": programs + os.pathsep + newcomer.environment["PATH"]}
         done = subprocess.run(["sh", "-e", "-c", lines[0]], cwd=newcomer.project, env=environment, stdin=subprocess.DEVNULL, text=True,

@@ -93,7 +93,9 @@ func _interpolation() -> void:
 	world.add_child(motion)
 	for frame in 3:
 		await process_frame
-	_expect(absf(target.position.length() - 1.0) < 1e-4, "halfway on the circle: %s" % target.position)
+	_expect(
+		absf(target.position.length() - 1.0) < 1e-4, "halfway on the circle: %s" % target.position
+	)
 	_expect(absf(target.rotation_degrees.y - 45.0) < 0.01, "half the rotation")
 	motion.duration = 0.2
 	motion.auto_play = true

@@ -30,28 +30,35 @@ func _process(_delta: float) -> void:
 """
 
 
-def networking_guide(newcomer):
-    """The scene is the one that the steps gave (guides.py), else that of the page."""
+def prepare(newcomer):
+    """Writes the files of the guide. The scene is the one that the steps gave (guides.py), else that of the page."""
+    if newcomer.port:
+        return
+    newcomer.port = free_port()
     samples = {sample.name: sample.text for sample in newcomer.page("docs/guides/networking.md")}
     for name in FILES:
         if not os.path.exists(newcomer.path(name)):
             newcomer.write(name, samples[name])
     script = samples["main.gd"]
     assert script.count("const PORT := 24900") == 1, "the guide's main.gd does not contain 'const PORT := 24900' exactly once"
-    newcomer.write("main.gd", script.replace("24900", str(free_port())))
+    newcomer.write("main.gd", script.replace("24900", str(newcomer.port)))
     newcomer.write("probe.gd", PROBE)
     # F5 asks for the main scene.
     newcomer.write("project.godot", newcomer.read("project.godot").replace(
         "[application]\n", '[application]\n\nrun/main_scene="res://main.tscn"', 1))
     newcomer.set("autoload", "Probe", '"*res://probe.gd"')
-    check_motion(newcomer, [checkout.ENGINE, "--headless", "--path", newcomer.project])
 
 
-def check_motion(newcomer, command):
-    """Runs a host and a client: the client shows the cube on its circle, smoothly."""
-    host = start(newcomer, [*command, "--", "host"], "host")
+def networking_guide(newcomer):
+    prepare(newcomer)
+    check_motion(newcomer, [checkout.ENGINE, "--headless", "--path", newcomer.project], newcomer.project)
+
+
+def check_motion(newcomer, command, folder):
+    """Runs a host and a client in a folder: the client shows the cube on its circle, smoothly."""
+    host = start(newcomer, [*command, "--", "host"], folder, "host")
     time.sleep(1.0)
-    client = start(newcomer, command, "client")
+    client = start(newcomer, command, folder, "client")
     truth, shown = samples_of(host), samples_of(client)
     moving = [sample for sample in shown if abs(math.hypot(sample[1], sample[2]) - RADIUS) < 0.5]
     assert len(moving) >= 60, f"the client showed the cube in motion in only {len(moving)} frames"
@@ -68,10 +75,10 @@ def check_motion(newcomer, command):
     print(f"   {deviation * 1000:.1f} mm from the circle, {median * 1000:.0f} ms behind the host", flush=True)
 
 
-def start(newcomer, command, name):
+def start(newcomer, command, folder, name):
     log = open(os.path.join(newcomer.place, name + ".log"), "w", encoding="utf-8")  # noqa: SIM115
     environment = {**newcomer.environment, "NEWCOMER_SECONDS": str(SECONDS)}
-    process = subprocess.Popen(command, cwd=newcomer.place, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
+    process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
     return process, log.name
 
 

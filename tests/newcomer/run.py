@@ -22,12 +22,14 @@ sys.path[:0] = [os.path.join(ROOT, *place) for place in (("tools", "lib"), ("sit
 import display  # noqa: E402
 import editor_case  # noqa: E402
 import export_case  # noqa: E402
+import faults  # noqa: E402
 import first_import  # noqa: E402
 import guides  # noqa: E402
 import networking  # noqa: E402
 from newcomer import Newcomer  # noqa: E402
 
-CASES = (*first_import.CASES, *guides.CASES, *networking.CASES, *editor_case.CASES, *export_case.CASES)
+CASES = (*first_import.CASES, *guides.CASES, *networking.CASES, *faults.CASES, *editor_case.CASES,
+         *export_case.CASES)
 
 
 def main():

@@ -22,9 +22,10 @@ PLACEHOLDERS = {"SUITE": "cpp", "PART": "engine", "SECONDS": "60", "PATH/TO/PROJ
 # Programs of the system, whose options are not checked. Those that build or change something are run by the tests named here.
 OTHERS = {
     "git": "",
-    "mkdir": "test_first_import.py",
-    "echo": "test_first_import.py",
-    "godot": "test_first_import.py",
+    "xattr": "",
+    "mkdir": "tests/newcomer",
+    "echo": "tests/newcomer",
+    "godot": "tests/newcomer",
     "aarch64-linux-gnu-g++": "tests/determinism",
     "qemu-aarch64": "tests/determinism",
 }
