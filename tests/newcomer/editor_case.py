@@ -1,4 +1,4 @@
-"""The editor with the newcomer's project: the dock, the class help, and the quick start of the playground guide, by input events."""
+"""The editor with the newcomer's project: the dock, the class help, and by input events the quick start of the playground guide."""
 
 import os
 import shutil
@@ -28,7 +28,8 @@ def editor_with_the_plugin(newcomer):
     assert settings.count(editor.PLUGIN) == 1, "project.godot does not enable the plugin"
     newcomer.write("project.godot", settings.replace(editor.PLUGIN, f'{editor.PLUGIN}, "res://addons/dock_probe/plugin.cfg"'))
     try:
-        run = scripted_user.start(newcomer.engine, newcomer.project, [f"--chapters={','.join(CHAPTERS)}", f"--pictures={OUTPUT}"], SECONDS)
+        arguments = [f"--chapters={','.join(CHAPTERS)}", f"--pictures={OUTPUT}"]
+        run = scripted_user.start(newcomer.engine, newcomer.project, arguments, SECONDS)
     finally:
         newcomer.write("project.godot", settings)
         shutil.rmtree(place)

@@ -14,6 +14,7 @@ EXTENSION = os.path.join(ADDON, "ga_godot.gdextension")
 SECONDS = 60
 REPORTED = re.compile(r"^(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.M)
 # What a fault must at least cause.
+REFUSED = "Can't open dynamic library:"
 NOT_LOADED = "Cannot get class 'MotorSynchronizer'."
 
 
@@ -83,7 +84,9 @@ def check(newcomer, copy, listed, title, wanted):
     lines = REPORTED.findall(run.text)
     assert any(wanted in line for line in lines), f"{title}: no message about it: {lines}\n{run.text}"
     assert any(NOT_LOADED in line for line in lines), f"{title}: the extension was loaded: {lines}"
-    missing = [line for line in lines if not any(row.fits(line) for row in listed)]
+    # The row of Godot's message says that the system's reason is at its end: the page has that, too.
+    missing = [line for line in lines
+               if not any(row.fits(line) and (REFUSED not in line or row.source == "Linux") for row in listed)]
     assert not missing, f"{title}: not on the page about troubleshooting: {missing}"
     print(f"   {title}: {len(lines)} messages, all on the page", flush=True)
 

@@ -28,8 +28,8 @@ def first_import_by_the_documented_lines(newcomer):
         lines = [sample.text for sample in newcomer.page(page) if "--import" in sample.text]
         assert len(lines) == 1 and len(lines[0].splitlines()) == 2, f"{page} has other lines than the two for the import: {lines}"
         environment = {**newcomer.environment, "PATH": programs + os.pathsep + newcomer.environment["PATH"]}
-        done = subprocess.run(["sh", "-e", "-c", lines[0]], cwd=newcomer.project, env=environment, stdin=subprocess.DEVNULL, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace", timeout=SECONDS, check=False)
+        done = subprocess.run(["sh", "-e", "-c", lines[0]], cwd=newcomer.project, env=environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=SECONDS, check=False)
         assert done.returncode == 0, f"the lines of {page} end with {done.returncode}:\n{done.stdout}"
         assert not engine_log.problems_of(done.stdout), engine_log.problems_of(done.stdout)
         imported = os.listdir(newcomer.path(os.path.join(".godot", "imported")))

@@ -173,8 +173,8 @@ def _python_fault(program, arguments):
 
     state = sys.path[:], os.getcwd()
     try:
-        with mock.patch.object(sys, "argv", [path, *arguments]), mock.patch.object(argparse.ArgumentParser, "parse_args", parse_and_end), \
-                contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+        with mock.patch.object(sys, "argv", [path, *arguments]), contextlib.redirect_stdout(io.StringIO()), \
+                mock.patch.object(argparse.ArgumentParser, "parse_args", parse_and_end), contextlib.redirect_stderr(errors):
             sys.path.insert(0, os.path.dirname(path))
             os.chdir(checkout.ROOT)
             runpy.run_path(path, run_name="__main__")

@@ -36,6 +36,14 @@ int main() {{
 COMMAND = re.compile(r"^(?:tools/[a-z]+|scons|python3?|tests/\w+/run\.py|build/[\w.]+/(?:tests|bench|fuzz)/\w+)(?: |$)")
 # Paths of this checkout in the text, with * and {a,b}.
 PATH = re.compile(r"^(?:src|tests|tools|docs|site_scons|bindings|godot_project|examples)/[\w./*{},-]*$")
+WRONG_COMMANDS = (
+    "tools/test --only nothing", "tools/tset", "tools/bench load --case no_such_case", "tools/bench laod", "scons testz",
+    "scons taget=template_debug", "scons target=template_fast", "tools/setup engines", "tools/setup --print engines",
+    "tools/godot --path godot_project -- --demo=nothing", "tools/godot --path godot_project -- --dump=FILE",
+    "build/VARIANT/tests/nothing_tests", "build/VARIANT/tests/net_tests -tc=nothing:*", "python3 tools/lib/nothing.py",
+    "python3 tests/versions/run.py --tables", "tests/network/run.py --case nothing_like_it", "g++ -Isrc src/none.cpp",
+    "rm -rf build", "mkdir -p a && tools/test --only nothing", "echo 'unclosed",
+)
 BUILT_FILES = ("docs/.gdignore", "godot_project/addons/ga_godot/bin")
 
 
@@ -51,7 +59,7 @@ class CodeSamplesTest(unittest.TestCase):
     def test_every_block_is_found(self):
         for page in code_samples.pages():
             marks = len(re.findall(r"^[ \t]*(?:```|~~~)", code_samples.read(page), re.M))
-            self.assertEqual(marks, 2 * len(code_samples.samples_of(page)), f"{page}: blocks are ```LANGUAGE ... ``` at the line's start")
+            self.assertEqual(marks, 2 * len(code_samples.samples_of(page)), f"{page}: a block is not ```LANGUAGE at the line's start")
         for path in glob.glob(os.path.join(checkout.ROOT, code_samples.HELP, "*.xml")):
             page = os.path.relpath(path, checkout.ROOT)
             blocks = len(re.findall(r"\[/(?:codeblocks?|gdscript|csharp)\]", code_samples.read(page)))
@@ -62,7 +70,8 @@ class CodeSamplesTest(unittest.TestCase):
         for sample in all_samples():
             with self.subTest(place(sample)):
                 runners = sample.runners()
-                self.assertTrue(runners, f"no test runs '{sample.language} {sample.name}'; give it one of the languages {list(RUNNERS)}")
+                what = f"{sample.language} {sample.name}".strip()
+                self.assertTrue(runners, f"no test runs the language '{what}'; a test runs {list(RUNNERS)}")
                 texts = [code_samples.read(runner) for runner in runners if runner]
                 if sample.name:
                     self.assertTrue(any(f'"{sample.name}"' in text for text in texts), f"none of {runners} runs {sample.name}")
@@ -96,12 +105,7 @@ class CodeSamplesTest(unittest.TestCase):
                 self.assertIsNone(documented_commands.missing_file(code), code)
 
     def test_wrong_commands_are_found(self):
-        for command in ("tools/test --only nothing", "tools/tset", "tools/bench load --case no_such_case", "tools/bench laod", "scons testz",
-                        "scons taget=template_debug", "scons target=template_fast", "tools/setup engines", "tools/setup --print engines",
-                        "tools/godot --path godot_project -- --demo=nothing", "tools/godot --path godot_project -- --dump=FILE",
-                        "build/VARIANT/tests/nothing_tests", "build/VARIANT/tests/net_tests -tc=nothing:*", "python3 tools/lib/nothing.py",
-                        "python3 tests/versions/run.py --tables", "tests/network/run.py --case nothing_like_it", "g++ -Isrc src/none.cpp",
-                        "rm -rf build", "mkdir -p a && tools/test --only nothing", "echo 'unclosed"):
+        for command in WRONG_COMMANDS:
             self.assertIsNotNone(documented_commands.fault(command), command)
 
     def test_json_samples(self):
@@ -122,8 +126,8 @@ class CodeSamplesTest(unittest.TestCase):
                 source, program = os.path.join(folder, "sample.cpp"), os.path.join(folder, "sample")
                 with open(source, "w", encoding="utf-8") as file:
                     file.write(SURROUNDINGS[sample.page].format(sample=sample.text))
-                compiled = subprocess.run([os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-I" + os.path.join(checkout.ROOT, "src"),
-                                           source, *objects, "-o", program], stderr=subprocess.PIPE, text=True, check=False)
+                command = [os.environ.get("CXX", "g++"), "-std=c++17", "-I" + os.path.join(checkout.ROOT, "src"), source, *objects]
+                compiled = subprocess.run([*command, "-o", program], stderr=subprocess.PIPE, text=True, check=False)
                 self.assertEqual(compiled.returncode, 0, compiled.stderr)
                 self.assertEqual(subprocess.run([program], check=False).returncode, 0)
 

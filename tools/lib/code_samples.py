@@ -32,8 +32,8 @@ RUNNERS = {
 }
 # The tests that run the scripts and scenes with a file name, by page: each in the situation that the page describes.
 SITUATIONS = {
-    os.path.join("docs", "guides", "networking.md"): ("godot_project/tests/test_networking_guide.gd", "tests/newcomer/networking.py"),
-    os.path.join("docs", "security.md"): ("godot_project/tests/test_security_guide.gd",),
+    "docs/guides/networking.md": ("godot_project/tests/test_networking_guide.gd", "tests/newcomer/networking.py"),
+    "docs/security.md": ("godot_project/tests/test_security_guide.gd",),
 }
 
 
@@ -72,7 +72,8 @@ def read(page):
 def samples_of(page, text=None):
     """The blocks of one page, or of a text in its place."""
     text = read(page) if text is None else text
-    return [Sample(page, text[:match.start()].count("\n") + 2, match[1], match[2] or "", match[3]) for match in FENCE.finditer(text)]
+    return [Sample(page, text[:match.start()].count("\n") + 2, match[1], match[2] or "", match[3])
+            for match in FENCE.finditer(text)]
 
 
 def help_samples():
