@@ -74,7 +74,7 @@ def _fault_of(words):
     for word in words:
         if CHECKOUT_FILE.match(word) and missing_file(word):
             return missing_file(word)
-    if program == "scons":
+    if program == "scons" and arguments:
         return _scons_fault(arguments)
     if program == "tools/setup":
         return _setup_fault(arguments)
@@ -84,7 +84,7 @@ def _fault_of(words):
         return _built_fault(program, arguments)
     if program.startswith(("tools/", "tests/")):
         return _python_fault(program, arguments)
-    return None if program in OTHERS else f"{program} is no program that a test knows"
+    return None if program == "scons" or program in OTHERS else f"{program} is no program that a test knows"
 
 
 def missing_file(word):
@@ -101,15 +101,17 @@ def scons_help():
 
 
 def _scons_fault(arguments):
+    if arguments[0] == "-C":
+        return None  # the SConstruct of another folder
     options, _, targets = scons_help().partition("\nTargets:\n")
     for word in arguments:
         name, is_option, value = word.partition("=")
         if is_option and not ASSIGNMENT.match(word):
-            found = re.search(rf"^{re.escape(name)}: .*?(?:\((\w+(?:\|\w+)+)\))?$", options, re.M)
+            found = re.search(rf"^{re.escape(name)}: (.*?)(?:\(([\w|]+\|\w+)\))?$", options, re.M)
             if not found:
                 return f"scons has no option {name}"
-            if name == "target" and value not in found[1].split("|"):
-                return f"scons has no target={value}"
+            if found[2] and value not in found[2].split("|") or name == "platform" and not re.search(rf"\b{value}\b", found[1]):
+                return f"scons has no {word}"
         elif not is_option and word != "-h" and not re.search(rf"^  {re.escape(name)}\b", targets, re.M):
             return f"scons has no target {word}"
     return None

@@ -38,7 +38,8 @@ COMMAND = re.compile(r"^(?:tools/[a-z]+|scons|python3?|tests/\w+/run\.py|build/[
 PATH = re.compile(r"^(?:src|tests|tools|docs|site_scons|bindings|godot_project|examples)/[\w./*{},-]*$")
 WRONG_COMMANDS = (
     "tools/test --only nothing", "tools/tset", "tools/bench load --case no_such_case", "tools/bench laod", "scons testz",
-    "scons taget=template_debug", "scons target=template_fast", "tools/setup engines", "tools/setup --print engines",
+    "scons taget=template_debug", "scons target=template_fast", "scons platform=beos", "scons toolchain=clang",
+    "tools/setup engines", "tools/setup --print engines",
     "tools/godot --path godot_project -- --demo=nothing", "tools/godot --path godot_project -- --dump=FILE",
     "build/VARIANT/tests/nothing_tests", "build/VARIANT/tests/net_tests -tc=nothing:*", "python3 tools/lib/nothing.py",
     "python3 tests/versions/run.py --tables", "tests/network/run.py --case nothing_like_it", "g++ -Isrc src/none.cpp",
