@@ -18,7 +18,9 @@ SECONDS = 120
 
 
 def editor_with_the_plugin(newcomer):
+    """The first start of the editor, without an import before it."""
     networking.prepare(newcomer)
+    shutil.rmtree(newcomer.path(".godot"))
     os.makedirs(OUTPUT, exist_ok=True)
     settings, place = newcomer.read("project.godot"), newcomer.path(PROBE)
     shutil.copytree(os.path.join(editor.HERE, "dock_probe"), place, ignore=shutil.ignore_patterns("chapters", "*.inc"))
