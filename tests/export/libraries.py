@@ -5,11 +5,6 @@ import re
 
 EXTENSION = os.path.join("addons", "ga_godot", "ga_godot.gdextension")
 LIBRARY = re.compile(r'^([a-z0-9_.]+) = "(.+)"$', re.M)
-# What the addon lists when it has libraries for all systems; added to the copy while it lists fewer.
-ALL_SYSTEMS = {f"{system}.{kind}{arch and '.' + arch}": f"bin/libga_godot.{system}.{arch or 'universal'}.{suffix}"
-               for system, archs, suffix in (("linux", ("x86_64", "arm64"), "so"), ("windows", ("x86_64", "arm64"), "dll"),
-                                             ("macos", ("",), "dylib"))
-               for kind in ("debug", "release") for arch in archs}
 
 
 def listed(project):
@@ -32,18 +27,9 @@ def expected(project, tags):
     return path_of(project, found.pop())
 
 
-def complete(project):
-    """Lists the systems that the project's addon does not list, and makes placeholders of missing libraries."""
-    present = listed(project)
-    systems = {key.split(".")[0] for key in present}
-    added = {key: library for key, library in ALL_SYSTEMS.items() if key.split(".")[0] not in systems}
-    path = os.path.join(project, EXTENSION)
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    lines = "".join(f'{key} = "{library}"\n' for key, library in added.items())
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text.replace("[libraries]\n\n", "[libraries]\n\n" + lines))
-    for library in {**present, **added}.values():
+def add_placeholders(project):
+    """Makes placeholders of the listed libraries that have not been built."""
+    for library in listed(project).values():
         place = path_of(project, library)
         if not os.path.exists(place):
             with open(place, "w", encoding="utf-8") as file:

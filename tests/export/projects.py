@@ -63,14 +63,14 @@ def host_preset():
 
 
 def make_demos(folder, templates):
-    """Copies the project of the demos, with libraries for all systems, templates in the presets, and a probe."""
+    """Copies the project of the demos, with templates in the presets, placeholders of libraries, and a probe."""
     copy = os.path.join(folder, "demos")
     shutil.copytree(checkout.PROJECT, copy, ignore=shutil.ignore_patterns(".godot"))
     for kind in ("debug", "release"):
         library = libraries.expected(copy, ("linux", host_arch(), kind))
         if not os.path.exists(library):
             raise AssertionError(f"{os.path.basename(library)} is missing: run scons")
-    libraries.complete(copy)
+    libraries.add_placeholders(copy)
     shutil.copyfile(PROBE, os.path.join(copy, os.path.basename(PROBE)))
     edit(copy, "project.godot", lambda text: f'{text}\n[autoload]\n\nExportProbe="*res://{os.path.basename(PROBE)}"\n')
     own = native_templates(templates)
