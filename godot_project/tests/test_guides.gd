@@ -35,6 +35,10 @@ func test_the_playground_guide() -> void:
 		)
 
 
+func test_the_exporting_guide() -> void:
+	_expect_no_faults(_samples("docs/guides/exporting.md"), 1)
+
+
 func test_the_readme() -> void:
 	_expect_no_faults(_samples("README.md"), 1)
 

@@ -34,17 +34,22 @@ class Export:
 
 
 def export(project, preset, kind, folder, name):
-    """Exports a project in its kind, debug or release; raises AssertionError for any error or warning."""
+    """Exports a project in a kind, debug or release."""
     os.makedirs(folder)
-    command = [checkout.ENGINE, "--headless", "--path", project, f"--export-{kind}", preset, os.path.join(folder, name)]
+    return run_export(project, folder, name, [f"--export-{kind}", preset, os.path.join(folder, name)])
+
+
+def run_export(project, folder, name, arguments):
+    """Runs Godot in the folder of a project with the arguments of an export; raises AssertionError for any error or warning."""
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              timeout=EXPORT_SECONDS, text=True, errors="replace", check=False)
+        done = subprocess.run([checkout.ENGINE, "--headless", "--path", ".", *arguments], cwd=project, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=EXPORT_SECONDS, text=True,
+                              errors="replace", check=False)
     except subprocess.TimeoutExpired:
-        raise AssertionError(f"the export of {preset} did not end within {EXPORT_SECONDS} s") from None
+        raise AssertionError(f"{' '.join(arguments)} did not end within {EXPORT_SECONDS} s") from None
     # Godot exports a game without a library, and only warns.
     warnings = [line for line in done.stdout.splitlines() if "WARNING:" in line]
     problems = engine_log.problems_of(done.stdout) + warnings
     if done.returncode != 0 or problems:
-        raise AssertionError(f"the export of {preset} ended with exit code {done.returncode}: {problems}")
+        raise AssertionError(f"{' '.join(arguments)} ended with exit code {done.returncode}: {problems}")
     return Export(folder, name)
