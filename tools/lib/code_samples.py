@@ -9,12 +9,14 @@ import re
 from collections import Counter
 from dataclasses import dataclass
 from html import unescape
+from textwrap import dedent
 
 import checkout
 
 # Folders that are built, or that belong to others.
 LEFT_OUT = ("build", "dist", "godot-cpp")
-FENCE = re.compile(r"^```([\w-]*)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
+# In a list, it is indented.
+FENCE = re.compile(r"^( *)```([\w-]*)(?: (\S+))?\n(.*?)^\1```$", re.M | re.S)
 CODEBLOCK = re.compile(r"\[codeblock(?: lang=(\w+))?\](.*?)\[/codeblock\]", re.S)
 SPAN = re.compile(r"`([^`\n]+)`")
 HELP = os.path.join("src", "godot", "doc_classes")
@@ -72,7 +74,7 @@ def read(page):
 def samples_of(page, text=None):
     """The blocks of one page, or of a text in its place."""
     text = read(page) if text is None else text
-    return [Sample(page, text[:match.start()].count("\n") + 2, match[1], match[2] or "", match[3])
+    return [Sample(page, text[:match.start()].count("\n") + 2, match[2], match[3] or "", dedent(match[4]))
             for match in FENCE.finditer(text)]
 
 

@@ -45,7 +45,7 @@ static func read_page(page: String) -> String:
 static func samples_of_page(text: String) -> PackedStringArray:
 	var samples := PackedStringArray()
 	for part in text.split(FENCE).slice(1):
-		samples.append(part.get_slice("```", 0))
+		samples.append(part.get_slice("```", 0).dedent())
 	return samples
 
 
