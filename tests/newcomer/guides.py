@@ -21,7 +21,7 @@ def guides_headless(newcomer):
     shutil.copy(os.path.join(FRAMEWORK, "code_sample.gd"), newcomer.path("code_sample.gd"))
     shutil.copy(os.path.join(HERE, "guide_steps.gd"), newcomer.path("guide_steps.gd"))
     try:
-        text = newcomer.run("--script", "guide_steps.gd", "--", *(f"res://{ADDON}/{page}" for page in PAGES))
+        text = newcomer.run("--script", "res://guide_steps.gd", "--", *(f"res://{ADDON}/{page}" for page in PAGES))
     finally:
         for name in ("code_sample.gd", "guide_steps.gd", "as_text.tscn"):
             os.remove(newcomer.path(name))

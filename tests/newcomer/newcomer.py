@@ -66,7 +66,7 @@ class Newcomer:
 
     def run(self, *arguments, drawing=False, seconds=SECONDS):
         """Runs the engine in the project; returns its output. It must end with 0 and report no problem."""
-        done = self.engine.in_folder(self.project).run(["--path", self.project, *arguments], seconds, drawing)
+        done = self.engine.run(["--path", self.project, *arguments], seconds, drawing)
         problems = done.problems()
         assert done.code == 0 and not problems, f"{' '.join(arguments)} ended with {done.code}; {problems}\n{done.text[-3000:]}"
         return done.text
