@@ -63,6 +63,7 @@ def check_library(games, preset, kind):
     system, arch = projects.SYSTEMS[preset]
     exported = games.demo(preset, kind)
     wanted = libraries.expected(games.demos, (system, arch, kind))
+    expect(f".{system}.{arch}." in os.path.basename(wanted), f"the addon lists {os.path.basename(wanted)} for {system}, {arch}")
     place = os.path.join(NAMES[system], "Contents", "Frameworks") if system == "macos" else ""
     found = exported.libraries()
     expect(list(found) == [os.path.join(place, os.path.basename(wanted))],
@@ -113,8 +114,9 @@ def run(exported, *arguments):
     try:
         done = subprocess.run([exported.executable, "--headless", *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, timeout=RUN_SECONDS, text=True, errors="replace", check=False)
-    except subprocess.TimeoutExpired:
-        raise AssertionError(f"the game did not quit within {RUN_SECONDS} s") from None
+    except subprocess.TimeoutExpired as stopped:
+        printed = (stopped.stdout or b"").decode(errors="replace")
+        raise AssertionError(f"the game did not quit within {RUN_SECONDS} s:\n{printed[-2000:]}") from None
     problems = engine_log.problems_of(done.stdout)
     expect(done.returncode == 0 and not problems, f"the game ended with exit code {done.returncode}: {problems}\n{done.stdout}")
     return done.stdout
