@@ -149,7 +149,8 @@ def check_session(programs):
             samples = expect_good_network_errors(session, client, CUBES)
             shown, truth = displacements(session, client)
             print(f"{client.name}: {samples} samples of moving cubes; the farthest moved {truth:.2f} m, shown as {shown:.2f} m")
-            expect(truth > 1.0 and abs(shown - truth) < 0.02, f"{client.name} showed {shown:.3f} m of motion instead of {truth:.3f} m")
+            expect(truth > 1.0 and abs(shown - truth) < 0.02,
+                   f"{client.name} showed {shown:.3f} m of motion instead of {truth:.3f} m")
             expect(client.report()["rejected"] == 0, f"{client.name} rejected packets")
 
 
