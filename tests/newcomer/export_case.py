@@ -36,10 +36,10 @@ def exported_game(newcomer):
     shutil.rmtree(newcomer.path(".godot"), ignore_errors=True)
     newcomer.write(".godot/extension_list.cfg", "res://addons/ga_godot/ga_godot.gdextension\n")
     folder = newcomer.path("build")
-    os.mkdir(folder)
+    newcomer.write("build/.gdignore", "")
     samples = [sample.text for sample in newcomer.page(PAGE) if sample.language == "sh"]
     run_lines(newcomer, "".join(text for text in samples if "--export-release" in text), PAGE)
-    exported = sorted(os.listdir(folder))
+    exported = sorted(set(os.listdir(folder)) - {".gdignore"})
     assert len(exported) == 3 and GAME in exported, f"the export has the files {exported}"
     # Away from the project.
     place = os.path.join(newcomer.place, "game")
