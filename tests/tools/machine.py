@@ -40,6 +40,7 @@ case " $* " in
         touch "$FAKE_LOG.updated"
         ;;
     *" --print-uris "*) echo "'http://packages.invalid/godot.deb' godot.deb 5000000 SHA256:0" ;;
+    *" download "*) sleep "${FAKE_SLOW:-0}"; cp "$FAKE_DEB" . ;;
     *" --download-only "*)
         sleep "${FAKE_SLOW:-0}"
         cp "$FAKE_DEB" "$folder/apt/cache/archives/godot.deb"
@@ -131,11 +132,13 @@ class Machine:
         """Makes commands run as this user, as far as setup can see."""
         self.program("id", f'#!/bin/sh\n[ "$1" = -un ] && echo somebody || echo {number}\n')
 
-    def make_package(self):
-        """The engine's package and its libraries in one: a loader, patchelf, a driver, a starting engine."""
+    def make_package(self, version="4.6.3"):
+        """The packages of the engine and its libraries in one: a loader, patchelf, a driver, an engine that starts, and the
+        export templates."""
         place = os.path.join(self.folder, "package")
         files = {
-            "usr/bin/godot": engine_script("4.6.3.stable.debian"),
+            **{"usr/bin/" + name: engine_script(f"{version}.stable.debian")
+               for name in ("godot", "godot-template-debug", "godot-template-release")},
             "usr/bin/patchelf": SUCCEEDS,
             "usr/lib/some-linux-gnu/ld-linux-some.so.2": SUCCEEDS,
             "usr/lib/some-linux-gnu/dri/a_dri.so": "",

@@ -8,6 +8,8 @@
 # points the executable at its own loader and libraries.
 engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 libvulkan1 mesa-vulkan-drivers patchelf'
 
+# What is downloaded, for messages.
+sought="Godot $engine_minimum is"
 engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
 
 # The file from which Debian's engine reads the trusted certificates at each start.
@@ -39,7 +41,7 @@ ensure_engine() {
     explain_no_engine
 }
 
-# Fails with the reason in apt's output why no suite provided the engine.
+# Fails with the reason in apt's output why no suite provided what is sought.
 explain_no_engine() {
     if grep -q 'signatures\? \(were invalid\|couldn.t be verified\)\|NO_PUBKEY' "$work/log"; then
         fail_step "the signatures of the package suites ($suites) cannot be verified" "update this system's archive keyring, or $engine_by_hand"
@@ -48,9 +50,9 @@ explain_no_engine() {
         fail_step "the package lists of $suites are out of date by this machine's clock" "set the clock (it says $(date +%F)) or use a current mirror, or $engine_by_hand"
     fi
     if [ -z "$suite_answered" ]; then
-        fail_step "Godot $engine_minimum is missing and the package site does not respond" "connect to the network and run the same command again, or $engine_by_hand"
+        fail_step "$sought missing and the package site does not respond" "connect to the network and run the same command again, or $engine_by_hand"
     fi
-    fail_step "this system's package site has no Godot $engine_minimum or newer (suites: $suites)" "$engine_by_hand"
+    fail_step "$sought missing, and this system's package site has no Godot $engine_minimum or newer (suites: $suites)" "$engine_by_hand"
 }
 
 # Sets the suites that may contain the engine, and their keyring.
@@ -86,7 +88,7 @@ find_site() {
     fi
     write_apt_settings "$(apt_folder Etc)/sources.list" "$(apt_folder Etc)/sources.list.d"
     step "reading the package lists" own_apt_get update ||
-        fail_step "Godot $engine_minimum is missing and the package lists cannot be read" "connect to the network and run the same command again, or $engine_by_hand"
+        fail_step "$sought missing and the package lists cannot be read" "connect to the network and run the same command again, or $engine_by_hand"
     site=$(list_sites -c "$work/apt.conf" | head -n 1)
     if [ -z "$site" ]; then
         fail_step "no package source of $origin is set up on this system" "add one to apt's sources, or $engine_by_hand"
@@ -146,10 +148,15 @@ describe_source() {
 # True if the suite has an engine that is new enough, and all its dependencies.
 # Sets download_megabytes.
 resolve_engine() {
-    is_good_version "$(apt-cache -c "$work/apt.conf" policy godot | sed -n 's/^ *Candidate: *\([0-9]*:\)\?//p')" || return 1
+    is_good_version "$(offered_version)" || return 1
     # shellcheck disable=SC2086
     (own_apt_get install --print-uris -y $engine_packages) >"$work/uris" 2>>"$work/log" || return 1
     download_megabytes=$(awk '/^.(http|https|file|copy|mirror|cdrom|ftp)/ { bytes += $3 } END { print int(bytes / 1048576) + 1 }' "$work/uris")
+}
+
+# The version of the engine's package in the suite, such as 4.6.3+ds-2.
+offered_version() {
+    apt-cache -c "$work/apt.conf" policy godot | sed -n 's/^ *Candidate: *\([0-9]*:\)\?//p'
 }
 
 fetch_engine() {
@@ -189,14 +196,9 @@ unpack_engine() {
 
 # Makes the executable use its own loader and libraries, which will be in
 # engine_folder. A few libraries contain other search paths, which are removed.
-# The unpacked patchelf runs with the unpacked loader for the same reason.
 relocate_engine() {
-    for loader in "$work"/engine/usr/lib/*/ld-linux*.so.*; do
-        libraries=$(dirname "$loader")
-    done
-    final_libraries=$engine_folder/usr/lib/$(basename "$libraries")
-    patch_elf --set-interpreter "$final_libraries/$(basename "$loader")" --force-rpath \
-        --set-rpath "$final_libraries:$final_libraries/pulseaudio" "$work/engine/usr/bin/godot" || return 1
+    find_own_libraries "$work/engine"
+    use_own_libraries "$work/engine/usr/bin/godot" || return 1
     for library in "$libraries"/libpulse*.so* "$libraries"/pulseaudio/*.so "$libraries"/libLLVM*.so*; do
         if [ -f "$library" ] && [ ! -L "$library" ]; then
             patch_elf --remove-rpath "$library" || return 1
@@ -207,8 +209,24 @@ relocate_engine() {
     done
 }
 
+# find_own_libraries FOLDER: finds the loader and the libraries of the engine in
+# FOLDER, and the path that they have in engine_folder.
+find_own_libraries() {
+    own_files=$1
+    for loader in "$own_files"/usr/lib/*/ld-linux*.so.*; do
+        libraries=$(dirname "$loader")
+    done
+    final_libraries=$engine_folder/usr/lib/$(basename "$libraries")
+}
+
+use_own_libraries() {
+    patch_elf --set-interpreter "$final_libraries/$(basename "$loader")" --force-rpath \
+        --set-rpath "$final_libraries:$final_libraries/pulseaudio" "$1"
+}
+
+# The unpacked patchelf runs with the unpacked loader, too.
 patch_elf() {
-    "$loader" --library-path "$libraries" "$work/engine/usr/bin/patchelf" "$@"
+    "$loader" --library-path "$libraries" "$own_files/usr/bin/patchelf" "$@"
 }
 
 # Replaces the engine's folder by renaming; an old one stays usable until then.
