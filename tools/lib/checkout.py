@@ -27,7 +27,7 @@ def setup(*parts):
 
 
 def setup_path(what):
-    """Path of something that setup provides: engine, templates, oracle, style, plots, cache, apis."""
+    """Path of something that setup provides: engine, engine_arm64, templates, oracle, style, plots, cache, apis."""
     done = subprocess.run([os.path.join(TOOLS, "setup"), "--print", what],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
