@@ -2,6 +2,7 @@ extends "res://tests/framework/test_case.gd"
 ## The demos open from the menu and the command line, run without errors, and return to the menu.
 
 const Demos := preload("res://menu/demos.gd")
+const Emulation := preload("res://tests/framework/emulation.gd")
 const Main := preload("res://main.gd")
 
 const FRAMES := 60
@@ -106,7 +107,7 @@ func _start(arguments: PackedStringArray, output: Array) -> int:
 		["--headless", "--path", ProjectSettings.globalize_path("res://"), "--"]
 	)
 	all.append_array(arguments)
-	return OS.execute(OS.get_executable_path(), all, output, true)
+	return OS.execute(Emulation.get_engine_path(), all, output, true)
 
 
 func _expect_clean(output: Array) -> void:

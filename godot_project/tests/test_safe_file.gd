@@ -1,6 +1,7 @@
 extends "res://tests/framework/test_case.gd"
 ## Files that the addon and the examples write: complete, or as they were before.
 
+const Emulation := preload("res://tests/framework/emulation.gd")
 const FullDisk := preload("res://tests/framework/full_disk.gd")
 const SafeFile := preload("res://addons/ga_godot/playground/document/safe_file.gd")
 const SceneFile := preload("res://addons/ga_godot/playground/document/scene_file.gd")
@@ -137,7 +138,7 @@ func _save_with_full_disk() -> Dictionary:
 		"trap '' XFSZ; ulimit -f %d; exec '%s' --headless --path '%s' --script %s"
 		% [
 			BLOCKS,
-			OS.get_executable_path(),
+			Emulation.get_engine_path(),
 			ProjectSettings.globalize_path("res://"),
 			(FullDisk as Script).resource_path
 		]
