@@ -45,13 +45,17 @@ def install(env, built, destination):
     return node
 
 
-def package(env, built):
-    """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum for sha256sum -c."""
+def package(env, plugin, libraries, system):
+    """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum for sha256sum -c.
+
+    `system` is the end of the name of an archive for one system; empty for that of all.
+    """
+    paths = [str(node) for library in libraries for node in library]
 
     def pack(target, source, env):
         path = str(target[0])
         with zipfile.ZipFile(path, "w") as archive:
-            for name, data in addon_files.contents().items():
+            for name, data in addon_files.contents(paths).items():
                 entry = zipfile.ZipInfo("addons/ga_godot/" + name, ARCHIVE_TIME)
                 entry.compress_type = zipfile.ZIP_DEFLATED
                 entry.external_attr = (0o100000 | mode_of(name)) << 16
@@ -59,8 +63,8 @@ def package(env, built):
         with open(str(target[1]), "w", encoding="utf-8") as file:
             file.write("{}  {}\n".format(hashlib.sha256(addon_files.read(path)).hexdigest(), os.path.basename(path)))
 
-    path = "dist/ga_godot-{}.zip".format(addon_files.version())
-    nodes = env.Command([path, path + ".sha256"], built, Action(pack, "Packing $TARGET"))
+    path = "dist/ga_godot-{}{}.zip".format(addon_files.version(), system)
+    nodes = env.Command([path, path + ".sha256"], [plugin, libraries], Action(pack, "Packing $TARGET"))
     env.AlwaysBuild(nodes)
     return nodes
 

@@ -35,9 +35,22 @@ def oldest_engine():
     return config["configuration"]["compatibility_minimum"].strip('"')
 
 
-def contents():
-    """The bytes of every file of the installed addon, by its path relative to addons/ga_godot; sorted."""
-    moved = {FOLDER + "/" + path: path for path in paths_below(FOLDER)}
+def listed_libraries():
+    """The paths in ga_godot.gdextension, relative to it, of the libraries of all systems; sorted."""
+    config = configparser.ConfigParser()
+    config.read(FOLDER + "/ga_godot.gdextension", encoding="utf-8")
+    return sorted({path.strip('"') for path in config["libraries"].values()})
+
+
+def contents(libraries=None):
+    """The bytes of every file of the installed addon, by its path relative to addons/ga_godot; sorted.
+
+    `libraries` are the paths of the libraries; by default, those that were built into the checkout's addon.
+    """
+    moved = {FOLDER + "/" + path: path for path in paths_below(FOLDER) if not path.startswith("bin/")}
+    if libraries is None:
+        libraries = [FOLDER + "/" + path for path in listed_libraries() if os.path.isfile(FOLDER + "/" + path)]
+    moved.update({path: "bin/" + os.path.basename(path) for path in libraries})
     moved.update({path: path for path in ROOT_FILES})
     pages = [PAGES + "/" + path for path in paths_below(PAGES) if path.endswith(".md")]
     moved.update({path: path for path in pages if path not in SOURCE_PAGES})

@@ -61,8 +61,11 @@ def describe(root, source):
 
 def use_godot_cpp(env, root, builds):
     """Configures env for the godot-cpp in the folder `root`, and returns its archive, which is built if it does not exist."""
-    name = "libgodot-cpp.{}.{}.{}.a".format(env["platform"], env["target"], env["arch"])
+    end = ".nothreads.a" if env["platform"] == "web" else ".a"
+    name = "libgodot-cpp.{}.{}.{}{}".format(env["platform"], env["target"], env["arch"], end)
     found = [path for path in (os.path.join(root, place, name) for place in ("bin", "lib", "lib64")) if os.path.isfile(path)]
+    if not found and env["toolchain"] == "zig":
+        requirements.fail("{} contains no {}: build it there, or use bindings/ with godot_cpp=no".format(root, name))
     if not found:
         found = [os.path.join(root, "bin", name)]
         if builds:
@@ -73,7 +76,8 @@ def use_godot_cpp(env, root, builds):
             env.Append(CXXFLAGS=["-isystem", path])
     # Its casts are dynamic_cast, so what is built against it needs type information.
     env["CXXFLAGS"] = [flag for flag in env["CXXFLAGS"] if flag != "-fno-rtti"]
-    env.Append(CPPDEFINES=["LINUX_ENABLED", "UNIX_ENABLED", "THREADS_ENABLED", "GDEXTENSION"])
+    system = [env["platform"].upper() + "_ENABLED"] + ([] if env["platform"] == "windows" else ["UNIX_ENABLED"])
+    env.Append(CPPDEFINES=system + ["GDEXTENSION"] + ([] if env["platform"] == "web" else ["THREADS_ENABLED"]))
     if env["target"] == "template_debug":
         # godot-cpp's default for this target; it changes the layout of its classes.
         env.Append(CPPDEFINES=["HOT_RELOAD_ENABLED"])

@@ -1,10 +1,14 @@
 """What a build needs from the machine; a missing dependency ends the build with one line that says how to install it."""
 
-import fcntl
 import os
 import platform
 import subprocess
 import sys
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
 
 HEADERS = {
     "glm": ("glm/glm.hpp", "GLM", "libglm-dev"),
@@ -27,6 +31,8 @@ def hold_build_lock(path):
     """Makes builds in one checkout wait for each other: they share SCons' database."""
     global _lock
     os.makedirs(os.path.dirname(path), exist_ok=True)
+    if fcntl is None:
+        return
     _lock = open(path, "w")
     try:
         fcntl.flock(_lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -45,20 +51,37 @@ def host():
     )
 
 
-def check_options(env, options, host_platform, host_arch):
-    """Rejects unknown options and unsupported platforms."""
+def check_options(env, options, wanted, toolchains):
+    """Rejects unknown options and systems that nothing can be built for; sets the defaults that depend on other options."""
     unknown = options.UnknownVariables()
     if unknown:
         fail("unknown option {}; `scons -h` lists the options".format(", ".join(sorted(unknown))))
-    if env["platform"] != "linux" or host_platform != "linux":
-        fail("platform {} is not supported yet; this version builds on and for linux".format(env["platform"]))
-    if env["arch"] != host_arch:
-        fail("arch {} cannot be built on this machine ({}); build it on such a machine".format(env["arch"], host_arch))
+    platform, is_host = env["platform"], env["platform"] == host()[0]
+    arches = toolchains.arches(platform)
+    if platform in toolchains.OTHERS:
+        check_other_platform(env, platform)
+    elif not arches:
+        fail("platform {} is unknown; use {}".format(platform, ", ".join(toolchains.SUFFIXES)))
+    if not env["arch"]:
+        env["arch"] = host()[1] if is_host else arches[0]
+    if arches and env["arch"] not in arches:
+        fail("arch {} is unknown for {}; use {}".format(env["arch"], platform, ", ".join(arches)))
+    is_host = is_host and env["arch"] == host()[1]
+    if not env["toolchain"]:
+        env["toolchain"] = "native" if is_host or platform in toolchains.OTHERS else "zig"
+    if env["arch"] == "universal" and wanted - {"install", "package"}:
+        fail("arch universal is for the library alone; name one of {}".format(", ".join(toolchains.parts(platform, "universal"))))
     if env["sanitize"] in ("none", "no"):
         env["sanitize"] = ""
     unknown = [name for name in env["sanitize"].split(",") if name and name not in SANITIZERS]
     if unknown:
         fail("sanitize={} is unknown; use {} or several of them, separated by commas".format(",".join(unknown), ", ".join(SANITIZERS)))
+
+
+def check_other_platform(env, platform):
+    """For these platforms, users bring the compiler and godot-cpp; nothing of it was tried (docs/systems.md)."""
+    if not os.environ.get("CXX") or not env["arch"] or not (env["godot_cpp"] or os.environ.get("GODOT_CPP")):
+        fail("platform {0} needs CXX=COMPILER in the environment, arch= and godot_cpp=DIR with a godot-cpp built for {0}; see docs/building.md".format(platform))
 
 
 def check_compiler(env, doctest, benchmark):

@@ -2,7 +2,6 @@ extends "res://tests/framework/test_case.gd"
 ## The demos open from the menu and the command line, run without errors, and return to the menu.
 
 const Demos := preload("res://menu/demos.gd")
-const Emulation := preload("res://tests/framework/emulation.gd")
 const Main := preload("res://main.gd")
 
 const FRAMES := 60

@@ -1,7 +1,6 @@
 extends "res://tests/framework/test_case.gd"
 ## Files that the addon and the examples write: complete, or as they were before.
 
-const Emulation := preload("res://tests/framework/emulation.gd")
 const FullDisk := preload("res://tests/framework/full_disk.gd")
 const SafeFile := preload("res://addons/ga_godot/playground/document/safe_file.gd")
 const SceneFile := preload("res://addons/ga_godot/playground/document/scene_file.gd")

@@ -41,7 +41,7 @@ static void initialize(godot::ModuleInitializationLevel level) {
 extern "C" {
 
 /// The entry point that ga_godot.gdextension names.
-__attribute__((visibility("default"))) GDExtensionBool ga_godot_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+GDExtensionBool GDE_EXPORT ga_godot_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
 	godot::GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
 	init.register_initializer(ga_godot::initialize);
 	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);

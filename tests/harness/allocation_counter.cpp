@@ -1,7 +1,6 @@
 #include "allocation_counter.hpp"
 
-#include <malloc.h>
-
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
@@ -10,13 +9,27 @@ namespace {
 uint64_t count = 0;
 size_t live = 0;
 
+// Before each block: its size, as only some systems tell it.
+constexpr size_t HEADER = alignof(std::max_align_t);
+
 void *allocate(size_t size) noexcept {
-	void *memory = std::malloc(size == 0 ? 1 : size);
-	if (memory != nullptr) {
-		++count;
-		live += malloc_usable_size(memory);
+	void *memory = std::malloc(HEADER + size);
+	if (memory == nullptr) {
+		return nullptr;
 	}
-	return memory;
+	++count;
+	live += size;
+	*static_cast<size_t *>(memory) = size;
+	return static_cast<char *>(memory) + HEADER;
+}
+
+void release(void *memory) noexcept {
+	if (memory == nullptr) {
+		return;
+	}
+	void *block = static_cast<char *>(memory) - HEADER;
+	live -= *static_cast<size_t *>(block);
+	std::free(block);
 }
 
 } // namespace
@@ -55,8 +68,7 @@ void *operator new[](size_t size, const std::nothrow_t &) noexcept {
 }
 
 void operator delete(void *memory) noexcept {
-	live -= memory != nullptr ? malloc_usable_size(memory) : 0;
-	std::free(memory);
+	release(memory);
 }
 
 void operator delete(void *memory, size_t) noexcept {

@@ -106,20 +106,24 @@ CHECKS = (
     ("optimized objects for AVX2 share no code", lambda: no_shared_code("example_of_sources")),
     ("CMake and SCons use the same options for each instruction set", same_options),
     *archive.CHECKS,
+    archive.INSTALL_CHECK,
 )
 
 
 def main():
-    """Runs all checks, even after failures."""
+    """Runs all checks, even after failures; with --complete, those of the archive with the libraries of all systems."""
+    name, checks = "package", CHECKS
+    if sys.argv[1:] == ["--complete"]:
+        name, checks, archive.system = "archive", archive.CHECKS, ""
     os.chdir(ROOT)  # as SCons, whose modules have paths relative to it
     failed = 0
-    for name, check in CHECKS:
+    for title, check in checks:
         try:
             check()
         except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
             failed += 1
-            print(f"FAIL {name}: {error}")
-    print(f"[package] {len(CHECKS) - failed} passed, {failed} failed")
+            print(f"FAIL {title}: {error}")
+    print(f"[{name}] {len(checks) - failed} passed, {failed} failed")
     return 1 if failed else 0
 
 

@@ -7,7 +7,7 @@ import unittest
 
 import checkout
 
-LIBRARY = "addons/ga_godot/bin/libga_godot.linux.template_debug"
+LIBRARY = "addons/ga_godot/bin/libga_godot.{}.{}.so".format(*checkout.host())
 
 
 def scons(*arguments, **env):
@@ -27,11 +27,20 @@ class RefusalTest(unittest.TestCase):
         for word in naming:
             self.assertIn(word, error)
 
-    def test_other_platforms(self):
-        self.refuses("platform=windows", naming=["windows", "linux"])
+    def test_unknown_platforms(self):
+        self.refuses("platform=ios", naming=["ios", "linux", "windows", "macos", "android", "web"])
 
-    def test_other_processors(self):
-        self.refuses("arch=riscv64", naming=["riscv64"])
+    def test_unknown_processors(self):
+        self.refuses("arch=riscv64", naming=["riscv64", "x86_64", "arm64"])
+        self.refuses("platform=windows", "arch=universal", naming=["universal", "windows", "x86_64", "arm64"])
+
+    def test_platforms_without_godot_cpp(self):
+        for arguments, env in ((["arch=arm64"], {}), (["arch=arm64", "godot_cpp=x"], {}), (["godot_cpp=x"], {"CXX": "clang++"})):
+            self.refuses("platform=android", *arguments, naming=["android", "CXX=", "arch=", "godot_cpp=", "docs/building.md"],
+                         **{"CXX": "", "GODOT_CPP": "", **env})
+
+    def test_tests_for_two_processors(self):
+        self.refuses("platform=macos", "tests", naming=["universal", "arm64", "x86_64"])
 
     def test_unknown_options(self):
         self.refuses("tarket=template_debug", naming=["tarket", "scons -h"])
@@ -84,8 +93,7 @@ class BuildTest(unittest.TestCase):
         self.assertRegex(printed[0], r"^Bindings: (bindings/|godot-cpp in \S+) \([^()]+\)$")
 
     def test_the_library_exports_the_entry_point_alone(self):
-        name = LIBRARY + "." + os.uname().machine.replace("aarch64", "arm64") + ".so"
-        path = os.path.join(checkout.PROJECT, name)
+        path = os.path.join(checkout.PROJECT, LIBRARY)
         names = subprocess.run(["nm", "-D", "--defined-only", path], stdout=subprocess.PIPE, text=True, check=True)
         self.assertEqual([line.split()[-1] for line in names.stdout.splitlines()], ["ga_godot_init"])
 

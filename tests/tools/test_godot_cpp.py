@@ -88,7 +88,7 @@ class GodotCppTest(unittest.TestCase):
 
     def test_one_that_can_not_be_built(self):
         root = self.make("installed", header=True)
-        environment = {"platform": "linux", "target": "template_debug", "arch": "x86_64"}
+        environment = {"platform": "linux", "target": "template_debug", "arch": "x86_64", "toolchain": "native"}
         with redirect_stderr(StringIO()) as error, self.assertRaises(SystemExit):
             engine_bindings.use_godot_cpp(environment, root, builds=True)
         self.assertIn("libgodot-cpp.linux.template_debug.x86_64.a and no SConstruct", error.getvalue())

@@ -1,4 +1,4 @@
-"""The Python environment of the oracle: made once for its pins, never half."""
+"""The Python environments of the oracle and of zig: made once for their pins, never half."""
 
 import os
 import unittest
@@ -14,6 +14,8 @@ elif [ "$1 $2" = "-m pip" ]; then
     echo pip >>"$FAKE_LOG.pip"
     if [ "${FAKE_NETWORK:-}" = down ]; then echo "ERROR: No matching distribution" >&2; exit 1; fi
     touch "$(dirname "$0")/installed"
+elif [ "$1" = -c ]; then
+    case $2 in *ziglang*) if [ -e "$(dirname "$0")/installed" ]; then echo /packages/ziglang/zig; else exit 1; fi ;; esac
 fi
 """
 
@@ -64,3 +66,31 @@ class SetupOracleTest(unittest.TestCase):
             done = self.machine.run("setup", "--print", "oracle")
             self.assertIn(f"{name} is missing: this checkout is not complete", done.stderr)
             self.assertEqual(done.returncode, 1)
+
+
+class SetupZigTest(unittest.TestCase):
+    def setUp(self):
+        self.machine = Machine()
+        self.addCleanup(self.machine.close)
+        self.machine.program("python3", PYTHON)
+
+    def zig(self, **env):
+        return self.machine.run("setup", "--print", "zig", **env)
+
+    def test_zig_is_that_of_the_environment(self):
+        first, second = self.zig(), self.zig(FAKE_NETWORK="down")
+        self.assertEqual((first.returncode, first.stdout), (0, "/packages/ziglang/zig\n"), first.stderr)
+        self.assertEqual((second.returncode, second.stdout, second.stderr), (0, first.stdout, ""))
+
+    def test_no_network(self):
+        done = self.zig(FAKE_NETWORK="down")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("cross_requirements.txt", done.stderr.splitlines()[-1])
+
+    def test_a_damaged_environment(self):
+        self.zig()
+        name, = [name for name in self.machine.cached() if name.startswith("cross-")]
+        os.unlink(os.path.join(self.machine.folder, "cache", name, "bin", "installed"))
+        done = self.zig()
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("is damaged: remove it", done.stderr)

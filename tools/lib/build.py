@@ -13,10 +13,10 @@ import project
 LIBRARY = "godot_project/addons"
 
 
-def build(*targets, sanitizer="", compiler=None):
+def build(*targets, sanitizer="", compiler=None, options=()):
     """Runs SCons for the targets, with another compiler than CXX if one is given; exits if the build fails; SCons has
     printed the reason."""
-    command = ["scons", "-Q", *targets]
+    command = ["scons", "-Q", *options, *targets]
     if sanitizer:
         command.append(f"sanitize={sanitizer}")
     print("build: " + " ".join(command), file=sys.stderr, flush=True)

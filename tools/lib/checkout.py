@@ -14,10 +14,19 @@ ENGINE = os.path.join(TOOLS, "godot")
 
 def variant(sanitizer=""):
     """Folder of a build, named as SConstruct names it; `sanitizer` is the value of its option sanitize."""
-    machine = platform.machine().lower()
-    arch = {"amd64": "x86_64", "aarch64": "arm64"}.get(machine, machine)
-    name = f"{platform.system().lower()}.template_debug.{arch}"
+    name = "{}.template_debug.{}".format(*host())
     return os.path.join(BUILD, f"{name}.{sanitizer.replace(',', '_')}" if sanitizer else name)
+
+
+def zig_variant(system, arch):
+    """Folder of a build with zig for a platform and a processor."""
+    return os.path.join(BUILD, f"{system}.template_debug.{arch}.zig")
+
+
+def host():
+    """Platform and processor of this machine, by Godot's names."""
+    machine = platform.machine().lower()
+    return platform.system().lower(), {"amd64": "x86_64", "aarch64": "arm64"}.get(machine, machine)
 
 
 def setup(*parts):
@@ -27,7 +36,7 @@ def setup(*parts):
 
 
 def setup_path(what):
-    """Path of something that setup provides: engine, engine_arm64, templates, oracle, style, plots, cache, apis."""
+    """Path of something that setup provides: engine, engine_arm64, zig, templates, oracle, style, plots, cross, cache, apis."""
     done = subprocess.run([os.path.join(TOOLS, "setup"), "--print", what],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:

@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Python environments with pinned packages: for the oracle tests, the style suite
-# and the plots.
+# Python environments with pinned packages: for the oracle tests, the style suite,
+# the plots, and libraries for other systems.
 
 environment_root=$tools/..
 
@@ -16,6 +16,18 @@ ensure_style() {
 
 ensure_plots() {
     ensure_environment plots "the plots" tools/lib/plot_requirements.txt
+}
+
+# The compiler for other systems, and what reads their libraries.
+ensure_cross() {
+    ensure_environment cross "libraries for other systems" tools/lib/cross_requirements.txt
+}
+
+# Sets zig_path.
+ensure_zig() {
+    ensure_cross
+    zig_path=$("$environment_python" -c 'import os, ziglang; print(os.path.join(os.path.dirname(ziglang.__file__), "zig"))') ||
+        fail "the environment in $environment_folder is damaged: remove it and run the same command again"
 }
 
 # ensure_environment NAME USERS REQUIREMENTS [ALONE]: creates the environment if

@@ -3,6 +3,7 @@
 import fcntl
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
 
@@ -10,9 +11,10 @@ import checkout
 import engine_log
 
 STAMP = "ga_godot_imported"
+LIBRARIES = "addons/ga_godot/bin"
 IMPORT_SECONDS = 180
 # Written by the engine or by the build; a change does not require an import.
-GENERATED = (".import", ".uid", ".so", ".tmp")
+GENERATED = (".import", ".uid", ".so", ".dll", ".dylib", ".tmp")
 
 
 def prepare(folder):
@@ -29,6 +31,19 @@ def prepare(folder):
         import_files(folder)
         with open(stamp, "w", encoding="utf-8") as file:
             file.write(wanted)
+
+
+def copy_with_library(library, place):
+    """Folder of a copy of the prepared project, below the folder `place`, with another library."""
+    shutil.rmtree(place, ignore_errors=True)
+    folder = os.path.join(place, "project")
+    shutil.copytree(checkout.PROJECT, folder, ignore=lambda path, _: ["bin"] if path.endswith(os.path.dirname(LIBRARIES)) else [])
+    # Tests read the guides and the class reference, and the files that these name.
+    for name in ("README.md", "docs", "src", "tests"):
+        os.symlink(os.path.join(checkout.ROOT, name), os.path.join(place, name))
+    os.mkdir(os.path.join(folder, LIBRARIES))
+    shutil.copy2(library, os.path.join(folder, LIBRARIES))
+    return folder
 
 
 def list_extensions(folder):

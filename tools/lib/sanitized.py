@@ -6,7 +6,6 @@ how the engine's threads are synchronized, and reports races that are none.
 """
 
 import os
-import shutil
 import subprocess
 
 import checkout
@@ -19,7 +18,6 @@ MEMORY = "address,undefined"
 THREAD = "thread"
 THREAD_PROGRAM = "threads_tests"
 SECONDS = 900
-ADDON_LIBRARIES = "addons/ga_godot/bin"
 # A finding ends the program, so that it fails the suite. Leaks of the engine itself are not reported.
 UNIT_ENV = {"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1", "TSAN_OPTIONS": "halt_on_error=1"}
 ENGINE_ENV = {**UNIT_ENV, "ASAN_OPTIONS": "detect_leaks=0:verify_asan_link_order=0"}
@@ -41,7 +39,7 @@ def thread_suite():
 
 def engine_suite():
     """The engine-side tests with a sanitized library, in a copy of the project."""
-    folder = copy_project()
+    folder = project.copy_with_library(library(), os.path.join(checkout.variant(MEMORY), "engine"))
     # The engine itself, not the wrapper: the shell would load LD_PRELOAD too.
     argv = [checkout.setup_path("engine"), "--headless", "--path", folder, "--", "--test"]
     env = {**ENGINE_ENV, "LD_PRELOAD": f"{build_shim()} {runtime('libasan.so')}"}
@@ -59,7 +57,7 @@ def thread_program():
 
 def library():
     """Path of the library with the sanitizers of memory."""
-    return os.path.join(checkout.variant(MEMORY), f"libga_godot.{os.path.basename(checkout.variant())}.so")
+    return os.path.join(checkout.variant(MEMORY), "libga_godot.{}.{}.so".format(*checkout.host()))
 
 
 def make_ready():
@@ -70,22 +68,6 @@ def make_ready():
     project.prepare(checkout.PROJECT)
     build(os.path.relpath(library(), checkout.ROOT), "tests", sanitizer=MEMORY)
     build(os.path.relpath(thread_program(), checkout.ROOT), sanitizer=THREAD)
-
-
-def copy_project():
-    """Folder of a copy of the project with the sanitized library, including the imported files."""
-    place = os.path.join(checkout.variant(MEMORY), "engine")
-    shutil.rmtree(place, ignore_errors=True)
-    folder = os.path.join(place, "project")
-    shutil.copytree(checkout.PROJECT, folder)
-    # Tests read the guides and the class reference, and the files that these name.
-    for name in ("README.md", "docs", "src", "tests"):
-        os.symlink(os.path.join(checkout.ROOT, name), os.path.join(place, name))
-    libraries = os.path.join(folder, ADDON_LIBRARIES)
-    shutil.rmtree(libraries)
-    os.mkdir(libraries)
-    shutil.copy2(library(), libraries)
-    return folder
 
 
 def build_shim():

@@ -74,6 +74,14 @@ missing_for() {
             has_clang_tool clang-format || echo clang-format-19
             has_clang_tool clang-tidy || echo clang-tidy-19
             ;;
+        lld)
+            has_header glm/glm.hpp || echo libglm-dev
+            command -v ld64.lld-19 >/dev/null || command -v ld64.lld >/dev/null || echo lld-19
+            command -v llvm-lipo-19 >/dev/null || command -v llvm-lipo >/dev/null || echo llvm-19
+            ;;
+        wine)
+            command -v wine64 >/dev/null || command -v wine >/dev/null || [ -x /usr/lib/wine/wine64 ] || echo wine64
+            ;;
         fuzz)
             has_libfuzzer || echo clang-19 libclang-rt-19-dev llvm-19 # llvm-19 has the symbolizer
             ;;

@@ -1,4 +1,4 @@
-"""tools/test [--only SUITE]... [--fuzz [SECONDS]] [--sanitize]
+"""tools/test [--only SUITE]... [--fuzz [SECONDS]] [--sanitize] [--platforms]
 
 Installs missing dependencies, builds what the suites need, runs them one after
 another and ends with one line `N passed, N failed`. A failing suite does not
@@ -16,6 +16,7 @@ from contextlib import ExitStack
 
 import checkout
 import fuzzing
+import platforms
 import project
 import sanitized
 import suite_process
@@ -35,9 +36,11 @@ def parse_arguments(argv):
                         help="run each fuzz target for SECONDS (60), after the suites of --only")
     parser.add_argument("--sanitize", action="store_true",
                         help="run only the C++ and engine suites, built with the address, undefined-behavior and thread sanitizers")
+    parser.add_argument("--platforms", action="store_true",
+                        help="build the archive with the libraries of all systems, inspect them, and run only the tests under emulators")
     arguments = parser.parse_args(argv)
-    if arguments.sanitize and (arguments.only or arguments.fuzz):
-        parser.error("--sanitize runs its own suites; remove --only and --fuzz")
+    if sum(map(bool, (arguments.sanitize, arguments.platforms, arguments.only or arguments.fuzz))) > 1:
+        parser.error("--sanitize and --platforms run suites of their own; remove the other options")
     return arguments
 
 
@@ -113,6 +116,9 @@ def main():
     if arguments.sanitize:
         suites = sanitized.SUITES
         sanitized.make_ready()
+    elif arguments.platforms:
+        suites = platforms.SUITES
+        platforms.make_ready()
     else:
         suites = chosen_suites(arguments)
         make_ready(suites)

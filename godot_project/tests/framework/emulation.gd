@@ -2,6 +2,10 @@ extends RefCounted
 ## What tests/platforms tells an engine that it runs in an emulator.
 
 
+static func is_active() -> bool:
+	return not OS.get_environment("GA_GODOT_SLOWNESS").is_empty()
+
+
 ## How many times longer something takes than on a real machine.
 static func get_slowness() -> float:
 	return maxf(1.0, OS.get_environment("GA_GODOT_SLOWNESS").to_float())

@@ -1,6 +1,18 @@
 #pragma once
 
-// The only file with attributes and pragmas of particular compilers and with their macros for processors.
+// The only file with attributes and pragmas of particular compilers and with their macros for processors and libraries.
+
+#include <charconv>
+
+// Whether <charconv> converts doubles. libc++ does since version 20, but does not define the macro, as long double is missing;
+// Apple's refuses it to programs for older systems.
+#if defined(__cpp_lib_to_chars)
+#define CGA_HAS_CHARCONV 1
+#elif defined(_LIBCPP_VERSION) && !_LIBCPP_HAS_VENDOR_AVAILABILITY_ANNOTATIONS
+#define CGA_HAS_CHARCONV (_LIBCPP_VERSION >= 200000)
+#else
+#define CGA_HAS_CHARCONV 0
+#endif
 
 // CGA_BASELINE_ONLY, for tests: no code beyond the processor's baseline.
 #if (defined(__x86_64__) || defined(_M_X64)) && !defined(CGA_BASELINE_ONLY)

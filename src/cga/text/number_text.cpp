@@ -1,5 +1,7 @@
 #include "cga/text/number_text.hpp"
 
+#include "cga/platform/compiler.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -19,6 +21,31 @@ bool is_plain(double value) {
 	const double size = std::abs(value);
 	return size == 0.0 || (size >= MIN_PLAIN && size < MAX_PLAIN);
 }
+
+#if CGA_HAS_CHARCONV
+
+// Whether a decimal other than zero is below 1, apart from its sign.
+bool is_below_one(std::string_view decimal) {
+	const size_t exponent_start = std::min(decimal.find_first_of("eE"), decimal.size());
+	const std::string_view digits = decimal.substr(0, exponent_start);
+	const size_t first = digits.find_first_of("123456789");
+	const size_t point = std::min(digits.find('.'), digits.size());
+	// Of the first digit that counts: 0 for the last one before the point.
+	const int64_t position = first < point ? int64_t(point - first) - 1 : int64_t(point) - int64_t(first);
+	// from_chars() reads no plus.
+	const size_t exponent_digits = decimal.find_first_of("-0123456789", exponent_start);
+	if (exponent_digits == std::string_view::npos) {
+		return position < 0;
+	}
+	int64_t exponent = 0;
+	const char *end = decimal.data() + decimal.size();
+	if (std::from_chars(decimal.data() + exponent_digits, end, exponent).ec == std::errc::result_out_of_range) {
+		return decimal[exponent_digits] == '-';
+	}
+	return position + exponent < 0;
+}
+
+#endif
 
 } // namespace
 
@@ -56,7 +83,7 @@ std::optional<double> read_number_by_stream(std::string_view decimal) {
 } // namespace detail
 
 void append_number(std::string &text, double value) {
-#ifdef __cpp_lib_to_chars
+#if CGA_HAS_CHARCONV
 	char digits[64];
 	const std::chars_format format = is_plain(value) ? std::chars_format::fixed : std::chars_format::scientific;
 	text.append(digits, std::to_chars(digits, digits + sizeof(digits), value, format).ptr);
@@ -66,14 +93,16 @@ void append_number(std::string &text, double value) {
 }
 
 std::optional<double> read_number(std::string_view decimal) {
-#ifdef __cpp_lib_to_chars
+#if CGA_HAS_CHARCONV
 	double value = 0.0;
 	if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), value).ec != std::errc::result_out_of_range) {
 		return value;
 	}
-#endif
 	// from_chars() does not distinguish overflow from underflow.
+	return is_below_one(decimal) ? std::optional(decimal[0] == '-' ? -0.0 : 0.0) : std::nullopt;
+#else
 	return detail::read_number_by_stream(decimal);
+#endif
 }
 
 } // namespace cga

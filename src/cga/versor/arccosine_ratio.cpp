@@ -7,7 +7,24 @@ namespace cga {
 
 namespace {
 
+// The platforms' acosh() and log1p() differ in precision, so none is used.
+
+// Below this distance from 1, the series for real numbers converges within MAX_TERMS.
+constexpr double NEAR_ONE = 0.25;
+constexpr int MAX_TERMS = 18;
+
 // h(c) = sum of k! / (1 3 5 ... (2 k + 1)) (1 - c)^k, about 1. The terms shrink by (1 - c) / 2.
+double series_about_one(double c) {
+	double term = 1.0;
+	double sum = 0.0;
+	for (int k = 0; k < MAX_TERMS; ++k) {
+		sum += term;
+		term *= (1.0 - c) * ((k + 1.0) / (2.0 * k + 3.0));
+	}
+	return sum;
+}
+
+// The same for Study numbers.
 StudyNumber series_about_one(double c, double w_squared) {
 	const StudyNumber d = { 1.0 - c, -1.0 };
 	StudyNumber term = { 1.0, 0.0 };
@@ -45,11 +62,11 @@ StudyNumber series_about(double c, double w_squared) {
 } // namespace
 
 double arccosine_ratio(double c) {
-	const double squared = (1.0 - c) * (1.0 + c);
-	if (c == 1.0) {
-		return 1.0;
+	if (std::abs(1.0 - c) < NEAR_ONE) {
+		return series_about_one(c);
 	}
-	return c < 1.0 ? std::acos(c) / std::sqrt(squared) : std::acosh(c) / std::sqrt(-squared);
+	const double root = std::sqrt(std::abs((1.0 - c) * (1.0 + c)));
+	return (c < 1.0 ? std::acos(c) : std::log(c + root)) / root;
 }
 
 StudyNumber arccosine_ratio(double c, double w_squared) {
@@ -67,7 +84,8 @@ StudyNumber arccosine_ratio(double c, double w_squared) {
 	}
 	// W is `length` times an imaginary unit.
 	const std::complex<double> z(c, length);
-	const std::complex<double> ratio = std::acosh(z) / (std::sqrt(z - 1.0) * std::sqrt(z + 1.0));
+	const std::complex<double> root = std::sqrt(z - 1.0) * std::sqrt(z + 1.0);
+	const std::complex<double> ratio = std::log(z + root) / root;
 	return { ratio.real(), ratio.imag() / length };
 }
 

@@ -19,7 +19,7 @@ static void initialize(godot::ModuleInitializationLevel level) {
 static void terminate(godot::ModuleInitializationLevel) {
 }
 
-extern "C" __attribute__((visibility("default"))) GDExtensionBool sample_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+extern "C" GDExtensionBool GDE_EXPORT sample_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
 	godot::GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
 	init.register_initializer(initialize);
 	init.register_terminator(terminate);

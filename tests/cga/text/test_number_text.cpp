@@ -17,11 +17,13 @@ std::string text_of(double value) {
 	return text;
 }
 
+#ifdef __GLIBCXX__
 std::string text_by_stream(double value) {
 	std::string text;
 	detail::append_number_by_stream(text, value);
 	return text;
 }
+#endif
 
 uint64_t bits_of(double value) {
 	uint64_t bits = 0;
@@ -65,6 +67,9 @@ TEST_CASE("any double reads back as the same bits") {
 	}
 }
 
+// Older versions of libstdc++ lack <charconv> for doubles. In libc++, the streams read no subnormal numbers.
+#ifdef __GLIBCXX__
+
 TEST_CASE("the versions for older standard libraries write and read the same") {
 	cga_test::Random random(2);
 	std::mt19937_64 engine(3);
@@ -80,8 +85,15 @@ TEST_CASE("the versions for older standard libraries write and read the same") {
 	}
 }
 
+#endif
+
 TEST_CASE("overflow gives no number, underflow gives zero") {
-	for (const auto read : { read_number, detail::read_number_by_stream }) {
+#ifdef __GLIBCXX__
+	const auto readers = { read_number, detail::read_number_by_stream };
+#else
+	const auto readers = { read_number };
+#endif
+	for (const auto read : readers) {
 		CHECK_FALSE(read("1e309").has_value());
 		CHECK_FALSE(read("-1e309").has_value());
 		CHECK_FALSE(read("1e999999999999").has_value());
@@ -95,6 +107,15 @@ TEST_CASE("overflow gives no number, underflow gives zero") {
 		CHECK(read("5e-324") == std::numeric_limits<double>::denorm_min());
 	}
 	CHECK(std::signbit(*read_number("-1e-400")));
+	CHECK_FALSE(std::signbit(*read_number("1E-400")));
+	CHECK(read_number("12345.6789E-00400") == 0.0);
+	CHECK(read_number("0." + std::string(500, '0') + "1e+100") == 0.0);
+	CHECK(read_number("1" + std::string(200, '0') + "e-600") == 0.0);
+	CHECK_FALSE(read_number("0." + std::string(200, '0') + "1e+600").has_value());
+	CHECK_FALSE(read_number("1E+400").has_value());
+	CHECK_FALSE(read_number("99.e+400").has_value());
+	CHECK_FALSE(read_number("-.5e400").has_value());
+	CHECK(read_number("-.5e-400") == 0.0);
 	CHECK(read_number("1000000e-400") == 0.0);
 	CHECK_FALSE(read_number(std::string(300, '9') + "e20").has_value());
 }

@@ -3,19 +3,55 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <complex>
 
 using namespace cga;
 
 namespace {
 
-using LongComplex = std::complex<long double>;
+// std::complex<long double> is wrong or crashes with some compilers for Windows.
+struct LongComplex {
+	long double real = 0.0L, imaginary = 0.0L;
+};
+
+LongComplex operator+(LongComplex a, LongComplex b) {
+	return { a.real + b.real, a.imaginary + b.imaginary };
+}
+
+LongComplex operator*(LongComplex a, LongComplex b) {
+	return { a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real };
+}
+
+LongComplex operator-(LongComplex a, LongComplex b) {
+	return a + b * LongComplex{ -1.0L };
+}
+
+LongComplex operator/(LongComplex a, LongComplex b) {
+	const long double squared = b.real * b.real + b.imaginary * b.imaginary;
+	return a * LongComplex{ b.real / squared, -b.imaginary / squared };
+}
+
+long double length_of(LongComplex z) {
+	return std::sqrt(z.real * z.real + z.imaginary * z.imaginary);
+}
+
+LongComplex square_root(LongComplex z) {
+	const long double size = std::sqrt(0.5L * (length_of(z) + std::abs(z.real)));
+	if (size == 0.0L) {
+		return {};
+	}
+	const long double other = z.imaginary / (2.0L * size);
+	return z.real >= 0.0L ? LongComplex{ size, other } : LongComplex{ std::abs(other), std::copysign(size, z.imaginary) };
+}
 
 LongComplex reference(LongComplex c) {
-	if (std::abs(c - 1.0L) < 1e-6L) {
-		return 1.0L + (1.0L - c) / 3.0L + (1.0L - c) * (1.0L - c) * (2.0L / 15.0L);
+	const LongComplex one = { 1.0L };
+	const LongComplex d = one - c;
+	if (length_of(d) < 1e-6L) {
+		return one + d * LongComplex{ 1.0L / 3.0L } + d * d * LongComplex{ 2.0L / 15.0L };
 	}
-	return std::acosh(c) / (std::sqrt(c - 1.0L) * std::sqrt(c + 1.0L));
+	const LongComplex root = square_root(c - one) * square_root(c + one);
+	const LongComplex sum = c + root;
+	return LongComplex{ std::log(length_of(sum)), std::atan2(sum.imaginary, sum.real) } / root;
 }
 
 } // namespace
@@ -39,18 +75,18 @@ TEST_CASE("the ratio of Study numbers: half the sum of h(c +- |W|), and half the
 				if (sign > 0.0 && c - length <= -0.5) {
 					continue;
 				}
-				const LongComplex root = sign > 0.0 ? LongComplex(length, 0.0L) : LongComplex(0.0L, length);
-				const LongComplex high = reference((long double)c + root);
-				const LongComplex low = reference((long double)c - root);
+				const LongComplex root = sign > 0.0 ? LongComplex{ length } : LongComplex{ 0.0L, length };
+				const LongComplex high = reference(LongComplex{ c } + root);
+				const LongComplex low = reference(LongComplex{ c } - root);
 				const StudyNumber h = arccosine_ratio(c, sign * length * length);
 				CAPTURE(c);
 				CAPTURE(length);
 				CAPTURE(sign);
-				const double number = double(std::real((high + low) / 2.0L));
+				const double number = double((high + low).real / 2.0L);
 				CHECK(h.number == doctest::Approx(number).epsilon(1e-14));
 				// The difference loses digits in the reference where |W| is small: its error is relative to h.
-				const LongComplex four = (high - low) / (2.0L * root);
-				const double error = std::abs(double(h.four - std::real(four))) * length;
+				const LongComplex four = (high - low) / (root + root);
+				const double error = std::abs(double(h.four - four.real)) * length;
 				worst = std::max(worst, error);
 			}
 		}

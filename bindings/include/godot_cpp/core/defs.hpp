@@ -16,12 +16,16 @@ typedef float real_t;
 #endif
 #endif
 
-#ifdef _MSC_VER
+#ifdef _WIN32
 #define GDE_EXPORT __declspec(dllexport)
+#else
+#define GDE_EXPORT __attribute__((visibility("default")))
+#endif
+
+#ifdef _MSC_VER
 #define _FORCE_INLINE_ __forceinline
 #define _ALWAYS_INLINE_ __forceinline
 #else
-#define GDE_EXPORT __attribute__((visibility("default")))
 #define _FORCE_INLINE_ inline
 #define _ALWAYS_INLINE_ __attribute__((always_inline)) inline
 #endif

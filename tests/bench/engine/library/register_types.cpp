@@ -15,7 +15,7 @@ static void initialize(godot::ModuleInitializationLevel level) {
 extern "C" {
 
 /// The entry point that ga_godot_bench.gdextension names.
-__attribute__((visibility("default"))) GDExtensionBool ga_godot_bench_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+GDExtensionBool GDE_EXPORT ga_godot_bench_init(GDExtensionInterfaceGetProcAddress get_proc_address, GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
 	godot::GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
 	init.register_initializer(initialize);
 	init.set_minimum_library_initialization_level(godot::MODULE_INITIALIZATION_LEVEL_SCENE);
