@@ -7,7 +7,7 @@ from machine import FEDORA, Machine
 
 CACHED = "engine-arm64"
 # Runs the program that the real one would emulate, and tells what it was given.
-QEMU = '#!/bin/sh\n[ "$4" = --version ] || echo "root=$2 program=$3"\nshift 2\nexec "$@"\n'
+QEMU = '#!/bin/sh\n[ "$6" = --version ] || echo "$1=$2 $3=$4 program=$5"\nshift 4\nexec "$@"\n'
 
 
 class SetupEngineArm64Test(unittest.TestCase):
@@ -33,7 +33,7 @@ class SetupEngineArm64Test(unittest.TestCase):
             self.assertTrue(loader.read())
         started = machine.execute(done.stdout.strip(), "--headless", "a b")
         self.assertEqual((started.returncode, started.stdout),
-                         (7, f"root={folder} program={folder}/usr/bin/godot\n--headless a b drivers=none\n"))
+                         (7, f"-cpu=cortex-a72 -L={folder} program={folder}/usr/bin/godot\n--headless a b drivers=none\n"))
 
     def test_asks_for_packages_of_arm64_only_for_this_engine(self):
         machine = self.machine()

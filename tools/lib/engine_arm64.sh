@@ -40,7 +40,9 @@ emulate_engine() {
 # OS.get_executable_path(): this system may not run programs for arm64.
 folder=$(dirname "$(readlink -f "$0")")
 qemu=$(command -v qemu-aarch64 || command -v qemu-aarch64-static)
-exec "$qemu" -L "$folder" "$folder/usr/bin/godot" "$@"
+# The processor of a Raspberry Pi 4. By default, QEMU emulates the signing of pointers,
+# which takes most of its time.
+exec "$qemu" -cpu cortex-a72 -L "$folder" "$folder/usr/bin/godot" "$@"
 END
     chmod +x "$work/engine/godot"
 }
