@@ -21,7 +21,7 @@ from engine_log import EngineLog  # noqa: E402
 from suite_process import read_counts  # noqa: E402
 
 # How many times longer than in an engine of this machine a test may take, beside another emulated engine on each core.
-SLOWNESS = 30
+SLOWNESS = 15
 
 
 def split(items, count):
