@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
-## The class reference of GAScene documents every registered member, each with an example that runs
-## and prints the stated output.
+## The class reference of GAScene documents every registered member, each with an example that
+## prints what its comment states (test_code_samples.gd runs it).
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
@@ -24,7 +24,7 @@ func test_every_member_is_documented_as_registered() -> void:
 	expect_equal(_reference.signals, _reference.registered_signals(), "signals")
 
 
-func test_every_description_has_a_correct_example() -> void:
+func test_every_description_has_an_example() -> void:
 	expect_true(
 		_reference.descriptions.has("signal entries_changed"), "a description of the signal"
 	)
@@ -36,9 +36,4 @@ func test_every_description_has_a_correct_example() -> void:
 		for code in samples:
 			expect_true(
 				CodeSample.count_prints(code) > 0, "a checked print() in the example of %s" % title
-			)
-			expect_equal(
-				CodeSample.find_faults(code),
-				PackedStringArray(),
-				"faults of the example of %s" % title
 			)

@@ -1,8 +1,6 @@
 extends "res://tests/framework/test_case.gd"
 ## MotorPool with many bodies: buffers, snapshots, and results that do not depend on the threads.
 
-const ClassReference := preload("res://tests/framework/class_reference.gd")
-const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
 ## Above the number of bodies at which threads are used, and not a multiple of the block size.
@@ -13,22 +11,6 @@ const MODES: Array[MultivectorLerp.Mode] = [
 const MILLION := 1_000_000
 
 var _pool := MotorPool.new()
-
-
-func test_the_examples_of_the_class_reference_hold() -> void:
-	var reference := ClassReference.new(&"MotorPool")
-	var parent := Node.new()
-	add_node(parent)
-	for title: String in ["MotorPool", "advance", "set_to_buffer"]:
-		var samples := reference.samples_of(title)
-		expect_equal(samples.size(), 1, "number of examples of %s" % title)
-		for code in samples:
-			expect_true(CodeSample.count_prints(code) > 0, "a checked print()")
-			expect_equal(
-				CodeSample.find_faults(code, parent),
-				PackedStringArray(),
-				"faults of the example of %s" % title
-			)
 
 
 func test_buffers_equal_transforms() -> void:

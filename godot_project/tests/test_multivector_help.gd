@@ -1,6 +1,6 @@
 extends "res://tests/framework/test_case.gd"
 ## The class reference of Multivector documents each method as registered, each with an example that
-## prints what its comment states.
+## prints what its comment states (test_code_samples.gd runs it).
 
 const ClassReference := preload("res://tests/framework/class_reference.gd")
 const CodeSample := preload("res://tests/framework/code_sample.gd")
@@ -21,7 +21,7 @@ func test_every_method_is_documented_as_registered() -> void:
 		expect_true(registered.has(method_name), "registration of %s" % method_name)
 
 
-func test_every_description_has_an_example_that_holds() -> void:
+func test_every_description_has_an_example() -> void:
 	expect_true(_reference.descriptions.size() > 60, "number of descriptions")
 	for title in _reference.descriptions:
 		var samples := _reference.samples_of(title)
@@ -29,9 +29,4 @@ func test_every_description_has_an_example_that_holds() -> void:
 		for code in samples:
 			expect_true(
 				CodeSample.count_prints(code) > 0, "a checked print() in the example of %s" % title
-			)
-			expect_equal(
-				CodeSample.find_faults(code),
-				PackedStringArray(),
-				"faults of the example of %s" % title
 			)

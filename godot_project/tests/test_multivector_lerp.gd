@@ -1,8 +1,6 @@
 extends "res://tests/framework/test_case.gd"
 ## The MultivectorLerp node: ends, target, playing, and errors such as missing nodes.
 
-const ClassReference := preload("res://tests/framework/class_reference.gd")
-const CodeSample := preload("res://tests/framework/code_sample.gd")
 const Poses := preload("res://tests/framework/poses.gd")
 
 const INVALID_MODE := (
@@ -62,15 +60,6 @@ func test_deviation_of_two_modes() -> void:
 		),
 		"a larger distance with a lever arm"
 	)
-
-
-func test_the_example_of_measure_deviation_holds() -> void:
-	_free_unused()
-	var samples := ClassReference.new(&"MultivectorLerp").samples_of("measure_deviation")
-	expect_equal(samples.size(), 1, "number of examples")
-	for code in samples:
-		expect_true(CodeSample.count_prints(code) > 0, "a checked print()")
-		expect_equal(CodeSample.find_faults(code), PackedStringArray(), "faults of the example")
 
 
 func test_invalid_arguments_of_measure_deviation_are_errors() -> void:

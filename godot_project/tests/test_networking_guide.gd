@@ -5,7 +5,7 @@ extends "res://tests/framework/network_test.gd"
 const PAGE := "docs/guides/networking.md"
 const SCRIPT := "(?ms)^```gdscript (\\w+\\.gd)\\n(.*?)^```$"
 const ENEMY := "user://guide_enemy.tscn"
-## Run by tests/network/guide_case.py.
+## Run by tests/newcomer/networking.py.
 const QUICK_START := "main.gd"
 
 

@@ -22,7 +22,6 @@ import avatar_cases  # noqa: E402
 import bad_network_cases  # noqa: E402
 import cases  # noqa: E402
 import fault_cases  # noqa: E402
-import guide_case  # noqa: E402
 import hostile_case  # noqa: E402
 import situation_cases  # noqa: E402
 import checkout  # noqa: E402
@@ -31,7 +30,7 @@ from demo_run import DemoRun, RunFailed  # noqa: E402
 
 
 CASES = (*cases.CASES, *bad_network_cases.CASES, *avatar_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
-         *fault_cases.CASES, guide_case.guide_project_moves_smoothly)
+         *fault_cases.CASES)
 LONG_SECONDS = "60"
 
 

@@ -4,7 +4,7 @@ import json
 import os
 import time
 
-from demo_run import DemoProcess, RunFailed, START_SECONDS, free_port
+from demo_run import DemoProcess, RunFailed, START_SECONDS, free_port, project_command
 from situation_record import Record
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "situations")
@@ -39,8 +39,8 @@ class Session:
     def start_process(self, name, role, index):
         arguments = {"role": role, "index": index, "situation": self._situation, "port": self.port_of(role), "go": self._go,
                      "record": os.path.join(self._folder, name + ".jsonl"), "config": json.dumps(self._config)}
-        process = DemoProcess(self._engine, name, self._folder, [f"--{key}={value}" for key, value in arguments.items()],
-                              script=MAIN, environment=self.environment_of(name))
+        process = DemoProcess(project_command(self._engine, script=MAIN), name, self._folder,
+                              [f"--{key}={value}" for key, value in arguments.items()], self.environment_of(name))
         process.record_path = arguments["record"]
         return process
 

@@ -22,9 +22,18 @@ body: shown, within tolerance
 IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")
 # Symbols of exception handling, which do not depend on the instruction set.
 IGNORED_SYMBOLS = ("DW.ref.__gxx_personality_v0", "__clang_call_terminate")
+BUILDING = os.path.join("docs", "building.md")
+PROJECT = """\
+cmake_minimum_required(VERSION 3.16)
+project(documented CXX)
+set(CMAKE_CXX_STANDARD 17)
+add_executable(my_program "{source}")
+{sample}"""
 sys.path.insert(0, os.path.join(ROOT, "site_scons"))
+sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 
 import archive  # noqa: E402
+import code_samples  # noqa: E402
 import instruction_sets  # noqa: E402
 
 
@@ -70,6 +79,21 @@ def installed():
     check_example("example_of_package")
 
 
+def documented():
+    """The lines of the page about building, with the installed package: they build and link the example's source."""
+    samples = [sample for sample in code_samples.all_samples() if sample.language == "cmake"]
+    if [sample.page for sample in samples] != [BUILDING]:
+        raise RuntimeError(f"this test runs one sample, that of {BUILDING}, instead of {samples}")
+    source = folder("documented_source")
+    os.makedirs(source, exist_ok=True)
+    with open(os.path.join(source, "CMakeLists.txt"), "w", encoding="utf-8") as file:
+        file.write(PROJECT.format(source=os.path.join(EXAMPLE, "main.cpp"), sample=samples[0].text))
+    configure(source, "documented", "Debug", f"-DCMAKE_PREFIX_PATH={folder('prefix')}")
+    build("documented", "my_program")
+    if run(os.path.join(folder("documented"), "my_program")) != EXPECTED:
+        raise RuntimeError("the program does not print what core_example prints")
+
+
 def subdirectory():
     """add_subdirectory() of the sources, optimized."""
     configure(EXAMPLE, "example_of_sources", "Release", f"-DGA_GODOT_CORE_SOURCE={ROOT}")
@@ -101,6 +125,7 @@ def same_options():
 
 CHECKS = (
     ("the example with the installed package", installed),
+    ("the lines of the page about building", documented),
     ("the example with the sources", subdirectory),
     ("unoptimized objects for AVX2 share no code", lambda: no_shared_code("core")),
     ("optimized objects for AVX2 share no code", lambda: no_shared_code("example_of_sources")),

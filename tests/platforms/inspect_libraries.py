@@ -78,7 +78,8 @@ def read_windows(data):
 def read_macos(data):
     """The Parts of a universal Mach-O file."""
     parts = []
-    for binary in lief.MachO.parse(list(data)):
+    universal = lief.MachO.parse(list(data))  # owns its parts
+    for binary in universal:
         exports = [symbol.name.lstrip("_") for symbol in binary.exported_symbols]
         imports = [library.name for library in binary.libraries if library.command != lief.MachO.LoadCommand.TYPE.ID_DYLIB]
         oldest = tuple(binary.build_version.minos)[:2]

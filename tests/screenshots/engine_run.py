@@ -24,26 +24,21 @@ class Run:
 
 
 class Engine:
-    """An engine command with its environment and working folder."""
+    """An engine command with its environment."""
 
-    def __init__(self, command, environment, folder=None):
+    def __init__(self, command, environment):
         self._command = shlex.split(command)
-        self._folder = folder
         self._environment = {**os.environ, **environment}
 
     def with_environment(self, variables):
         """A copy with further environment variables."""
-        return Engine(shlex.join(self._command), {**self._environment, **variables}, self._folder)
-
-    def in_folder(self, folder):
-        """A copy that starts in that folder."""
-        return Engine(shlex.join(self._command), self._environment, folder)
+        return Engine(shlex.join(self._command), {**self._environment, **variables})
 
     def run(self, arguments, seconds, drawing=True):
         """Runs the engine, for at most `seconds`."""
         command = self._command + (DRAWING if drawing else ["--headless"]) + arguments
         try:
-            done = subprocess.run(command, cwd=self._folder, env=self._environment, stdin=subprocess.DEVNULL,
+            done = subprocess.run(command, env=self._environment, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, text=True,
                                   errors="replace", check=False)
         except subprocess.TimeoutExpired as stopped:

@@ -26,7 +26,6 @@ import dock  # noqa: E402
 import drawing  # noqa: E402
 import editor  # noqa: E402
 import engine_run  # noqa: E402
-import export  # noqa: E402
 import indexed_png  # noqa: E402
 import lab  # noqa: E402
 import renderers  # noqa: E402
@@ -79,7 +78,7 @@ def run_tests(engine):
     """Runs all tests and prints the last line; returns the exit code."""
     passed, failed = compare_pictures(engine)
     parts = [renderers.tests(engine, PROJECT, REFERENCES, OUTPUT)]
-    parts += [part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, drawing, export, lab)]
+    parts += [part.tests(engine, PROJECT, OUTPUT) for part in (editor, dock, view, drawing, lab)]
     for title, problems in itertools.chain.from_iterable(parts):
         if problems:
             failed += 1

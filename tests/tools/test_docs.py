@@ -1,26 +1,13 @@
 """Links in the documentation lead to files and headings that exist, and every page is linked."""
 
+import glob
 import os
+import re
 import unittest
 
 import checkout
-from markdown_links import anchors, dead_links, linked_paths, targets
-
-BUILT = ("build", "dist")
-
-
-def pages():
-    """Paths of all Markdown files of the checkout, relative to it."""
-    found = []
-    for folder, folders, names in os.walk(checkout.ROOT):
-        folders[:] = [name for name in folders if name == ".github" or name not in BUILT and not name.startswith(".")]
-        found += [os.path.relpath(os.path.join(folder, name), checkout.ROOT) for name in names if name.endswith(".md")]
-    return sorted(found)
-
-
-def read(page):
-    with open(os.path.join(checkout.ROOT, page), encoding="utf-8") as file:
-        return file.read()
+from code_samples import pages, read
+from markdown_links import CODE, FENCE, anchors, dead_links, linked_paths, targets
 
 
 def exists(path):
@@ -50,6 +37,24 @@ class DocsTest(unittest.TestCase):
         self.assertEqual(text.count("!["), 2)
         for heading in ("## Installation", "## Quick start", "## Contributing", "## License"):
             self.assertIn(heading + "\n", text)
+
+    def test_menus_and_buttons_that_the_guides_name_exist(self):
+        """*Menu > Item* is a text of the engine or of the addon, or an engine's setting in the words of the editor."""
+        with open(os.path.realpath(checkout.setup_path("engine")), "rb") as file:
+            texts = file.read()
+        if not texts.startswith(b"\x7fELF"):
+            self.skipTest("the engine is started by a script")
+        for path in glob.glob(os.path.join(checkout.PROJECT, "addons", "ga_godot", "**", "*.gd"), recursive=True):
+            with open(path, "rb") as file:
+                texts += file.read()
+        count = 0
+        for page in [page for page in pages() if page.startswith(os.path.join("docs", "guides")) or page.endswith("README.md")]:
+            for name in re.findall(r"(?<!\*)\*([A-Z][^*]+)\*(?!\*)", CODE.sub("", FENCE.sub("", read(page)))):
+                for part in re.sub(r"\s+", " ", name).split(" > "):
+                    count += 1
+                    known = part.encode() in texts or part.lower().replace(" ", "_").encode() in texts
+                    self.assertTrue(known, f"{page}: neither Godot nor the addon has '{part}'")
+        self.assertGreater(count, 50)
 
     def test_links_and_anchors_are_found(self):
         text = "[![a](b.png)](c.md) and [d `e`](f.md#g) `[no](h.md)`\n```\n[no](i.md)\n```\n"

@@ -1,14 +1,14 @@
 """The troubleshooting page cites messages that the library, the plugin and the engine print."""
 
+import glob
 import os
 import re
 import unittest
 
 import checkout
+from troubleshooting_page import rows
 
-PAGE = os.path.join("docs", "troubleshooting.md")
 PLACES = ("src", os.path.join("godot_project", "addons", "ga_godot"))
-ROW = re.compile(r"^\| (`{1,2})(.+?)\1( \(Godot\))? \| (.+) \|$", re.M)
 # "one " + "text" over two lines, and quotes within a text.
 CONCATENATION = re.compile(r'"\s*\+?\s*\n\s*\+?\s*"')
 
@@ -25,42 +25,53 @@ def messages():
     return "\n".join(texts)
 
 
-def rows():
-    with open(os.path.join(checkout.ROOT, PAGE), encoding="utf-8") as file:
-        return [(message.strip(), bool(engine), advice) for _, message, engine, advice in ROW.findall(file.read())]
+def of(source):
+    return [row for row in rows() if row.source == source]
 
 
 class TroubleshootingTest(unittest.TestCase):
     def test_messages_are_those_of_the_sources(self):
         sources = messages()
-        own = [message for message, engine, _ in rows() if not engine]
-        self.assertGreater(len(own), 30)
-        for message in own:
-            pieces = [piece.strip() for piece in message.split("...") if len(piece.strip()) > 2]
-            self.assertTrue(pieces, message)
-            self.assertEqual([piece for piece in pieces if piece not in sources], [], message)
+        self.assertGreater(len(of("")), 30)
+        for row in of(""):
+            self.assertTrue(row.pieces(), row.message)
+            self.assertEqual([piece for piece in row.pieces() if piece not in sources], [], row.message)
 
     def test_messages_of_godot_are_in_the_engine(self):
         with open(os.path.realpath(checkout.setup_path("engine")), "rb") as file:
             program = file.read()
         if not program.startswith(b"\x7fELF"):
             self.skipTest("the engine is started by a script")
-        cited = [message for message, engine, _ in rows() if engine]
-        self.assertGreater(len(cited), 3)
-        for message in cited:
-            pieces = [piece.strip() for piece in re.split(r"\.\.\.|(?<=\")\w+(?=\")", message) if len(piece.strip()) > 2]
-            self.assertEqual([piece for piece in pieces if piece.encode() not in program], [], message)
+        self.assertGreater(len(of("Godot")), 9)
+        for row in of("Godot"):
+            pieces = [part for piece in row.pieces() for part in re.split(r"(?<=\")\w+(?=\")", piece)]
+            self.assertEqual([piece for piece in pieces if piece.encode() not in program], [], row.message)
+
+    def test_messages_of_linux_are_in_its_loader(self):
+        loaders = glob.glob("/lib*/ld-linux*.so*")
+        if not loaders:
+            self.skipTest("no loader of glibc")
+        with open(loaders[0], "rb") as file:
+            program = file.read()
+        self.assertGreater(len(of("Linux")), 4)
+        for row in of("Linux"):
+            # "file: reason"
+            pieces = [part for piece in row.pieces() for part in piece.split(": ") if part != "No such file or directory"]
+            self.assertEqual([piece for piece in pieces if piece.encode() not in program], [], row.message)
+
+    def test_sources_are_known(self):
+        self.assertEqual({row.source for row in rows()}, {"", "Godot", "Linux", "Windows", "macOS"})
 
     def test_every_row_says_what_to_do(self):
-        for message, _, advice in rows():
-            self.assertGreater(len(advice), 30, message)
+        for row in rows():
+            self.assertTrue(len(row.advice) > 30 or row.advice.startswith("As above"), row.message)
 
     def test_every_warning_of_the_setup_is_listed(self):
         """What the Scene dock shows has the cause and the cure on the page."""
         with open(os.path.join(checkout.ROOT, "src", "godot", "net", "setup_warnings.cpp"), encoding="utf-8") as file:
             warnings = re.findall(r'faults\.push_back\((?:vformat\()?"((?:[^"\\]|\\.)*)"', file.read())
         self.assertGreater(len(warnings), 5)
-        listed = [message.split("...") for message, _, _ in rows()]
+        listed = [row.message.split("...") for row in of("")]
         for warning in warnings:
             text = re.sub(r"%[ds]", "...", warning.replace('\\"', '"'))
             found = any(all(piece.strip() in text for piece in pieces) for pieces in listed)

@@ -31,24 +31,27 @@ def free_port():
         return probe.getsockname()[1]
 
 
+def project_command(engine, window=None, script=None):
+    """The command that starts the demo in its project, up to its arguments. `window`: its number, which determines its position,
+    or None for headless; `script` replaces the demo's scene."""
+    screen = ["--headless"]
+    if window is not None:
+        screen = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy", "--resolution", "1152x648",
+                  "--position", f"{40 + 60 * window},{40 + 60 * window}"]
+    program = ["--script", script] if script else [SCENE]
+    return [*engine, *screen, "--path", checkout.PROJECT, *program, "--"]
+
+
 class DemoProcess:
     """One engine process, with its output in a file."""
 
-    def __init__(self, engine, name, folder, arguments, window=None, project=checkout.PROJECT, script=None,
-                 environment=None):
-        """`window`: its number, which determines its position, or None for headless; `script` replaces the demo's scene;
-        `environment`: additional variables."""
+    def __init__(self, command, name, folder, arguments, environment=None):
+        """`command`: what starts the demo, up to its arguments; `environment`: additional variables."""
         self.name = name
         self.log_path = os.path.join(folder, name + ".log")
         self.record_path = os.path.join(folder, name + ".poses")
-        screen = ["--headless"]
-        if window is not None:
-            screen = ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy", "--resolution", "1152x648",
-                      "--position", f"{40 + 60 * window},{40 + 60 * window}"]
-        program = ["--script", script] if script else [SCENE]
-        command = [*engine, *screen, "--path", project, *program, "--", *arguments]
         with open(self.log_path, "w", encoding="utf-8") as log:
-            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log,
+            self.process = subprocess.Popen([*command, *arguments], stdin=subprocess.DEVNULL, stdout=log,
                                             stderr=subprocess.STDOUT, start_new_session=True,
                                             env={**os.environ, **(environment or {})})
 
@@ -99,10 +102,11 @@ class DemoProcess:
 class DemoRun:
     """A server and its clients. A context manager that kills all processes on exit."""
 
-    def __init__(self, engine, folder, project=checkout.PROJECT):
+    def __init__(self, engine, folder, exported=None):
+        """`exported`: by role, the command that starts an exported demo, up to its arguments, instead of the project's."""
         self.engine = engine
         self.folder = folder
-        self.project = project
+        self.exported = exported
         self.port = free_port()
         # Clients leave a server of another run, which may have taken the port.
         self.session = uuid.uuid4().hex[:12]
@@ -120,7 +124,7 @@ class DemoRun:
     def start_server(self, *arguments, script=None):
         """Starts the server; if another process has taken the port, on another one."""
         for attempt in range(PORT_ATTEMPTS):
-            self.server = self._start("server", ["--role=server", *arguments], script=script)
+            self.server = self._start("server", "server", arguments, script=script)
             try:
                 self.server.wait_for_line(LISTENING, START_SECONDS)
                 return
@@ -132,7 +136,7 @@ class DemoRun:
 
     def start_client(self, *arguments, window=None, script=None):
         name = f"client{len(self.clients) + 1}"
-        client = self._start(name, ["--role=client", f"--name=Player {len(self.clients) + 1}", *arguments], window, script)
+        client = self._start(name, "client", [f"--name=Player {len(self.clients) + 1}", *arguments], window, script)
         self.clients.append(client)
         return client
 
@@ -154,11 +158,11 @@ class DemoRun:
         for process in [self.server, *self.clients]:
             process.check_log()
 
-    def _start(self, name, arguments, window=None, script=None):
+    def _start(self, name, role, arguments, window=None, script=None):
+        command = self.exported[role] if self.exported else project_command(self.engine, window=window, script=script)
         record = os.path.join(self.folder, name + ".poses")
-        return DemoProcess(self.engine, name, self.folder,
-                           [f"--port={self.port}", f"--session={self.session}", f"--record={record}", *arguments],
-                           window, self.project, script)
+        return DemoProcess(command, name, self.folder, [f"--role={role}", f"--port={self.port}", f"--session={self.session}",
+                                                        f"--record={record}", *arguments])
 
 
 def progress(phase, detail=""):

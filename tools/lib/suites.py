@@ -74,5 +74,8 @@ SUITES = (
     Suite("engine", ("build", "engine"), (LIBRARY,), engine_programs),
     Suite("screenshots", ("build", "engine", "display", "graphics"), (LIBRARY,),
           lambda: runner("screenshots", seconds=360), display=True),
+    Suite("export", ("build", "engine", "templates"), (LIBRARY,), lambda: runner("export", seconds=400)),
+    Suite("newcomer", ("build", "engine", "display", "graphics", "templates"), (LIBRARY,),
+          lambda: runner("newcomer", seconds=400), display=True),
     Suite("network", ("build", "engine"), (LIBRARY,), lambda: runner("network", seconds=700)),
 )

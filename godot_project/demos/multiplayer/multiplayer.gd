@@ -43,8 +43,10 @@ func _ready() -> void:
 			_open_lobby("")
 
 
+## Frees the API once the nodes below have left the tree: before, Godot reports an error in release
+## exports (godot#123751).
 func _exit_tree() -> void:
-	get_tree().set_multiplayer(null, get_path())
+	tree_exited.connect(get_tree().set_multiplayer.bind(null, get_path()), CONNECT_ONE_SHOT)
 
 
 func _start_server() -> void:

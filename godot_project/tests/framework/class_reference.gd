@@ -1,6 +1,8 @@
 extends RefCounted
 ## The class reference of one class: what its XML file documents and what the class registers.
 
+const CodeSample := preload("res://tests/framework/code_sample.gd")
+
 const FOLDER := "src/godot/doc_classes"
 const CODE := "(?s)\\[codeblock\\](.*?)\\[/codeblock\\]"
 
@@ -11,6 +13,8 @@ var methods: Dictionary[String, String] = {}
 ## Type and default value by name.
 var members: Dictionary[String, String] = {}
 var signals := PackedStringArray()
+## The number of code samples in the file.
+var sample_count := 0
 ## The error of reading the file, or OK.
 var error := OK
 
@@ -19,9 +23,10 @@ var _type: StringName
 
 func _init(type: StringName) -> void:
 	_type = type
-	var repository := ProjectSettings.globalize_path("res://").trim_suffix("/").get_base_dir()
+	var path := folder().path_join("%s.xml" % type)
+	sample_count = FileAccess.get_file_as_string(path).count("[codeblock]")
 	var parser := XMLParser.new()
-	error = parser.open(repository.path_join(FOLDER).path_join("%s.xml" % type))
+	error = parser.open(path)
 	var title := ""
 	var is_signal := false
 	var qualifiers := ""
@@ -78,6 +83,10 @@ func _init(type: StringName) -> void:
 		):
 			descriptions["signal %s" % title if is_signal else title] = parser.get_node_data()
 			is_signal = false
+
+
+static func folder() -> String:
+	return CodeSample.repository().path_join(FOLDER)
 
 
 ## The code samples in a description, without their common indentation.
