@@ -27,9 +27,8 @@ func test_priority_set_while_the_stream_runs() -> void:
 
 func _connect(priority: int) -> void:
 	var peer := ENetMultiplayerPeer.new()
-	var port := NetworkBranch.FIRST_PORT
-	while peer.create_server(port) != OK:
-		port += 1
+	var port := NetworkBranch.find_free_port()
+	peer.create_server(port)
 	make_branch("Server").api.multiplayer_peer = NarrowPeer.new(peer, BYTES_PER_SECOND)
 	make_branch("Client").join(port)
 	for branch in branches:
