@@ -12,18 +12,24 @@ METAS = {**{name: name + "_t" for name in INTEGERS}, "float": "float", "double":
 PLAIN = {*NUMBERS.values(), *METAS.values()}
 
 # Built-in types written by hand, in include/godot_cpp/variant/.
-HAND_WRITTEN = ("Vector2", "Vector3", "Quaternion", "AABB", "Basis", "Transform3D", "Color", "RID", "Variant")
+HAND_WRITTEN = ("Vector2", "Vector3", "Quaternion", "AABB", "Basis", "Transform3D", "Color", "RID")
 
-# Built-in types that are handles to engine memory: (header of the base class, base class). The class with the engine's
-# methods is generated; its hand-written base class adds operators and conversions. Other built-in types, and methods
-# that take or return one, are not in the subset.
-INDEX = "gdextension_interface::{file}_operator_index"
+
+def snake_case(name):
+    """File names as godot-cpp derives them: Node3D is node3d.hpp, PackedInt32Array is packed_int32_array.hpp."""
+    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
+    name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
+    return name.lower().replace("2_d", "2d").replace("3_d", "3d")
 
 
 def packed(element):
-    return "packed_array_base", f"PackedArrayBase<{{name}}, {element}, {{type}}, {INDEX}, {INDEX}_const>"
+    index = "gdextension_interface::{file}_operator_index"
+    return "packed_array_base", f"PackedArrayBase<{{name}}, {element}, {{type}}, {index}, {index}_const>"
 
 
+# Built-in types that are handles to engine memory: (header of the base class, base class). The class with the engine's
+# methods is generated; its hand-written base class adds operators and conversions. Of the other built-in types only
+# Variant is in the subset; methods that take or return one are not.
 HANDLES = {
     "String": ("string_base", "StringBase"),
     "StringName": ("string_base", "StringNameBase"),
@@ -36,29 +42,35 @@ HANDLES = {
     "PackedFloat32Array": packed("float"),
     "PackedFloat64Array": packed("double"),
     "PackedStringArray": packed("String"),
-    "PackedVector2Array": packed("Vector2"),
     "PackedVector3Array": packed("Vector3"),
-    "PackedColorArray": packed("Color"),
 }
 
-# Operators of built-in types. The right operand has the same type, or one of those in RIGHT_TYPES.
-OPERATORS = {"==": "EQUAL", "!=": "NOT_EQUAL", "<": "LESS", "+": "ADD", "%": "MODULE"}
-RIGHT_TYPES = {("String", "+"): ("String", "StringName"), ("String", "%"): ("Array",)}
-RIGHT_TYPES.update({("StringName", "=="): (), ("StringName", "!="): ()})  # written by hand
+# Operators of built-in types. The right operand has the same type, or the one in RIGHT_TYPES.
+OPERATORS = {"==": "EQUAL", "!=": "NOT_EQUAL", "+": "ADD", "%": "MODULE"}
+RIGHT_TYPES = {("String", "%"): "Array", ("StringName", "=="): None, ("StringName", "!="): None}  # None: written by hand
 
-UTILITY_FUNCTIONS = ("print", "push_error", "push_warning")
+# The functions of the engine's C interface that are declared and loaded; add what the sources use. Those of packed arrays
+# are in HANDLES.
+INTERFACE_FUNCTIONS = """
+    array_operator_index array_operator_index_const array_set_typed callable_custom_create2 classdb_construct_object2
+    classdb_get_class_tag classdb_get_method_bind classdb_register_extension_class4 classdb_register_extension_class5
+    classdb_register_extension_class_integer_constant classdb_register_extension_class_method
+    classdb_register_extension_class_property classdb_register_extension_class_signal
+    classdb_unregister_extension_class dictionary_operator_index dictionary_operator_index_const
+    editor_help_load_xml_from_utf8_chars get_variant_from_type_constructor get_variant_to_type_constructor
+    global_get_singleton mem_alloc mem_alloc2 mem_free mem_free2 object_cast_to object_destroy
+    object_free_instance_binding object_get_instance_binding object_get_instance_from_id object_get_instance_id
+    object_method_bind_call object_method_bind_ptrcall object_set_instance object_set_instance_binding
+    print_error_with_message print_warning ref_get_object ref_set_object string_name_new_with_latin1_chars
+    string_new_with_latin1_chars string_new_with_utf8_chars_and_len string_operator_plus_eq_string string_to_utf8_chars
+    variant_can_convert_strict variant_destroy variant_get_object_instance_id variant_get_ptr_builtin_method
+    variant_get_ptr_constructor variant_get_ptr_destructor variant_get_ptr_operator_evaluator variant_get_type
+    variant_get_type_name variant_new_copy variant_new_nil worker_thread_pool_add_native_group_task
+""".split() + [f"{snake_case(name)}_operator_index{const}" for name in HANDLES if name.startswith("Packed") for const in ("", "_const")]
 
-# Members that godot-cpp adds to engine classes, and engine methods that it renames to avoid a conflict with these.
+# Engine methods that godot-cpp renames, and members that it adds to engine classes.
 RENAMED_METHODS = {("Node", "get_node"): "get_node_internal"}
 EXTRA_MEMBERS = {
-    "NodePath": """
-	NodePath(const char *p_path) :
-			NodePath(String(p_path)) {}
-""",
-    "Node": """
-	template <typename T>
-	T *get_node(const NodePath &p_path) const { return Object::cast_to<T>(get_node_internal(p_path)); }
-""",
     "WorkerThreadPool": """
 	enum {
 		INVALID_TASK_ID = -1
@@ -72,13 +84,6 @@ EXTRA_MEMBERS = {
 }
 
 
-def snake_case(name):
-    """File names as godot-cpp derives them: Node3D is node3d.hpp, PackedInt32Array is packed_int32_array.hpp."""
-    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
-    name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
-    return name.lower().replace("2_d", "2d").replace("3_d", "3d")
-
-
 def variant_type(name):
     return "GDEXTENSION_VARIANT_TYPE_" + snake_case(name).upper()
 
@@ -89,7 +94,7 @@ class Api:
     def __init__(self, description, profile):
         self.builtins = {entry["name"]: entry for entry in description["builtin_classes"]}
         self.global_enums = [entry for entry in description["global_enums"] if "." not in entry["name"]]
-        self.utility_functions = {entry["name"]: entry for entry in description["utility_functions"]}
+        self.variant_types, = [entry["values"] for entry in description["global_enums"] if entry["name"] == "Variant.Type"]
         self.singletons = {entry["type"]: entry["name"] for entry in description["singletons"]}
         sizes = {entry["build_configuration"]: entry["sizes"] for entry in description["builtin_class_sizes"]}
         self.sizes = {entry["name"]: entry["size"] for entry in sizes[BUILD_CONFIGURATION]}
@@ -108,7 +113,7 @@ class Api:
         """The C++ type of a value; None if it is not in the subset."""
         if json_type in NUMBERS:
             return METAS.get(meta, NUMBERS[json_type])
-        if json_type in HAND_WRITTEN or json_type in HANDLES:
+        if json_type in (*HAND_WRITTEN, *HANDLES, "Variant"):
             return json_type
         if json_type in self.classes:
             return f"Ref<{json_type}>" if self.classes[json_type]["is_refcounted"] else f"{json_type} *"
@@ -170,7 +175,7 @@ class Api:
         """Operators: (symbol, result, right type)."""
         for operator in self.builtins[name]["operators"]:
             symbol, right = operator["name"], operator.get("right_type")
-            if symbol in OPERATORS and right in RIGHT_TYPES.get((name, symbol), (name,)):
+            if symbol in OPERATORS and right == RIGHT_TYPES.get((name, symbol), name):
                 yield symbol, self.spell(operator["return_type"]), right
 
 

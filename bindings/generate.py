@@ -10,10 +10,9 @@ import os
 import re
 import sys
 
-from engine_api import EXTRA_MEMBERS, HANDLES, HAND_WRITTEN, OPERATORS, UTILITY_FUNCTIONS, Api, snake_case, variant_type
+from engine_api import EXTRA_MEMBERS, HAND_WRITTEN, HANDLES, INTEGERS, INTERFACE_FUNCTIONS, OPERATORS, Api, snake_case, variant_type
 
 OLDEST_ENGINE = (4, 4)  # the library loads in this engine and later ones; it checks for functions that came later
-NEWEST_INTERFACE = (4, 6)  # functions of later engines are omitted
 
 
 def include(*paths):
@@ -21,19 +20,14 @@ def include(*paths):
 
 
 class Output:
-    """Writes files into one folder. Leaves unchanged files untouched, so that they are not compiled again."""
+    """Writes files into one folder."""
 
     def __init__(self, folder):
         self.folder = folder
 
     def write(self, path, text):
         path = os.path.join(self.folder, path)
-        try:
-            with open(path, encoding="utf-8") as file:
-                if file.read() == text:
-                    return
-        except FileNotFoundError:
-            os.makedirs(os.path.dirname(path), exist_ok=True)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
 
@@ -61,17 +55,18 @@ def enum_casts(enums, prefix=""):
 
 
 def write_interface(output, header):
-    """Writes a pointer to each function of the engine's C interface, and the loader that sets the pointers."""
-    functions = []
+    """Writes pointers to functions of the engine's C interface, and the loader that sets them."""
+    known = {}
     for comment, definition in re.findall(r"/\*\*(.*?)\*/\s*typedef ([^;]+);", header, re.S):
         name = re.search(r"@name (\w+)", comment)
         since = re.search(r"@since (\d+)\.(\d+)", comment)
         pointer = re.search(r"\(\*(\w+)\)", definition)
-        version = tuple(map(int, since.groups())) if since else NEWEST_INTERFACE
-        if name and since and pointer and version <= NEWEST_INTERFACE:
-            functions.append((name[1], pointer[1], version <= OLDEST_ENGINE))
-    if not functions:
-        sys.exit("generate.py: the interface header declares no functions; pass the gdextension_interface.h of the engine")
+        if name and since and pointer:
+            known[name[1]] = pointer[1], tuple(map(int, since.groups())) <= OLDEST_ENGINE
+    unknown = ", ".join(sorted(set(INTERFACE_FUNCTIONS) - known.keys()))
+    if unknown:
+        sys.exit(f"generate.py: the interface header of this engine does not declare {unknown}")
+    functions = [(name, *known[name]) for name in INTERFACE_FUNCTIONS]
 
     load = "const char *load(GDExtensionInterfaceGetProcAddress p_get_proc_address)"
     declarations = "".join(f"extern {pointer} {name};\n" for name, pointer, _ in functions)
@@ -96,13 +91,11 @@ def write_builtin_header(output, api, name):
     base = base.format(name=name, type=variant_type(name), file=snake_case(name))
     needed = ["string", "string_name"][:list(HANDLES).index(name)]  # for default arguments
     includes = include(*(f"godot_cpp/variant/{path}" for path in [header] + needed))
-    structs = set(HAND_WRITTEN) - {"Variant"}
-    forward = "".join(f"{'struct' if other in structs else 'class'} {other};\n"
-                      for other in sorted({*HANDLES, *HAND_WRITTEN, "Object"} - {name}))
+    forward = "".join(f"{'struct' if other in HAND_WRITTEN else 'class'} {other};\n"
+                      for other in sorted({*HANDLES, *HAND_WRITTEN, "Object", "Variant"} - {name}))
     base_name = base.split("<")[0]
     members = f"\tusing {base_name}::{base_name};\n\n"
     members += "".join(f"\t{name}({parameters});\n" for _, parameters, _ in api.constructors(name))
-    members += EXTRA_MEMBERS.get(name, "").lstrip("\n")
     members += "".join("\t" + method.declaration() for method in api.builtin_methods(name))
     members += "".join(f"\t{result} operator{symbol}(const {right} &p_other) const;\n"
                        for symbol, result, right in api.operators(name))
@@ -112,7 +105,7 @@ def write_builtin_header(output, api, name):
 
 def write_builtin_source(output, api):
     interface = "gdextension_interface::variant_get_ptr"
-    body = "".join(f"static_assert(sizeof({name}) == {api.sizes[name]});\n" for name in [*HAND_WRITTEN, *HANDLES])
+    body = "".join(f"static_assert(sizeof({name}) == {api.sizes[name]});\n" for name in [*HAND_WRITTEN, *HANDLES, "Variant"])
     for name in HANDLES:
         variant = variant_type(name)
         for index, parameters, names in api.constructors(name):
@@ -148,17 +141,47 @@ def write_global_constants(output, api):
     output.write("include/godot_cpp/classes/global_constants_binds.hpp", f"{NOTICE}#pragma once\n\n{includes}\n{casts}")
 
 
-def write_utility_functions(output, api):
+def write_variant(output, api):
+    """Variant, whose base class is written by hand, with a constructor from each type and a conversion to it."""
+    types = "".join(f"\t\t{value['name'][len('TYPE_'):]} = {value['value']},\n" for value in api.variant_types)
+    types = types.replace("\tMAX =", "\tVARIANT_MAX =")
+    output.header("variant/variant_type", "", f"struct VariantType {{\n\tenum Type {{\n{types}\t}};\n}};\n", "", "godot::internal")
     members = ""
-    for name in UTILITY_FUNCTIONS:
-        key = f'"{name}", {api.utility_functions[name]["hash"]}'
-        members += f"""	template <typename... Args>
-	static void {name}(const Variant &p_arg1, const Args &...p_args) {{
-		internal::call_utility_function({key}, p_arg1, p_args...);
-	}}
+    for type_name, wide in [*((f"{name}_t", "int64_t") for name in INTEGERS if name != "int64"), ("float", "double")]:
+        members += f"""	Variant({type_name} p_value) :
+			VariantBase(static_cast<{wide}>(p_value)) {{}}
+	operator {type_name}() const {{ return static_cast<{type_name}>(operator {wide}()); }}
 """
-    body = f"class UtilityFunctions {{\npublic:\n{members}}};\n"
-    output.header("variant/utility_functions", include("godot_cpp/core/call"), body)
+    traits = ""
+    for name in [*HAND_WRITTEN, *HANDLES]:
+        enumerator = snake_case(name).upper()
+        members += f"""	Variant(const ::godot::{name} &p_value) {{ construct({enumerator}, &p_value); }}
+	operator ::godot::{name}() const {{ return convert<::godot::{name}>({enumerator}); }}
+"""
+        traits += f"template <>\ninline constexpr GDExtensionVariantType TYPE_OF<{name}> = {variant_type(name)};\n"
+    body = f"""// A value of any type. Conversions to another type than get_type() give the result of the engine's own conversion, for
+// example 0 for a number.
+class Variant : public internal::VariantBase {{
+public:
+	using VariantBase::VariantBase;
+	Variant() = default;
+	Variant(const char *p_latin1) :
+			Variant(String(p_latin1)) {{}}
+{members}}};
+
+namespace internal {{
+
+{traits}
+}} // namespace internal
+
+// p_text with each placeholder (%s, %d, ...) replaced by the next argument, as by the % operator of GDScript.
+template <typename... Args>
+String vformat(const String &p_text, const Args &...p_args) {{
+	return p_text % Array{{ Variant(p_args)... }};
+}}
+"""
+    names = ["variant_base", *(snake_case(name) for name in [*HAND_WRITTEN, *HANDLES])]
+    output.header("variant/variant", include(*(f"godot_cpp/variant/{name}" for name in names)), body)
 
 
 def vararg_text(method):
@@ -252,11 +275,8 @@ const int ENGINE_CLASS_COUNT = {len(api.classes)};
 
 def main():
     parser = argparse.ArgumentParser(
-        description=__doc__.splitlines()[0], formatter_class=argparse.RawDescriptionHelpFormatter, epilog="""
-It writes DIR/include (gdextension_interface.h, godot_cpp/core/gdextension_interface_loader.hpp,
-godot_cpp/classes/*.hpp, godot_cpp/variant/*.hpp) and DIR/src (interface.cpp, builtin_types.cpp, engine_classes.cpp).
-Unchanged files are not written. Compile DIR/src/*.cpp and bindings/src/*.cpp with
-bindings/include and DIR/include as include paths. Only single precision on 64 bits (float_64) is supported.""")
+        description=__doc__.splitlines()[0],
+        epilog="Compile DIR/src/*.cpp and bindings/src/*.cpp with bindings/include and DIR/include as include paths.")
     parser.add_argument("--api", required=True, metavar="JSON", help="extension_api.json (--dump-extension-api)")
     parser.add_argument("--interface", required=True, metavar="HEADER", help="gdextension_interface.h of that engine")
     parser.add_argument("--profile", required=True, metavar="JSON", help="build profile: the engine classes to generate")
@@ -273,7 +293,7 @@ bindings/include and DIR/include as include paths. Only single precision on 64 b
     with open(options.interface, encoding="utf-8") as file:
         write_interface(output, file.read())
     write_global_constants(output, api)
-    write_utility_functions(output, api)
+    write_variant(output, api)
     for name in HANDLES:
         write_builtin_header(output, api, name)
     write_builtin_source(output, api)

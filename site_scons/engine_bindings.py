@@ -7,13 +7,14 @@ import shutil
 import subprocess
 import sys
 
-import addon_files
 import engine_dump
 import requirements
 
 PROFILE = "bindings/build_profile.json"
 GENERATOR = "bindings/generate.py"
 DESCRIPTION = "bindings/engine_api.py"
+# The API that a godot-cpp is built with. bindings/ does without what is not in older ones; godot-cpp does not declare it.
+GODOT_CPP_API = "4.5"
 # A file that every godot-cpp has.
 HEADER = "include/godot_cpp/godot.hpp"
 
@@ -93,7 +94,7 @@ def build_godot_cpp(env, root, archive):
     print("Building godot-cpp in {}".format(root), flush=True)
     options = ["{}={}".format(name, env[name]) for name in ("platform", "target", "arch")]
     # Versions of godot-cpp before 10 have one API, and ignore api_version.
-    options += ["build_profile=" + os.path.abspath(PROFILE), "api_version=" + addon_files.oldest_engine()]
+    options += ["build_profile=" + os.path.abspath(PROFILE), "api_version=" + GODOT_CPP_API]
     command = [sys.executable, "-m", "SCons", "-Q", "-C", root, "-j", str(os.cpu_count() or 1)]
     if subprocess.call(command + options) != 0 or not os.path.isfile(archive):
         requirements.fail("building godot-cpp in {} failed, see above".format(root))

@@ -4,9 +4,9 @@ namespace godot::internal {
 
 ArrayBase::ArrayBase(std::initializer_list<Variant> p_elements) {
 	static_cast<Array *>(this)->resize(static_cast<int64_t>(p_elements.size()));
-	Variant *target = begin();
+	int64_t index = 0;
 	for (const Variant &element : p_elements) {
-		*target++ = element;
+		(*this)[index++] = element;
 	}
 }
 
@@ -16,14 +16,6 @@ const Variant &ArrayBase::operator[](int64_t p_index) const {
 
 Variant &ArrayBase::operator[](int64_t p_index) {
 	return *static_cast<Variant *>(gdextension_interface::array_operator_index(_native_ptr(), p_index));
-}
-
-Variant *ArrayBase::begin() {
-	return static_cast<Array *>(this)->is_empty() ? nullptr : &(*this)[0];
-}
-
-Variant *ArrayBase::end() {
-	return begin() + static_cast<Array *>(this)->size();
 }
 
 const Variant *ArrayBase::begin() const {

@@ -2,21 +2,10 @@
 
 namespace godot::internal {
 
-// The start of the last components of a name, which are separated by "::".
-static const char *last_component(const char *p_qualified, int p_components) {
-	const char *start = p_qualified + strlen(p_qualified);
-	while (start > p_qualified && (start[-1] != ':' || --p_components > 0)) {
-		start -= start[-1] == ':' ? 2 : 1;
-	}
-	return start;
-}
-
 String enum_class_name(const char *p_qualified) {
-	return String(last_component(p_qualified, 2)).replace("::", ".");
-}
-
-StringName enum_short_name(const char *p_qualified) {
-	return StringName(last_component(p_qualified, 1));
+	const String name = p_qualified;
+	const int64_t last = name.get_slice_count("::") - 1;
+	return last > 0 ? name.get_slice("::", last - 1) + "." + name.get_slice("::", last) : name;
 }
 
 } // namespace godot::internal

@@ -4,14 +4,14 @@
 
 namespace godot::internal {
 
-static void report_missing(const char *p_what, const String &p_name) {
-	ERR_PRINT(vformat("This engine does not have the %s %s with the signature that the extension was built for; calls to it do nothing.", p_what, p_name));
+static void report_missing(const String &p_method) {
+	ERR_PRINT(vformat("This engine does not have the method %s with the signature that the extension was built for; calls to it do nothing.", p_method));
 }
 
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash) {
 	const GDExtensionMethodBindPtr method = gdextension_interface::classdb_get_method_bind(StringName(p_class)._native_ptr(), StringName(p_method)._native_ptr(), p_hash);
 	if (method == nullptr) {
-		report_missing("method", vformat("%s.%s", p_class, p_method));
+		report_missing(vformat("%s.%s", p_class, p_method));
 	}
 	return method;
 }
@@ -19,17 +19,9 @@ GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, 
 GDExtensionPtrBuiltInMethod find_builtin_method(GDExtensionVariantType p_type, const char *p_method, int64_t p_hash) {
 	const GDExtensionPtrBuiltInMethod method = gdextension_interface::variant_get_ptr_builtin_method(p_type, StringName(p_method)._native_ptr(), p_hash);
 	if (method == nullptr) {
-		report_missing("method", vformat("%s.%s", Variant::get_type_name(static_cast<Variant::Type>(p_type)), p_method));
+		report_missing(vformat("%s.%s", Variant::get_type_name(static_cast<Variant::Type>(p_type)), p_method));
 	}
 	return method;
-}
-
-GDExtensionPtrUtilityFunction find_utility_function(const char *p_function, int64_t p_hash) {
-	const GDExtensionPtrUtilityFunction function = gdextension_interface::variant_get_ptr_utility_function(StringName(p_function)._native_ptr(), p_hash);
-	if (function == nullptr) {
-		report_missing("function", p_function);
-	}
-	return function;
 }
 
 Variant call_with_variants(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_owner, const GDExtensionConstVariantPtr *p_args, int64_t p_count) {

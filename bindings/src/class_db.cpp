@@ -126,10 +126,6 @@ MethodBind *ClassDB::add_method(const StringName &p_class, MethodBind *p_bind) {
 	return p_bind;
 }
 
-void ClassDB::add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	gdextension_interface::classdb_register_extension_class_property_group(gdextension_interface::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
-}
-
 void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter) {
 	const ClassInfo *info = find_class(p_class);
 	ERR_FAIL_NULL_MSG(info, vformat("Class %s is not registered.", p_class));

@@ -5,10 +5,6 @@
 
 namespace godot::internal {
 
-void print_error(const ErrorPlace &p_place, const char *p_what) {
-	gdextension_interface::print_error(p_what, p_place.function, p_place.file, p_place.line, false);
-}
-
 void print_error(const ErrorPlace &p_place, const char *p_what, const char *p_message) {
 	gdextension_interface::print_error_with_message(p_what, p_message, p_place.function, p_place.file, p_place.line, false);
 }

@@ -32,7 +32,6 @@ static void find_builtin_functions() {
 } // namespace internal
 
 GDExtensionBinding::Callback GDExtensionBinding::initialize_callback = nullptr;
-GDExtensionBinding::Callback GDExtensionBinding::terminate_callback = nullptr;
 
 GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
 		_get_proc_address(p_get_proc_address), _initialization(r_initialization) {
@@ -46,10 +45,6 @@ GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_
 
 void GDExtensionBinding::InitObject::register_initializer(Callback p_initialize) const {
 	initialize_callback = p_initialize;
-}
-
-void GDExtensionBinding::InitObject::register_terminator(Callback p_terminate) const {
-	terminate_callback = p_terminate;
 }
 
 void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
@@ -75,9 +70,6 @@ void GDExtensionBinding::initialize_level(void *, GDExtensionInitializationLevel
 }
 
 void GDExtensionBinding::deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
-	if (terminate_callback) {
-		terminate_callback(static_cast<ModuleInitializationLevel>(p_level));
-	}
 	ClassDB::unregister_classes(p_level);
 	if (p_level == GDEXTENSION_INITIALIZATION_CORE) {
 		internal::Singleton::free_all();

@@ -35,8 +35,4 @@ StringNameBase::StringNameBase(const char *p_latin1, bool p_static) :
 
 } // namespace internal
 
-String operator+(const char *p_left, const String &p_right) {
-	return String(p_left) + p_right;
-}
-
 } // namespace godot

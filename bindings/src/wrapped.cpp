@@ -45,10 +45,6 @@ void post_initialize(Wrapped *p_object) {
 	static_cast<Object *>(p_object)->notification(Object::NOTIFICATION_POSTINITIALIZE);
 }
 
-void destroy_object(Wrapped *p_object) {
-	gdextension_interface::object_destroy(p_object->_owner);
-}
-
 void WrapperFactory::destroy(Wrapped *p_wrapped) {
 	p_wrapped->~Wrapped();
 	release(p_wrapped);
@@ -140,6 +136,10 @@ void Singleton::free_all() {
 }
 
 } // namespace internal
+
+void memdelete(Wrapped *p_object) {
+	gdextension_interface::object_destroy(p_object->_owner);
+}
 
 Wrapped::Wrapped(const StringName &p_engine_class) :
 		_owner(gdextension_interface::classdb_construct_object2(p_engine_class._native_ptr())) {

@@ -226,13 +226,18 @@ func test_errors_are_reported() -> void:
 	expect_error("GANode3D.line_width: the width must be above 0 and at most 100 pixels, not 0.0.")
 	_node.line_width = 0.0
 	expect_equal(_node.line_width, 2.0, "line_width")
-	expect_error(
-		(
-			"GANode3D.get_screen_distance: the camera is null or outside the scene tree; "
-			+ "pass the camera that renders this node."
+	var freed := Camera3D.new()
+	freed.free()
+	for camera: Variant in [null, freed]:
+		expect_error(
+			(
+				"GANode3D.get_screen_distance: the camera is null or outside the scene tree; "
+				+ "pass the camera that renders this node."
+			)
 		)
-	)
-	expect_equal(_node.get_screen_distance(null, Vector2.ZERO), INF, "distance without a camera")
+		expect_equal(
+			_node.call(&"get_screen_distance", camera, Vector2.ZERO), INF, "without a camera"
+		)
 
 
 func _build() -> void:

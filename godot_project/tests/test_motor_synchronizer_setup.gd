@@ -87,10 +87,12 @@ func test_invalid_values_change_nothing() -> void:
 	expect_near(node.position_tolerance_2d, 0.5, 1e-9)
 	expect_equal(node.max_packet_size, 1100)
 	expect_equal(node.latency_preset, MotorSynchronizer.LATENCY_BALANCED)
-	expect_error("MotorSynchronizer.add_target: the node is null.")
-	node.add_target(null)
-	expect_error("MotorSynchronizer.remove_target: the node is null.")
-	node.remove_target(null)
+	var freed := Node3D.new()
+	freed.free()
+	for target: Variant in [null, freed]:
+		for method: String in ["add_target", "remove_target", "teleport", "free_target"]:
+			expect_error("MotorSynchronizer.%s: the node is null." % method)
+			node.call(method, target)
 
 
 func test_settings_apply_immediately() -> void:

@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.join(checkout.ROOT, "bindings"))
 
 import engine_api  # noqa: E402
 
+LOADED = engine_api.INTERFACE_FUNCTIONS
 # The library calls these only where the engine has them, and otherwise what stands beside them.
 INTERFACE_FALLBACKS = {
     "mem_alloc2": "mem_alloc",
@@ -58,7 +59,7 @@ class LibraryCalls:
         self.constructors = {(name, index) for name in engine_api.HANDLES for index, _, _ in api.constructors(name)}
         self.words = set(re.findall(r"\b[A-Z][A-Z0-9_]+\b", source))
         self._api = api
-        self.sizes = {name: api.sizes[name] for name in [*engine_api.HANDLES, *engine_api.HAND_WRITTEN]}
+        self.sizes = {name: api.sizes[name] for name in [*engine_api.HANDLES, *engine_api.HAND_WRITTEN, "Variant"]}
 
     def missing_interface(self, interface, version):
         """Functions of the C interface that the version lacks."""
@@ -73,7 +74,6 @@ class LibraryCalls:
     def missing_names(self, description):
         """Classes, utility functions, and methods called by name that the version lacks."""
         found = [name for name in self.classes if name not in description.classes]
-        found += [name for name in engine_api.UTILITY_FUNCTIONS if name not in description.utility_functions]
         known = description.names()
         return sorted(found + [name for name in self.by_name if name not in known])
 

@@ -102,6 +102,10 @@ class NativeTest(unittest.TestCase):
         self.assertIn("add_custom_monitor", self.calls.by_name)
         self.assertGreater(len(self.calls.builtin_methods), 30)
 
+    def test_only_what_is_used_is_loaded(self):
+        loaded = {name for name in native_calls.LOADED if not name.startswith("packed_")}
+        self.assertEqual(loaded, {name for name in self.calls.interface if not name.startswith("packed_")})
+
     def test_interface_functions(self):
         for version, _ in self.each():
             for name in self.calls.missing_interface(APIS.interface, numbers(version)):

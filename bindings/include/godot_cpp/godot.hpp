@@ -34,7 +34,6 @@ public:
 		InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization);
 
 		void register_initializer(Callback p_initialize) const;
-		void register_terminator(Callback p_terminate) const;
 		void set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const;
 
 		// Prints an error and returns false if the engine does not have a function that the bindings use.
@@ -43,7 +42,6 @@ public:
 
 private:
 	static Callback initialize_callback;
-	static Callback terminate_callback;
 
 	static void initialize_level(void *, GDExtensionInitializationLevel p_level);
 	static void deinitialize_level(void *, GDExtensionInitializationLevel p_level);

@@ -4,6 +4,7 @@
 #include "godot/drawing/drawn_part.hpp"
 #include "godot/drawing/form_meshes.hpp"
 #include "godot/free_guard.hpp"
+#include "godot/freed_arguments.hpp"
 #include "godot/playground/ga_scene.hpp"
 #include "godot/thread_guard.hpp"
 #include "godot/weak_node.hpp"

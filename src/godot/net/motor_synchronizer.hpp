@@ -1,5 +1,6 @@
 #pragma once
 
+#include "godot/freed_arguments.hpp"
 #include "godot/net/playback_properties.hpp"
 #include "godot/net/replicator.hpp"
 #include "godot/net/stream_properties.hpp"

@@ -11,10 +11,7 @@ var failed: int = 0
 func same(value: Variant, expected: Variant) -> void:
 	# A null in a variable of an object type has the type of an object.
 	var is_null: bool = value == null and expected == null
-	if (
-		is_null
-		or (typeof(value) == typeof(expected) and (value == expected or _close(value, expected)))
-	):
+	if is_null or _is_same(value, expected):
 		passed += 1
 		return
 	failed += 1
@@ -39,8 +36,23 @@ func expect_error(message: String) -> void:
 	print("[expect] %s" % message)
 
 
+## The description of a method of SampleValues.
+func method_of(method: StringName) -> Dictionary:
+	for entry: Dictionary in ClassDB.class_get_method_list("SampleValues", true):
+		if entry["name"] == method:
+			return entry
+	return {}
+
+
+func _is_same(value: Variant, expected: Variant) -> bool:
+	return typeof(value) == typeof(expected) and (value == expected or _close(value, expected))
+
+
 func _close(value: Variant, expected: Variant) -> bool:
 	match typeof(value):
+		TYPE_ARRAY:
+			var differs := func(i: int) -> bool: return not _is_same(value[i], expected[i])
+			return value.size() == expected.size() and not range(value.size()).any(differs)
 		TYPE_FLOAT:
 			return is_equal_approx(value, expected)
 		TYPE_VECTOR3, TYPE_QUATERNION, TYPE_BASIS, TYPE_TRANSFORM3D:

@@ -18,7 +18,6 @@ func check_properties() -> void:
 	var note: Dictionary = property_of("SampleNode", "note")
 	same(note["type"], TYPE_OBJECT)
 	same(note["class_name"], &"SampleNote")
-	same(property_of("SampleNote", "Numbers")["usage"], PROPERTY_USAGE_GROUP)
 	var node := SampleNode.new()
 	same(node.note, null)
 	node.note = SampleNote.make("kept")
@@ -39,9 +38,9 @@ func check_types_of_methods() -> void:
 	same(
 		argument("echo", 0)["usage"] & PROPERTY_USAGE_NIL_IS_VARIANT, PROPERTY_USAGE_NIL_IS_VARIANT
 	)
-	same(method("new_note")["return"]["class_name"], &"SampleNote")
-	same(method("keep")["return"]["type"], TYPE_NIL)
-	same(method("measure")["return"]["type"], TYPE_ARRAY)
+	same(method_of("new_note")["return"]["class_name"], &"SampleNote")
+	same(method_of("keep")["return"]["type"], TYPE_NIL)
+	same(method_of("inspect")["return"]["type"], TYPE_ARRAY)
 
 
 func property_of(type: StringName, property: String) -> Dictionary:
@@ -51,12 +50,5 @@ func property_of(type: StringName, property: String) -> Dictionary:
 	return {}
 
 
-func method(method_name: StringName) -> Dictionary:
-	for entry: Dictionary in ClassDB.class_get_method_list("SampleValues", true):
-		if entry["name"] == method_name:
-			return entry
-	return {}
-
-
-func argument(method_name: StringName, index: int) -> Dictionary:
-	return method(method_name)["args"][index]
+func argument(method: StringName, index: int) -> Dictionary:
+	return method_of(method)["args"][index]

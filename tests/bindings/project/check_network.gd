@@ -1,42 +1,5 @@
-## Callables and signals from C++, groups, monitors, and the multiplayer classes.
+## Callables and signals from C++, groups, and the multiplayer classes.
 extends Checks
-
-
-func check_listening_to_signals() -> void:
-	var node := SampleNode.new()
-	var source := Node.new()
-	source.add_user_signal("announced", [{"name": "what", "type": TYPE_STRING}])
-	node.listen(source, &"announced")
-	same(source.get_signal_connection_list("announced").size(), 1)
-	source.emit_signal("announced", "loudly")
-	same(node.get_log()[-1], "loudly bound")
-	node.stop_listening(source, &"announced")
-	same(source.get_signal_connection_list("announced").size(), 0)
-	source.emit_signal("announced", "not connected")
-	same(node.get_log()[-1], "loudly bound")
-	node.listen(source, &"announced")
-	node.free()
-	source.emit_signal("announced", "after disconnecting")
-	same(source.get_signal_connection_list("announced").size(), 0)
-	source.free()
-
-
-func check_callables() -> void:
-	var node := SampleNode.new()
-	var callable: Callable = node.callable_of(&"get_frames")
-	same(callable, Callable(node, &"get_frames"))
-	same(callable.call(), 0)
-	same(node.call_it(func(a: int, b: int) -> int: return a * b, [6, 7]), 42)
-	same(node.call_it(Callable(), []), "invalid")
-	same(
-		node.call("call_it", node.callable_of(&"get_log"), []),
-		PackedStringArray(["postinitialize"])
-	)
-	var values := SampleValues.new()
-	same(values.echo(callable), callable)
-	same(values.type_of(callable), "Callable")
-	node.free()
-	same(callable.is_valid(), false)
 
 
 func check_signals_to_methods_that_are_not_bound() -> void:
@@ -83,6 +46,8 @@ func check_callables_of_methods_that_are_not_bound() -> void:
 	same([count.callv([]), count.callv([node, node])], [null, null])
 	same(node.get_log().count("counted"), 3)
 	same(count.get_object(), node)
+	var values := SampleValues.new()
+	same([values.echo(count), values.type_of(count)], [count, "Callable"])
 	node.free()
 	other.free()
 
@@ -117,14 +82,6 @@ func check_multiplayer() -> void:
 	same(node.send(PackedByteArray(), 2), ERR_INVALID_DATA)
 	tree.set_multiplayer(null, ^"/root/Branch")
 	branch.free()
-
-
-func check_monitors() -> void:
-	var node := SampleNode.new()
-	same(node.monitor_frames(&"sample/frames", true), true)
-	same(Performance.get_custom_monitor(&"sample/frames"), 0)
-	same(node.monitor_frames(&"sample/frames", false), false)
-	node.free()
 
 
 func check_replication_configs() -> void:

@@ -34,62 +34,43 @@ func check_texts() -> void:
 
 func check_geometry() -> void:
 	var turn := Quaternion(Vector3(1, 2, 2) / 3.0, 1.1)
-	var other := Transform3D(Basis(turn).scaled(Vector3(2, 3, 4)), Vector3(7, 8, 9))
+	var basis := Basis(turn).scaled(Vector3(2, 3, 4))
+	var placed := Transform3D(basis, Vector3(7, 8, 9))
+	var other := Transform3D(Basis(turn), Vector3(1, 0, 0))
+	same(values.sum(Vector2(1, 2), Vector2(3, 8)), Vector2(4, 10))
+	# 2 (a - b) + b (a . b) is (-13, 41.5, 9.75).
+	same(values.combine(Vector3(1, 2, 3), Vector3(-2, 5, 0.5)), Vector3(41.5, -13, 9.75))
+	same(values.conjugate(turn), turn.inverse())
+	var reversed := Basis(basis.z, basis.y, basis.x)
 	same(
-		values.cross(Vector3(1, 2, 3), Vector3(-2, 5, 0.5)),
-		Vector3(1, 2, 3).cross(Vector3(-2, 5, 0.5))
+		values.inspect(basis, turn.get_axis()),
+		[basis.z, basis * turn.get_axis(), basis * basis, reversed]
 	)
-	same(values.turn_twice(turn), turn * turn)
-	same(values.to_basis(turn), Basis(turn))
-	same(
-		values.chain(other, Transform3D(Basis(turn), Vector3(1, 0, 0))),
-		other * Transform3D(Basis(turn), Vector3(1, 0, 0))
-	)
-	both(&"cross", [Vector3(1, 0, 0), Vector3(0, 1, 0)], Vector3(0, 0, 1))
-	both(&"turn_twice", [turn], turn * turn)
-	both(&"chain", [other, other], other * other)
-	for axis: Vector3 in [
-		Vector3(1, 0, 0),
-		Vector3(0, 1, 0),
-		Vector3(0, 0, 1),
-		Vector3(-1, 1, 1).normalized(),
-		Vector3(3, 1, -2).normalized()
-	]:
-		for angle: float in [0.0, 0.3, 2.0, 3.1, PI]:
-			var basis := Basis(axis, angle)
-			same(Basis(values.to_quaternion(basis)), basis)
-			same(values.to_basis(Quaternion(axis, angle)), basis)
+	same(values.chain(placed, other), [placed * other, other * placed.origin])
+	both(&"sum", [Vector2(1, 2), Vector2(3, 8)], Vector2(4, 10))
+	both(&"combine", [Vector3(1, 0, 0), Vector3(0, 1, 0)], Vector3(-2, 2, 0))
+	both(&"conjugate", [turn], turn.inverse())
+	both(&"chain", [other, other], [other * other, other * other.origin])
 
 
 func check_plain_data() -> void:
-	same(values.halfway(Vector2(1, 2), Vector2(3, 8)), Vector2(2, 5))
 	same(
 		values.moved_box(AABB(Vector3(1, 2, 3), Vector3(4, 5, 6)), Vector3(1, 1, 1)),
 		AABB(Vector3(2, 3, 4), Vector3(4, 5, 6))
 	)
 	same(values.without_red(Color(0.25, 0.5, 0.75, 0.125)), Color(0, 0.5, 0.75, 0.125))
 	same(values.make_rid(), true)
-	var packed: Array = [Vector2(1, 2), Vector3(1, 2, 3), Vector3(4, 5, 6), Color(1, 0, 0)]
-	same(
-		values.pack(
-			PackedVector2Array([packed[0]]),
-			PackedVector3Array([packed[1], packed[2]]),
-			PackedColorArray([packed[3]])
-		),
-		packed
-	)
-	both(&"halfway", [Vector2(1, 2), Vector2(3, 8)], Vector2(2, 5))
 	both(&"without_red", [Color(1, 1, 1)], Color(0, 1, 1))
 
 
-func check_measures() -> void:
-	var measured: Array = values.measure(
-		Vector3(3, 4, 0), Vector3(3, 4, 12), Basis.from_scale(Vector3(2, 3, 4))
-	)
-	same(measured, [25.0, 5.0, 12.0, 24.0, true, false, Vector3(3, 4, 12) / 13.0])
-	measured = values.measure(Vector3(NAN, 0, 0), Vector3(INF, 0, 0), Basis.IDENTITY)
-	same(measured[4], false)
-	same(values.measure(Vector3(1, 1, 1), Vector3(1, 1, 1.000001), Basis.IDENTITY)[5], true)
+func check_equality() -> void:
+	var first: Array = [Vector2(1, 2), Color.RED, Transform3D(Basis.IDENTITY, Vector3.UP)]
+	var second: Array = [Vector2(1, 3), Color.BLUE, Transform3D.IDENTITY]
+	for different: int in [-1, 0, 1, 2]:
+		var arguments: Array = []
+		for i: int in 3:
+			arguments.append_array([first[i], second[i] if i == different else first[i]])
+		both(&"equal", arguments, different == -1)
 
 
 func check_variants() -> void:
@@ -128,7 +109,9 @@ func check_packed_arrays() -> void:
 	same(values.bytes(bytes), PackedByteArray([255, 254, 0]))
 	same(bytes, PackedByteArray([0, 1, 255]))
 	same(values.bytes(PackedByteArray()), PackedByteArray())
-	same(values.ints(PackedInt32Array([1, -2])), PackedInt32Array([7, -7, 1, -2]))
+	same(values.ints(PackedInt32Array([1, -2])), PackedInt32Array([7, 1, -2]))
+	var vectors := PackedVector3Array([Vector3(1, 2, 3), Vector3(4, 5, 6)])
+	same(values.vectors(vectors), vectors + PackedVector3Array([Vector3(5, 7, 9)]))
 	same(values.floats(PackedFloat32Array([0.5, -3])), PackedFloat32Array([1, -6]))
 	same(values.floats(PackedFloat32Array()), PackedFloat32Array())
 	var squares: PackedInt32Array = values.squares(1000)

@@ -3,7 +3,6 @@
 #include <godot_cpp/classes/multiplayer_peer.hpp>
 #include <godot_cpp/classes/multiplayer_synchronizer.hpp>
 #include <godot_cpp/classes/node2d.hpp>
-#include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/classes/scene_multiplayer.hpp>
 #include <godot_cpp/classes/scene_replication_config.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -32,32 +31,8 @@ PackedStringArray SampleNode::_get_configuration_warnings() const {
 	return warnings;
 }
 
-void SampleNode::set_target(const NodePath &path) {
-	_target = path;
-}
-
-NodePath SampleNode::get_target() const {
-	return _target;
-}
-
-void SampleNode::set_note(const Ref<SampleNote> &note) {
-	_note = note;
-}
-
-Ref<SampleNote> SampleNode::get_note() const {
-	return _note;
-}
-
-PackedStringArray SampleNode::get_log() const {
-	return _log;
-}
-
-int64_t SampleNode::get_frames() const {
-	return _frames;
-}
-
 String SampleNode::find_target() const {
-	const Node3D *target = get_node<Node3D>(_target);
+	const Node3D *target = Object::cast_to<Node3D>(get_node_or_null(_target));
 	return target ? String(target->get_name()) : String("none");
 }
 
@@ -80,22 +55,6 @@ int64_t SampleNode::prune() {
 	return count;
 }
 
-Variant SampleNode::call_other(Object *other, const StringName &method, const Variant &a, const Variant &b) const {
-	return other ? other->call(method, a, b) : Variant();
-}
-
-void SampleNode::listen(Object *source, const StringName &signal) {
-	source->connect(signal, Callable(this, "_heard").bindv(Array{ "bound" }));
-}
-
-void SampleNode::stop_listening(Object *source, const StringName &signal) {
-	source->disconnect(signal, Callable(this, "_heard"));
-}
-
-void SampleNode::_heard(const Variant &what, const String &bound) {
-	record(vformat("%s %s", what, bound));
-}
-
 void SampleNode::overhear(Object *source, const StringName &signal) {
 	source->connect(signal, callable_mp(this, &SampleNode::overheard).bindv(Array{ "overheard" }));
 }
@@ -113,21 +72,9 @@ int64_t SampleNode::count(Node *node) {
 	return node != nullptr ? node->get_child_count() : -1;
 }
 
-double SampleNode::add(double a, int64_t b) const {
-	return a + double(b);
-}
-
 Array SampleNode::private_callables() {
 	const SampleNode *constant = this;
 	return Array{ callable_mp(this, &SampleNode::overheard), callable_mp(this, &SampleNode::count), callable_mp(constant, &SampleNode::add) };
-}
-
-Callable SampleNode::callable_of(const StringName &method) {
-	return Callable(this, method);
-}
-
-Variant SampleNode::call_it(const Callable &callable, const Array &arguments) const {
-	return callable.is_valid() ? callable.callv(arguments) : Variant("invalid");
 }
 
 Array SampleNode::describe_multiplayer() const {
@@ -146,19 +93,9 @@ PackedStringArray SampleNode::names_in_group(const StringName &group) const {
 	PackedStringArray names;
 	const TypedArray<Node> nodes = get_tree()->get_nodes_in_group(group);
 	for (int64_t i = 0; i < nodes.size(); i++) {
-		names.push_back(Object::cast_to<Node>(nodes[i])->get_name());
+		names.push_back(Object::cast_to<Node>(nodes[i].get_validated_object())->get_name());
 	}
 	return names;
-}
-
-bool SampleNode::monitor_frames(const StringName &name, bool on) {
-	Performance *performance = Performance::get_singleton();
-	if (on) {
-		performance->add_custom_monitor(name, Callable(this, "get_frames"));
-	} else {
-		performance->remove_custom_monitor(name);
-	}
-	return performance->has_custom_monitor(name);
 }
 
 PackedStringArray SampleNode::sent_properties(Node *node) const {
@@ -189,10 +126,6 @@ void SampleNode::_notification(int what) {
 	}
 }
 
-void SampleNode::record(const String &what) {
-	_log.push_back(what);
-}
-
 void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_target", "path"), &SampleNode::set_target);
 	ClassDB::bind_method(D_METHOD("get_target"), &SampleNode::get_target);
@@ -205,18 +138,12 @@ void SampleNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("grow", "name"), &SampleNode::grow);
 	ClassDB::bind_method(D_METHOD("prune"), &SampleNode::prune);
 	ClassDB::bind_method(D_METHOD("call_other", "other", "method", "a", "b"), &SampleNode::call_other);
-	ClassDB::bind_method(D_METHOD("listen", "source", "signal"), &SampleNode::listen);
-	ClassDB::bind_method(D_METHOD("stop_listening", "source", "signal"), &SampleNode::stop_listening);
-	ClassDB::bind_method(D_METHOD("_heard", "what", "bound"), &SampleNode::_heard);
-	ClassDB::bind_method(D_METHOD("callable_of", "method"), &SampleNode::callable_of);
 	ClassDB::bind_method(D_METHOD("overhear", "source", "signal"), &SampleNode::overhear);
 	ClassDB::bind_method(D_METHOD("stop_overhearing", "source", "signal"), &SampleNode::stop_overhearing);
 	ClassDB::bind_method(D_METHOD("private_callables"), &SampleNode::private_callables);
-	ClassDB::bind_method(D_METHOD("call_it", "callable", "arguments"), &SampleNode::call_it);
 	ClassDB::bind_method(D_METHOD("describe_multiplayer"), &SampleNode::describe_multiplayer);
 	ClassDB::bind_method(D_METHOD("send", "bytes", "peer"), &SampleNode::send);
 	ClassDB::bind_method(D_METHOD("names_in_group", "group"), &SampleNode::names_in_group);
-	ClassDB::bind_method(D_METHOD("monitor_frames", "name", "on"), &SampleNode::monitor_frames);
 	ClassDB::bind_method(D_METHOD("sent_properties", "synchronizer"), &SampleNode::sent_properties);
 	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "target", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node3D"), "set_target", "get_target");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "note", PROPERTY_HINT_RESOURCE_TYPE, "SampleNote"), "set_note", "get_note");
@@ -226,10 +153,6 @@ void SampleNode::_bind_methods() {
 void SampleChild::_process(double delta) {
 	SampleNode::_process(delta);
 	_time += delta;
-}
-
-double SampleChild::get_time() const {
-	return _time;
 }
 
 void SampleChild::_notification(int what) {

@@ -17,12 +17,12 @@ public:
 	void _process(double delta) override;
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	void set_target(const godot::NodePath &path);
-	godot::NodePath get_target() const;
-	void set_note(const godot::Ref<SampleNote> &note);
-	godot::Ref<SampleNote> get_note() const;
-	godot::PackedStringArray get_log() const;
-	int64_t get_frames() const;
+	void set_target(const godot::NodePath &path) { _target = path; }
+	godot::NodePath get_target() const { return _target; }
+	void set_note(const godot::Ref<SampleNote> &note) { _note = note; }
+	godot::Ref<SampleNote> get_note() const { return _note; }
+	godot::PackedStringArray get_log() const { return _log; }
+	int64_t get_frames() const { return _frames; }
 	godot::String find_target() const;
 	godot::String find_missing() const;
 	/// Creates a child in C++ and returns it.
@@ -30,39 +30,31 @@ public:
 	/// Frees all children. Returns their number.
 	int64_t prune();
 	/// Calls a method of another object by name, with two arguments.
-	godot::Variant call_other(godot::Object *other, const godot::StringName &method, const godot::Variant &a, const godot::Variant &b) const;
+	godot::Variant call_other(godot::Object *other, const godot::StringName &method, const godot::Variant &a, const godot::Variant &b) const { return other ? other->call(method, a, b) : godot::Variant(); }
 
-	/// Connects a signal of another object to _heard(), with "bound" as the last argument.
-	void listen(godot::Object *source, const godot::StringName &signal);
-	void stop_listening(godot::Object *source, const godot::StringName &signal);
-	godot::Callable callable_of(const godot::StringName &method);
-	/// Like listen() and stop_listening(), to a method that is not bound.
+	/// Connects a signal of another object to overheard(), with "overheard" as the last argument.
 	void overhear(godot::Object *source, const godot::StringName &signal);
 	void stop_overhearing(godot::Object *source, const godot::StringName &signal);
 	/// Callables of methods that are not bound: overheard(what, bound), count(node) and add(a, b) const.
 	godot::Array private_callables();
-	godot::Variant call_it(const godot::Callable &callable, const godot::Array &arguments) const;
 	/// The class of the node's MultiplayerAPI, its root path, this peer's id, the number of other peers, and the
 	/// connection status.
 	godot::Array describe_multiplayer() const;
 	/// Sends bytes to a peer. Returns the Error.
 	int64_t send(const godot::PackedByteArray &bytes, int64_t peer) const;
 	godot::PackedStringArray names_in_group(const godot::StringName &group) const;
-	/// Adds or removes a monitor of the number of frames. Returns whether it exists afterwards.
-	bool monitor_frames(const godot::StringName &name, bool on);
 	/// The properties that a MultiplayerSynchronizer replicates.
 	godot::PackedStringArray sent_properties(godot::Node *node) const;
 
 protected:
 	static void _bind_methods();
 	void _notification(int what);
-	void record(const godot::String &what);
-	void _heard(const godot::Variant &what, const godot::String &bound);
+	void record(const godot::String &what) { _log.push_back(what); }
 
 private:
 	void overheard(const godot::Variant &what, const godot::String &bound);
 	int64_t count(godot::Node *node);
-	double add(double a, int64_t b) const;
+	double add(double a, int64_t b) const { return a + double(b); }
 
 	godot::NodePath _target;
 	godot::Ref<SampleNote> _note;
@@ -77,7 +69,7 @@ class SampleChild : public SampleNode {
 
 public:
 	void _process(double delta) override;
-	double get_time() const;
+	double get_time() const { return _time; }
 
 protected:
 	static void _bind_methods();

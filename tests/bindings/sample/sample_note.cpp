@@ -22,22 +22,10 @@ void SampleNote::set_text(const String &text) {
 	emit_changed();
 }
 
-String SampleNote::get_text() const {
-	return _text;
-}
-
 void SampleNote::set_values(const PackedFloat64Array &values) {
 	ERR_FAIL_COND_MSG(values.size() > 4, godot::vformat("SampleNote: %d values are more than 4.", values.size()));
 	_values = values;
 	emit_changed();
-}
-
-PackedFloat64Array SampleNote::get_values() const {
-	return _values;
-}
-
-double SampleNote::get_weight() const {
-	return _weight;
 }
 
 Ref<SampleNote> SampleNote::joined(const Ref<SampleNote> &other) const {
@@ -45,17 +33,9 @@ Ref<SampleNote> SampleNote::joined(const Ref<SampleNote> &other) const {
 	return make(_text + String("+") + other->_text, _weight + other->_weight);
 }
 
-Ref<SampleNote> SampleNote::itself() {
-	return this;
-}
-
 Ref<SampleNote> SampleNote::copied() const {
 	const Ref<Resource> copy = duplicate();
 	return copy;
-}
-
-String SampleNote::_to_string() const {
-	return "note:" + _text;
 }
 
 void SampleNote::_bind_methods() {
@@ -74,7 +54,6 @@ void SampleNote::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("itself"), &SampleNote::itself);
 	ClassDB::bind_method(D_METHOD("copied"), &SampleNote::copied);
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "text"), "set_text", "get_text");
-	ADD_GROUP("Numbers", "");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT64_ARRAY, "values"), "set_values", "get_values");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "weight"), "", "get_weight");
 }

@@ -6,18 +6,12 @@
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
-#include <godot_cpp/core/print_string.hpp>
-#include <godot_cpp/variant/utility_functions.hpp>
 
 namespace bindings_sample {
 
 using namespace godot;
 
 int64_t SampleValues::_alive = 0;
-
-int64_t SampleValues::count_alive() {
-	return _alive;
-}
 
 void SampleValues::make_and_drop(int64_t count) {
 	for (int64_t i = 0; i < count; i++) {
@@ -26,18 +20,6 @@ void SampleValues::make_and_drop(int64_t count) {
 		const Ref<SampleValues> also = memnew(SampleValues);
 		dropped = also;
 	}
-}
-
-bool SampleValues::negate(bool value) const {
-	return !value;
-}
-
-int64_t SampleValues::add_up(int8_t a, uint16_t b, int32_t c, int64_t d) const {
-	return a + b + c + d;
-}
-
-double SampleValues::halve(float value) const {
-	return value / 2;
 }
 
 String SampleValues::repeat(const String &text, int times, const String &separator) const {
@@ -55,83 +37,30 @@ int64_t SampleValues::count_bytes(const String &text) const {
 	return text == String::utf8(text.utf8().get_data()) ? text.utf8().length() : -1;
 }
 
-StringName SampleValues::prefixed(const StringName &name) const {
-	return StringName("pre_" + String(name));
+Vector3 SampleValues::combine(const Vector3 &a, const Vector3 &b) const {
+	const Vector3 combined = (a - b) * 2 + b * a.dot(b);
+	Vector3 swapped = combined;
+	swapped[0] = combined[1];
+	swapped[1] = combined[0];
+	return swapped;
 }
 
-NodePath SampleValues::child_path(const NodePath &path) const {
-	return NodePath(String(path) + String("/child"));
-}
-
-Vector3 SampleValues::cross(const Vector3 &a, const Vector3 &b) const {
-	return a.cross(b);
-}
-
-Quaternion SampleValues::turn_twice(const Quaternion &rotation) const {
-	return rotation * rotation;
-}
-
-Basis SampleValues::to_basis(const Quaternion &rotation) const {
-	return Basis(rotation);
-}
-
-Quaternion SampleValues::to_quaternion(const Basis &basis) const {
-	return basis.get_quaternion();
-}
-
-Vector2 SampleValues::halfway(const Vector2 &a, const Vector2 &b) const {
-	return (a + b) * 0.5f;
-}
-
-AABB SampleValues::moved_box(const AABB &box, const Vector3 &offset) const {
-	return AABB(box.position + offset, box.size);
-}
-
-Color SampleValues::without_red(const Color &color) const {
-	return Color(0, color.g, color.b, color.a);
+Array SampleValues::inspect(const Basis &basis, const Vector3 &vector) const {
+	return Array{ basis.get_column(2), basis.xform(vector), basis * basis, Basis(basis.get_column(2), basis.get_column(1), basis.get_column(0)) };
 }
 
 bool SampleValues::make_rid() const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID mesh = server->mesh_create();
 	const Variant as_variant = mesh;
-	const bool valid = mesh.is_valid() && mesh != RID() && RID(as_variant) == mesh;
+	const bool valid = mesh.is_valid() && !RID().is_valid() && RID(as_variant).get_id() == mesh.get_id();
 	server->free_rid(mesh);
 	return valid;
 }
 
-Array SampleValues::pack(const PackedVector2Array &flat, const PackedVector3Array &vectors, const PackedColorArray &colors) const {
-	Array packed;
-	for (const Vector2 &vector : flat) {
-		packed.push_back(vector);
-	}
-	for (const Vector3 &vector : vectors) {
-		packed.push_back(vector);
-	}
-	for (const Color &color : colors) {
-		packed.push_back(color);
-	}
-	return packed;
-}
-
-Transform3D SampleValues::chain(const Transform3D &a, const Transform3D &b) const {
-	return a * b;
-}
-
-Array SampleValues::measure(const Vector3 &a, const Vector3 &b, const Basis &basis) const {
-	return Array{ a.dot(b), a.length(), a.distance_to(b), basis.determinant(), a.is_finite() && b.is_finite() && basis.is_finite(), a.is_equal_approx(b), b.normalized() };
-}
-
-SampleValues::Hue SampleValues::mix(Hue a, Hue b) const {
-	return a == b ? a : BLUE;
-}
-
-Variant SampleValues::echo(const Variant &value) const {
-	return value;
-}
-
-String SampleValues::type_of(const Variant &value) const {
-	return Variant::get_type_name(value.get_type());
+bool SampleValues::equal(const Vector2 &a, const Vector2 &b, const Color &c, const Color &d, const Transform3D &e, const Transform3D &f) const {
+	const bool all_equal = a == b && c == d && e == f;
+	return all_equal == !(a != b || c != d || e != f) && all_equal;
 }
 
 Dictionary SampleValues::summarize(const Array &numbers) const {
@@ -168,8 +97,15 @@ PackedByteArray SampleValues::bytes(const PackedByteArray &bytes) const {
 }
 
 PackedInt32Array SampleValues::ints(const PackedInt32Array &ints) const {
-	PackedInt32Array result{ 7, -7 };
+	PackedInt32Array result;
+	result.push_back(7);
 	result.append_array(ints);
+	return result;
+}
+
+PackedVector3Array SampleValues::vectors(const PackedVector3Array &vectors) const {
+	PackedVector3Array result = vectors;
+	result.push_back(vectors[0] + vectors[1]);
 	return result;
 }
 
@@ -186,16 +122,16 @@ PackedFloat32Array SampleValues::floats(const PackedFloat32Array &floats) const 
 
 PackedFloat64Array SampleValues::doubles(const PackedFloat64Array &doubles) const {
 	PackedFloat64Array result;
-	for (const double &value : doubles) {
-		result.push_back(value + 1);
+	for (int64_t i = 0; i < doubles.size(); i++) {
+		result.push_back(doubles[i] + 1);
 	}
 	return result;
 }
 
 PackedStringArray SampleValues::strings(const PackedStringArray &strings) const {
 	PackedStringArray result;
-	for (const String &text : strings) {
-		result.push_back(text.to_upper());
+	for (int64_t i = 0; i < strings.size(); i++) {
+		result.push_back(strings[i].to_upper());
 	}
 	if (result.size() > 1) {
 		result[1] += "!";
@@ -208,7 +144,7 @@ TypedArray<Transform3D> SampleValues::move_all(const TypedArray<Transform3D> &tr
 	result.resize(transforms.size());
 	for (int64_t i = 0; i < transforms.size(); i++) {
 		Transform3D transform = transforms[i];
-		transform.origin += offset;
+		transform.origin = transform.origin + offset;
 		result[i] = transform;
 	}
 	return result;
@@ -247,20 +183,8 @@ int64_t SampleValues::convert_often(const Array &values, int64_t times) const {
 	return size;
 }
 
-String SampleValues::describe_object(Object *object) const {
-	return object ? object->get_class() : String("null");
-}
-
-String SampleValues::describe_node(Node3D *node) const {
-	return node ? String(node->get_name()) : String("null");
-}
-
 String SampleValues::describe_note(const Ref<SampleNote> &note) const {
 	return note.is_valid() ? vformat("%s %d", note->get_text(), note->get_reference_count()) : String("null");
-}
-
-void SampleValues::keep(const Variant &object) {
-	_kept = object;
 }
 
 String SampleValues::describe_kept() const {
@@ -295,10 +219,6 @@ void SampleValues::fill_multimesh(const Ref<MultiMesh> &multimesh, const PackedF
 	multimesh->set_buffer(buffer);
 }
 
-String SampleValues::join(const String &a, const String &b, int64_t number) {
-	return a + b + String::num_int64(number);
-}
-
 bool SampleValues::is_editor() {
 	return Engine::get_singleton()->is_editor_hint();
 }
@@ -308,17 +228,14 @@ void SampleValues::fail_with(const String &message) {
 }
 
 void SampleValues::say(const String &text) {
-	print_line(text, 1, "two");
-	UtilityFunctions::push_warning("careful: ", text);
-	UtilityFunctions::push_error("wrong: ", text);
-	WARN_PRINT("odd: " + text);
+	ERR_PRINT(String("wrong: ") + text);
+	WARN_PRINT(String("odd: ") + text);
 }
 
 void SampleValues::_bind_methods() {
 	BIND_ENUM_CONSTANT(RED);
 	BIND_ENUM_CONSTANT(GREEN);
 	BIND_ENUM_CONSTANT(BLUE);
-	BIND_CONSTANT(LIMIT);
 
 	ClassDB::bind_static_method("SampleValues", D_METHOD("count_alive"), &SampleValues::count_alive);
 	ClassDB::bind_static_method("SampleValues", D_METHOD("make_and_drop", "count"), &SampleValues::make_and_drop);
@@ -329,17 +246,15 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("count_bytes", "text"), &SampleValues::count_bytes);
 	ClassDB::bind_method(D_METHOD("prefixed", "name"), &SampleValues::prefixed);
 	ClassDB::bind_method(D_METHOD("child_path", "path"), &SampleValues::child_path);
-	ClassDB::bind_method(D_METHOD("cross", "a", "b"), &SampleValues::cross);
-	ClassDB::bind_method(D_METHOD("turn_twice", "rotation"), &SampleValues::turn_twice);
-	ClassDB::bind_method(D_METHOD("to_basis", "rotation"), &SampleValues::to_basis);
-	ClassDB::bind_method(D_METHOD("to_quaternion", "basis"), &SampleValues::to_quaternion);
-	ClassDB::bind_method(D_METHOD("halfway", "a", "b"), &SampleValues::halfway);
+	ClassDB::bind_method(D_METHOD("sum", "a", "b"), &SampleValues::sum);
+	ClassDB::bind_method(D_METHOD("combine", "a", "b"), &SampleValues::combine);
+	ClassDB::bind_method(D_METHOD("conjugate", "rotation"), &SampleValues::conjugate);
+	ClassDB::bind_method(D_METHOD("inspect", "basis", "vector"), &SampleValues::inspect);
 	ClassDB::bind_method(D_METHOD("moved_box", "box", "offset"), &SampleValues::moved_box);
 	ClassDB::bind_method(D_METHOD("without_red", "color"), &SampleValues::without_red);
 	ClassDB::bind_method(D_METHOD("make_rid"), &SampleValues::make_rid);
-	ClassDB::bind_method(D_METHOD("pack", "flat", "vectors", "colors"), &SampleValues::pack);
 	ClassDB::bind_method(D_METHOD("chain", "a", "b"), &SampleValues::chain);
-	ClassDB::bind_method(D_METHOD("measure", "a", "b", "basis"), &SampleValues::measure);
+	ClassDB::bind_method(D_METHOD("equal", "a", "b", "c", "d", "e", "f"), &SampleValues::equal);
 	ClassDB::bind_method(D_METHOD("mix", "a", "b"), &SampleValues::mix);
 	ClassDB::bind_method(D_METHOD("echo", "value"), &SampleValues::echo, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("type_of", "value"), &SampleValues::type_of);
@@ -347,6 +262,7 @@ void SampleValues::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("keys_and_values", "entries"), &SampleValues::keys_and_values);
 	ClassDB::bind_method(D_METHOD("bytes", "bytes"), &SampleValues::bytes);
 	ClassDB::bind_method(D_METHOD("ints", "ints"), &SampleValues::ints);
+	ClassDB::bind_method(D_METHOD("vectors", "vectors"), &SampleValues::vectors);
 	ClassDB::bind_method(D_METHOD("floats", "floats"), &SampleValues::floats);
 	ClassDB::bind_method(D_METHOD("doubles", "doubles"), &SampleValues::doubles);
 	ClassDB::bind_method(D_METHOD("strings", "strings"), &SampleValues::strings);

@@ -62,16 +62,12 @@ public:
 	}
 
 	T *ptr() const { return static_cast<T *>(_object); }
-	T *operator*() const { return ptr(); }
 	T *operator->() const { return ptr(); }
 
 	bool is_valid() const { return _object != nullptr; }
 	bool is_null() const { return _object == nullptr; }
 
-	bool operator==(const T *p_object) const { return _object == p_object; }
-	bool operator!=(const T *p_object) const { return _object != p_object; }
 	bool operator==(const Ref &p_other) const { return _object == p_other._object; }
-	bool operator!=(const Ref &p_other) const { return _object != p_other._object; }
 
 	operator Variant() const { return Variant(_object); }
 };

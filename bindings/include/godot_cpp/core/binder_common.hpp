@@ -7,7 +7,7 @@
 
 namespace godot::internal {
 
-// How values of a type are passed to and from the engine. Each such type has a specialization with
+// How values of a type are passed to and from the engine: Arg<T> below, with
 //   TYPE, METADATA    the engine's type and metadata
 //   ACCEPTS           a check of a Variant in addition to its type, or null
 //   encode(value)     the representation that the engine expects as an argument
@@ -16,9 +16,6 @@ namespace godot::internal {
 //   Result            the type of a result that the engine writes; from_result(Result) returns its value
 //   from_variant(v)   the value in a Variant that passed the checks
 //   info()            its description for the editor and scripts
-template <typename T, typename = void>
-struct Arg;
-
 template <GDExtensionVariantType T_TYPE, GDExtensionClassMethodArgumentMetadata T_METADATA = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE>
 struct ArgBase {
 	static constexpr GDExtensionVariantType TYPE = T_TYPE;
@@ -52,6 +49,12 @@ struct WideArg : ArgBase<TYPE, METADATA> {
 	static T from_variant(const Variant &p_variant) { return static_cast<T>(static_cast<WIDE>(p_variant)); }
 };
 
+// Built-in types. Others have a specialization.
+template <typename T>
+struct Arg : ValueArg<T, TYPE_OF<T>> {
+	static_assert(TYPE_OF<T> != GDEXTENSION_VARIANT_TYPE_VARIANT_MAX, "The bindings cannot pass this type to the engine.");
+};
+
 template <>
 struct Arg<bool> : WideArg<bool, GDExtensionBool, GDEXTENSION_VARIANT_TYPE_BOOL> {
 	static bool from_variant(const Variant &p_variant) { return p_variant; }
@@ -74,33 +77,6 @@ template <>
 struct Arg<float> : WideArg<float, double, GDEXTENSION_VARIANT_TYPE_FLOAT, GDEXTENSION_METHOD_ARGUMENT_METADATA_REAL_IS_FLOAT> {};
 template <>
 struct Arg<double> : WideArg<double, double, GDEXTENSION_VARIANT_TYPE_FLOAT, GDEXTENSION_METHOD_ARGUMENT_METADATA_REAL_IS_DOUBLE> {};
-
-#define GODOT_CPP_VALUE_ARG(m_type, m_variant_type) \
-	template <> \
-	struct Arg<m_type> : ValueArg<m_type, GDEXTENSION_VARIANT_TYPE_##m_variant_type> {}
-
-GODOT_CPP_VALUE_ARG(String, STRING);
-GODOT_CPP_VALUE_ARG(Vector2, VECTOR2);
-GODOT_CPP_VALUE_ARG(Vector3, VECTOR3);
-GODOT_CPP_VALUE_ARG(Quaternion, QUATERNION);
-GODOT_CPP_VALUE_ARG(AABB, AABB);
-GODOT_CPP_VALUE_ARG(Basis, BASIS);
-GODOT_CPP_VALUE_ARG(Transform3D, TRANSFORM3D);
-GODOT_CPP_VALUE_ARG(Color, COLOR);
-GODOT_CPP_VALUE_ARG(StringName, STRING_NAME);
-GODOT_CPP_VALUE_ARG(NodePath, NODE_PATH);
-GODOT_CPP_VALUE_ARG(RID, RID);
-GODOT_CPP_VALUE_ARG(Callable, CALLABLE);
-GODOT_CPP_VALUE_ARG(Dictionary, DICTIONARY);
-GODOT_CPP_VALUE_ARG(Array, ARRAY);
-GODOT_CPP_VALUE_ARG(PackedByteArray, PACKED_BYTE_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedInt32Array, PACKED_INT32_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedFloat32Array, PACKED_FLOAT32_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedFloat64Array, PACKED_FLOAT64_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedStringArray, PACKED_STRING_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedVector2Array, PACKED_VECTOR2_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedVector3Array, PACKED_VECTOR3_ARRAY);
-GODOT_CPP_VALUE_ARG(PackedColorArray, PACKED_COLOR_ARRAY);
 
 template <>
 struct Arg<Variant> : ValueArg<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
@@ -136,10 +112,8 @@ struct Arg<BitField<T>> : WideArg<BitField<T>, int64_t, GDEXTENSION_VARIANT_TYPE
 template <typename T>
 struct EnumArg : WideArg<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT> {};
 
-// "Class.Enum" for a C++ name with or without namespaces; "Enum" for an enum outside a class.
+// The engine's name of an enum, "Class.Enum" or "Enum", for its C++ name with or without namespaces.
 String enum_class_name(const char *p_qualified);
-// "Enum" without the class, for the constants of an enum.
-StringName enum_short_name(const char *p_qualified);
 
 template <typename T>
 T from_variant(const Variant &p_variant) {

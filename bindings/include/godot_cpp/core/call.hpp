@@ -10,7 +10,6 @@ namespace godot::internal {
 // Each looks up an engine function by its name and the hash of its signature. If it does not exist, prints an error.
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash);
 GDExtensionPtrBuiltInMethod find_builtin_method(GDExtensionVariantType p_type, const char *p_method, int64_t p_hash);
-GDExtensionPtrUtilityFunction find_utility_function(const char *p_function, int64_t p_hash);
 
 // Calls p_call with pointers to the encoded arguments and to memory for the result. Returns the result.
 template <typename R, typename Call, typename... Args>
@@ -68,17 +67,6 @@ Variant call_vararg_method(GDExtensionMethodBindPtr p_method, GDExtensionObjectP
 		return call_with_variants(p_method, p_owner, pointers, sizeof...(Args));
 	};
 	return call(Variant(p_args)...);
-}
-
-template <typename... Args>
-void call_utility_function(const char *p_function, int64_t p_hash, const Args &...p_args) {
-	const auto call = [&](const auto &...p_variants) {
-		const GDExtensionConstTypePtr pointers[] = { p_variants._native_ptr()... };
-		if (const GDExtensionPtrUtilityFunction function = find_utility_function(p_function, p_hash)) {
-			function(nullptr, pointers, sizeof...(Args));
-		}
-	};
-	call(Variant(p_args)...);
 }
 
 } // namespace godot::internal

@@ -4,7 +4,6 @@
 #include <godot_cpp/core/call.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/method_bind.hpp>
-#include <godot_cpp/core/print_string.hpp>
 
 #include <memory>
 
@@ -72,7 +71,6 @@ public:
 		return add_method(p_class, new internal::MethodBindOf<M>(p_definition, p_method, { Variant(p_defaults)... }));
 	}
 
-	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
 	// The setter and the getter must be bound already. An empty setter makes the property read-only.
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter);
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
@@ -91,7 +89,7 @@ private:
 
 	template <typename T>
 	static GDExtensionObjectPtr create(void *, GDExtensionBool p_notify) {
-		const internal::ConstructionOf<T> construction;
+		const internal::Construction construction(T::_extension_class_name());
 		T *object = new (internal::EngineMemory{}) T;
 		if (p_notify) {
 			internal::post_initialize(object);
@@ -105,8 +103,6 @@ private:
 #define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>()
 
 // For use in _bind_methods().
-#define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
 #define ADD_PROPERTY(m_property, m_setter, m_getter) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
 #define ADD_SIGNAL(m_signal) ::godot::ClassDB::add_signal(get_class_static(), m_signal)
-#define BIND_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant)
-#define BIND_ENUM_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_short_name(::godot::internal::Arg<decltype(m_constant)>::NAME), #m_constant, m_constant)
+#define BIND_ENUM_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_class_name(::godot::internal::Arg<decltype(m_constant)>::NAME).get_slice(".", 1), #m_constant, m_constant)

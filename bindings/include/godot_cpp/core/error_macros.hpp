@@ -16,7 +16,6 @@ struct ErrorPlace {
 	int32_t line;
 };
 
-void print_error(const ErrorPlace &p_place, const char *p_what);
 void print_error(const ErrorPlace &p_place, const char *p_what, const char *p_message);
 void print_error(const ErrorPlace &p_place, const char *p_what, const String &p_message);
 void print_warning(const ErrorPlace &p_place, const char *p_what);
@@ -32,30 +31,18 @@ void print_warning(const ErrorPlace &p_place, const String &p_what);
 #define WARN_PRINT(m_message) ::godot::internal::print_warning(GODOT_CPP_PLACE, m_message)
 
 // Base of all macros below: if the condition holds, prints an error and returns.
-#define GODOT_CPP_FAIL_IF(m_condition, m_return, ...) \
+#define GODOT_CPP_FAIL_IF(m_condition, m_return, m_what, m_message) \
 	if (unlikely(m_condition)) { \
-		::godot::internal::print_error(GODOT_CPP_PLACE, __VA_ARGS__); \
+		::godot::internal::print_error(GODOT_CPP_PLACE, m_what, m_message); \
 		m_return; \
 	} else \
 		((void)0)
 
-#define ERR_FAIL() GODOT_CPP_FAIL_IF(true, return, "Method/function failed.")
 #define ERR_FAIL_MSG(m_message) GODOT_CPP_FAIL_IF(true, return, "Method/function failed.", m_message)
-#define ERR_FAIL_V(m_value) GODOT_CPP_FAIL_IF(true, return m_value, "Method/function failed. Returning: " #m_value)
 #define ERR_FAIL_V_MSG(m_value, m_message) GODOT_CPP_FAIL_IF(true, return m_value, "Method/function failed. Returning: " #m_value, m_message)
 
-#define ERR_FAIL_COND(m_condition) GODOT_CPP_FAIL_IF(m_condition, return, "Condition \"" #m_condition "\" is true.")
 #define ERR_FAIL_COND_MSG(m_condition, m_message) GODOT_CPP_FAIL_IF(m_condition, return, "Condition \"" #m_condition "\" is true.", m_message)
-#define ERR_FAIL_COND_V(m_condition, m_value) GODOT_CPP_FAIL_IF(m_condition, return m_value, "Condition \"" #m_condition "\" is true. Returning: " #m_value)
 #define ERR_FAIL_COND_V_MSG(m_condition, m_value, m_message) GODOT_CPP_FAIL_IF(m_condition, return m_value, "Condition \"" #m_condition "\" is true. Returning: " #m_value, m_message)
 
-#define ERR_FAIL_NULL(m_pointer) GODOT_CPP_FAIL_IF((m_pointer) == nullptr, return, "Parameter \"" #m_pointer "\" is null.")
 #define ERR_FAIL_NULL_MSG(m_pointer, m_message) GODOT_CPP_FAIL_IF((m_pointer) == nullptr, return, "Parameter \"" #m_pointer "\" is null.", m_message)
-#define ERR_FAIL_NULL_V(m_pointer, m_value) GODOT_CPP_FAIL_IF((m_pointer) == nullptr, return m_value, "Parameter \"" #m_pointer "\" is null.")
 #define ERR_FAIL_NULL_V_MSG(m_pointer, m_value, m_message) GODOT_CPP_FAIL_IF((m_pointer) == nullptr, return m_value, "Parameter \"" #m_pointer "\" is null.", m_message)
-
-#define GODOT_CPP_OUTSIDE(m_index, m_size) (static_cast<int64_t>(m_index) < 0 || static_cast<int64_t>(m_index) >= static_cast<int64_t>(m_size))
-#define ERR_FAIL_INDEX(m_index, m_size) GODOT_CPP_FAIL_IF(GODOT_CPP_OUTSIDE(m_index, m_size), return, "Index \"" #m_index "\" is out of bounds (" #m_size ").")
-#define ERR_FAIL_INDEX_MSG(m_index, m_size, m_message) GODOT_CPP_FAIL_IF(GODOT_CPP_OUTSIDE(m_index, m_size), return, "Index \"" #m_index "\" is out of bounds (" #m_size ").", m_message)
-#define ERR_FAIL_INDEX_V(m_index, m_size, m_value) GODOT_CPP_FAIL_IF(GODOT_CPP_OUTSIDE(m_index, m_size), return m_value, "Index \"" #m_index "\" is out of bounds (" #m_size ").")
-#define ERR_FAIL_INDEX_V_MSG(m_index, m_size, m_value, m_message) GODOT_CPP_FAIL_IF(GODOT_CPP_OUTSIDE(m_index, m_size), return m_value, "Index \"" #m_index "\" is out of bounds (" #m_size ").", m_message)

@@ -18,7 +18,6 @@ struct EngineMemory {};
 void *allocate(size_t p_size);
 void release(void *p_memory);
 void post_initialize(Wrapped *p_object);
-void destroy_object(Wrapped *p_object);
 
 // Passes the extension class under construction to the constructor of Wrapped, which knows only the engine class.
 // Scopes nest, because an argument of a constructor may call memnew.
@@ -34,35 +33,14 @@ public:
 };
 
 template <typename T>
-struct ConstructionOf : std::conditional_t<std::is_base_of_v<Wrapped, T>, Construction, EngineMemory> {
-	ConstructionOf() :
-			ConstructionOf(std::is_base_of<Wrapped, T>()) {}
-
-private:
-	explicit ConstructionOf(std::true_type) :
-			Construction(T::_extension_class_name()) {}
-	explicit ConstructionOf(std::false_type) {}
-};
-
-template <typename T>
 T *finish_construction(T *p_object) {
-	if constexpr (std::is_base_of_v<Wrapped, T>) {
-		post_initialize(p_object);
-	}
+	post_initialize(p_object);
 	return p_object;
 }
 
 } // namespace internal
 
-template <typename T>
-void memdelete(T *p_object) {
-	if constexpr (std::is_base_of_v<Wrapped, T>) {
-		internal::destroy_object(p_object);
-	} else {
-		p_object->~T();
-		internal::release(p_object);
-	}
-}
+void memdelete(Wrapped *p_object);
 
 } // namespace godot
 
@@ -74,7 +52,8 @@ inline void operator delete(void *p_memory, ::godot::internal::EngineMemory) {
 	::godot::internal::release(p_memory);
 }
 
-// m_class is a type, optionally with constructor arguments in parentheses.
+// Constructs an object of a class of the engine or of an extension. m_class is a type, optionally with constructor arguments
+// in parentheses.
 #define memnew(m_class) \
-	(::godot::internal::ConstructionOf<std::remove_pointer_t<decltype(new (::godot::internal::EngineMemory{}) m_class)>>(), \
+	(::godot::internal::Construction(std::remove_pointer_t<decltype(new (::godot::internal::EngineMemory{}) m_class)>::_extension_class_name()), \
 			::godot::internal::finish_construction(new (::godot::internal::EngineMemory{}) m_class))

@@ -41,6 +41,7 @@ struct Signature;
 template <typename C, typename R, typename... Args>
 struct Signature<R (C::*)(Args...)> {
 	using Class = C;
+	using Instance = C;
 	using Result = R;
 	using Arguments = std::tuple<std::decay_t<Args>...>;
 	static constexpr uint32_t FLAGS = GDEXTENSION_METHOD_FLAG_NORMAL;
@@ -49,6 +50,7 @@ struct Signature<R (C::*)(Args...)> {
 
 template <typename C, typename R, typename... Args>
 struct Signature<R (C::*)(Args...) const> : Signature<R (C::*)(Args...)> {
+	using Instance = const C;
 	static constexpr uint32_t FLAGS = GDEXTENSION_METHOD_FLAG_NORMAL | GDEXTENSION_METHOD_FLAG_CONST;
 };
 

@@ -16,8 +16,6 @@ public:
 	constexpr BitField(T p_flag) :
 			_value(static_cast<int64_t>(p_flag)) {}
 
-	constexpr bool has_flag(T p_flag) const { return (_value & static_cast<int64_t>(p_flag)) != 0; }
-	constexpr bool is_empty() const { return _value == 0; }
 	constexpr operator int64_t() const { return _value; }
 };
 

@@ -12,9 +12,6 @@ struct AABB {
 	AABB() = default;
 	AABB(const Vector3 &p_position, const Vector3 &p_size) :
 			position(p_position), size(p_size) {}
-
-	bool operator==(const AABB &p_other) const { return position == p_other.position && size == p_other.size; }
-	bool operator!=(const AABB &p_other) const { return !(*this == p_other); }
 };
 
 } // namespace godot

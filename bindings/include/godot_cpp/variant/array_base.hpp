@@ -21,8 +21,6 @@ public:
 	const Variant &operator[](int64_t p_index) const;
 	Variant &operator[](int64_t p_index);
 
-	Variant *begin();
-	Variant *end();
 	const Variant *begin() const;
 	const Variant *end() const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <godot_cpp/variant/quaternion.hpp>
+#include <godot_cpp/variant/vector3.hpp>
 
 namespace godot {
 
@@ -14,29 +14,12 @@ struct Basis {
 	Basis(const Vector3 &p_x_axis, const Vector3 &p_y_axis, const Vector3 &p_z_axis) :
 			Basis(p_x_axis.x, p_y_axis.x, p_z_axis.x, p_x_axis.y, p_y_axis.y, p_z_axis.y, p_x_axis.z, p_y_axis.z, p_z_axis.z) {}
 
-	// The rotation of a quaternion, which need not be normalized.
-	Basis(const Quaternion &p_quaternion);
-
-	const Vector3 &operator[](int p_row) const { return rows[p_row]; }
-	Vector3 &operator[](int p_row) { return rows[p_row]; }
-
 	Vector3 get_column(int p_index) const { return Vector3(rows[0][p_index], rows[1][p_index], rows[2][p_index]); }
 
 	Vector3 xform(const Vector3 &p_vector) const { return Vector3(rows[0].dot(p_vector), rows[1].dot(p_vector), rows[2].dot(p_vector)); }
-	Basis operator*(const Basis &p_right) const;
+	Basis operator*(const Basis &p_right) const { return Basis(xform(p_right.get_column(0)), xform(p_right.get_column(1)), xform(p_right.get_column(2))); }
 
 	bool operator==(const Basis &p_other) const { return rows[0] == p_other.rows[0] && rows[1] == p_other.rows[1] && rows[2] == p_other.rows[2]; }
-	bool operator!=(const Basis &p_other) const { return !(*this == p_other); }
-
-	real_t determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
-
-	// Requires a pure rotation.
-	Quaternion get_quaternion() const;
-
-	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }
-	bool is_equal_approx(const Basis &p_other) const {
-		return rows[0].is_equal_approx(p_other.rows[0]) && rows[1].is_equal_approx(p_other.rows[1]) && rows[2].is_equal_approx(p_other.rows[2]);
-	}
 };
 
 } // namespace godot

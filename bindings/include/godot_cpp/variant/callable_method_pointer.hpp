@@ -4,9 +4,7 @@
 
 #include <memory>
 
-namespace godot {
-
-namespace internal {
+namespace godot::internal {
 
 // A method and the object to call it on. Scripts can call the Callable, so its arguments are checked like those of a bound
 // method, and a call after the object was freed is an error.
@@ -18,26 +16,16 @@ struct CallableMethod {
 
 Callable create_callable(CallableMethod &&p_method);
 
-template <typename T, typename M>
-Callable create_callable(T *p_instance, M p_method) {
-	CallableMethod method{ std::make_unique<MethodBindOf<M>>(MethodDefinition(), p_method, std::vector<Variant>()), p_instance };
+template <typename M>
+Callable create_callable(typename Signature<M>::Instance *p_instance, M p_method) {
+	auto *instance = const_cast<typename Signature<M>::Class *>(p_instance);
+	CallableMethod method{ std::make_unique<MethodBindOf<M>>(MethodDefinition(), p_method, std::vector<Variant>()), instance };
 	static_assert(sizeof(M) <= sizeof(method.method), "The method pointer does not fit.");
 	memcpy(method.method, &p_method, sizeof(M));
 	return create_callable(std::move(method));
 }
 
-} // namespace internal
-
-template <typename T, typename R, typename... P>
-Callable create_custom_callable_function_pointer(T *p_instance, R (T::*p_method)(P...)) {
-	return internal::create_callable(p_instance, p_method);
-}
-template <typename T, typename R, typename... P>
-Callable create_custom_callable_function_pointer(const T *p_instance, R (T::*p_method)(P...) const) {
-	return internal::create_callable(const_cast<T *>(p_instance), p_method);
-}
-
-} // namespace godot
+} // namespace godot::internal
 
 // A Callable of a method that need not be bound. Two of them are equal if object and method are.
-#define callable_mp(m_instance, m_method) ::godot::create_custom_callable_function_pointer(m_instance, m_method)
+#define callable_mp(m_instance, m_method) ::godot::internal::create_callable(m_instance, m_method)

@@ -2,8 +2,6 @@
 
 #include <godot_cpp/variant/opaque.hpp>
 
-#include <initializer_list>
-
 namespace godot::internal {
 
 // Members of packed arrays that are not methods of the engine. SELF is the packed array's class; INDEX and INDEX_CONST
@@ -18,24 +16,11 @@ public:
 	using Opaque<TYPE, 16>::Opaque;
 	PackedArrayBase() = default;
 
-	PackedArrayBase(std::initializer_list<ELEMENT> p_elements) {
-		static_cast<SELF *>(this)->resize(static_cast<int64_t>(p_elements.size()));
-		ELEMENT *target = ptrw();
-		for (const ELEMENT &element : p_elements) {
-			*target++ = element;
-		}
-	}
-
 	const ELEMENT *ptr() const { return count() == 0 ? nullptr : &(*this)[0]; }
 	ELEMENT *ptrw() { return count() == 0 ? nullptr : &(*this)[0]; }
 
 	const ELEMENT &operator[](int64_t p_index) const { return *static_cast<const ELEMENT *>(INDEX_CONST(this->_native_ptr(), p_index)); }
 	ELEMENT &operator[](int64_t p_index) { return *static_cast<ELEMENT *>(INDEX(this->_native_ptr(), p_index)); }
-
-	const ELEMENT *begin() const { return ptr(); }
-	const ELEMENT *end() const { return ptr() + count(); }
-	ELEMENT *begin() { return ptrw(); }
-	ELEMENT *end() { return ptrw() + count(); }
 };
 
 } // namespace godot::internal

@@ -11,10 +11,6 @@ struct RID {
 	bool is_valid() const { return _id != 0; }
 	int64_t get_id() const { return static_cast<int64_t>(_id); }
 
-	bool operator==(const RID &p_other) const { return _id == p_other._id; }
-	bool operator!=(const RID &p_other) const { return _id != p_other._id; }
-	bool operator<(const RID &p_other) const { return _id < p_other._id; }
-
 private:
 	uint64_t _id = 0;
 };

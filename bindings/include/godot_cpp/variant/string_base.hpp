@@ -58,6 +58,4 @@ public:
 
 } // namespace internal
 
-String operator+(const char *p_left, const String &p_right);
-
 } // namespace godot

@@ -18,9 +18,6 @@ struct Transform3D {
 
 	bool operator==(const Transform3D &p_other) const { return basis == p_other.basis && origin == p_other.origin; }
 	bool operator!=(const Transform3D &p_other) const { return !(*this == p_other); }
-
-	bool is_finite() const { return basis.is_finite() && origin.is_finite(); }
-	bool is_equal_approx(const Transform3D &p_other) const { return basis.is_equal_approx(p_other.basis) && origin.is_equal_approx(p_other.origin); }
 };
 
 } // namespace godot

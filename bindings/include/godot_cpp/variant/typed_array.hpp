@@ -6,7 +6,7 @@ namespace godot {
 
 namespace internal {
 
-template <typename T, typename>
+template <typename T>
 struct Arg;
 
 } // namespace internal
@@ -32,9 +32,6 @@ public:
 
 	TypedArray(const Variant &p_variant) :
 			TypedArray(Array(p_variant)) {}
-
-	TypedArray(std::initializer_list<Variant> p_elements) :
-			TypedArray(Array(p_elements)) {}
 };
 
 } // namespace godot
