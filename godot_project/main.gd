@@ -3,7 +3,8 @@ extends Node
 ## `--`.
 ##
 ## --test, --test=NAME     runs the engine tests, or those whose file or method name contains NAME,
-##                         or the one test whose file and method are "FILE METHOD"
+##                         or the one test whose file and method are "FILE METHOD"; several NAMEs
+##                         are separated by commas
 ## --demo=NAME             opens a demo, which parses its own arguments
 ## --dump-poses=FILE       writes interpolated pose pairs for the oracle (tests/oracle)
 ## --gallery-pictures=DIR  renders the gallery's documents for the documentation

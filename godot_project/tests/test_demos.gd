@@ -3,6 +3,7 @@ extends "res://tests/framework/test_case.gd"
 
 const Demos := preload("res://menu/demos.gd")
 const Main := preload("res://main.gd")
+const NetworkBranch := preload("res://tests/framework/network_branch.gd")
 
 const FRAMES := 60
 
@@ -46,8 +47,9 @@ func test_the_interpolation_demo_runs() -> void:
 ## In a separate process, because the demo reads the command line.
 func test_the_multiplayer_server_runs() -> void:
 	var output: Array = []
+	var port := "--port=%d" % NetworkBranch.find_free_port()
 	var code := _start(
-		["--demo=multiplayer", "--role=server", "--cubes=20", "--seconds=1", "--port=24999"], output
+		["--demo=multiplayer", "--role=server", "--cubes=20", "--seconds=1", port], output
 	)
 	expect_equal(code, 0, "exit code")
 	_expect_clean(output)
@@ -106,7 +108,7 @@ func _start(arguments: PackedStringArray, output: Array) -> int:
 		["--headless", "--path", ProjectSettings.globalize_path("res://"), "--"]
 	)
 	all.append_array(arguments)
-	return OS.execute(OS.get_executable_path(), all, output, true)
+	return OS.execute(Emulation.get_engine_path(), all, output, true)
 
 
 func _expect_clean(output: Array) -> void:

@@ -2,6 +2,7 @@ extends "res://tests/framework/test_case.gd"
 ## The test framework itself: expectations that do not hold must fail.
 
 const CodeSample := preload("res://tests/framework/code_sample.gd")
+const Filter := preload("res://tests/framework/test_filter.gd")
 const TestCase := preload("res://tests/framework/test_case.gd")
 
 
@@ -44,6 +45,45 @@ func test_a_failure_contains_file_line_and_values() -> void:
 
 func test_a_test_without_expectations_fails() -> void:
 	expect_equal(_probe().take_failures(), PackedStringArray(["expects nothing"]))
+
+
+func test_a_duration_is_checked_except_in_an_emulator() -> void:
+	var slowness := OS.get_environment("GA_GODOT_SLOWNESS")
+	OS.unset_environment("GA_GODOT_SLOWNESS")
+	var probe := _probe()
+	probe.expect_duration_below(1.0, 2.0, "a")
+	expect_equal(probe.take_failures().size(), 0, "failures below the limit")
+	probe.expect_duration_below(2.0, 2.0, "a")
+	probe.expect_duration_below(NAN, 2.0, "a")
+	expect_equal(probe.take_failures().size(), 2, "failures above the limit")
+	expect_equal(probe.skipped.size(), 0, "skipped")
+	OS.set_environment("GA_GODOT_SLOWNESS", "30")
+	probe = _probe()
+	probe.expect_duration_below(3.0, 2.0, "a")
+	expect_equal(probe.take_failures().size(), 0, "failures in an emulator")
+	expect_equal(probe.skipped, PackedStringArray(["a takes less than 2.0 ms"]), "skipped")
+	OS.unset_environment("GA_GODOT_SLOWNESS")
+	if not slowness.is_empty():
+		OS.set_environment("GA_GODOT_SLOWNESS", slowness)
+
+
+func test_the_argument_selects_tests() -> void:
+	for row: Array in [
+		# The argument, whether it selects test_b of test_a.gd, and whether this file is loaded for it.
+		["", true, true],
+		["a.gd", true, true],
+		["t_b", true, true],
+		["test_a test_b", true, true],
+		["test_a test_c", false, true],
+		["other", false, true],
+		["test_c.gd", false, false],
+		["test_c.gd,test_a.gd", true, true],
+		["test_c.gd,t_b", true, true],
+		["test_c.gd,test_d.gd", false, false],
+	]:
+		var argument: String = row[0]
+		expect_equal(Filter.selects(argument, "test_a.gd", "test_b"), row[1], "by " + argument)
+		expect_equal(Filter.may_select_from(argument, "test_a.gd"), row[2], "for " + argument)
 
 
 func test_an_unexpected_error_is_a_fault() -> void:

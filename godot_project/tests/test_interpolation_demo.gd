@@ -67,7 +67,7 @@ func test_space_plays_back_and_forth() -> void:
 	var highest := 0.0
 	var lerp_node: MultivectorLerp = _demo.get_node(^"Lerp")
 	var turned := false
-	var deadline := Time.get_ticks_msec() + 8000
+	var deadline := Time.get_ticks_msec() + 8000.0 * Emulation.get_slowness()
 	while not turned and Time.get_ticks_msec() < deadline:
 		await tree.process_frame
 		highest = maxf(highest, lerp_node.factor)

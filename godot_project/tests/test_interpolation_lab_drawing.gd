@@ -140,7 +140,7 @@ func test_a_dragged_pose_is_followed_within_the_budget() -> void:
 			% [best, whole, moment]
 		)
 	)
-	expect_true(whole < BUDGET, "a change of a pose takes less than %s ms: %s ms" % [BUDGET, whole])
+	expect_duration_below(whole, BUDGET, "a change of a pose")
 
 
 func _open() -> void:

@@ -157,7 +157,7 @@ func test_difference_between_two_owners_is_blended() -> void:
 		branches[1].get_body(0).position = Vector3(1, 0, 0)
 		var largest := 0.0
 		var before := watched.position.x
-		var deadline := Time.get_ticks_msec() + 4000
+		var deadline := Time.get_ticks_msec() + 4000.0 * Emulation.get_slowness()
 		while watched.position.x < 0.999 and Time.get_ticks_msec() < deadline:
 			await tree.process_frame
 			largest = maxf(largest, watched.position.x - before)

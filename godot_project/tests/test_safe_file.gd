@@ -137,7 +137,7 @@ func _save_with_full_disk() -> Dictionary:
 		"trap '' XFSZ; ulimit -f %d; exec '%s' --headless --path '%s' --script %s"
 		% [
 			BLOCKS,
-			OS.get_executable_path(),
+			Emulation.get_engine_path(),
 			ProjectSettings.globalize_path("res://"),
 			(FullDisk as Script).resource_path
 		]

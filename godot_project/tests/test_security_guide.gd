@@ -5,8 +5,6 @@ extends "res://tests/framework/network_test.gd"
 const PAGE := "docs/security.md"
 const SCRIPT := "(?ms)^```gdscript %s\\n(.*?)^```$"
 const SERVER_NAME := "my-game"
-const FIRST_PORT := 27200
-const LAST_PORT := 28900
 
 var _key := Crypto.new().generate_rsa(2048)
 var _certificate := _make_certificate(_key)
@@ -18,7 +16,7 @@ func test_motion_over_dtls() -> void:
 		var script := _compile("dtls.gd")
 		for side: String in ["server", "client"]:
 			expect_error("ENet DTLS support not available in this build.")
-			expect_null(_make(script, side, randi_range(FIRST_PORT, LAST_PORT)), side)
+			expect_null(_make(script, side, NetworkBranch.find_free_port()), side)
 		return
 	await _expect_encrypted("dtls.gd", false)
 
@@ -30,7 +28,7 @@ func test_motion_over_tls() -> void:
 
 func _expect_encrypted(file: String, is_websocket: bool) -> void:
 	var script := _compile(file)
-	var port := randi_range(FIRST_PORT, LAST_PORT)
+	var port := NetworkBranch.find_free_port(is_websocket)
 	var server := make_branch("Server")
 	server.api.multiplayer_peer = _make(script, "server", port)
 	var client := make_branch("Client")

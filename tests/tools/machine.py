@@ -18,7 +18,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # What every system has.
-BASICS = """awk basename cat cp cut date df dirname du env flock grep head id ln ls mkdir mv readlink rm
+BASICS = """awk basename cat chmod cp cut date df dirname du env flock grep head id ln ls mkdir mv readlink rm
 sed sh sha256sum sleep sort tail tar touch tr true uname wc""".split()
 
 DEBIAN = 'ID=debian\nPRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\n'
@@ -39,7 +39,9 @@ case " $* " in
         if [ "${FAKE_SIGNATURE:-}" = expired ]; then echo "E: Release file is expired (since 16d)" >&2; exit 100; fi
         touch "$FAKE_LOG.updated"
         ;;
-    *" --print-uris "*) echo "'http://packages.invalid/godot.deb' godot.deb 5000000 SHA256:0" ;;
+    *" --print-uris "*)
+        [ -n "$folder" ] && cp "$folder/apt.conf" "$folder/sources.list" "$FAKE_SETTINGS"
+        echo "'http://packages.invalid/godot.deb' godot.deb 5000000 SHA256:0" ;;
     *" download "*) sleep "${FAKE_SLOW:-0}"; cp "$FAKE_DEB" . ;;
     *" --download-only "*)
         sleep "${FAKE_SLOW:-0}"
@@ -103,7 +105,7 @@ class Machine:
             "PATH": self.bin, "HOME": self.folder, "GA_GODOT_CACHE": self.cache,
             "GA_GODOT_CERTIFICATES": self.write("certificates", ""),
             "GA_GODOT_OS_RELEASE": os.path.join(self.folder, "os-release"),
-            "FAKE_LOG": self.log, "FAKE_BIN": self.bin, "FAKE_SITE": "debian", "FAKE_DEB": self.make_package(),
+            "FAKE_LOG": self.log, "FAKE_SETTINGS": self.folder, "FAKE_BIN": self.bin, "FAKE_SITE": "debian", "FAKE_DEB": self.make_package(),
             "FAKE_PROGRAM": self.write("program", SUCCEEDS, executable=True),
         }
 
@@ -155,6 +157,10 @@ class Machine:
         """Runs a tool to its end; returns it with stdout and stderr."""
         return subprocess.run(self.command(tool, arguments), env={**self.environment, **environment}, cwd="/",
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60, check=False)
+
+    def execute(self, program, *arguments):
+        """Runs a program that a tool has made to its end."""
+        return subprocess.run([program, *arguments], env=self.environment, capture_output=True, text=True, timeout=60, check=False)
 
     def start(self, tool, *arguments, **environment):
         """Starts a tool; the caller waits for it."""

@@ -36,7 +36,7 @@ def setup(*parts):
 
 
 def setup_path(what):
-    """Path of something that setup provides: engine, templates, oracle, style, plots, cache, apis."""
+    """Path of something that setup provides: engine, engine_arm64, zig, templates, oracle, style, plots, cross, cache, apis."""
     done = subprocess.run([os.path.join(TOOLS, "setup"), "--print", what],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:

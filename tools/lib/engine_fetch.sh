@@ -8,14 +8,20 @@
 # points the executable at its own loader and libraries.
 engine_packages='godot libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libglx-mesa0 libvulkan1 mesa-vulkan-drivers patchelf'
 
-# What is downloaded, for messages.
-sought="Godot $engine_minimum is"
-engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
-
 # The file from which Debian's engine reads the trusted certificates at each start.
 certificates=${GA_GODOT_CERTIFICATES:-/etc/ssl/certs/ca-certificates.crt}
 
 ensure_engine() {
+    # What the functions below download, and for which architecture by dpkg's names,
+    # empty for that of this machine; where it is unpacked, the function that prepares
+    # it there, and what starts it; for messages, its name and how to do without it.
+    wanted_packages=$engine_packages
+    wanted_architecture=
+    wanted_folder=$engine_folder
+    wanted_setup=relocate_engine
+    wanted_program=$engine_cached
+    sought="Godot $engine_minimum is"
+    engine_by_hand="install Godot $engine_minimum or newer yourself and give its path by GODOT="
     if find_engine; then
         if [ "$engine_path" = "$engine_cached" ]; then
             ensure_system_packages certificates
@@ -30,15 +36,24 @@ ensure_engine() {
     if find_engine; then
         return # another setup fetched it while this one waited
     fi
+    from_first_suite fetch_if_offered
+}
+
+# from_first_suite COMMAND: reads the package lists of the suites until COMMAND
+# succeeds with one; fails if it does with none.
+from_first_suite() {
     choose_suites
     find_site
     for suite in $suites; do
-        if describe_source && resolve_engine; then
-            fetch_engine
+        if describe_source && "$1"; then
             return
         fi
     done
     explain_no_engine
+}
+
+fetch_if_offered() {
+    resolve_engine && fetch_engine
 }
 
 # Fails with the reason in apt's output why no suite provided what is sought.
@@ -104,9 +119,9 @@ apt_folder() {
     apt-config shell folder "Dir::$1/d" | sed "s/^folder='\(.*\)'\$/\1/"
 }
 
-# write_apt_settings LIST PARTS: settings with which apt-get works in $work only,
-# uses these sources, and sees no installed package. The system's hooks are
-# cleared: they serve the system's own lists.
+# write_apt_settings LIST PARTS [ARCHITECTURE]: settings with which apt-get works in
+# $work only, uses these sources, and sees no installed package. The system's hooks
+# are cleared: they serve the system's own lists.
 write_apt_settings() {
     mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
     : >"$work/apt/status"
@@ -127,6 +142,9 @@ Acquire::Retries "3";
 #clear APT::Update::Post-Invoke;
 #clear APT::Update::Post-Invoke-Success;
 END
+    if [ -n "${3:-}" ]; then
+        echo "APT::Architecture \"$3\"; APT::Architectures { \"$3\"; };" >>"$work/apt.conf"
+    fi
 }
 
 own_apt_get() {
@@ -136,8 +154,8 @@ own_apt_get() {
 # Reads the suite's list of packages.
 describe_source() {
     rm -rf "$work/apt"
-    write_apt_settings "$work/sources.list" /dev/null
-    echo "deb [arch=$(dpkg --print-architecture) target=Packages $keyring] $site $suite $components" >"$work/sources.list"
+    write_apt_settings "$work/sources.list" /dev/null "$wanted_architecture"
+    echo "deb [arch=${wanted_architecture:-$(dpkg --print-architecture)} target=Packages $keyring] $site $suite $components" >"$work/sources.list"
     if step "reading the package list of $suite" own_apt_get update -o APT::Update::Error-Mode=any; then
         suite_answered=yes
     else
@@ -150,7 +168,7 @@ describe_source() {
 resolve_engine() {
     is_good_version "$(offered_version)" || return 1
     # shellcheck disable=SC2086
-    (own_apt_get install --print-uris -y $engine_packages) >"$work/uris" 2>>"$work/log" || return 1
+    (own_apt_get install --print-uris -y $wanted_packages) >"$work/uris" 2>>"$work/log" || return 1
     download_megabytes=$(awk '/^.(http|https|file|copy|mirror|cdrom|ftp)/ { bytes += $3 } END { print int(bytes / 1048576) + 1 }' "$work/uris")
 }
 
@@ -164,14 +182,14 @@ fetch_engine() {
     percent_of_step=show_download
     # shellcheck disable=SC2086
     step "downloading Godot and its libraries from $suite ($download_megabytes MB)" \
-        own_apt_get install -y --download-only $engine_packages ||
+        own_apt_get install -y --download-only $wanted_packages ||
         fail_step "the download of Godot failed" "check the network and run the same command again"
     percent_of_step=show_unpacked
     step "unpacking Godot" unpack_engine ||
         fail_step "Godot could not be unpacked" "run the same command again"
     percent_of_step=
-    relocate_engine >>"$work/log" 2>&1 ||
-        fail_step "Godot could not be set up in $engine_folder" "run the same command again, or $engine_by_hand"
+    "$wanted_setup" >>"$work/log" 2>&1 ||
+        fail_step "Godot could not be set up in $wanted_folder" "run the same command again, or $engine_by_hand"
     install_engine
 }
 
@@ -231,16 +249,16 @@ patch_elf() {
 
 # Replaces the engine's folder by renaming; an old one stays usable until then.
 install_engine() {
-    if [ -e "$engine_folder" ]; then
-        mv "$engine_folder" "$work/replaced" || fail "cannot replace $engine_folder: remove it and run the same command again"
+    if [ -e "$wanted_folder" ]; then
+        mv "$wanted_folder" "$work/replaced" || fail "cannot replace $wanted_folder: remove it and run the same command again"
     fi
-    mv "$work/engine" "$engine_folder" || fail "cannot write $engine_folder: check who owns $cache"
-    engine_path=$engine_cached
+    mv "$work/engine" "$wanted_folder" || fail "cannot write $wanted_folder: check who owns $cache"
+    engine_path=$wanted_program
     engine_found=$(engine_version "$engine_path")
     if ! is_good_version "$engine_found"; then
         "$engine_path" --version >>"$work/log" 2>&1
-        rm -rf "$engine_folder"
+        rm -rf "$wanted_folder"
         fail_step "the downloaded Godot does not start on this machine" "$engine_by_hand"
     fi
-    say "Godot $engine_found is in $engine_folder"
+    say "Godot $engine_found is in $wanted_folder"
 }

@@ -48,18 +48,24 @@ def engine_suite():
     return [Program([checkout.ENGINE, "--headless", "--path", folder, "--", "--test"], seconds=SECONDS)]
 
 
+def engine_arm64_suite():
+    """The engine tests with the archive's library for arm64, in an emulated engine."""
+    return [Program([os.path.join(FOLDER, "engine_arm64.py")], seconds=4 * SECONDS, engine=False)]
+
+
 SUITES = (
     Suite("archive", (), (), archive_suite),
     Suite("libraries", (), (), inspect_suite),
     Suite("load", (), (), load_suite),
     *(Suite(f"cpp-{platform}-{arch}", (), (), lambda platform=platform, arch=arch: unit_suite(platform, arch)) for platform, arch in EMULATED),
     Suite("engine-archive", (), (), engine_suite),
+    Suite("engine-arm64", (), (), engine_arm64_suite),
 )
 
 
 def make_ready():
     """Installs missing dependencies, and builds the archive and the test programs."""
-    checkout.setup("build", "unit", "engine", "cross", "wine", "arm64")
+    checkout.setup("build", "unit", "engine", "cross", "wine", "arm64", "engine_arm64")
     os.environ["GODOT"] = checkout.setup_path("engine")
     build(LIBRARY)
     project.prepare(checkout.PROJECT)

@@ -36,7 +36,7 @@ def prepare(folder):
 def copy_with_library(library, place):
     """Folder of a copy of the prepared project, below the folder `place`, with another library."""
     shutil.rmtree(place, ignore_errors=True)
-    folder = os.path.join(place, "project")
+    folder = os.path.join(place, os.path.basename(checkout.PROJECT))
     shutil.copytree(checkout.PROJECT, folder, ignore=lambda path, _: ["bin"] if path.endswith(os.path.dirname(LIBRARIES)) else [])
     # Tests read the guides and the class reference, and the files that these name.
     for name in ("README.md", "docs", "src", "tests"):

@@ -24,15 +24,8 @@ ensure_templates() {
     if find_templates; then
         return # another setup fetched them while this one waited
     fi
-    choose_suites
-    find_site
-    for suite in $suites; do
-        if describe_source && resolve_engine && download_templates; then
-            install_templates
-            return
-        fi
-    done
-    explain_no_engine
+    from_first_suite download_templates
+    install_templates
 }
 
 find_templates() {
@@ -55,6 +48,7 @@ short_version() {
 # If the suite has moved to another version than that of the engine in the cache,
 # both are downloaded.
 download_templates() {
+    resolve_engine || return 1
     need_space 250 "the export templates"
     mkdir -p "$work/templates"
     step "downloading the export templates from $suite" fetch_template_packages || return 1

@@ -3,8 +3,6 @@ extends RefCounted
 ## MotorSynchronizer and bodies. All branches have the same nodes, like real peers.
 
 const LOCALHOST := "127.0.0.1"
-const FIRST_PORT := 27200
-const LAST_PORT := 28900
 
 var root := Node.new()
 var api := SceneMultiplayer.new()
@@ -60,19 +58,26 @@ func get_body(index: int) -> Node3D:
 	return world.get_node("Body%d" % index)
 
 
-## Opens a server on a free port and returns the port, or 0 if none was free.
+## A port that the system chooses among the free ones, also those of other test runs.
+static func find_free_port(websocket := false) -> int:
+	if websocket:
+		var server := TCPServer.new()
+		server.listen(0)
+		return server.get_local_port()
+	var socket := PacketPeerUDP.new()
+	socket.bind(0)
+	return socket.get_local_port()
+
+
+## Opens a server on a free port and returns the port.
 func host(websocket := false) -> int:
-	var port := randi_range(FIRST_PORT, LAST_PORT)
-	for attempt in 50:
-		var peer: MultiplayerPeer = (
-			WebSocketMultiplayerPeer.new() if websocket else ENetMultiplayerPeer.new()
-		)
-		var error: Error = peer.call(&"create_server", port)
-		if error == OK:
-			api.multiplayer_peer = peer
-			return port
-		port += 1
-	return 0
+	var port := find_free_port(websocket)
+	var peer: MultiplayerPeer = (
+		WebSocketMultiplayerPeer.new() if websocket else ENetMultiplayerPeer.new()
+	)
+	peer.call(&"create_server", port)
+	api.multiplayer_peer = peer
+	return port
 
 
 func join(port: int, websocket := false) -> void:

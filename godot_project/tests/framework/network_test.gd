@@ -43,6 +43,7 @@ func connect_peers(clients: int, bodies: int, websocket := false) -> void:
 
 
 func wait_until(condition: Callable, what: String, limit := 4.0) -> bool:
+	limit *= Emulation.get_slowness()
 	var deadline := Time.get_ticks_msec() + limit * 1000.0
 	while not condition.call():
 		if Time.get_ticks_msec() > deadline:

@@ -3,11 +3,15 @@ extends RefCounted
 ## a new object; it may await. A test fails if an expectation fails, if it has no expectation, if an
 ## unexpected error or warning is logged, or if an expected one is not.
 
+const Emulation := preload("res://tests/framework/emulation.gd")
 const ErrorLog := preload("res://tests/framework/error_log.gd")
 
 ## Set by the runner.
 var tree: SceneTree
 var error_log: ErrorLog
+
+## Expectations that an emulated engine cannot meet.
+var skipped := PackedStringArray()
 
 var _failures := PackedStringArray()
 var _expectations := 0
@@ -86,6 +90,15 @@ func expect_coefficients(
 		if not absf(numbers[i] - expected) <= tolerance:
 			fail("%s: coefficient %d is %s, expected %s" % [what, i, numbers[i], expected])
 			return
+
+
+## Expects that something took less than [param limit] milliseconds. An emulated engine skips this.
+func expect_duration_below(milliseconds: float, limit: float, what: String) -> void:
+	_expectations += 1
+	if Emulation.is_active():
+		skipped.append("%s takes less than %s ms" % [what, limit])
+	elif not milliseconds < limit:
+		fail("%s takes %s ms, expected less than %s ms" % [what, milliseconds, limit])
 
 
 ## Expects the code that follows to log exactly this error. The printed line marks the error as
