@@ -8,7 +8,7 @@ import emulators
 import project
 from build import LIBRARY, build
 from suite_process import Program
-from suites import Suite
+from suites import PYTHON, Suite
 
 FOLDER = os.path.join(checkout.ROOT, "tests", "platforms")
 # Emulated processors are slower by an order of magnitude.
@@ -24,7 +24,7 @@ def inspect_suite():
 
 def load_suite():
     """Loads the libraries without an engine."""
-    return [Program([os.path.join(FOLDER, "load_libraries.py")], seconds=600, engine=False)]
+    return [Program([PYTHON, os.path.join(FOLDER, "load_libraries.py")], seconds=600, engine=False)]
 
 
 def unit_suite(platform, arch):
@@ -38,7 +38,7 @@ def unit_suite(platform, arch):
 
 def archive_suite():
     """The checks of the suite package, of the archive with all libraries."""
-    return [Program([os.path.join(checkout.ROOT, "tests", "package", "run.py"), "--complete"], seconds=3600, engine=False)]
+    return [Program([PYTHON, os.path.join(checkout.ROOT, "tests", "package", "run.py"), "--complete"], seconds=3600, engine=False)]
 
 
 def engine_suite():
@@ -51,7 +51,7 @@ def engine_suite():
 
 def engine_arm64_suite():
     """The engine tests with the archive's library for arm64, in an emulated engine."""
-    return [Program([os.path.join(FOLDER, "engine_arm64.py")], seconds=4 * SECONDS, engine=False)]
+    return [Program([PYTHON, os.path.join(FOLDER, "engine_arm64.py")], seconds=4 * SECONDS, engine=False)]
 
 
 SUITES = (
