@@ -10,7 +10,6 @@ import requirements
 from SCons.Script import Action
 
 FOLDER = addon_files.FOLDER
-EXECUTABLE = (".so", ".dylib", ".dll")
 # Of every file in the archive, so that equal files give an equal archive.
 ARCHIVE_TIME = (1980, 1, 1, 0, 0, 0)
 
@@ -32,12 +31,7 @@ def install(env, built, destination):
 
     def copy(target, source, env):
         shutil.rmtree(destination, ignore_errors=True)
-        for name, data in addon_files.contents().items():
-            path = os.path.join(destination, name)
-            os.makedirs(os.path.dirname(path), exist_ok=True)
-            with open(path, "wb") as file:
-                file.write(data)
-            os.chmod(path, mode_of(name))
+        addon_files.write(destination)
         print("scons: installed into {}".format(destination))
 
     node = env.Command("install_into_project", built, Action(copy, None))
@@ -48,7 +42,7 @@ def install(env, built, destination):
 def package(env, plugin, libraries, system):
     """Nodes of `scons package`: dist/ga_godot-VERSION.zip with addons/ga_godot in it, and its checksum for sha256sum -c.
 
-    `system` is the end of the name of an archive for one system; empty for that of all.
+    `system` names the folder below dist/ of an archive for one system; empty for that of all.
     """
     paths = [str(node) for library in libraries for node in library]
 
@@ -58,17 +52,12 @@ def package(env, plugin, libraries, system):
             for name, data in addon_files.contents(paths).items():
                 entry = zipfile.ZipInfo("addons/ga_godot/" + name, ARCHIVE_TIME)
                 entry.compress_type = zipfile.ZIP_DEFLATED
-                entry.external_attr = (0o100000 | mode_of(name)) << 16
+                entry.external_attr = (0o100000 | addon_files.mode_of(name)) << 16
                 archive.writestr(entry, data, compresslevel=9)
         with open(str(target[1]), "w", encoding="utf-8") as file:
             file.write("{}  {}\n".format(hashlib.sha256(addon_files.read(path)).hexdigest(), os.path.basename(path)))
 
-    path = "dist/ga_godot-{}{}.zip".format(addon_files.version(), system)
+    path = os.path.join("dist", system, "ga_godot-{}.zip".format(addon_files.version()))
     nodes = env.Command([path, path + ".sha256"], [plugin, libraries], Action(pack, "Packing $TARGET"))
     env.AlwaysBuild(nodes)
     return nodes
-
-
-def mode_of(name):
-    """Permissions of an installed file."""
-    return 0o755 if name.endswith(EXECUTABLE) else 0o644

@@ -5,13 +5,17 @@ import os
 import posixpath
 import re
 
+# Paths in this file are relative to it.
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FOLDER = "godot_project/addons/ga_godot"
+EXTENSION = FOLDER + "/ga_godot.gdextension"
 PLUGIN = "plugin.cfg"
 # Files of the repository's root that are in the addon too.
 ROOT_FILES = ("LICENSE", "CHANGELOG.md", "SECURITY.md")
 PAGES = "docs"
 # Pages for those who have the sources.
 SOURCE_PAGES = ("docs/asset_library.md", "docs/demos.md")
+EXECUTABLE = (".so", ".dylib", ".dll")
 # Written by the editor beside the files that it imports or saves.
 EDITOR_FILES = (".import", ".tmp", "~")
 # A link or picture in Markdown. The text of a link can contain a picture.
@@ -23,34 +27,44 @@ LEFT_OUT = re.compile(r"^docs/images/gallery/(?!all\.png)")
 
 def version():
     """The version in plugin.cfg."""
-    config = configparser.ConfigParser()
-    config.read(PLUGIN, encoding="utf-8")
-    return config["plugin"]["version"].strip('"')
+    return settings(read(PLUGIN))["plugin"]["version"].strip('"')
 
 
-def oldest_engine():
-    """The oldest version of Godot that loads the addon, such as "4.6"."""
-    config = configparser.ConfigParser()
-    config.read(FOLDER + "/ga_godot.gdextension", encoding="utf-8")
-    return config["configuration"]["compatibility_minimum"].strip('"')
+def libraries(extension):
+    """The paths in the bytes of a ga_godot.gdextension, relative to it, by feature tags such as linux.debug.x86_64."""
+    return {tags: path.strip('"') for tags, path in settings(extension)["libraries"].items()}
+
+
+def library_for(extension, tags):
+    """The path in ga_godot.gdextension of the one library for a system with these feature tags."""
+    found = {path for key, path in libraries(extension).items() if set(key.split(".")) <= set(tags)}
+    if len(found) != 1:
+        raise ValueError("ga_godot.gdextension lists {} for {}, but must list one library".format(sorted(found), sorted(tags)))
+    return found.pop()
 
 
 def listed_libraries():
     """The paths in ga_godot.gdextension, relative to it, of the libraries of all systems; sorted."""
-    config = configparser.ConfigParser()
-    config.read(FOLDER + "/ga_godot.gdextension", encoding="utf-8")
-    return sorted({path.strip('"') for path in config["libraries"].values()})
+    return sorted(set(libraries(read(EXTENSION)).values()))
 
 
-def contents(libraries=None):
+def settings(data):
+    """The sections of a file of Godot's settings."""
+    config = configparser.ConfigParser(interpolation=None)
+    config.optionxform = str
+    config.read_string(data.decode("utf-8"))
+    return config
+
+
+def contents(built=None):
     """The bytes of every file of the installed addon, by its path relative to addons/ga_godot; sorted.
 
-    `libraries` are the paths of the libraries; by default, those that were built into the checkout's addon.
+    `built` are the paths of the libraries; by default, those that were built into the checkout's addon.
     """
     moved = {FOLDER + "/" + path: path for path in paths_below(FOLDER) if not path.startswith("bin/")}
-    if libraries is None:
-        libraries = [FOLDER + "/" + path for path in listed_libraries() if os.path.isfile(FOLDER + "/" + path)]
-    moved.update({path: "bin/" + os.path.basename(path) for path in libraries})
+    if built is None:
+        built = [path for path in (FOLDER + "/" + path for path in listed_libraries()) if os.path.isfile(os.path.join(ROOT, path))]
+    moved.update({path: "bin/" + os.path.basename(path) for path in built})
     moved.update({path: path for path in ROOT_FILES})
     pages = [PAGES + "/" + path for path in paths_below(PAGES) if path.endswith(".md")]
     moved.update({path: path for path in pages if path not in SOURCE_PAGES})
@@ -65,9 +79,24 @@ def contents(libraries=None):
     return dict(sorted(found.items()))
 
 
+def write(folder, built=None):
+    """Writes the files of the installed addon into a folder; `built` as in contents()."""
+    for name, data in contents(built).items():
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as file:
+            file.write(data)
+        os.chmod(path, mode_of(name))
+
+
+def mode_of(name):
+    """Permissions of an installed file."""
+    return 0o755 if name.endswith(EXECUTABLE) else 0o644
+
+
 def paths_below(top):
     """Paths of the files in a folder, relative to it, without those of the editor."""
-    found = []
+    found, top = [], os.path.join(ROOT, top)
     for folder, _, names in os.walk(top):
         below = os.path.relpath(folder, top).replace(os.sep, "/")
         found += [posixpath.normpath(below + "/" + name) for name in names if not name.endswith(EDITOR_FILES)]
@@ -105,5 +134,5 @@ def offline_page(text, source, moved):
 
 def read(path):
     """The bytes of a file."""
-    with open(path, "rb") as file:
+    with open(os.path.join(ROOT, path), "rb") as file:
         return file.read()

@@ -51,37 +51,16 @@ def host():
     )
 
 
-def check_options(env, options, wanted, toolchains):
-    """Rejects unknown options and systems that nothing can be built for; sets the defaults that depend on other options."""
+def check_options(env, options):
+    """Rejects unknown options and sanitizers."""
     unknown = options.UnknownVariables()
     if unknown:
         fail("unknown option {}; `scons -h` lists the options".format(", ".join(sorted(unknown))))
-    platform, is_host = env["platform"], env["platform"] == host()[0]
-    arches = toolchains.arches(platform)
-    if platform in toolchains.OTHERS:
-        check_other_platform(env, platform)
-    elif not arches:
-        fail("platform {} is unknown; use {}".format(platform, ", ".join(toolchains.SUFFIXES)))
-    if not env["arch"]:
-        env["arch"] = host()[1] if is_host else arches[0]
-    if arches and env["arch"] not in arches:
-        fail("arch {} is unknown for {}; use {}".format(env["arch"], platform, ", ".join(arches)))
-    is_host = is_host and env["arch"] == host()[1]
-    if not env["toolchain"]:
-        env["toolchain"] = "native" if is_host or platform in toolchains.OTHERS else "zig"
-    if env["arch"] == "universal" and wanted - {"install", "package"}:
-        fail("arch universal is for the library alone; name one of {}".format(", ".join(toolchains.parts(platform, "universal"))))
     if env["sanitize"] in ("none", "no"):
         env["sanitize"] = ""
     unknown = [name for name in env["sanitize"].split(",") if name and name not in SANITIZERS]
     if unknown:
         fail("sanitize={} is unknown; use {} or several of them, separated by commas".format(",".join(unknown), ", ".join(SANITIZERS)))
-
-
-def check_other_platform(env, platform):
-    """For these platforms, users bring the compiler and godot-cpp; nothing of it was tried (docs/systems.md)."""
-    if not os.environ.get("CXX") or not env["arch"] or not (env["godot_cpp"] or os.environ.get("GODOT_CPP")):
-        fail("platform {0} needs CXX=COMPILER in the environment, arch= and godot_cpp=DIR with a godot-cpp built for {0}; see docs/building.md".format(platform))
 
 
 def check_compiler(env, doctest, benchmark):

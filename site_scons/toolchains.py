@@ -36,6 +36,28 @@ HEADER_FOLDERS = ("/usr/local/include", "/usr/include", "/opt/homebrew/include",
 HEADERS = os.path.join("build", "headers")
 
 
+def choose(env, wanted):
+    """Checks platform and arch for the targets `wanted`, and sets arch and toolchain where they are not given."""
+    platform, known = env["platform"], arches(env["platform"])
+    is_host = platform == requirements.host()[0]
+    if platform in OTHERS:
+        # For these, users bring the compiler and godot-cpp; nothing of it was tried (docs/systems.md).
+        if not os.environ.get("CXX") or not env["arch"] or not (env["godot_cpp"] or os.environ.get("GODOT_CPP")):
+            requirements.fail("platform {0} needs CXX=COMPILER in the environment, arch= and godot_cpp=DIR with a godot-cpp built for {0}; "
+                              "see docs/building.md".format(platform))
+    elif not known:
+        requirements.fail("platform {} is unknown; use {}".format(platform, ", ".join(SUFFIXES)))
+    if not env["arch"]:
+        env["arch"] = requirements.host()[1] if is_host else known[0]
+    if known and env["arch"] not in known:
+        requirements.fail("arch {} is unknown for {}; use {}".format(env["arch"], platform, ", ".join(known)))
+    if not env["toolchain"]:
+        is_native = platform in OTHERS or (platform, env["arch"]) == requirements.host()
+        env["toolchain"] = "native" if is_native else "zig"
+    if env["arch"] == "universal" and wanted - {"install", "package"}:
+        requirements.fail("arch universal is for the library alone; name one of {}".format(", ".join(parts(platform, "universal"))))
+
+
 def arches(platform):
     """The values of arch= for a platform: those of its libraries, and the parts of a merged one."""
     found = [system for system in SYSTEMS if system.platform == platform]
@@ -160,8 +182,11 @@ def link_macos(target, source, env):
 
 def merge(env, target, libraries):
     """The node of a library for several processors of macOS."""
-    command = [llvm_tool("llvm-lipo"), "-create", "-output", "$TARGET", "$SOURCES"]
-    return env.Command(target, libraries, Action([command], "Merging $TARGET"))
+
+    def join(target, source, env):
+        return subprocess.call([llvm_tool("llvm-lipo"), "-create", "-output", str(target[0]), *map(str, source)])
+
+    return env.Command(target, libraries, Action(join, "Merging $TARGET"))
 
 
 def llvm_tool(name):

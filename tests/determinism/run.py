@@ -14,6 +14,10 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
+
+from emulators import first_program, qemu_arm64  # noqa: E402
+
 BUILD = os.path.join(ROOT, "build", "determinism")
 FOLDERS = ("net/endpoint", "net/delivery", "net/motion", "net/stream", "net/coding")
 FILES = ("src/net/pose_codec.cpp", "src/cga/motor/interpolate.cpp",
@@ -21,12 +25,6 @@ FILES = ("src/net/pose_codec.cpp", "src/cga/motor/interpolate.cpp",
 OPTIONS = ("-std=c++17", "-Isrc", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math")
 IS_X86_64 = platform.machine().lower() in ("x86_64", "amd64")
 ARM64_COMPILER = "aarch64-linux-gnu-g++"
-EMULATORS = ("qemu-aarch64", "qemu-aarch64-static")
-
-
-def first_program(*names):
-    """Path of the first of the programs on PATH; None if there is none."""
-    return next((path for path in map(shutil.which, names) if path), None)
 
 
 def builds():
@@ -35,9 +33,9 @@ def builds():
     clang = first_program("clang++", "clang++-19")
     result = [("baseline, -O0", base, ["-O0", "-DCGA_BASELINE_ONLY"], ""), ("clang, -O3", clang, ["-O3"], "")]
     if IS_X86_64:
-        if not (shutil.which(ARM64_COMPILER) and first_program(*EMULATORS)):
+        if not (shutil.which(ARM64_COMPILER) and qemu_arm64()):
             subprocess.run([os.path.join(ROOT, "tools", "setup"), "arm64"], check=False)
-        result.append(("arm64, -O2", shutil.which(ARM64_COMPILER), ["-O2", "-static"], first_program(*EMULATORS)))
+        result.append(("arm64, -O2", shutil.which(ARM64_COMPILER), ["-O2", "-static"], qemu_arm64()))
     return result
 
 

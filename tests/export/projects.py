@@ -2,16 +2,13 @@
 
 import os
 import shutil
-import sys
 
+import addon_files
 import checkout
 import libraries
 import presets
 import project
 import stand_ins
-
-sys.path.insert(0, os.path.join(checkout.ROOT, "site_scons"))
-import addon_files  # noqa: E402
 
 PRESETS = "export_presets.cfg"
 PROBE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "export_probe.gd")
@@ -54,7 +51,7 @@ script_export_mode=2
 
 def host_arch():
     """The architecture of this machine, by Godot's name."""
-    return os.path.basename(checkout.variant()).split(".")[2]
+    return checkout.host()[1]
 
 
 def host_preset():
@@ -85,14 +82,7 @@ def make_demos(folder, templates):
 def make_game(folder, templates):
     """Makes a project that contains only the addon, with all files that users get."""
     game = os.path.join(folder, "game")
-    here = os.getcwd()
-    os.chdir(checkout.ROOT)  # as SCons, whose modules have paths relative to it
-    try:
-        addon = addon_files.contents()
-    finally:
-        os.chdir(here)
-    for name, data in addon.items():
-        stand_ins.write(os.path.join(game, "addons", "ga_godot", name), data)
+    addon_files.write(os.path.join(game, "addons", "ga_godot"))
     options = {**native_templates(templates), "binary_format/architecture": host_arch()}
     stand_ins.write(os.path.join(game, "project.godot"), GAME.encode())
     stand_ins.write(os.path.join(game, PRESETS), presets.with_options(GAME_PRESETS, {"Linux": options}).encode())

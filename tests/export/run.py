@@ -15,7 +15,7 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-for folder in (os.path.join(ROOT, "tests", "network"), os.path.join(ROOT, "tools", "lib"), HERE):
+for folder in (os.path.join(ROOT, "tests", "network"), os.path.join(ROOT, "site_scons"), os.path.join(ROOT, "tools", "lib"), HERE):
     sys.path.insert(0, folder)
 
 import checkout  # noqa: E402

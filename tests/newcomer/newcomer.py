@@ -1,13 +1,11 @@
 """The newcomer's project: empty, with the files of the archive, and with the plugin enabled."""
 
-import configparser
 import os
 
 import addon_files
 import checkout
 import code_samples
 import engine_run
-import requirements
 
 ADDON = os.path.join("addons", "ga_godot")
 PLUGIN = "res://addons/ga_godot/plugin.cfg"
@@ -73,30 +71,6 @@ class Newcomer:
 
 
 def unpack(folder):
-    """Writes the files of the archive, without the libraries of other systems."""
-    before = os.getcwd()
-    os.chdir(checkout.ROOT)  # as SCons, whose modules have paths relative to it
-    try:
-        contents = addon_files.contents()
-    finally:
-        os.chdir(before)
-    foreign = foreign_libraries(contents["ga_godot.gdextension"].decode("utf-8"))
-    for name, data in contents.items():
-        if name not in foreign:
-            path = os.path.join(folder, name)
-            os.makedirs(os.path.dirname(path), exist_ok=True)
-            with open(path, "wb") as file:
-                file.write(data)
-
-
-def foreign_libraries(extension):
-    """The libraries that ga_godot.gdextension lists for other systems only. Keys are SYSTEM.KIND or SYSTEM.KIND.ARCHITECTURE."""
-    parser = configparser.ConfigParser()
-    parser.optionxform = str
-    parser.read_string(extension)
-    platform, architecture = requirements.host()
-    own, foreign = set(), set()
-    for key, value in parser["libraries"].items():
-        system, _, *processor = key.split(".")
-        (own if system == platform and processor in ([], [architecture]) else foreign).add(value.strip('"'))
-    return foreign - own
+    """Writes the files of the archive, with the library of this machine alone."""
+    library = addon_files.library_for(addon_files.read(addon_files.EXTENSION), [*checkout.host(), "debug"])
+    addon_files.write(folder, [os.path.join(addon_files.FOLDER, library)])

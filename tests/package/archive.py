@@ -15,10 +15,9 @@ sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
 import addon_files  # noqa: E402
 import checkout  # noqa: E402
 import markdown_links  # noqa: E402
-import requirements  # noqa: E402
 
 # The system of an archive for this machine alone; empty for the archive of all systems.
-HOST = ".".join(requirements.host())
+HOST = ".".join(checkout.host())
 system = HOST
 MAX_BYTES = 12_000_000
 TOP = "addons/ga_godot/"
@@ -51,7 +50,7 @@ def scons(*arguments):
 
 def path():
     """The archive that `scons package` writes."""
-    return os.path.join(ROOT, "dist", f"ga_godot-{addon_files.version()}{system and '-' + system}.zip")
+    return os.path.join(ROOT, "dist", system, f"ga_godot-{addon_files.version()}.zip")
 
 
 def pack():

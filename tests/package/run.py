@@ -140,7 +140,6 @@ def main():
     name, checks = "package", CHECKS
     if sys.argv[1:] == ["--complete"]:
         name, checks, archive.system = "archive", archive.CHECKS, ""
-    os.chdir(ROOT)  # as SCons, whose modules have paths relative to it
     failed = 0
     for title, check in checks:
         try:

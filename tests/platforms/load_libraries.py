@@ -4,29 +4,30 @@
 Prints "[load] N passed, N failed" as the last line.
 """
 
+import glob
 import os
 import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
+sys.path[:0] = [os.path.join(ROOT, "tools", "lib"), os.path.join(ROOT, "site_scons")]
 
+import addon_files  # noqa: E402
 import checkout  # noqa: E402
 import emulators  # noqa: E402
 
 SECONDS = 120
-SYSTEMS = (("linux", "x86_64", ".so", ""), ("linux", "arm64", ".so", ""), ("windows", "x86_64", ".dll", ".exe"))
-CLASSES = 9
+SYSTEMS = (("linux", "x86_64"), ("linux", "arm64"), ("windows", "x86_64"))
+# Each class of the library has a page.
+CLASSES = len(glob.glob(os.path.join(ROOT, "src", "godot", "doc_classes", "*.xml")))
 
 
-def load(platform, arch, library_suffix, program_suffix):
+def load(platform, arch):
     """Runs library_host with the library; returns what is wrong, or None."""
-    folder = checkout.zig_variant(platform, arch)
-    host = os.path.join(folder, "tests", "library_host" + program_suffix)
-    library = os.path.join(folder, f"libga_godot.{platform}.{arch}{library_suffix}")
-    emulator, env = ([], {}) if (platform, arch) == checkout.host() else emulators.command(platform, arch)
+    name = os.path.basename(addon_files.library_for(addon_files.read(addon_files.EXTENSION), [platform, arch, "debug"]))
+    command, env = emulators.test_program(platform, arch, "library_host", os.path.join(checkout.zig_variant(platform, arch), name))
     try:
-        done = subprocess.run([*emulator, host, library], env={**os.environ, **env}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        done = subprocess.run(command, env={**os.environ, **env}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, errors="replace", timeout=SECONDS, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
         return str(error)

@@ -18,18 +18,24 @@ WINE_ENV = {
 
 
 def first_program(*names, path=None):
-    """Path of the first of the programs on PATH or in the folder `path`; exits if there is none."""
-    for name in names:
-        found = shutil.which(name) or shutil.which(name, path=path)
-        if found:
-            return found
-    sys.exit(f"none of {', '.join(names)} is installed: run tools/setup arm64 wine")
+    """Path of the first of the programs on PATH or in the folder `path`; None if there is none."""
+    return next((found for name in names for found in (shutil.which(name), shutil.which(name, path=path) if path else None) if found), None)
 
 
-def command(platform, arch):
-    """What to put before the arguments of a program, and its additional environment."""
+def qemu_arm64():
+    """Path of QEMU for programs of Linux on arm64; None if it is not installed."""
+    return first_program("qemu-aarch64", "qemu-aarch64-static")
+
+
+def test_program(platform, arch, name, *arguments):
+    """The command and the additional environment that run a test program that zig built; exits without the emulator."""
+    program = os.path.join(checkout.zig_variant(platform, arch), "tests", name)
+    if (platform, arch) == checkout.host():
+        return [program, *arguments], {}
     if platform == "windows":
-        return [first_program("wine64", "wine", path=WINE_FOLDER)], WINE_ENV
-    if arch == "arm64" and platform == "linux":
-        return [first_program("qemu-aarch64", "qemu-aarch64-static"), "-L", ARM64_ROOT], {}
-    raise ValueError(f"no emulator for {platform}, {arch}")
+        command, env = [first_program("wine64", "wine", path=WINE_FOLDER), program + ".exe", *arguments], WINE_ENV
+    else:
+        command, env = [qemu_arm64(), "-L", ARM64_ROOT, program, *arguments], {}
+    if command[0] is None:
+        sys.exit(f"there is no emulator for {platform}, {arch}: run tools/setup arm64 wine")
+    return command, dict(env)

@@ -29,11 +29,8 @@ def load_suite():
 
 def unit_suite(platform, arch):
     """The doctest programs of the core under an emulator."""
-    emulator, env = emulators.command(platform, arch)
-    suffix = ".exe" if platform == "windows" else ""
-    folder = os.path.join(checkout.zig_variant(platform, arch), "tests")
-    programs = [os.path.join(folder, f"{name}_tests{suffix}") for name in ("cga", "net", "playground", "threads")]
-    return [Program([*emulator, program], seconds=SECONDS, env=dict(env), engine=False) for program in programs]
+    commands = [emulators.test_program(platform, arch, f"{name}_tests") for name in ("cga", "net", "playground", "threads")]
+    return [Program(command, seconds=SECONDS, env=env, engine=False) for command, env in commands]
 
 
 def archive_suite():
