@@ -10,7 +10,7 @@ import checkout
 import engine_log
 import libraries
 import projects
-from checks import expect, expect_errors_within, expect_good_network_errors, server_record
+from checks import expect, expect_good_network_errors, server_record
 from demo_run import DemoRun
 from exporter import export, run_export
 from pose_error import rows_at

@@ -11,7 +11,6 @@ import argparse
 import os
 import sys
 import tempfile
-import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -20,7 +19,7 @@ for folder in (os.path.join(ROOT, "tests", "network"), os.path.join(ROOT, "site_
 
 import checkout  # noqa: E402
 import game_cases  # noqa: E402
-from demo_run import RunFailed  # noqa: E402
+from case_runner import run_cases  # noqa: E402
 
 
 def main():
@@ -28,22 +27,10 @@ def main():
     parser.add_argument("--case", metavar="NAME", default="", help="run only the cases whose name contains NAME")
     options = parser.parse_args()
     templates = checkout.setup_path("templates")
-    passed = failed = 0
+    cases = [case for case in game_cases.CASES if options.case in case.__name__]
     with tempfile.TemporaryDirectory(prefix="ga_godot_export_") as place:
         games = game_cases.Games(place, templates)
-        for case in game_cases.CASES:
-            if options.case not in case.__name__:
-                continue
-            start = time.monotonic()
-            try:
-                case(games)
-                passed += 1
-                print(f"ok {case.__name__} ({time.monotonic() - start:.1f} s)", flush=True)
-            except (AssertionError, RunFailed) as problem:
-                failed += 1
-                print(f"FAILED {case.__name__} ({time.monotonic() - start:.1f} s): {problem}", flush=True)
-    print(f"[export] {passed} passed, {failed} failed", flush=True)
-    return 0 if passed and not failed else 1
+        return run_cases("export", cases, lambda case: case(games))
 
 
 if __name__ == "__main__":

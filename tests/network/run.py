@@ -12,7 +12,6 @@ import os
 import shlex
 import sys
 import tempfile
-import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "tools", "lib"))
@@ -26,7 +25,8 @@ import hostile_case  # noqa: E402
 import situation_cases  # noqa: E402
 import checkout  # noqa: E402
 import project  # noqa: E402
-from demo_run import DemoRun, RunFailed  # noqa: E402
+from case_runner import run_cases  # noqa: E402
+from demo_run import DemoRun  # noqa: E402
 
 
 CASES = (*cases.CASES, *bad_network_cases.CASES, *avatar_cases.CASES, *hostile_case.CASES, *situation_cases.CASES,
@@ -49,33 +49,14 @@ def main():
     else:
         engine = [checkout.ENGINE]
         project.prepare(checkout.PROJECT)
-    passed = failed = 0
-    for case in CASES:
-        name = case.__name__
-        if options.case and options.case not in f"{case.__module__}.{name}":
-            continue
-        start = time.monotonic()
-        problem = run_case(case, engine)
-        took = time.monotonic() - start
-        if problem:
-            failed += 1
-            print(f"FAILED {name} ({took:.1f} s): {problem}", flush=True)
-        else:
-            passed += 1
-            print(f"ok {name} ({took:.1f} s)", flush=True)
-    print(f"[network] {passed} passed, {failed} failed", flush=True)
-    return 0 if passed and not failed else 1
+    chosen = [case for case in CASES if not options.case or options.case in f"{case.__module__}.{case.__name__}"]
+    return run_cases("network", chosen, lambda case: run_case(case, engine))
 
 
 def run_case(case, engine):
-    """Runs a case in a temporary folder; returns the failure, or None."""
-    with tempfile.TemporaryDirectory(prefix="ga_godot_network_") as folder:
-        try:
-            with DemoRun(engine, folder) as run:
-                case(run)
-        except (RunFailed, AssertionError) as problem:
-            return str(problem) or "an assertion without a message failed"
-    return None
+    """Runs a case in a temporary folder."""
+    with tempfile.TemporaryDirectory(prefix="ga_godot_network_") as folder, DemoRun(engine, folder) as run:
+        case(run)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,6 @@ import contextlib
 import os
 import sys
 import tempfile
-import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -26,6 +25,7 @@ import faults  # noqa: E402
 import first_import  # noqa: E402
 import guides  # noqa: E402
 import networking  # noqa: E402
+from case_runner import run_cases  # noqa: E402
 from newcomer import Newcomer  # noqa: E402
 
 CASES = (*first_import.CASES, *guides.CASES, *networking.CASES, *faults.CASES, *editor_case.CASES,
@@ -37,26 +37,12 @@ def main():
     parser.add_argument("--case", metavar="NAME", help="of the cases after the import, run only those whose name contains NAME")
     parser.add_argument("--keep", metavar="FOLDER", help="make the project in this folder, which must be empty, and keep it")
     options = parser.parse_args()
-    passed = failed = 0
+    cases = [case for case in CASES if not options.case or options.case in case.__name__ or case in first_import.CASES]
     with contextlib.ExitStack() as stack:
         place = options.keep or stack.enter_context(tempfile.TemporaryDirectory(prefix="ga_godot_newcomer_"))
         environment = {} if os.environ.get("DISPLAY") else stack.enter_context(display.display())
         newcomer = Newcomer(os.path.abspath(place), environment)
-        for case in CASES:
-            name = case.__name__
-            if options.case and options.case not in name and case not in first_import.CASES:
-                continue
-            start = time.monotonic()
-            try:
-                case(newcomer)
-            except AssertionError as problem:
-                failed += 1
-                print(f"FAILED {name} ({time.monotonic() - start:.1f} s): {problem}", flush=True)
-            else:
-                passed += 1
-                print(f"ok {name} ({time.monotonic() - start:.1f} s)", flush=True)
-    print(f"[newcomer] {passed} passed, {failed} failed", flush=True)
-    return 0 if passed and not failed else 1
+        return run_cases("newcomer", cases, lambda case: case(newcomer))
 
 
 if __name__ == "__main__":
