@@ -18,7 +18,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # What every system has.
-BASICS = """awk basename cat chmod cp cut date df dirname du env flock grep head id ln ls mkdir mv readlink rm
+BASICS = """awk basename cat chmod cp cut date df dirname du env flock grep gzip head id ln ls mkdir mv readlink rm
 sed sh sha256sum sleep sort tail tar touch tr true uname wc""".split()
 
 DEBIAN = 'ID=debian\nPRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\n'

@@ -1,1 +1,0 @@
-//! Empty: Cargo.toml names the API descriptions that tools/setup downloads.
