@@ -64,7 +64,8 @@ def slow_server_and_other_tick_rates_play_smoothly(run):
         speed, rate = truth.speed(begin, end), truth.tick_rate(begin, end)
         findings.smooth(session.name, samples, speed)
         findings.even(session.name, samples, speed)
-        # Two ticks of the server, and a quarter for the clocks of two processes: 24 ticks/s measure 207 to 211 ms, normally 86 to 90.
+        # Two ticks of the server, and a quarter for the clocks of two processes: repeated runs with 24 ticks/s measure 207 to
+        # 211 ms, and their controls 86 to 90.
         high = 0.3 if normal is None else normal + DELAY_SLACK + 2.25 / rate
         found = findings.delay(session.name, samples, truth, 0.0, high, DELAY_SLACK)
         normal = found if normal is None else normal
