@@ -1,7 +1,21 @@
-"""Changes options in Godot's export_presets.cfg."""
+"""Godot's export_presets.cfg: a preset for Linux, and changes of options."""
 
 import re
 
+# What "Add..." in the export window writes, as far as it matters.
+LINUX = """[preset.0]
+
+name="Linux"
+platform="Linux"
+runnable=true
+export_filter="all_resources"
+include_filter=""
+exclude_filter=""
+export_path=""
+script_export_mode=2
+
+[preset.0.options]
+"""
 NAME = re.compile(r'^name="(.*)"$', re.M)
 
 

@@ -34,19 +34,6 @@ run/main_scene="res://addons/ga_godot/examples/replication.tscn"
 
 enabled=PackedStringArray("res://addons/ga_godot/plugin.cfg")
 """
-GAME_PRESETS = """[preset.0]
-
-name="Linux"
-platform="Linux"
-runnable=true
-export_filter="all_resources"
-include_filter=""
-exclude_filter=""
-export_path=""
-script_export_mode=2
-
-[preset.0.options]
-"""
 
 
 def host_arch():
@@ -85,7 +72,7 @@ def make_game(folder, templates):
     addon_files.write(os.path.join(game, "addons", "ga_godot"))
     options = {**native_templates(templates), "binary_format/architecture": host_arch()}
     stand_ins.write(os.path.join(game, "project.godot"), GAME.encode())
-    stand_ins.write(os.path.join(game, PRESETS), presets.with_options(GAME_PRESETS, {"Linux": options}).encode())
+    stand_ins.write(os.path.join(game, PRESETS), presets.with_options(presets.LINUX, {"Linux": options}).encode())
     prepare(game)
     return game
 

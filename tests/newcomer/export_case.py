@@ -7,32 +7,18 @@ import shutil
 
 import checkout
 import networking
+import presets
 from first_import import run_lines
 
 PAGE = "docs/guides/exporting.md"
-# What "Add..." in the export window writes, as far as it matters.
-PRESET = """[preset.0]
-
-name="Linux"
-platform="Linux"
-runnable=true
-export_filter="all_resources"
-include_filter=""
-exclude_filter=""
-export_path=""
-script_export_mode=2
-
-[preset.0.options]
-
-binary_format/architecture="{arch}"
-"""
 GAME = "game.x86_64"
 
 
 def exported_game(newcomer):
     networking.prepare(newcomer)
     install_templates(newcomer)
-    newcomer.write("export_presets.cfg", PRESET.format(arch=checkout.host()[1]))
+    options = {"binary_format/architecture": checkout.host()[1]}
+    newcomer.write("export_presets.cfg", presets.with_options(presets.LINUX, {"Linux": options}))
     shutil.rmtree(newcomer.path(".godot"), ignore_errors=True)
     newcomer.write(".godot/extension_list.cfg", "res://addons/ga_godot/ga_godot.gdextension\n")
     folder = newcomer.path("build")

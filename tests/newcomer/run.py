@@ -16,7 +16,8 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [os.path.join(ROOT, *place) for place in (("tools", "lib"), ("site_scons",), ("tests", "screenshots"))] + [HERE]
+PLACES = (("tools", "lib"), ("site_scons",), ("tests", "screenshots"), ("tests", "export"))
+sys.path[:0] = [os.path.join(ROOT, *place) for place in PLACES] + [HERE]
 
 import display  # noqa: E402
 import editor_case  # noqa: E402
