@@ -41,7 +41,8 @@ def run_lines(newcomer, lines, page):
         os.chmod(program, 0o755)
     environment = {**newcomer.environment, "PATH": programs + os.pathsep + newcomer.environment["PATH"]}
     done = subprocess.run(["sh", "-e", "-c", lines], cwd=newcomer.project, env=environment, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=SECONDS, check=False)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=SECONDS,
+                          check=False)
     problems = engine_log.problems_of(done.stdout)
     assert done.returncode == 0 and not problems, f"the lines of {page} end with {done.returncode}; {problems}\n{done.stdout}"
 
